@@ -1,9 +1,10 @@
 # libifov, the library that other programs link: the facade of src/session/facade with all rooms below it, in one shared
 # library that shows the names of include/ifov and no others; and what `cmake --install` puts where.
 include(CMakePackageConfigHelpers)
+include(CheckLinkerFlag)
 include(GNUInstallDirs)
 
-add_library(libifov SHARED $<TARGET_OBJECTS:ifov_session>)
+add_library(libifov SHARED $<TARGET_OBJECTS:ifov_session_facade>)
 add_library(ifov::ifov ALIAS libifov)
 set(IFOV_SYMBOLS ${CMAKE_CURRENT_LIST_DIR}/libifov.map)
 # The names of include/ifov may change with every 0.x; from 1.0 on they will not within one number.
@@ -16,6 +17,16 @@ target_include_directories(libifov PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/
 target_link_libraries(libifov PRIVATE ifov_session)
 target_link_options(libifov PRIVATE -Wl,--version-script=${IFOV_SYMBOLS})
 ifov_harden(libifov)
+
+# On a processor without the instructions it was compiled for, the library's own initialization would end the program. A mark makes
+# the loader (of glibc 2.33 and later) say so before that, to a program as it starts and to one that calls dlopen.
+ifov_processor_needs(needs IFOV_ISA_LEVEL)
+if(IFOV_ISA_LEVEL GREATER 1)
+  check_linker_flag(CXX -Wl,-z,x86-64-v${IFOV_ISA_LEVEL} IFOV_LINKER_MARKS_ISA_V${IFOV_ISA_LEVEL})
+  if(IFOV_LINKER_MARKS_ISA_V${IFOV_ISA_LEVEL})
+    target_link_options(libifov PRIVATE -Wl,-z,x86-64-v${IFOV_ISA_LEVEL})
+  endif()
+endif()
 
 install(TARGETS ifov RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS libifov EXPORT ifovTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})

@@ -8,14 +8,19 @@ function(ifov_room name)
   ifov_library(ifov_${name} "${sources}" "${ROOM_ROOMS}" "${ROOM_LIBRARIES}")
 endfunction()
 
-# A room that others want in part is several libraries ifov_<room>_<part>, each made of some of its folders (FOLDERS).
+# A room that others want in part is several libraries ifov_<room>_<part>, each made of some of its folders (FOLDERS; "."
+# for the room's own files).
 # PARTS are those of the same room that it may include. ROOMS of whoever wants no more than a part names <room>_<part>;
 # ifov_<room> is all parts that have been declared before ifov_whole_room.
 function(ifov_part room part)
   cmake_parse_arguments(PART "" "" "FOLDERS;PARTS;ROOMS;LIBRARIES" ${ARGN})
   set(sources)
   foreach(folder ${PART_FOLDERS})
-    file(GLOB_RECURSE found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+    if(folder STREQUAL ".")
+      file(GLOB found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    else()
+      file(GLOB_RECURSE found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+    endif()
     list(APPEND sources ${found})
   endforeach()
   list(TRANSFORM PART_PARTS PREPEND ${room}_)
@@ -85,8 +90,9 @@ function(ifov_compile_options target)
   ifov_harden(${target})
 endfunction()
 
-# What a processor needs for IFOV_MARCH, as words of __builtin_cpu_supports; src/cli/processor.cpp asks for each.
-function(ifov_processor_needs result)
+# What a processor needs for IFOV_MARCH, as words of __builtin_cpu_supports, each of which src/cli/processor.cpp asks for; and the
+# level of the x86-64 psABI that holds most of it (2 to 4, or 1), which the loader of libifov asks for.
+function(ifov_processor_needs result level)
   execute_process(COMMAND ${CMAKE_CXX_COMPILER} -march=${IFOV_MARCH} -dM -E -x c++ /dev/null
                   OUTPUT_VARIABLE macros ERROR_VARIABLE error RESULT_VARIABLE status)
   if(NOT status EQUAL 0)
@@ -102,4 +108,21 @@ function(ifov_processor_needs result)
     endif()
   endforeach()
   set(${result} "${needs}" PARENT_SCOPE)
+
+  set(highest 1)
+  set(level_2 SSE3 SSSE3 SSE4_1 SSE4_2 POPCNT)
+  set(level_3 AVX AVX2 BMI BMI2 F16C FMA LZCNT MOVBE)
+  set(level_4 AVX512F AVX512BW AVX512CD AVX512DQ AVX512VL)
+  foreach(above 2 3 4)
+    math(EXPR below "${above} - 1")
+    if(highest EQUAL below)
+      set(highest ${above})
+      foreach(feature ${level_${above}})
+        if(NOT macros MATCHES "#define __${feature}__ 1")
+          set(highest ${below})
+        endif()
+      endforeach()
+    endif()
+  endforeach()
+  set(${level} ${highest} PARENT_SCOPE)
 endfunction()

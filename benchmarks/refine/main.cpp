@@ -84,7 +84,8 @@ void run(const char* path, double factor) {
   const session::Session::Parts& parts = session.parts();
   if (!parts.tolerance || !parts.plan.sampler->can_refine())
     throw InputError("the document asks for no accuracy");
-  session::SamplingPlan loose = session::assemble_sampling(parts.document, parts.channels);
+  session::SamplingPlan loose = session::assemble_sampling(parts.document.sources, parts.document.sampling,
+                                                           parts.document.sensor.channels, parts.channels);
   loose.request->error *= factor;
   const auto loose_limits = parts.tolerance_of(loose);
   const auto render = [&](render::RenderJob job, bool keep, render::EarlierTiles* earlier) {

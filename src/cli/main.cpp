@@ -1,4 +1,6 @@
 #include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
 #include <new>
 #include <system_error>
 #include <vector>
@@ -101,5 +103,11 @@ int main(int argc, char** argv) {
   ifov::cli::answer_faults();
   const int code = run_and_say(argc, argv);
   ifov::cli::leave_ranks();
+  if (code == static_cast<int>(ifov::cli::ExitCode::environment)) {
+    // Where memory is short a library's own thread (OpenBLAS's, by way of GDAL) asks for it for ever, and the library
+    // waits for that thread as a process exits.
+    std::fflush(nullptr);
+    std::_Exit(code);
+  }
   return code;
 }

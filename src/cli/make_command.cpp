@@ -16,7 +16,7 @@ struct MakeArguments {
   bool replace = false, quiet = false;
 };
 
-const landscape::LandscapeEntry& entry_named(const std::string& name) {
+const landscape::LandscapeEntry& scene_named(const std::string& name) {
   if (const landscape::LandscapeEntry* entry = landscape::find_landscape(name)) return *entry;
   std::vector<std::string> names;
   for (const landscape::LandscapeEntry& entry : landscape::all_landscapes()) names.emplace_back(entry.name);
@@ -26,7 +26,7 @@ const landscape::LandscapeEntry& entry_named(const std::string& name) {
 }
 
 ExitCode make(const MakeArguments& arguments) {
-  const landscape::LandscapeEntry& entry = entry_named(arguments.kind);
+  const landscape::LandscapeEntry& entry = scene_named(arguments.kind);
   const landscape::MadeScene made =
       entry.make({arguments.folder, landscape::size_m_of(arguments.size), arguments.seed, arguments.replace});
   if (arguments.quiet) return ExitCode::ok;

@@ -20,7 +20,7 @@ struct StudyArguments {
   bool quiet = false;
 };
 
-const studies::StudyEntry& entry_named(const std::string& name) {
+const studies::StudyEntry& study_named(const std::string& name) {
   if (const studies::StudyEntry* entry = studies::find_study(name)) return *entry;
   std::vector<std::string> names;
   for (const studies::StudyEntry& entry : studies::all_studies()) names.emplace_back(entry.name);
@@ -34,7 +34,7 @@ const studies::StudyEntry& entry_named(const std::string& name) {
 }
 
 ExitCode study(const StudyArguments& arguments) {
-  const studies::StudyEntry& entry = entry_named(arguments.name);
+  const studies::StudyEntry& entry = study_named(arguments.name);
   if (!arguments.scene.empty() && !entry.takes_scene)
     throw InputError(format("the study '{}' has scenes of its own: --scene does not go with it", entry.name));
   Console console(arguments.quiet, arguments.log);

@@ -9,13 +9,17 @@
 #include "materials/bsdf/bsdf_model.h"
 #include "materials/bsdf/hapke.h"
 #include "materials/bsdf/lambertian.h"
+#include "materials/bsdf/leaf/leaf.h"
 #include "materials/bsdf/mirror.h"
 #include "materials/bsdf/oren_nayar.h"
+#include "materials/bsdf/polarized/facet_brdf.h"
+#include "materials/bsdf/polarized/maignan.h"
 #include "materials/bsdf/ross_li.h"
 #include "materials/bsdf/rough_conductor.h"
 #include "materials/bsdf/rough_dielectric.h"
 #include "materials/bsdf/roujean.h"
 #include "materials/bsdf/rpv.h"
+#include "materials/bsdf/sea/sea.h"
 #include "materials/bsdf/snow.h"
 #include "materials/bsdf/tabulated.h"
 #include "materials/bsdf/ward.h"
@@ -37,7 +41,13 @@ constexpr std::array kModels{&Lambertian::kModel,
                              &Ward::kModel,
                              &smooth::kModel,
                              &slab::kModel,
-                             &film::kModel};
+                             &film::kModel,
+                             &Sea::kModel,
+                             &Leaf::kModel,
+                             &FacetBrdf::kPriestGermer,
+                             &FacetBrdf::kMaxwellBeard,
+                             &FacetBrdf::kShellTarget,
+                             &Maignan::kModel};
 
 template <class Value>
 const Value& value_of(const BsdfInputs& inputs, std::string_view key) {

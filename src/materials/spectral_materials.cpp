@@ -9,7 +9,7 @@
 namespace ifov::materials {
 
 SpectralMaterials::SpectralMaterials(std::span<const Material> materials,
-                                     const radiometry::SpectralNodes& nodes)
+                                     const radiometry::SpectralNodes& nodes, bool polarized)
     : reflectance_(materials.size(), nodes.node_count()), emissivity_(materials.size(), nodes.node_count()) {
   std::uint32_t rows = 1;
   for (const Material& material : materials)
@@ -26,8 +26,9 @@ SpectralMaterials::SpectralMaterials(std::span<const Material> materials,
     nodes.average_surface(material.reflectance.complement(), emissivity);
     maximum_reflectance_.push_back(highest(reflectance_.values(m)));
     maximum_transmittance_.push_back(0.0f);
-    directional_.push_back(material.bsdf->is_separable() ? nullptr
-                                                         : std::make_unique<NodeBsdf>(material.bsdf, nodes));
+    directional_.push_back(material.bsdf->is_separable()
+                               ? nullptr
+                               : std::make_unique<NodeBsdf>(material.bsdf, nodes, polarized));
     any_pane_ = any_pane_ || material.bsdf->passage() == Passage::straight;
     any_medium_ = any_medium_ || material.bsdf->passage() == Passage::into;
     if (const NodeBsdf* model = directional_.back().get()) {

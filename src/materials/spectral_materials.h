@@ -20,7 +20,9 @@ struct Material;
 /// indexed by material, padded and aligned as SpectrumBlock says.
 class SpectralMaterials {
  public:
-  SpectralMaterials(std::span<const Material> materials, const radiometry::SpectralNodes& nodes);
+  /// `polarized`: models keep what their polarization needs.
+  SpectralMaterials(std::span<const Material> materials, const radiometry::SpectralNodes& nodes,
+                    bool polarized = false);
   ~SpectralMaterials();
 
   std::size_t count() const { return maximum_reflectance_.size(); }

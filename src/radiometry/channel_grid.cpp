@@ -89,20 +89,24 @@ bool ChannelGrid::resolves(const Channel& channel, const Spectrum& light, const 
 }
 
 ChannelGrid::ChannelGrid(const Channel& channel, const Spectrum& solar_irradiance,
-                         std::span<const Spectrum> surfaces, const Spectrum* sky_radiance) {
+                         std::span<const Spectrum> surfaces, const Spectrum* sky_radiance,
+                         std::span<const Spectrum> lamps) {
   if (channel.is_monochromatic()) {
     wavelength_um = {channel.centre_um};
     response = {1.0};
   } else {
     std::vector<const Spectrum*> spectra{&channel.response, &solar_irradiance};
     if (sky_radiance != nullptr) spectra.push_back(sky_radiance);
+    for (const Spectrum& lamp : lamps) spectra.push_back(&lamp);
     place_points(channel, spectra);
     const std::size_t lights = spectra.size();
     const Spectrum even = Spectrum::constant(1.0);
     for (const Spectrum& surface : surfaces)
       if (!surface.is_constant() &&
           !(resolves(channel, even, surface) && resolves(channel, solar_irradiance, surface) &&
-            (sky_radiance == nullptr || resolves(channel, *sky_radiance, surface))))
+            (sky_radiance == nullptr || resolves(channel, *sky_radiance, surface)) &&
+            std::all_of(lamps.begin(), lamps.end(),
+                        [&](const Spectrum& lamp) { return resolves(channel, lamp, surface); })))
         spectra.push_back(&surface);
     if (spectra.size() > lights) place_points(channel, spectra);
   }

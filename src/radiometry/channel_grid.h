@@ -27,9 +27,10 @@ struct ChannelGrid {
   std::vector<double> bright, reference;
 
   /// `surfaces`: reflectances and transmittances that the sum has to be right for. `sky_radiance`: of a uniform sky, as
-  /// it reaches surfaces; null where there is none.
+  /// it reaches surfaces; null where there is none. `lamps`: light of any unit, whose lines the points have to meet.
   ChannelGrid(const Channel& channel, const Spectrum& solar_irradiance,
-              std::span<const Spectrum> surfaces = {}, const Spectrum* sky_radiance = nullptr);
+              std::span<const Spectrum> surfaces = {}, const Spectrum* sky_radiance = nullptr,
+              std::span<const Spectrum> lamps = {});
   /// From points of the caller's own, several of which may stand at one wavelength (terms of absorption). Shares are
   /// scaled to a sum of 1. `least`: radiances darker than this may err by as much as it would.
   ChannelGrid(std::vector<double> wavelengths_um, std::vector<double> shares, std::vector<double> irradiances,

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
+
+#include "radiometry/spectrum.h"
 
 namespace ifov::radiometry {
 
@@ -18,6 +21,8 @@ struct NodeDemands {
   /// Every surface emits, at coldest_k at least: then radiances are judged as wholes, what is emitted and what is
   /// reflected, and not the darkest of their parts by itself.
   bool all_glow = false;
+  /// Light that surfaces give off as lamps, of any unit.
+  std::vector<Spectrum> lamps{};
   /// Nodes of a channel, whatever the error then.
   std::size_t most_nodes = 64;
 };

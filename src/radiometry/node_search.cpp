@@ -27,6 +27,24 @@ std::vector<double> temperatures_k(const NodeDemands& demands) {
   return result;
 }
 
+/// Light of lamps at a grid's points, as bright in the mean as the grid's reference; those that the channel does not see are
+/// left out.
+std::vector<std::vector<double>> lamps_at(const ChannelGrid& grid, const NodeDemands& demands) {
+  std::vector<std::vector<double>> result;
+  for (const Spectrum& lamp : demands.lamps) {
+    std::vector<double> light = grid.sampled(lamp);
+    double mean = 0.0, bright = 0.0;
+    for (std::size_t q = 0; q < grid.size(); ++q) {
+      mean += grid.response[q] * light[q];
+      bright += grid.response[q] * grid.bright[q];
+    }
+    if (!(mean > 0.0)) continue;
+    for (double& value : light) value *= bright / mean;
+    result.push_back(std::move(light));
+  }
+  return result;
+}
+
 /// One source of light and the surfaces it met on its way, as indices; -1 for none.
 struct Product {
   std::size_t source;
@@ -52,6 +70,8 @@ class Trial {
     if (!grid.sky.empty()) sources_.push_back(grid.sky);
     for (std::vector<double>& source : sources_)
       for (double& value : source) value /= std::numbers::pi;
+    // What a lamp lights may see nothing else: of a brightness that counts beside what is dark in the Sun.
+    for (std::vector<double>& lamp : lamps_at(grid, demands)) sources_.push_back(std::move(lamp));
     first_thermal_ = sources_.size();
     for (const double temperature : temperatures_k(demands)) {
       std::vector<double> planck(grid.size());
@@ -215,7 +235,8 @@ class Trial {
   std::span<const double> seen_;
   int reflections_;
   std::size_t first_thermal_ = 1;
-  std::vector<std::vector<double>> sources_;  // Sun and sky on a white surface, the sky alone, blackbodies
+  std::vector<std::vector<double>>
+      sources_;  // Sun and sky on a white surface, the sky alone, lamps, blackbodies
   std::vector<Product> products_;
   std::vector<double> expected_, whole_;  // by product: with its surfaces, and with white ones
   double dark_ = 0.0;                     // radiances below it are not told apart from it
@@ -255,6 +276,10 @@ class Shapes {
     if (!grid.sky.empty())
       add([&](std::size_t q) { return grid.sky[q] / (std::numbers::pi * grid.bright[q]); },
           std::sqrt(kDarkShare));
+    for (const std::vector<double>& lamp : lamps_at(grid, demands)) {
+      ++emissions_;
+      add([&](std::size_t q) { return lamp[q] / grid.bright[q]; }, std::sqrt(kDarkShare));
+    }
     for (const double temperature : temperatures_k(demands)) {
       ++emissions_;
       add(

@@ -24,6 +24,14 @@ PolarizationFrame carried(const PolarizationFrame& frame, Vec3 direction) {
   return {direction, normalized(frame.x - along * (frame.direction + direction))};
 }
 
+PolarizationFrame surface_frame(Vec3 direction, Vec3 normal) {
+  constexpr double kNoPlane = 1e-9;
+  const Vec3 across = cross(direction, normal);
+  const double sine = length(across);
+  if (sine < kNoPlane) return meridional_frame(direction);
+  return {direction, cross(across / sine, direction)};
+}
+
 MuellerMatrix turned(const PolarizationFrame& from, const PolarizationFrame& to) {
   return MuellerMatrix::turned_frame(dot(to.x, from.x), dot(to.x, from.y()));
 }

@@ -32,6 +32,11 @@ PolarizationFrame meridional_frame(math::Vec3 direction);
 /// how light differs between them and not how frames do.
 PolarizationFrame carried(const PolarizationFrame& frame, math::Vec3 direction);
 
+/// Frame whose x lies in the plane of a direction and a surface's normal (p), so that y = direction cross normal, made
+/// a unit vector, lies in the surface (s); either side's normal serves. Along the normal, where every plane
+/// contains both, the meridional one: it is the same plane for light that arrives and light that leaves.
+PolarizationFrame surface_frame(math::Vec3 direction, math::Vec3 normal);
+
 /// Takes what is about one frame to another of the same direction. Its components of x alone count.
 MuellerMatrix turned(const PolarizationFrame& from, const PolarizationFrame& to);
 

@@ -45,7 +45,7 @@ SpectralNodes SpectralNodes::build(std::span<const Channel> channels, const Spec
                                    const Spectrum* sky_radiance) {
   SpectralNodes result;
   for (const Channel& channel : channels) {
-    const ChannelGrid grid(channel, solar_irradiance, surfaces, sky_radiance);
+    const ChannelGrid grid(channel, solar_irradiance, surfaces, sky_radiance, demands.lamps);
     result.add(find_rule(grid, judged_surfaces(grid, surfaces, demands), demands));
   }
   result.arrange_sums();

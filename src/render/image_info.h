@@ -22,6 +22,7 @@ struct ImageInfo {
   std::vector<ChannelInfo> channels;
   std::vector<std::string> materials;  ///< names by material index, for abundances
   std::string radiance_unit = "W m-2 sr-1 um-1";
+  bool stokes = false;   ///< tiles tell Q, U and V beside I
   bool has_map = false;  ///< map coordinates of the upper left corner and the pixel size
   double map_x_m = 0.0, map_y_m = 0.0, gsd_m = 0.0;
   double map_rotation_rad = 0.0;  ///< azimuth of the upward direction of the image, clockwise from north

@@ -11,6 +11,7 @@
 #include "core/parallel.h"
 #include "geometry/world.h"
 #include "render/pilot_rays.h"
+#include "render/polarized/steering.h"
 #include "render/scene_field.h"
 #include "render/tile_grid.h"
 #include "render/tile_sink.h"
@@ -114,6 +115,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   if (steering_channels.empty())
     for (std::size_t c = 0; c < job.scene.nodes().channel_count(); ++c)
       steering_channels.push_back(static_cast<int>(c));
+  add_stokes_columns(job.polarimetry, job.scene.nodes().channel_count(), steering_channels);
 
   const UnsampledLight unsampled(job, control.threads, control.cancel);
   Tally tally(pixels, control.progress);
@@ -135,7 +137,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     sampling::TileResult before;
     if (job.earlier != nullptr && job.earlier->read(index, before)) problem.before = &before;
 
-    SceneField field(job.scene, job.camera, unsampled.transport(), job.label_detail);
+    SceneField field(job.scene, job.camera, unsampled.transport(), job.label_detail, job.polarimetry);
     sampling::TileResult result;
     job.sampler.sample(problem, field, result);
     if (job.wings != nullptr) add_wings(*job.wings, problem, job.tolerance, field, result);
@@ -147,6 +149,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     widen(job.nodes, job.tolerance, result);
     unsampled.add_to(result);
     widen(job.air, job.tolerance, result);
+    field.settle(result);
     if (!job.keep_variances && !job.keep_memory) result.drop_variances();
     add_truth_layers(job.collectors, job.scene.scene(), job.camera, result);
     sink.write(result);

@@ -29,6 +29,7 @@ namespace ifov::render {
 
 class AccuracyTolerance;
 class EarlierTiles;
+struct Polarimetry;
 class TileSink;
 class TileSource;
 
@@ -53,6 +54,7 @@ struct RenderJob {
   bool keep_variances = true;  ///< else tiles have half-widths alone, unless they are to be gone on from
   std::vector<const truth::Collector*> collectors{};  ///< of what tiles note beside radiance
   EarlierTiles* earlier = nullptr;                    ///< tiles of a run at a looser tolerance, to go on from
+  const Polarimetry* polarimetry = nullptr;           ///< null: radiance alone
 };
 
 /// How the work is done; the result does not depend on it.

@@ -6,9 +6,9 @@ namespace ifov::render {
 
 std::unique_ptr<sampling::Field> make_field(const transport::SpectralScene& scene,
                                             const sensor::Camera& camera,
-                                            const transport::TransportOptions& transport,
-                                            LabelDetail detail) {
-  return std::make_unique<SceneField>(scene, camera, transport, detail);
+                                            const transport::TransportOptions& transport, LabelDetail detail,
+                                            const Polarimetry* polarimetry) {
+  return std::make_unique<SceneField>(scene, camera, transport, detail, polarimetry);
 }
 
 }  // namespace ifov::render

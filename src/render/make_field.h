@@ -15,9 +15,12 @@ class SpectralScene;
 
 namespace ifov::render {
 
+struct Polarimetry;
+
 /// A SceneField, for who samples one without knowing more of it. Keeps references to scene and camera.
 std::unique_ptr<sampling::Field> make_field(const transport::SpectralScene& scene,
                                             const sensor::Camera& camera,
-                                            const transport::TransportOptions& transport, LabelDetail detail);
+                                            const transport::TransportOptions& transport, LabelDetail detail,
+                                            const Polarimetry* polarimetry = nullptr);
 
 }  // namespace ifov::render

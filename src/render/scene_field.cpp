@@ -6,6 +6,7 @@
 
 #include "geometry/world.h"
 #include "materials/bsdf/bsdf.h"
+#include "render/polarized/scene_light.h"
 #include "sampling/warp.h"
 #include "sensor/camera.h"
 #include "transport/mirror_light.h"
@@ -21,15 +22,15 @@ constexpr std::size_t kGroup = 512;
 }  // namespace
 
 SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Camera& camera,
-                       transport::TransportOptions transport, LabelDetail detail)
+                       transport::TransportOptions transport, LabelDetail detail,
+                       const Polarimetry* polarimetry)
     : scene_(scene),
       camera_(camera),
       detail_(detail),
       tracer_(scene, transport),
-      light_(scene),
-      air_(scene),
+      light_(std::make_unique<SceneLight>(scene, camera, polarimetry)),
       truth_(scene::truth_materials(scene.scene())),
-      blends_(scene.scene(), truth_, static_cast<int>(scene.nodes().channel_count())),
+      blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count())),
       map_detail_(scene.scene(), camera),
       unseen_(scene, blends_.first_column() + blends_.count()),
       through_(scene),
@@ -47,6 +48,8 @@ SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Came
 }
 
 SceneField::~SceneField() = default;
+
+void SceneField::settle(sampling::TileResult& tile) const { light_->columns().settle(tile); }
 
 void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) {
   rays_.resize(points.size());
@@ -107,9 +110,7 @@ void SceneField::values(std::span<const sampling::PathRequest> requests, std::sp
     const transport::PathRecord& paths = tracer_.trace(rays_, keys_, hits_, counts_);
     for (std::size_t k = 0; k < count; ++k) {
       float* row = values.data() + (first + k) * row_length;
-      float* radiance = light_.radiance(paths, k);
-      air_.apply(paths.paths[k], radiance);
-      scene_.nodes().to_channels(radiance, row);
+      light_->write(paths, k, points_[k], rays_[k], row);
       if (blends_.count() > 0) blends_.write_shares(hits_[k], row);
       unseen_.write(paths.paths[k], row);
     }

@@ -11,10 +11,11 @@
 #include "render/unseen/unseen_light.h"
 #include "sampling/field.h"
 #include "scene/scene.h"
-#include "transport/path_light.h"
 #include "transport/path_tracer.h"
-#include "transport/view_atmosphere.h"
 
+namespace ifov::sampling {
+struct TileResult;
+}
 namespace ifov::sensor {
 class Camera;
 }
@@ -24,16 +25,20 @@ class MirrorLight;
 
 namespace ifov::render {
 
+class SceneLight;
+struct Polarimetry;
+
 /// The picture on a camera's focal plane: answers a sampler's queries by tracing the scene. One tile, one thread.
 class SceneField final : public sampling::Field {
  public:
   /// Keeps references to all; they must outlive this.
   SceneField(const transport::SpectralScene& scene, const sensor::Camera& camera,
-             transport::TransportOptions transport, LabelDetail detail);
+             transport::TransportOptions transport, LabelDetail detail,
+             const Polarimetry* polarimetry = nullptr);
   ~SceneField() override;
 
-  /// The channels, then the shares of materials that are mixed somewhere (BlendColumns), then light that is not sought
-  /// (UnseenLight).
+  /// The channels, Q, U and V of all of them where they are told (StokesColumns), then the shares of materials that
+  /// are mixed somewhere (BlendColumns), then light that is not sought (UnseenLight).
   int columns() const override { return blends_.first_column() + blends_.count() + unseen_.count(); }
   void labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) override;
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
@@ -53,6 +58,8 @@ class SceneField final : public sampling::Field {
   std::uint32_t object_of(sampling::Label label) const override;
   const BlendColumns& blends() const { return blends_; }
   const UnseenLight& unseen() const { return unseen_; }
+  /// As StokesColumns::settle().
+  void settle(sampling::TileResult& tile) const;
   sampling::RayCounts counts() const override { return counts_; }
 
  private:
@@ -67,8 +74,7 @@ class SceneField final : public sampling::Field {
   const sensor::Camera& camera_;
   LabelDetail detail_;
   transport::PathTracer tracer_;
-  transport::PathLight light_;
-  transport::ViewAtmosphere air_;
+  const std::unique_ptr<SceneLight> light_;
   scene::TruthMaterials truth_;
   BlendColumns blends_;
   MapDetail map_detail_;

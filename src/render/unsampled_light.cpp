@@ -17,17 +17,18 @@ UnsampledLight::UnsampledLight(const RenderJob& job, int threads, const CancelTo
   const double margin_px = job.footprint.half_width_px();
   transport_.sought_only = true;
   if (transport_.maximum_scatterings != 0 && Glints::in(job.scene))
-    glints_ = std::make_unique<const Glints>(job.scene, job.camera, margin_px, job.seed);
+    glints_ = std::make_unique<const Glints>(job.scene, job.camera, margin_px, job.seed, job.polarimetry);
   if (transport_.maximum_scatterings < 0 || transport_.maximum_scatterings > 1)
-    mirror_images_ =
-        MirrorImages::find(job.scene, job.camera, transport_, margin_px, job.seed, threads, cancel);
+    mirror_images_ = MirrorImages::find(job.scene, job.camera, transport_, margin_px, job.seed, threads,
+                                        cancel, job.polarimetry);
   if (mirror_images_ != nullptr && !mirror_images_->apart().empty())
     transport_.separate_images = &mirror_images_->apart();
   if (mirror_images_ != nullptr)
     unseen_images_ = UnseenImages::find(job.scene, job.camera, *mirror_images_, job.seed);
   // Images in mirrors hold the highlights that they show.
   if (transport_.maximum_scatterings != 0 && Highlights::in(job.scene)) {
-    highlights_ = std::make_unique<const Highlights>(job.scene, job.camera, margin_px, job.seed);
+    highlights_ =
+        std::make_unique<const Highlights>(job.scene, job.camera, margin_px, job.seed, job.polarimetry);
     transport_.highlights = transport::TransportOptions::Highlights::left_out;
     transport_.large_lobes = &highlights_->large();
   }

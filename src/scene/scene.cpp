@@ -7,6 +7,7 @@
 #include "geometry/world.h"
 #include "materials/bsdf/bsdf.h"
 #include "materials/draped_map.h"
+#include "scene/lamp.h"
 
 namespace ifov::scene {
 
@@ -26,6 +27,11 @@ Scene::Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 Scene::~Scene() = default;
+
+const Lamp* Scene::lamp_of(std::uint32_t state) const {
+  const std::uint32_t lamp = states[state].lamp;
+  return lamp > 0 ? &lamps[lamp - 1] : nullptr;
+}
 
 namespace {
 

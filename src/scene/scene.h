@@ -48,10 +48,13 @@ struct ViewPath {
   std::optional<radiometry::Spectrum> radiance;  ///< W m-2 sr-1 um-1, added
 };
 
+struct Lamp;
+
 /// A material at a temperature; 0 K emits nothing.
 struct SurfaceState {
   std::uint32_t material = 0;
   double temperature_k = 0.0;
+  std::uint32_t lamp = 0;  ///< 1 + index into Scene::lamps, whose light it gives off as well; 0: none
   friend bool operator==(const SurfaceState&, const SurfaceState&) = default;
 };
 
@@ -112,6 +115,7 @@ struct Scene {
   std::vector<materials::Material> materials;
   std::vector<SurfaceState> states;
   std::vector<SurfaceAssignment> assignments;
+  std::vector<Lamp> lamps;
   std::optional<Sun> sun;
   Sky sky;
   /// An open, level plain of this state, met by rays that leave below the horizon.
@@ -131,7 +135,9 @@ struct Scene {
   bool all_emit() const;
   /// Of those the ones that differ from point to point: of maps and patterns.
   std::optional<TemperatureRange> mapped_temperatures() const;
-  /// Whether a state emits somewhere: by its own temperature, or by that of a map or pattern on some surface assignment.
+  /// The lamp of a state; null: none.
+  const Lamp* lamp_of(std::uint32_t state) const;
+  /// Whether a state emits somewhere: as a lamp, by its own temperature, or by that of a map or pattern on some surface assignment.
   bool emits(std::uint32_t state) const;
 
  private:

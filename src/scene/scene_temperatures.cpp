@@ -39,7 +39,7 @@ std::optional<TemperatureRange> Scene::temperatures() const {
 }
 
 bool Scene::emits(std::uint32_t state) const {
-  if (states[state].temperature_k > 0.0) return true;
+  if (states[state].temperature_k > 0.0 || states[state].lamp > 0) return true;
   const std::uint32_t material = states[state].material;
   return std::any_of(assignments.begin(), assignments.end(), [&](const SurfaceAssignment& assignment) {
     for (std::size_t k = 0; k < assignment.temperatures.size(); ++k)
@@ -57,7 +57,9 @@ bool Scene::emits(std::uint32_t state) const {
 bool Scene::all_emit() const {
   if (!(surroundings.temperature_k > 0.0)) return false;
   for (std::uint32_t state = 0; state < states.size(); ++state)
-    if (!emits(state) && !materials[states[state].material].curve_of) return false;
+    if ((!emits(state) || (states[state].lamp > 0 && !(states[state].temperature_k > 0.0))) &&
+        !materials[states[state].material].curve_of)
+      return false;
   return true;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radiometry/polarization_frame.h"
+
 namespace ifov::sensor {
 
 math::Transform GroundGrid::scene_from_image() const {
@@ -44,5 +46,12 @@ std::vector<sampling::FocalPoint> grid_over(const Camera& camera, int columns, i
 }
 
 double nadir_angle_rad(const math::Ray& ray) { return std::acos(std::clamp(-ray.direction.z, -1.0, 1.0)); }
+
+radiometry::PolarizationFrame focal_frame(const Camera& camera, double line_px, const math::Ray& ray) {
+  const CameraAxes axes = camera.pose(line_px).axes;
+  const math::Vec3 axis = -axes.forward;
+  const math::Vec3 right = math::normalized(axes.right - math::dot(axes.right, axis) * axis);
+  return radiometry::carried({axis, right}, -ray.direction);
+}
 
 }  // namespace ifov::sensor

@@ -9,6 +9,10 @@
 #include "sampling/field.h"
 #include "sensor/camera_axes.h"
 
+namespace ifov::radiometry {
+struct PolarizationFrame;
+}
+
 namespace ifov::sensor {
 
 /// How a camera stands in the scene while a line of its image is exposed.
@@ -84,6 +88,12 @@ class Camera {
 /// Middles of the cells of a grid over the whole image and `margin_px` more on each side, row by row.
 std::vector<sampling::FocalPoint> grid_over(const Camera& camera, int columns, int rows,
                                             double margin_px = 0.0);
+
+/// What the Stokes vector of light that reaches the focal plane along a ray is about, in a line of the image: x is the image's
+/// x (`right`, made perpendicular to the optical axis), carried from the axis to the ray's direction as a rotationally
+/// symmetric lens carries it, so that fields along the radius and across it stay such. y = k cross x is the image's
+/// upward direction on the axis.
+radiometry::PolarizationFrame focal_frame(const Camera& camera, double line_px, const math::Ray& ray);
 
 /// Angle between the nadir and where a ray looks: 0 straight down, pi/2 level.
 double nadir_angle_rad(const math::Ray& ray);

@@ -137,16 +137,17 @@ std::size_t sky_channel(const std::vector<radiometry::Channel>& channels, const 
 
 io::AtmosphereReport survey_atmosphere(const io::Document& original, const AtmosphereQuestion& question) {
   if (!original.atmosphere.modelled)
-    throw io::document_error(original, original.atmosphere.position,
+    throw io::document_error(original.sources, original.atmosphere.position,
                              "there is no modelled atmosphere to look at: 'atmosphere' has no 'profile'");
   const io::Document document = asked(original, question);
-  return with_position(document, document.atmosphere.position, [&] {
+  return with_position(document.sources, document.atmosphere.position, [&] {
     const SurveyStage stage(document);
-    check_channels(document, stage.channels);
-    const atmosphere::AtmosphereColumn column = assemble_column(document);
+    check_channels(document.sources, document.sensor.channels, stage.channels);
+    const atmosphere::AtmosphereColumn column =
+        assemble_column(*document.atmosphere.modelled, document.scene.origin);
     io::AtmosphereReport report;
-    report.geometry =
-        sensor_geometry(document, *stage.camera, stage.scene.sun, column.levels().altitude_km.front());
+    report.geometry = sensor_geometry(document.sources, *document.atmosphere.modelled, document.sensor.camera,
+                                      *stage.camera, stage.scene.sun, column.levels().altitude_km.front());
     if (stage.scene.sun) {
       if (stage.scene.sun->is_moon) report.body = "Moon";
       report.sun_azimuth_rad = stage.scene.sun->azimuth_rad();

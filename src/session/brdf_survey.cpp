@@ -35,8 +35,8 @@ const io::MaterialDocument& find_material(const io::Document& document, const st
   }
   const std::string choices = list_names(names, "and"), hint = did_you_mean(name, names);
   if (name.empty())
-    throw InputError(format("which material of {}? There are {}", document.file_name, choices));
-  throw InputError(format("{}: there is no material '{}'{} {}", document.file_name, name,
+    throw InputError(format("which material of {}? There are {}", document.sources.file_name, choices));
+  throw InputError(format("{}: there is no material '{}'{} {}", document.sources.file_name, name,
                           hint.empty() ? "; there are" : hint + " There are", choices));
 }
 
@@ -44,15 +44,13 @@ materials::Material assemble_material(const io::Document& document, const io::Ma
                                       int curve) {
   const auto count = static_cast<int>(source.further_curves.size()) + 1;
   if (curve < 1 || curve > count)
-    throw io::document_error(document, source.position,
+    throw io::document_error(document.sources, source.position,
                              format("'{}' has no curve {}; it has {}", source.name, curve,
                                     count == 1 ? std::string("one") : format("1 to {}", count)));
-  io::Document alone = document;
-  alone.scene = {};
-  alone.scene.materials = {source};
+  const std::vector<io::MaterialDocument> alone{source};
   scene::Scene scene;
-  const MapFrame frame(alone);
-  const AssignmentAssembly assembly(alone, frame, scene, nullptr);
+  const MapFrame frame(document.sources, {});
+  const AssignmentAssembly assembly(document.sources, alone, document.seed, frame, scene, nullptr);
   return scene.materials.at(static_cast<std::size_t>(curve - 1));
 }
 
@@ -64,7 +62,7 @@ std::string parameter_line(const io::Document& document, const io::MaterialDocum
     text += format("{}{} {}", text.empty() ? "" : ", ", key, value);
   };
   const auto at = [&](const io::SpectrumDocument& spectrum) {
-    return format("{:.4g}", assemble_spectrum(document, spectrum, source.name).at(wavelength_um));
+    return format("{:.4g}", assemble_spectrum(document.sources, spectrum, source.name).at(wavelength_um));
   };
   add(source.is_emissivity ? "emissivity" : "reflectance",
       at(curve == 1 ? source.spectrum : source.further_curves[static_cast<std::size_t>(curve - 2)]));
@@ -81,7 +79,7 @@ std::vector<std::string> description_of(const io::MaterialDocument& source,
   const std::size_t curves = source.further_curves.size() + 1;
   if (curves > 1) lines.push_back(format("curve {} of {}; its texture is left out", curve, curves));
   if (source.relief) lines.push_back("its relief is left out");
-  if (material.transmittance)
+  if (material.transmittance && material.bsdf->is_separable())
     lines.push_back(
         "what it transmits leaves the other side as Lambert's law says, transmittance / pi, 1/sr");
   if (material.bsdf->is_delta())
@@ -151,7 +149,7 @@ io::BrdfReport survey_brdf(const io::Document& document, const std::string& name
   report.model = source.scattering.model;
   report.wavelength_um = question.wavelength_um;
   const radiometry::CommonWavelengths known = with_position(
-      document, source.position, [&] { return wavelengths_of(material, question.wavelength_um); });
+      document.sources, source.position, [&] { return wavelengths_of(material, question.wavelength_um); });
   const double wavelength_um = question.wavelength_um.value_or(1.0);
   report.description = description_of(source, material, question.curve);
   report.description.insert(report.description.begin(),

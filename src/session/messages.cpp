@@ -24,10 +24,11 @@ std::string describe(const Parts& parts) {
   const char* const body = !parts.scene.sun ? "no sun" : parts.scene.sun->is_moon ? "moon" : "sun";
   text += format("light: {}, {}\n", body, sky ? "sky" : "no sky");
   if (parts.atmosphere)
-    text += format("atmosphere: {} ('ifov atmosphere {}' shows it)\n",
-                   parts.document.atmosphere.modelled->description.air.model, parts.document.file_name);
+    text +=
+        format("atmosphere: {} ('ifov atmosphere {}' shows it)\n",
+               parts.document.atmosphere.modelled->description.air.model, parts.document.sources.file_name);
   if (parts.imported) text += "atmosphere: imported runs\n";
-  if (parts.weather) text += weather_statement(parts.document, *parts.weather) + "\n";
+  if (parts.weather) text += weather_statement(parts.document.time, *parts.weather) + "\n";
   text += format("sensor: {} x {} pixels, {} channels ({} spectral nodes)\n", parts.info.width_px,
                  parts.info.height_px, parts.channels.size(), parts.nodes->node_count());
   text += format("sampling: {}\n",
@@ -80,6 +81,15 @@ std::vector<std::string> notes(const Parts& parts) {
     lines.push_back(
         format("floor of the accuracy: {:g} of a white surface's radiance, {:.3g} to {:.3g} W m-2 sr-1 um-1",
                parts.plan.request->floor, low, high));
+  }
+  if (parts.polarimetry) {
+    lines.push_back(
+        "polarization: about the focal plane's axes; light that ground around the scene and the ground's own light in the air send "
+        "is taken to be unpolarized");
+    if (!parts.atmosphere)
+      lines.push_back(parts.imported
+                          ? "polarization: sky and path of imported runs are taken to be unpolarized"
+                          : "polarization: the sky is unpolarized without a modelled atmosphere");
   }
   if (!parts.air.empty()) lines.push_back(atmosphere_error_note(parts.air));
   for (const std::string& line :

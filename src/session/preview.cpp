@@ -83,22 +83,22 @@ class Painter {
         if (!first || paths_[index(x, y)] == 0) pixels.push_back(index(x, y));
     std::atomic<std::size_t> next{0};
     std::atomic<bool> over{false};
-    parallel_for(static_cast<std::int64_t>(fields_.size()), static_cast<int>(fields_.size()),
-                 [&](std::int64_t thread) {
-                   std::unique_ptr<sampling::Field>& field = fields_[static_cast<std::size_t>(thread)];
-                   if (!field)
-                     field = render::make_field(*parts_.spectral_scene, *parts_.camera,
-                                                parts_.job().transport, render::LabelDetail::material);
-                   while (!over) {
-                     if (options_.cancel != nullptr && options_.cancel->cancelled()) throw Cancelled();
-                     if (passed() > patience * options_.seconds) over = true;
-                     const std::size_t begin = next.fetch_add(kBatch);
-                     if (begin >= pixels.size()) return;
-                     if (!over)
-                       trace(*field,
-                             std::span(pixels).subspan(begin, std::min(kBatch, pixels.size() - begin)));
-                   }
-                 });
+    parallel_for(
+        static_cast<std::int64_t>(fields_.size()), static_cast<int>(fields_.size()),
+        [&](std::int64_t thread) {
+          std::unique_ptr<sampling::Field>& field = fields_[static_cast<std::size_t>(thread)];
+          if (!field)
+            field = render::make_field(*parts_.spectral_scene, *parts_.camera, parts_.job().transport,
+                                       render::LabelDetail::material, parts_.job().polarimetry);
+          while (!over) {
+            if (options_.cancel != nullptr && options_.cancel->cancelled()) throw Cancelled();
+            if (passed() > patience * options_.seconds) over = true;
+            const std::size_t begin = next.fetch_add(kBatch);
+            if (begin >= pixels.size()) return;
+            if (!over)
+              trace(*field, std::span(pixels).subspan(begin, std::min(kBatch, pixels.size() - begin)));
+          }
+        });
     return !over;
   }
 

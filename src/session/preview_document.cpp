@@ -21,7 +21,7 @@ std::vector<io::ChannelDocument> shown_channels(const io::Document& document) {
       if (channel.name == named.name) shown.push_back(channel);
   if (!shown.empty()) return shown;
   render::ImageInfo info;
-  for (const radiometry::Channel& channel : assemble_channels(document))
+  for (const radiometry::Channel& channel : assemble_channels(document.sources, document.sensor.channels))
     info.channels.push_back({channel.name, channel.centre_um, channel.fwhm_um});
   for (const int c : io::picture_channels(info)) shown.push_back(all[static_cast<std::size_t>(c)]);
   return shown;

@@ -10,7 +10,7 @@
 namespace ifov::session {
 
 void assemble_response(Parts& parts) {
-  const std::unique_ptr<sensor::Psf> psf = assemble_psf(parts.document);
+  const std::unique_ptr<sensor::Psf> psf = assemble_psf(parts.document.sources, parts.document.sensor);
   const double fill_factor = parts.document.sensor.fill_factor;
   parts.footprint =
       std::make_unique<sampling::PixelFootprint>(sensor::make_footprint(psf.get(), fill_factor));

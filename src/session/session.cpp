@@ -17,6 +17,8 @@
 #include "session/assembly/atmosphere/atmosphere_cache.h"
 #include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/with_position.h"
+#include "session/assembly/whole/light_assembly.h"
+#include "session/assembly/whole/polarized_surfaces.h"
 #include "session/assembly/whole/scene_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
 #include "session/assembly/whole/surroundings_assembly.h"
@@ -35,7 +37,7 @@ namespace {
 void warn_of_former_keys(const io::Document& document, LogSink& log) {
   for (const io::FormerKey& key : document.former_keys)
     log.warn(format("{}line {}: '{}' is called '{}' now; its former name is read in this version only",
-                    key.position.file == document.file_name ? "" : key.position.file + ", ",
+                    key.position.file == document.sources.file_name ? "" : key.position.file + ", ",
                     key.position.line, key.former, key.name));
 }
 
@@ -63,6 +65,11 @@ class KeptWarnings final : public LogSink {
 }  // namespace
 
 Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Session Session::load_file(const std::string& document, std::span<const io::DocumentOverride> overrides,
+                           LogSink* log, const LoadOptions& options) {
+  return load(io::read_document(document, overrides), log, options);
+}
+
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() = default;
@@ -78,19 +85,28 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   warn_of_former_keys(document, *log);
   std::optional<io::SceneCache> cache;
   if (options.scene_cache)
-    cache.emplace(std::filesystem::path(document.file_name).replace_extension(".ifovcache"), version(), log);
+    cache.emplace(std::filesystem::path(document.sources.file_name).replace_extension(".ifovcache"),
+                  version(), log);
   phase("scene");
-  AssembledScene assembled = assemble_scene(document, log, cache ? &*cache : nullptr);
+  AssembledScene assembled = assemble_scene(document.sources, document.scene, document.light.lamps,
+                                            document.seed, log, cache ? &*cache : nullptr);
+  assemble_light(
+      {document.sources, document.light, document.atmosphere, document.scene.origin, document.time},
+      assembled.scene);
+  log->info(scene_statement(*assembled.scene.world));
   p.scene = std::move(assembled.scene), p.map_scales = std::move(assembled.map_scales);
   p.placed = std::move(assembled.placed), p.map_offset_m = assembled.map_offset_m;
   if (cache) p.known_files = cache->known_files();
-  p.weather = assemble_weather(document);
-  p.channels = assemble_channels(document);
-  p.camera = assemble_camera(document, p.scene);
-  p.plan = assemble_sampling(document, p.channels);
-  p.assumed_surroundings = assume_surroundings(document, *p.camera, p.scene).value_or("");
+  if (document.weather) p.weather = assemble_weather(document.sources, *document.weather, document.time);
+  p.channels = assemble_channels(document.sources, document.sensor.channels);
+  p.polarimetry = assemble_polarimetry(document.sensor);
+  if (p.polarimetry) check_polarized(document.sources, document.scene, p.scene);
+  p.camera = assemble_camera(document.sources, document.sensor.camera, document.scene.origin, *p.scene.world);
+  p.plan = assemble_sampling(document.sources, document.sampling, document.sensor.channels, p.channels);
+  p.assumed_surroundings =
+      assume_surroundings(document.light, document.atmosphere, *p.camera, p.scene).value_or("");
   if (!p.assumed_surroundings.empty()) log->info(p.assumed_surroundings);
-  with_position(document, document.sensor.psf_position, [&] { assemble_response(p); });
+  with_position(document.sources, document.sensor.psf_position, [&] { assemble_response(p); });
   std::optional<AtmosphereCache> solutions;
   if (cache && document.atmosphere.modelled) solutions.emplace(*cache);
   const auto save = [&] {
@@ -102,7 +118,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   };
   phase(document.atmosphere.modelled ? "atmosphere" : "spectra");
   try {
-    with_position(document, document.sensor.position,
+    with_position(document.sources, document.sensor.position,
                   [&] { assemble_nodes(p, log, options, solutions ? &*solutions : nullptr); });
   } catch (...) {
     save();
@@ -113,10 +129,12 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   warn_of_light_left_out(p, *log);
   p.brightness = std::make_unique<render::ChannelBrightness>(*p.nodes);
   if (p.atmosphere) p.air = render::atmosphere_half_widths(*p.spectral_scene, *p.atmosphere);
+  if (p.polarimetry) render::pass_optics(*p.polarimetry, p.air);
   if (!p.atmosphere) p.node_errors = render::node_half_widths(*p.spectral_scene);
   p.tolerance = p.tolerance_of(p.plan);
   warn_of_atmosphere_errors(p, *log);
-  p.info = image_info(document, *p.camera, p.channels, p.scene, p.map_offset_m);
+  p.info = image_info(document.scene.origin, *p.camera, p.channels, p.scene, p.map_offset_m);
+  p.info.stokes = document.sensor.stokes;
   p.info.footprint_px = sampling::response_area_px(*p.footprint);
   for (std::size_t c = 0; c < p.air.size(); ++c) p.info.channels[c].air = p.air[c];
   tell_of_emitters(*p.spectral_scene, *log);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,8 @@
 
 namespace ifov::io {
 struct Document;
-}
+struct DocumentOverride;
+}  // namespace ifov::io
 
 namespace ifov::session {
 
@@ -52,6 +54,9 @@ class Session {
  public:
   /// Reads every file the document names and builds the scene. `log` may be null.
   static Session load(const io::Document& document, LogSink* log, const LoadOptions& options = {});
+  /// The same of a document in a file, with other values for some of its keys.
+  static Session load_file(const std::string& document, std::span<const io::DocumentOverride> overrides,
+                           LogSink* log, const LoadOptions& options = {});
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
   ~Session();

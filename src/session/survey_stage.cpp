@@ -1,6 +1,7 @@
 #include "session/survey_stage.h"
 
 #include "geometry/world/world_builder.h"
+#include "io/document/document.h"
 #include "sensor/camera.h"
 #include "session/assembly/whole/light_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
@@ -9,9 +10,10 @@ namespace ifov::session {
 
 SurveyStage::SurveyStage(const io::Document& document) {
   scene.world = geometry::WorldBuilder().build();
-  assemble_light(document, scene);
-  channels = assemble_channels(document);
-  camera = assemble_camera(document, scene);
+  assemble_light(
+      {document.sources, document.light, document.atmosphere, document.scene.origin, document.time}, scene);
+  channels = assemble_channels(document.sources, document.sensor.channels);
+  camera = assemble_camera(document.sources, document.sensor.camera, document.scene.origin, *scene.world);
 }
 
 SurveyStage::~SurveyStage() = default;

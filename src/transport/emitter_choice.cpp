@@ -53,19 +53,21 @@ std::vector<double> EmitterChoice::channels(const float* nodes) const {
 void EmitterChoice::list_surfaces() {
   const scene::Scene& scene = scene_.scene();
   std::vector<float> spectrum(scene_.node_count());
-  const auto add = [&](std::uint32_t assignment, std::uint32_t material, double coldest_k, double hottest_k) {
+  const auto add = [&](std::uint32_t assignment, std::uint32_t material, double coldest_k, double hottest_k,
+                       const float* lamp = nullptr, bool patterned = false) {
     Surface surface;
     surface.assignment = assignment;
     surface.events = scene_.brightest(material) > 0.0 && !scene.materials[material].bsdf->is_delta();
-    const auto emitted = [&](double temperature_k) {
+    const auto emitted = [&](double temperature_k, const float* light) {
       std::fill(spectrum.begin(), spectrum.end(), 0.0f);
       if (temperature_k > 0.0) scene_.nodes().planck(temperature_k, std::span<float>(spectrum));
       for (std::size_t n = 0; n < spectrum.size(); ++n)
-        spectrum[n] *= scene_.materials().emissivity(material)[n];
+        spectrum[n] = spectrum[n] * scene_.materials().emissivity(material)[n] + (light ? light[n] : 0.0f);
       return channels(spectrum.data());
     };
-    surface.hottest = emitted(hottest_k);
-    surface.coldest = coldest_k == hottest_k ? surface.hottest : emitted(coldest_k);
+    surface.hottest = emitted(hottest_k, lamp);
+    surface.coldest = coldest_k == hottest_k && !patterned ? surface.hottest
+                                                           : emitted(coldest_k, patterned ? nullptr : lamp);
     for (std::size_t n = 0; n < spectrum.size(); ++n)
       spectrum[n] =
           scene_.materials().reflectance(material)[n] + scene_.materials().transmittance(material)[n];
@@ -78,10 +80,12 @@ void EmitterChoice::list_surfaces() {
     for (std::size_t k = 0; k < assignment.states.size(); ++k) {
       const scene::SurfaceState& state = scene.states[assignment.states[k]];
       const auto* map = assignment.temperatures.empty() ? nullptr : assignment.temperatures[k].get();
+      const float* lamp = scene_.lamp_radiance(assignment.states[k]);
+      const bool patterned = scene_.lamp_pattern(assignment.states[k]) != nullptr;
       if (map != nullptr)
-        add(c, state.material, map->minimum_k(), map->maximum_k());
+        add(c, state.material, map->minimum_k(), map->maximum_k(), lamp, patterned);
       else
-        add(c, state.material, state.temperature_k, state.temperature_k);
+        add(c, state.material, state.temperature_k, state.temperature_k, lamp, patterned);
       if (assignment.back_states.empty() || assignment.back_states[k] == assignment.states[k]) continue;
       const scene::SurfaceState& back = scene.states[assignment.back_states[k]];
       if (map != nullptr)

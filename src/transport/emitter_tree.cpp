@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "math/vec3.h"
+#include "scene/lamp.h"
 
 namespace ifov::transport {
 
@@ -134,11 +135,22 @@ double EmitterTree::importance(const Node& node, const Receiver& receiver) const
   return node.power * facing * turned / std::max(distance2, least2);
 }
 
+/// How much of a lamp's brightest radiance goes to a receiver, about: its middle stands for all of it, and other parts of it
+/// may send some where that sends none.
+double EmitterTree::towards(const Emitter& emitter, const Receiver& receiver) {
+  constexpr double kLeast = 0.01;
+  if (emitter.pattern == nullptr) return 1.0;
+  const Vec3 to = receiver.at_m - emitter.shape.centre_m();
+  const double distance = math::length(to);
+  return distance > emitter.shape.radius_m() ? std::max(kLeast, emitter.pattern->at(to * (1.0 / distance)))
+                                             : 1.0;
+}
+
 EmitterTree::Weights EmitterTree::weights(const Node& leaf, const Receiver& receiver) const {
   Weights w;
   for (std::uint32_t k = 0; k < leaf.count; ++k) {
     const Emitter& e = emitters_[order_[leaf.first + k]];
-    w.of[k] = e.radiance * e.shape.reach_sr(receiver);
+    w.of[k] = e.radiance * e.shape.reach_sr(receiver) * towards(e, receiver);
     w.sum += w.of[k];
   }
   return w;

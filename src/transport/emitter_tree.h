@@ -6,6 +6,10 @@
 
 #include "transport/shapes/emitter_shape.h"
 
+namespace ifov::scene {
+class RadiationPattern;
+}
+
 namespace ifov::transport {
 
 /// A piece that light is sought from.
@@ -14,6 +18,7 @@ struct Emitter {
   double power = 0.0;  ///< radiance times area, in a unit that all emitters share
   double radiance = 0.0;
   std::int32_t column = 0, row = 0;  ///< of a periodic world: the copy, from the object's own place
+  const scene::RadiationPattern* pattern = nullptr;  ///< of a lamp; null: the same in all directions
 };
 
 /// Picks one of many emitters for a receiver with a probability about in proportion to what each would send there if nothing
@@ -59,6 +64,7 @@ class EmitterTree {
   void build(std::uint32_t node, std::uint32_t first, std::uint32_t count);
   void describe(Node& node, std::uint32_t first, std::uint32_t count) const;
   double importance(const Node& node, const Receiver& receiver) const;
+  static double towards(const Emitter& emitter, const Receiver& receiver);
   Weights weights(const Node& leaf, const Receiver& receiver) const;
 
   std::span<const Emitter> emitters_;

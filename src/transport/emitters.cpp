@@ -132,6 +132,11 @@ std::unique_ptr<const Emitters> Emitters::find(const SpectralScene& scene) {
 void Emitters::take(const SpectralScene& scene, const EmitterChoice& choice) {
   const geometry::World& world = *scene.scene().world;
   wanted_ = choice.wanted();
+  patterns_.assign(wanted_.size(), nullptr);
+  for (std::size_t a = 0; a < wanted_.size(); ++a)
+    if (const scene::SurfaceAssignment& assignment = scene.scene().assignments[a];
+        assignment.states.size() == 1)
+      patterns_[a] = scene.lamp_pattern(assignment.states[0]);
   if (const auto period = world.period()) {
     repeats_ = true;
     period_ = *period;
@@ -208,7 +213,7 @@ void Emitters::leave_out(const geometry::World& world) {
 
 void Emitters::add(const SurfacePiece& piece, bool closed, double radiance) {
   const auto put = [&](const SurfacePiece& placed, std::int32_t column, std::int32_t row) {
-    Emitter emitter{EmitterShape(placed, closed), 0.0, radiance, column, row};
+    Emitter emitter{EmitterShape(placed, closed), 0.0, radiance, column, row, patterns_[piece.material]};
     emitter.power = radiance * emitter.shape.area_m2();
     emitters_.push_back(emitter);
     names_.push_back({piece.object, piece.primitive, piece.patch, column, row});

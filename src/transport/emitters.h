@@ -97,6 +97,7 @@ class Emitters {
   geometry::World::Period period_;
   bool repeats_ = false, leaves_some_ = false;
   geometry::WantedMaterials wanted_;
+  std::vector<const scene::RadiationPattern*> patterns_;  // of lamps, by surface assignment
   std::vector<Emitter> emitters_;
   std::vector<LeftOut> left_out_;
   std::vector<Name> names_;             // by emitter

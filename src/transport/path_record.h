@@ -102,6 +102,13 @@ struct PathRecord {
     std::uint32_t segment = PathVertex::kNone;
     std::uint32_t next = PathVertex::kNone;
   };
+  /// Of a vertex, where polarization is asked for (SpectralScene::polarized()).
+  struct Directions {
+    math::Vec3 outgoing;                          ///< unit, towards where the path comes from
+    math::Vec3 incoming;                          ///< unit, along the path's next segment
+    math::Vec3 normal;                            ///< that its lobe scatters about, on the side of `outgoing`
+    const materials::Bsdf* polarizing = nullptr;  ///< its lobe's model; null: that depolarizes
+  };
   std::vector<Path> paths;
   std::vector<PathVertex> vertices;
   std::vector<Mixed> mixed;
@@ -110,6 +117,7 @@ struct PathRecord {
   std::vector<Mirrored> mirrored;
   std::vector<Segment> segments;
   std::vector<Pass> passes;
+  std::vector<Directions> directions;  ///< by vertex; empty where nobody asks
 
   void start(std::size_t count) {
     paths.assign(count, {});
@@ -120,6 +128,7 @@ struct PathRecord {
     mirrored.clear();
     segments.clear();
     passes.clear();
+    directions.clear();
   }
   void add(std::uint32_t path, const PathVertex& vertex) {
     const auto index = static_cast<std::uint32_t>(vertices.size());

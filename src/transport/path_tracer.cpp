@@ -72,6 +72,7 @@ void PathTracer::trace_segment(sampling::RayCounts& counts, int depth) {
 
 void PathTracer::advance(int depth, sampling::RayCounts& counts) {
   events_.clear();
+  directions_.clear();
   shadow_rays_.clear();
   seeks_.clear();
   seek_rays_.clear();
@@ -110,6 +111,7 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
 
   next_paths_.clear();
   next_paths_.swap(passing_);
+  record_.directions.insert(record_.directions.end(), directions_.begin(), directions_.end());
   for (SurfaceEvent& event : events_) {
     const Path& path = paths_[event.path];
     if (event.shadow == kNone || blocked_[event.shadow] != 0) event.vertex.sun_weight = 0.0f;

@@ -201,6 +201,7 @@ class PathTracer {
   std::vector<math::Ray> rays_, shadow_rays_;
   std::vector<geometry::SurfacePoint> hits_;
   std::vector<SurfaceEvent> events_;
+  std::vector<PathRecord::Directions> directions_;  // by event, where they are kept
   std::vector<std::uint8_t> blocked_;
   std::vector<Seek> seeks_;
   std::vector<math::Ray> seek_rays_;

@@ -114,6 +114,8 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
     event.vertex.emission_weight = 0.0f;
     event.vertex.segment_shines = false;
   }
+  if (scene_.polarized())
+    directions_.push_back({-path.ray.direction, {}, surface.shading_normal.as_vector(), nullptr});
   if (depth == options_.maximum_scatterings || lobe.highest_reflectance + lobe.highest_transmittance <= 0.0)
     return;
 
@@ -121,6 +123,10 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
   if (lobe.directional && lobe.bsdf->is_delta()) {
     narrow_to_angle(scene_, surface, sides.view(lobe, false), lobe);
     if (lobe.highest_reflectance + lobe.highest_transmittance <= 0.0) return;
+  }
+  if (scene_.polarized()) {
+    directions_.back().normal = sides.shading.as_vector();
+    if (lobe.bsdf->polarizes()) directions_.back().polarizing = lobe.bsdf;
   }
   const std::uint32_t pair = 1u + 2u * static_cast<std::uint32_t>(depth);
   if (scene_.scene().sun && !lobe.bsdf->is_delta()) {
@@ -178,6 +184,7 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
       event.left.by_rounds = false;
     }
   }
+  if (scene_.polarized()) directions_.back().incoming = event.next.direction;
   if (by_mirrors && vertex.continuation_weight > 0.0f) {
     if (!lobe.bsdf->is_delta()) {
       event.left.mirror_probability = lobe.highest_transmittance > 0.0 ? 0.0 : mirror_probability();

@@ -10,8 +10,10 @@
 #include "geometry/world.h"
 #include "materials/bsdf/node_bsdf.h"
 #include "radiometry/planck_table.h"
+#include "scene/lamp.h"
 #include "scene/scene.h"
 #include "transport/emitters.h"
+#include "transport/lamp_light.h"
 #include "transport/mirrors/emitter_mirrors.h"
 #include "transport/mirrors/sun_lobes.h"
 #include "transport/mirrors/sun_mirrors.h"
@@ -20,10 +22,12 @@
 
 namespace ifov::transport {
 
-SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::SpectralNodes& nodes)
+SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::SpectralNodes& nodes,
+                             bool polarized)
     : scene_(scene),
       nodes_(nodes),
-      materials_(scene.materials, nodes),
+      polarized_(polarized),
+      materials_(scene.materials, nodes, polarized),
       emission_(scene.states.size(), nodes.node_count()),
       light_(kLightRows, nodes.node_count()) {
   emit_surfaces();
@@ -45,10 +49,12 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::Spectr
   find_emitters();
 }
 
-SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::SensorAtmosphere& air)
+SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::SensorAtmosphere& air,
+                             bool polarized)
     : scene_(scene),
       nodes_(air.nodes()),
-      materials_(scene.materials, nodes_),
+      polarized_(polarized),
+      materials_(scene.materials, nodes_, polarized),
       emission_(scene.states.size(), nodes_.node_count()),
       light_(kLightRows, nodes_.node_count()),
       has_view_path_(true) {
@@ -68,10 +74,12 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Sensor
   find_mirrors();
 }
 
-SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::ImportedAtmosphere& air)
+SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::ImportedAtmosphere& air,
+                             bool polarized)
     : scene_(scene),
       nodes_(air.nodes()),
-      materials_(scene.materials, nodes_),
+      polarized_(polarized),
+      materials_(scene.materials, nodes_, polarized),
       emission_(scene.states.size(), nodes_.node_count()),
       light_(kLightRows, nodes_.node_count()),
       has_view_path_(true) {
@@ -155,6 +163,11 @@ void SpectralScene::sky_of_scene() {
     nodes_.planck(*scene_.sky.temperature_k, light_.values(kSky));
 }
 
+const float* SpectralScene::lamp_radiance(std::uint32_t state) const {
+  const std::uint32_t lamp = scene_.states[state].lamp;
+  return lamp > 0 ? lamps_.row(lamp - 1) : nullptr;
+}
+
 void SpectralScene::emit(const scene::SurfaceState& state, float* spectrum) const {
   if (state.temperature_k <= 0.0) return;
   std::vector<float> planck(node_count());
@@ -177,6 +190,25 @@ void SpectralScene::find_mirrors() {
   if (lobes != nullptr) lobes_ = std::make_unique<const SunLobes>(scene_, *lobes);
 }
 
+void SpectralScene::light_lamps() {
+  if (scene_.lamps.empty()) return;
+  lamps_.resize(scene_.lamps.size(), node_count());
+  for (std::size_t k = 0; k < scene_.lamps.size(); ++k)
+    nodes_.average_source(scene_.lamps[k].radiance, lamps_.values(k));
+  std::vector<const scene::RadiationPattern*> patterns(scene_.states.size());
+  bool any = false;
+  for (std::uint32_t s = 0; s < scene_.states.size(); ++s) {
+    const scene::Lamp* lamp = scene_.lamp_of(s);
+    if (lamp == nullptr) continue;
+    patterns[s] = lamp->pattern.get();
+    any = any || patterns[s] != nullptr;
+    if (patterns[s] != nullptr) continue;
+    float *whole = emission_.row(s), *own = lamps_.row(scene_.states[s].lamp - 1);
+    for (std::size_t n = 0; n < stride(); ++n) whole[n] += own[n];
+  }
+  if (any) patterned_ = std::move(patterns);
+}
+
 void SpectralScene::emit_surfaces() {
   bool directional = false;
   for (std::size_t s = 0; s < scene_.states.size(); ++s) {
@@ -194,6 +226,7 @@ void SpectralScene::emit_surfaces() {
   if (const std::optional<scene::TemperatureRange> range = scene_.mapped_temperatures())
     planck_ = std::make_unique<radiometry::PlanckTable>(
         nodes_, std::max(0.5 * range->coldest_k, range->coldest_k - kBeyond_k), range->hottest_k + kBeyond_k);
+  light_lamps();
 }
 
 void SpectralScene::light_surroundings() {
@@ -220,8 +253,8 @@ const float* SpectralScene::black(const scene::Constituent& constituent, float* 
   return scene_.states[constituent.state].temperature_k > 0.0 ? black_.row(constituent.state) : nullptr;
 }
 
-const float* SpectralScene::emission(const scene::Constituent& constituent, double cosine, float* scratch,
-                                     float* work) const {
+const float* SpectralScene::thermal_emission(const scene::Constituent& constituent, double cosine,
+                                             float* scratch, float* work) const {
   const double own_k = scene_.states[constituent.state].temperature_k;
   const materials::NodeBsdf* model = materials_.directional(constituent.material);
   if (constituent.mapped_temperature_k <= 0.0 && model == nullptr)
@@ -231,24 +264,61 @@ const float* SpectralScene::emission(const scene::Constituent& constituent, doub
     model->emissivity(cosine, work, scratch);
     emissivity = work;
   }
-  if (constituent.mapped_temperature_k > 0.0) {
-    planck_->row(constituent.mapped_temperature_k, scratch);
-  } else {
-    if (!(own_k > 0.0)) return nullptr;
-    std::copy_n(black_.row(constituent.state), stride(), scratch);
-  }
+  if (!black_body(constituent, scratch)) return nullptr;
   for (std::size_t n = 0; n < stride(); ++n) scratch[n] *= emissivity[n];
   return scratch;
+}
+
+const float* SpectralScene::emission(const scene::Constituent& constituent, double cosine,
+                                     math::Vec3 outgoing, float* scratch, float* work) const {
+  const float* lamp = lamp_radiance(constituent.state);
+  if (lamp == nullptr) return thermal_emission(constituent, cosine, scratch, work);
+  const scene::RadiationPattern* pattern = lamp_pattern(constituent.state);
+  if (pattern == nullptr && constituent.mapped_temperature_k <= 0.0 &&
+      materials_.directional(constituent.material) == nullptr)
+    return emission_.row(constituent.state);  // with the lamp's light
+  const float share = pattern != nullptr ? static_cast<float>(pattern->at(outgoing)) : 1.0f;
+  const float* thermal = thermal_emission(constituent, cosine, scratch, work);
+  for (std::size_t n = 0; n < stride(); ++n)
+    scratch[n] = share * lamp[n] + (thermal != nullptr ? thermal[n] : 0.0f);
+  return scratch;
+}
+
+bool SpectralScene::black_body(const scene::Constituent& constituent, float* spectrum) const {
+  if (constituent.mapped_temperature_k > 0.0) {
+    planck_->row(constituent.mapped_temperature_k, spectrum);
+    return true;
+  }
+  if (!(scene_.states[constituent.state].temperature_k > 0.0)) return false;
+  std::copy_n(black_.row(constituent.state), stride(), spectrum);
+  return true;
+}
+
+bool SpectralScene::emission_q(const scene::ResolvedSurface& surface, math::Vec3 outgoing,
+                               float* scratch) const {
+  const double cosine = std::abs(math::dot(surface.shading_normal, outgoing));
+  float *black = scratch + stride(), *share = black + stride();
+  bool any = false;
+  for (const scene::Constituent& constituent : surface) {
+    const materials::NodeBsdf* model = materials_.directional(constituent.material);
+    if (model == nullptr || !model->polarized_emission(cosine, share) || !black_body(constituent, black))
+      continue;
+    const float weight = static_cast<float>(constituent.weight);
+    for (std::size_t n = 0; n < stride(); ++n)
+      scratch[n] = (any ? scratch[n] : 0.0f) + weight * black[n] * share[n];
+    any = true;
+  }
+  return any;
 }
 
 const float* SpectralScene::emission(const scene::ResolvedSurface& surface, math::Vec3 outgoing,
                                      float* scratch) const {
   const double cosine = std::abs(math::dot(surface.shading_normal, outgoing));
   float *part = scratch + stride(), *work = part + stride();
-  if (surface.count == 1) return emission(surface.constituents[0], cosine, scratch, work);
+  if (surface.count == 1) return emission(surface.constituents[0], cosine, outgoing, scratch, work);
   bool any = false;
   for (const scene::Constituent& constituent : surface) {
-    const float* spectrum = emission(constituent, cosine, part, work);
+    const float* spectrum = emission(constituent, cosine, outgoing, part, work);
     if (spectrum == nullptr) continue;
     const float weight = static_cast<float>(constituent.weight);
     if (any)
@@ -262,7 +332,7 @@ const float* SpectralScene::emission(const scene::ResolvedSurface& surface, math
 
 std::vector<double> SpectralScene::white_reflected() const {
   const double sine = scene_.sun ? std::max(0.0, scene_.sun->direction.z) : 0.0;
-  std::vector<double> white(nodes_.channel_count(), 0.0);
+  std::vector<double> white = white_below_lamps(*this);
   for (std::size_t c = 0; c < white.size(); ++c)
     for (std::size_t n = nodes_.first_node(c); n < nodes_.first_node(c + 1); ++n) {
       const double reflected = light_.row(kSunIrradiance)[n] * sine / std::numbers::pi + light_.row(kSky)[n];

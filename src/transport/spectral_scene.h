@@ -17,6 +17,7 @@ namespace ifov::radiometry {
 class PlanckTable;
 }
 namespace ifov::scene {
+class RadiationPattern;
 struct Scene;
 struct SurfaceState;
 }  // namespace ifov::scene
@@ -33,16 +34,20 @@ class ViewTable;
 /// The scene's spectra in the spectral nodes of a sensor: what a path multiplies and adds.
 class SpectralScene {
  public:
-  /// Keeps references to both; they must outlive this.
-  SpectralScene(const scene::Scene& scene, const radiometry::SpectralNodes& nodes);
+  /// Keeps references to both; they must outlive this. `polarized`: what the polarization of light needs is kept.
+  SpectralScene(const scene::Scene& scene, const radiometry::SpectralNodes& nodes, bool polarized = false);
   /// With an atmosphere in place of the scene's uniform sky and its tables of transmittance and path radiance. Light
   /// that goes back and forth between air and ground counts once, over ground as the scene's surroundings.
-  SpectralScene(const scene::Scene& scene, const atmosphere::SensorAtmosphere& atmosphere);
+  SpectralScene(const scene::Scene& scene, const atmosphere::SensorAtmosphere& atmosphere,
+                bool polarized = false);
   /// With what another code computed, under a uniform sky of its irradiance; where it has none, under the scene's own.
-  SpectralScene(const scene::Scene& scene, const atmosphere::ImportedAtmosphere& atmosphere);
+  SpectralScene(const scene::Scene& scene, const atmosphere::ImportedAtmosphere& atmosphere,
+                bool polarized = false);
   ~SpectralScene();
 
   const scene::Scene& scene() const { return scene_; }
+  /// Whether paths tell the polarization of their light (PolarizedPathLight).
+  bool polarized() const { return polarized_; }
   const radiometry::SpectralNodes& nodes() const { return nodes_; }
   std::size_t node_count() const { return nodes_.node_count(); }
   std::size_t stride() const { return light_.stride(); }
@@ -64,15 +69,25 @@ class SpectralScene {
     return materials_.maximum_reflectance(material) + materials_.maximum_transmittance(material);
   }
 
-  /// Whether the spectra of a surface have to be computed: materials side by side, a temperature from a map, or a model that
-  /// depends on direction.
+  /// Whether the spectra of a surface have to be computed: materials side by side, a temperature from a map, or a model or a
+  /// lamp that depends on direction.
   bool is_mixed(const scene::ResolvedSurface& surface) const {
     return surface.count > 1 || surface.constituents[0].mapped_temperature_k > 0.0 ||
-           materials_.directional(surface.constituents[0].material) != nullptr;
+           materials_.directional(surface.constituents[0].material) != nullptr ||
+           (!patterned_.empty() && patterned_[surface.constituents[0].state] != nullptr);
+  }
+  /// What the lamp of a state gives off in its brightest direction, W m-2 sr-1 um-1, and how that depends on the direction;
+  /// null: it has no lamp, it does not.
+  const float* lamp_radiance(std::uint32_t state) const;
+  const scene::RadiationPattern* lamp_pattern(std::uint32_t state) const {
+    return patterned_.empty() ? nullptr : patterned_[state];
   }
   /// Emitted radiance of a resolved surface towards a direction (unit, away from it), W m-2 sr-1 um-1; null where it emits
   /// nothing. `scratch` (3 stride() floats, 64-byte aligned) is used where the surface is_mixed().
   const float* emission(const scene::ResolvedSurface& surface, math::Vec3 outgoing, float* scratch) const;
+  /// Its Q about radiometry::surface_frame() of the direction and the shading normal, into `scratch` (as above; U and V are 0).
+  /// False where it is unpolarized.
+  bool emission_q(const scene::ResolvedSurface& surface, math::Vec3 outgoing, float* scratch) const;
 
   /// Irradiance on a surface that faces the Sun (zero without one).
   const float* sun_irradiance() const { return light_.row(kSunIrradiance); }
@@ -101,15 +116,22 @@ class SpectralScene {
   /// How much brighter than at the ground the sky is there.
   const float* sky_share(double height_m, float* scratch) const;
 
-  /// By channel: radiance of a level white Lambertian under Sun and sky, through the view path's transmittance.
+  /// By channel: radiance of a level white Lambertian under Sun and sky, through the view path's transmittance, and of one below
+  /// the lamp that lights it most.
   std::vector<double> white_reflected() const;
   /// What the path to the sensor adds, by channel, W m-2 sr-1 um-1.
   std::vector<double> path_radiance() const;
 
  private:
-  const float* emission(const scene::Constituent& constituent, double cosine, float* scratch,
-                        float* work) const;
+  const float* emission(const scene::Constituent& constituent, double cosine, math::Vec3 outgoing,
+                        float* scratch, float* work) const;
+  /// What temperature makes it emit, without a lamp.
+  const float* thermal_emission(const scene::Constituent& constituent, double cosine, float* scratch,
+                                float* work) const;
+  /// A black body of a constituent's temperature, where its model depends on direction or a map tells the temperature.
+  bool black_body(const scene::Constituent& constituent, float* spectrum) const;
   void emit_surfaces();
+  void light_lamps();
   void find_emitters();
   void find_mirrors();
   void emit(const scene::SurfaceState& state, float* spectrum) const;
@@ -126,11 +148,14 @@ class SpectralScene {
   enum LightRow { kSunIrradiance, kSky, kSurroundings, kViewTransmittance, kViewRadiance, kLightRows };
   const scene::Scene& scene_;
   const radiometry::SpectralNodes& nodes_;
+  bool polarized_;
   materials::SpectralMaterials materials_;
   radiometry::SpectrumBlock emission_;  // by state; towards all sides alike
   radiometry::SpectrumBlock black_;     // by state, of directional materials: a black body of its temperature
-  radiometry::SpectrumBlock light_;     // by LightRow
-  std::unique_ptr<radiometry::PlanckTable> planck_;  // only where a temperature map needs it
+  radiometry::SpectrumBlock lamps_;     // by lamp, in its brightest direction
+  std::vector<const scene::RadiationPattern*> patterned_;  // by state; empty: all shine evenly
+  radiometry::SpectrumBlock light_;                        // by LightRow
+  std::unique_ptr<radiometry::PlanckTable> planck_;        // only where a temperature map needs it
   std::unique_ptr<const SkyDome> dome_;
   std::unique_ptr<const ViewTable> view_table_, single_view_;
   std::vector<double> heights_m_;                        // rising from 0; empty: all is as at the ground

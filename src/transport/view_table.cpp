@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "atmosphere/sensor/sensor_atmosphere.h"
+#include "radiometry/polarization_frame.h"
 
 namespace ifov::transport {
 namespace {
@@ -66,11 +67,14 @@ void ViewTable::polarize(const atmosphere::SensorAtmosphere& atmosphere,
   const std::size_t nodes = atmosphere.node_count();
   q_.resize(radiance_.rows(), nodes);
   u_.resize(radiance_.rows(), nodes);
-  // Here x is towards the Sun and z up.
+  // Here x is towards the Sun and z up. A single line's light is that of the sensor's own geometry, whose azimuth counts
+  // at the vertical, too, where the grid knows none.
+  const bool single = grid.trivial();
+  const double azimuth_rad = atmosphere.geometry().view_azimuth_rad;
   std::vector<radiometry::MuellerMatrix> turn;
   for (const atmosphere::LineOfSight& line : grid.lines()) {
-    const radiometry::PolarizationFrame own =
-        radiometry::meridional_frame(std::cos(line.zenith_rad), counterclockwise(line.azimuth_rad));
+    const radiometry::PolarizationFrame own = radiometry::meridional_frame(
+        std::cos(line.zenith_rad), counterclockwise(single ? azimuth_rad : line.azimuth_rad));
     turn.push_back(turned(own, radiometry::carried({}, own.direction)));
   }
   std::vector<radiometry::StokesVector> light(nodes);
@@ -97,25 +101,39 @@ void ViewTable::polarize(const atmosphere::SensorAtmosphere& atmosphere,
   });
 }
 
+ViewTable::Polarization ViewTable::polarization(const Weights& weights, math::Vec3 towards_sensor,
+                                                const radiometry::PolarizationFrame& frame) const {
+  const radiometry::PolarizationFrame upright{{0.0, 0.0, 1.0}, {sun_x_, sun_y_, 0.0}};
+  const radiometry::MuellerMatrix turn = turned(radiometry::carried(upright, towards_sensor), frame);
+  Polarization result;
+  result.cosine = static_cast<float>(turn(1, 1));
+  result.sine = static_cast<float>(turn(1, 2));
+  result.side = dot(towards_sensor, upright.y()) < 0.0 ? -1.0f : 1.0f;
+  for (std::size_t k = 0; k < weights.count; ++k) {
+    const std::size_t row =
+        static_cast<std::size_t>(weights.radiance[k] - radiance_.row(0)) / radiance_.stride();
+    result.q[k] = q_.row(row);
+    result.u[k] = u_.row(row);
+  }
+  return result;
+}
+
 radiometry::PolarizationFrame ViewTable::stokes(math::Vec3 towards_sensor, double height_m,
                                                 double sensor_height_m,
                                                 std::span<radiometry::StokesVector> nodes) const {
   const Weights weights = at(towards_sensor, height_m, sensor_height_m);
-  const radiometry::PolarizationFrame upright{{0.0, 0.0, 1.0}, {sun_x_, sun_y_, 0.0}},
-      frame = radiometry::meridional_frame(towards_sensor);
-  const radiometry::MuellerMatrix turn = turned(radiometry::carried(upright, towards_sensor), frame);
-  const double side = dot(towards_sensor, upright.y()) < 0.0 ? -1.0 : 1.0;
+  const radiometry::PolarizationFrame frame = radiometry::meridional_frame(towards_sensor);
+  const Polarization path = polarization(weights, towards_sensor, frame);
+  const double c = static_cast<double>(path.cosine), s = static_cast<double>(path.sine);
   std::fill(nodes.begin(), nodes.end(), radiometry::StokesVector{});
   for (std::size_t k = 0; k < weights.count; ++k) {
-    const std::size_t row =
-        static_cast<std::size_t>(weights.radiance[k] - radiance_.row(0)) / radiance_.stride();
     const double weight = static_cast<double>(weights.weight[k]);
-    for (std::size_t n = 0; n < nodes.size(); ++n)
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      const double q = static_cast<double>(path.q[k][n]), u = static_cast<double>(path.side * path.u[k][n]);
       nodes[n] += weight * radiometry::StokesVector{static_cast<double>(weights.radiance[k][n]),
-                                                    static_cast<double>(q_.row(row)[n]),
-                                                    side * static_cast<double>(u_.row(row)[n]), 0.0};
+                                                    c * q + s * u, c * u - s * q, 0.0};
+    }
   }
-  for (radiometry::StokesVector& light : nodes) light = turn * light;
   return frame;
 }
 

@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "math/vec3.h"
-#include "radiometry/polarization_frame.h"
 #include "radiometry/spectrum_block.h"
 
+namespace ifov::radiometry {
+struct PolarizationFrame;
+struct StokesVector;
+}  // namespace ifov::radiometry
 namespace ifov::atmosphere {
 class SensorAtmosphere;
 }
@@ -33,13 +36,21 @@ class ViewTable {
   /// sensor's does not matter where it has one alone. Beyond the table its rim holds.
   Weights at(math::Vec3 towards_sensor, double height_m, double sensor_height_m) const;
 
-  /// Whether the atmosphere's tables are: stokes() is then there.
+  /// Whether the atmosphere's tables are: stokes() and polarization() are then there.
   bool polarized() const { return q_.rows() > 0; }
   /// What the path adds, with its polarization, by node; returns the frame that it is about, the meridional one
   /// of light that goes to the sensor. Lines of sight are interpolated in frames carried to them from the
   /// vertical, which change smoothly across it.
   radiometry::PolarizationFrame stokes(math::Vec3 towards_sensor, double height_m, double sensor_height_m,
                                        std::span<radiometry::StokesVector> nodes) const;
+  /// The same by rows, about a frame of the direction to the sensor: with q and u the sums over rows with the weights of at(), Q is
+  /// cosine q + sine u and U is cosine u - sine q; u counts `side` times.
+  struct Polarization {
+    std::array<const float*, 5> q{}, u{};
+    float cosine = 1.0f, sine = 0.0f, side = 1.0f;
+  };
+  Polarization polarization(const Weights& weights, math::Vec3 towards_sensor,
+                            const radiometry::PolarizationFrame& frame) const;
 
  private:
   void polarize(const atmosphere::SensorAtmosphere& atmosphere, const std::vector<double>& ground_radiance);

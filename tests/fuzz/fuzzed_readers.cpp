@@ -22,6 +22,7 @@
 #include "io/products/envi_reader.h"
 #include "io/raster/elevation.h"
 #include "io/raster/raster.h"
+#include "io/scene_cache/cache_writer.h"
 #include "io/scene_cache/scene_cache.h"
 #include "io/spectra/asd.h"
 #include "io/spectra/brdf_table.h"

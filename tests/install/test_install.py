@@ -123,6 +123,23 @@ class Install(unittest.TestCase):
         self.assertIn("ifov::version[abi:cxx11]()", plain)
         self.assertRegex(done("readelf", "-dW", self.library), r"SONAME\).*\[libifov\.so\.\d+\.\d+\]")
 
+    def test_the_library_is_refused_by_an_old_processor(self):
+        if not shutil.which("readelf"):
+            self.skipTest("readelf (binutils) is not there")
+        if not re.search(r"IFOV_LINKER_MARKS_ISA_V\d:\w+=1", (BUILD / "CMakeCache.txt").read_text()):
+            self.skipTest("built for any x86-64, or by a linker that has no mark for it")
+        march = re.search(r"IFOV_MARCH:\w+=(.*)", (BUILD / "CMakeCache.txt").read_text()).group(1)
+        marks = done("readelf", "-nW", self.library)
+        self.assertRegex(marks, r"x86 ISA needed: .*\b" + (march if re.fullmatch(r"x86-64-v\d", march) else r"x86-64-v\d"))
+        emulator = shutil.which("qemu-x86_64") or shutil.which("qemu-x86_64-static")
+        if not emulator:
+            self.skipTest("marked for the loader; no qemu-x86_64 to be an old processor")
+        caller = self.folder / "caller.cpp"
+        caller.write_text('#include <dlfcn.h>\n#include <cstdio>\n'
+                          'int main(int, char** words) { std::puts(dlopen(words[1], RTLD_NOW) ? "there" : dlerror()); }\n')
+        done(self.compiler, caller, "-o", self.folder / "caller")
+        self.assertIn("CPU ISA level is lower than required", done(emulator, "-cpu", "Nehalem", self.folder / "caller", self.library))
+
     def test_the_library_has_the_guards_of_the_program(self):
         if not shutil.which("readelf"):
             self.skipTest("readelf (binutils) is not there")

@@ -7,6 +7,7 @@
 
 #include "io/products/quantity_header.h"
 #include "io/quantities/location_quantities.h"
+#include "io/quantities/polarization_quantities.h"
 #include "io/quantities/quality_quantities.h"
 #include "io/quantities/quantity_set.h"
 #include "io/quantities/radiance_quantities.h"
@@ -48,7 +49,9 @@ TEST(Quantities, RowsAreWhatTheyWrite) {
     EXPECT_TRUE(names.insert(quantity->name).second) << quantity->name;
     EXPECT_EQ(find_quantity(quantity->name), quantity);
     EXPECT_FALSE(quantity->what.empty());
-    EXPECT_EQ(quantity->unit.empty(), quantity->is_spectral()) << quantity->name;
+    const bool radiance =
+        quantity->bands == Quantity::Bands::stokes || (quantity->is_spectral() && !quantity->needs.stokes);
+    EXPECT_EQ(quantity->unit.empty(), radiance) << quantity->name;
     EXPECT_EQ(quantity->band_names.empty(), quantity->bands != Quantity::Bands::named) << quantity->name;
     Counting sink;
     quantity->values({tile, info, {}}, sink);
@@ -89,14 +92,19 @@ TEST(QuantitySet, UsualOnesLeaveOutWhatTheMapTells) {
   EXPECT_TRUE(usual_quantities(false).has(quantities::kLocation));
   EXPECT_FALSE(usual_quantities(true).has(quantities::kLocation));
   EXPECT_FALSE(usual_quantities(true).has(quantities::kStandardError));
+  EXPECT_FALSE(usual_quantities(true).has(quantities::kStokes));
+  EXPECT_TRUE(usual_quantities(true, true).has(quantities::kStokes));
 }
 
 TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
   render::ImageInfo image = SyntheticImage{4, 4, 2}.info();
   EXPECT_FALSE(possible_quantities(QuantitySet::all(), image).has(quantities::kAtmosphereHalfWidth));
   image.channels[1].air.emplace();
+  EXPECT_FALSE(possible_quantities(QuantitySet::all(), image).has(quantities::kDolp));
+  image.stokes = true;
   EXPECT_EQ(possible_quantities(QuantitySet::all(), image).size(), all_quantities().size());
   image.materials.clear();
+  image.stokes = false;
   const QuantitySet bare = possible_quantities(QuantitySet::all(), image, false);
   EXPECT_TRUE(bare == QuantitySet({&quantities::kRadiance, &quantities::kSamples, &quantities::kQuality,
                                    &quantities::kReasons, &quantities::kQualityClass, &quantities::kLocation,

@@ -30,7 +30,7 @@ TEST(Document, Head) {
   EXPECT_EQ(document.seed, 7u);
   ASSERT_TRUE(document.time);
   EXPECT_EQ(geodesy::format_utc(*document.time), "2026-06-21T17:00:00.000Z");
-  EXPECT_EQ(document.file_name, "folder/a.json");
+  EXPECT_EQ(document.sources.file_name, "folder/a.json");
   EXPECT_EQ(*document.text, test::kDocument);
 }
 

@@ -269,14 +269,15 @@ TEST(DocumentMessages, Geometry) {
 TEST(DocumentMessages, LaterStagesGetTheSameExcerpt) {
   const Document document = parse_document(test::kDocument, "folder/a.json");
   const InputError located =
-      document_error(document, document.scene.objects[1].shape_position, "this is too round");
+      document_error(document.sources, document.scene.objects[1].shape_position, "this is too round");
   EXPECT_STREQ(located.what(),
                "folder/a.json:19:9: this is too round\n"
                "   19 |         \"sphere\": {\n"
                "      |         ^");
-  const InputError elsewhere = document_error(document, {"mesh.obj", 7, 2}, "a face without vertices");
+  const InputError elsewhere =
+      document_error(document.sources, {"mesh.obj", 7, 2}, "a face without vertices");
   EXPECT_STREQ(elsewhere.what(), "mesh.obj:7:2: a face without vertices");
-  const InputError whole = document_error(document, {}, "too large");
+  const InputError whole = document_error(document.sources, {}, "too large");
   EXPECT_STREQ(whole.what(), "folder/a.json: too large");
 }
 

@@ -106,9 +106,15 @@ def libraries_of(folder):
     return found
 
 
+def folder_in_room(path):
+    """The folder of a room that a path within it is in; "." for the room's own files."""
+    parts = pathlib.PurePath(path).parts
+    return parts[0] if len(parts) > 1 else "."
+
+
 def library_of(file, room, libraries):
     """The library that a file of a room is in; None where nothing is declared, or none of the parts has its folder."""
-    folder = file.relative_to(room).parts[0]
+    folder = folder_in_room(file.relative_to(room))
     return next((library for library in libraries if not library.part or folder in library.folders), None)
 
 
@@ -118,7 +124,8 @@ def part_violations(source, rules):
     for room in sorted(path for path in source.iterdir() if path.is_dir()):
         parts = [library for library in libraries_of(room) if library.part]
         declared.update({library.name: (library.folders, library.parts, library.outside) for library in parts})
-        for folder in sorted(path.name for path in room.iterdir() if path.is_dir() and parts):
+        own = ["."] if any(path.suffix in SOURCES for path in room.iterdir()) else []
+        for folder in sorted(own + [path.name for path in room.iterdir() if path.is_dir()] if parts else []):
             owners = [library.name for library in parts if folder in library.folders]
             if len(owners) != 1:
                 found.append(f"{room.name}/{folder}: in {' and '.join(owners) or 'no part'}")
@@ -206,6 +213,19 @@ def folder_circles(source):
     return sorted(", ".join(sorted(circle)) for circle in circles if len(circle) > 1)
 
 
+WHOLE_DOCUMENT = re.compile(r'"io/document/document\.h"|\bstruct Document;|\bio::Document\b')
+
+
+def whole_documents(folder):
+    """Where files of a folder know the whole document, as 'file:line'."""
+    found = []
+    for file in sorted(path for path in folder.rglob("*") if path.suffix in SOURCES):
+        for number, line in enumerate(file.read_text().splitlines(), 1):
+            if WHOLE_DOCUMENT.search(line.split("//")[0]):
+                found.append(f"{file.relative_to(folder)}:{number}")
+    return found
+
+
 def file_violations(file, source, room, library, rules):
     found = []
     text = file.read_text()
@@ -214,7 +234,8 @@ def file_violations(file, source, room, library, rules):
 
     def declares(header):
         """Whether the library may include a header of src/: of its own, a room, or a part of one."""
-        target, folder = header.split("/")[:2]
+        target, _, within = header.partition("/")
+        folder = folder_in_room(within)
         if target == room:
             part = next((other.part for other in own_parts if folder in other.folders), library.part)
             return part == library.part or part in library.parts

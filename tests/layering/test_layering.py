@@ -20,6 +20,7 @@ from layering import (  # noqa: E402
     public_violations,
     read_rules,
     violations,
+    whole_documents,
     without_comments_and_strings,
 )
 
@@ -42,9 +43,13 @@ class SourceTree(unittest.TestCase):
     def test_the_command_line_is_a_program_like_any_other(self):
         (program,) = libraries_of(ROOT / "src/cli")
         self.assertEqual(sorted(program.rooms), ["core", "landscape", "studies"])
+
     def test_parts_of_rooms_are_those_of_the_table(self):
         self.assertIn("io_document", RULES.parts)
         self.assertEqual(part_violations(ROOT / "src", RULES), [])
+
+    def test_assemblers_take_the_parts_of_a_document_that_are_theirs(self):
+        self.assertEqual(whole_documents(ROOT / "src/session/assembly"), [])
 
     def test_public_headers_show_nothing_of_the_inside(self):
         self.assertEqual(public_violations(ROOT / "include"), [])
@@ -89,6 +94,17 @@ class PlantedFolders(unittest.TestCase):
             for k in range(40):
                 (source / f"io/c/{k}.h").write_text("")
             self.assertEqual(crowded_folders(source), ["io/c: 41 files"])
+
+
+class PlantedDocument(unittest.TestCase):
+    def test_an_assembler_of_the_whole_document_is_found(self):
+        with tempfile.TemporaryDirectory() as name:
+            file = pathlib.Path(name) / "light.cpp"
+            file.write_text('#include "io/document/light_document.h"\n// as io::Document\nvoid f(const io::DocumentSources&);\n')
+            self.assertEqual(whole_documents(file.parent), [])
+            for line in ('#include "io/document/document.h"', "struct Document;", "void f(const io::Document& document);"):
+                file.write_text("\n" + line + "\n")
+                self.assertEqual(whole_documents(file.parent), ["light.cpp:2"], line)
 
 
 class PlantedFaults(unittest.TestCase):
@@ -147,6 +163,17 @@ class PlantedFaults(unittest.TestCase):
         self.check_parts({"studies/CMakeLists.txt": studies, "studies/x.cpp": '#include "io/b/y.h"\n'}, [])
         self.check_parts({"studies/CMakeLists.txt": studies, "studies/x.cpp": '#include "io/c/y.h"\n'},
                          ["studies/x.cpp:1: studies includes io/c without declaring it in studies/CMakeLists.txt"])
+
+    def test_a_part_of_the_own_files_of_a_room(self):
+        own = "ifov_part(io low FOLDERS a ROOMS core)\nifov_part(io high FOLDERS . PARTS low ROOMS core)\n"
+        files = {"io/CMakeLists.txt": own, "io/x.h": '#include "io/a/y.h"\n', "io/a/y.h": ""}
+        self.check_parts(files, [])
+        self.check_parts(files | {"io/a/y.h": '#include "io/x.h"\n'},
+                         ["io/a/y.h:1: io_low includes io/x.h without declaring it in io/CMakeLists.txt"])
+        tables = {"io_low": (["a"], [], []), "io_high": (["."], ["low"], [])}
+        self.check_parts(files, [], dataclasses.replace(RULES, parts=tables), part_violations)
+        self.check_parts(files | {"io/CMakeLists.txt": "ifov_part(io low FOLDERS a ROOMS core)\n"}, ["io/.: in no part"],
+                         dataclasses.replace(RULES, parts={"io_low": (["a"], [], [])}), part_violations)
 
     def test_outside_header_beyond_its_part(self):
         rules = dataclasses.replace(RULES, adapters={"gdal": ["io_high"]})

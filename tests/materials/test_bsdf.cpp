@@ -42,8 +42,8 @@ BsdfEvent event_of(double out_rad, double in_rad, double azimuth_rad, Side side 
           direction(kTilted, 0.5 * pi, 0.3), side};
 }
 
-/// A model with parameters and spectra of its own that is not separable, transmits and has a direction: what a path, a
-/// material and the registry promise holds for whatever comes.
+/// A model with parameters and spectra of its own that is not separable, transmits and has a direction: what
+/// a path, a material and the registry promise holds for whatever comes.
 class Dummy final : public Bsdf {
  public:
   Dummy(Spectrum back, double share) : spectra_{std::move(back)}, share_(share) {}
@@ -79,6 +79,7 @@ std::vector<std::pair<std::string, std::shared_ptr<const Bsdf>>> models() {
   for (const BsdfModel* model : bsdf_models()) {
     BsdfInputs inputs{Spectrum({0.4, 1.0}, {0.3, 0.6}), {}};
     for (const BsdfParameter& p : model->parameters) {
+      if (p.key == "proteins" || p.key == "carbon") continue;  // in place of dry matter
       const double middle = 0.5 * (p.low + p.high);
       if (p.form == BsdfParameter::Form::word) {
         if (!p.optional) inputs.values.emplace_back(p.key, std::string(p.choices().front()));
@@ -257,7 +258,8 @@ TEST(Bsdf, TheRegistryKnowsEveryModel) {
     EXPECT_EQ(std::string(error.what()),
               "there is no scattering model 'lambertain'; there are 'lambertian', 'mirror', 'oren_nayar', "
               "'ross_li', 'roujean', 'rpv', 'hapke', 'snow', 'table', 'rough_conductor', 'rough_dielectric', "
-              "'ward', 'smooth', 'slab', 'film'");
+              "'ward', 'smooth', 'slab', 'film', 'sea', 'leaf', 'priest_germer', "
+              "'maxwell_beard', 'shell_target', 'maignan'");
   }
 }
 

@@ -58,7 +58,8 @@ TEST(WarmSurroundings, ScatterIntoThePathWhatTheyEmit) {
   const Session warm = plain(R"("surroundings": {"reflectance": 0.05, "temperature": "300 K"})"),
                 cold = plain(R"("surroundings": {"reflectance": 0.05, "temperature": "20 K"})");
   const io::Document& document = warm.parts().document;
-  const atmosphere::AtmosphereColumn column = assemble_column(document);
+  const atmosphere::AtmosphereColumn column =
+      assemble_column(*document.atmosphere.modelled, document.scene.origin);
   atmosphere::SensorGeometry geometry;
   for (std::size_t c = 0; c < 2; ++c) {
     const auto all =

@@ -133,19 +133,21 @@ TEST_F(WideView, GlintsAreSeenThroughTheAirBeforeThem) {
 TEST_F(WideView, ASensorThatSinksHasTheAirOfAllItsHeights) {
   constexpr double kGround_km = 0.25;
   const io::Document still = document(kWide);
+  const io::ModelledAtmosphere& air = *still.atmosphere.modelled;
   const Session session = Session::load(still, nullptr);
-  const atmosphere::SensorAltitudes one = sensor_altitudes(still, *session.parts().camera, kGround_km);
+  const atmosphere::SensorAltitudes one = sensor_altitudes(air, *session.parts().camera, kGround_km);
   EXPECT_EQ(one.low_km, one.high_km);
   EXPECT_EQ(one.low_km, kGround_km + 4.0);
   const test::SinkingScanner scanner;
-  const atmosphere::SensorAltitudes all = sensor_altitudes(still, scanner, kGround_km);
+  const atmosphere::SensorAltitudes all = sensor_altitudes(air, scanner, kGround_km);
   EXPECT_NEAR(all.low_km, kGround_km + 0.96, 1e-12);
   EXPECT_NEAR(all.high_km, kGround_km + 1.0, 1e-12);
-  EXPECT_NEAR(sensor_geometry(still, scanner, std::nullopt, kGround_km).sensor_altitude_km, kGround_km + 0.98,
-              1e-12);
+  EXPECT_NEAR(sensor_geometry(still.sources, air, still.sensor.camera, scanner, std::nullopt, kGround_km)
+                  .sensor_altitude_km,
+              kGround_km + 0.98, 1e-12);
   // What the document says goes before.
-  io::Document said = still;
-  said.atmosphere.modelled->sensor_altitude_km = 9.0;
+  io::ModelledAtmosphere said = air;
+  said.sensor_altitude_km = 9.0;
   EXPECT_EQ(sensor_altitudes(said, scanner, kGround_km).low_km, 9.0);
   EXPECT_EQ(sensor_altitudes(said, scanner, kGround_km).high_km, 9.0);
 }

@@ -73,6 +73,11 @@ class SmallScene {
     scene_.world = place();
     return build_spectra();
   }
+  /// Whose paths tell the polarization of their light.
+  const transport::SpectralScene& build_polarized() {
+    scene_.world = place();
+    return build_spectra(true);
+  }
 
  private:
   std::unique_ptr<geometry::World> place() {
@@ -81,7 +86,7 @@ class SmallScene {
     options.lobes = scene_.lobe_assignments();
     return builder_.build(options);
   }
-  const transport::SpectralScene& build_spectra() {
+  const transport::SpectralScene& build_spectra(bool polarized = false) {
     material(0.0);  // the surroundings
     scene_.surroundings = scene_.states.back();
     std::vector<radiometry::Spectrum> surfaces;
@@ -93,7 +98,7 @@ class SmallScene {
         radiometry::Channel::monochromatic("only", kWavelength_um)};
     nodes_ = std::make_unique<radiometry::SpectralNodes>(radiometry::SpectralNodes::build(
         channels, scene_.sun ? scene_.sun->irradiance : radiometry::Spectrum(), surfaces));
-    spectral_ = std::make_unique<transport::SpectralScene>(scene_, *nodes_);
+    spectral_ = std::make_unique<transport::SpectralScene>(scene_, *nodes_, polarized);
     return *spectral_;
   }
 

@@ -8,6 +8,7 @@
 #include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/scattering/column_solver.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
+#include "radiometry/polarization_frame.h"
 #include "radiometry/solar_spectrum.h"
 #include "transport/sky/sky_dome.h"
 #include "transport/small_scene.h"

@@ -6,6 +6,7 @@
 
 #include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
+#include "radiometry/polarization_frame.h"
 #include "radiometry/solar_spectrum.h"
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"

@@ -21,8 +21,6 @@
 
 namespace ifov::io {
 
-class DocumentSource;
-
 /// Version of the document format that this program reads and writes.
 inline constexpr int kDocumentVersion = 1;
 
@@ -45,11 +43,9 @@ struct Document {
   SensorDocument sensor;
   SamplingDocument sampling;
   OutputDocument output;
-  std::string file_name;  ///< as the user gave it
+  DocumentSources sources;
   /// As read; with all that it includes and that the command line replaced where there is such. Never null.
   std::shared_ptr<const std::string> text;
-  /// Of positions: the document, what it includes, overrides.
-  std::vector<std::shared_ptr<const DocumentSource>> sources;
   std::vector<FormerKey> former_keys;  ///< in the document's order
   std::vector<std::string> files;      ///< that it names or includes, as far as they are there
 };

@@ -2,9 +2,11 @@
 
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "io/document/scene_document.h"
 #include "io/document/spectrum_document.h"
+#include "math/vec3.h"
 
 namespace ifov::io {
 
@@ -48,7 +50,32 @@ struct SurroundingsDocument {
   SourcePosition position;
 };
 
+/// A lamp: a body that gives off light and reflects none. All but disks are spheres.
+struct LampDocument {
+  enum class Form {
+    point,       ///< the same in all directions: a small sphere
+    sphere,      ///< the same in all directions
+    spot,        ///< a cone of light
+    disk,        ///< one side of a flat disk, by Lambert's law
+    goniometer,  ///< intensities from a file of IES LM-63
+  };
+  Form form = Form::point;
+  math::Point3 at_m;
+  double radius_m = 0.01;
+  math::Vec3 towards{0.0, 0.0, -1.0};  ///< any length above zero
+  double half_angle_rad = 0.0, edge_rad = 0.0;
+  std::optional<DocumentFile> intensities;
+  double azimuth_rad = 0.0;  ///< of the file's plane of 0 deg, clockwise from north
+  /// One of these, or none beside a file, whose light is then grey.
+  std::optional<double> temperature_k;
+  std::optional<SpectrumDocument> spectrum, radiance;  ///< any unit; W m-2 sr-1 um-1
+  /// At most one; without them the temperature, the radiance or the file's own intensities say how much there is.
+  std::optional<double> power_w, flux_lm;
+  SourcePosition position;
+};
+
 struct LightDocument {
+  std::vector<LampDocument> lamps;
   std::optional<SunDocument> sun;
   std::optional<MoonDocument> moon;
   std::variant<NoSky, SkyTemperature, SkyRadiance> sky;

@@ -36,6 +36,16 @@ struct TabulatedChannel {
   std::string band;          ///< which block of a file with several (";; <name>" lines); empty: the only one
 };
 
+struct PolarizerDocument {
+  double angle_rad = 0.0;  ///< of the axis, from the image's right counterclockwise as the image is looked at
+  double extinction = 1e4;  ///< light along the axis that is let through over light across it
+  friend bool operator==(const PolarizerDocument&, const PolarizerDocument&) = default;
+};
+struct RetarderDocument {                        ///< before the polarizer
+  double retardance_rad = 0.0, angle_rad = 0.0;  ///< the angle is of the slow axis, as a polarizer's
+  friend bool operator==(const RetarderDocument&, const RetarderDocument&) = default;
+};
+
 /// Series in the document have been spread out: one entry per channel, with a name of its own.
 struct ChannelDocument {
   std::string name;
@@ -43,6 +53,8 @@ struct ChannelDocument {
   SourcePosition position;
   std::optional<SpectrumDocument> noise;  ///< noise-equivalent radiance, W m-2 sr-1 um-1
   std::optional<double> noise_k;          ///< or noise-equivalent temperature difference at 300 K
+  std::optional<PolarizerDocument> polarizer = {};
+  std::optional<RetarderDocument> retarder = {};
 };
 
 struct NoPsf {};
@@ -64,6 +76,7 @@ struct SensorDocument {
   std::vector<ChannelDocument> channels;  ///< at least one; names are unique
   std::variant<NoPsf, GaussianPsf, AiryPsf, KernelPsf> psf;
   SourcePosition psf_position;
+  bool stokes = false;       ///< Q, U and V are told beside I
   double fill_factor = 1.0;  ///< sensitive share of an element's area, a centred square
   SourcePosition position;
 };

@@ -60,6 +60,31 @@ void add_channels(EnviHeader& header, const render::ImageInfo& info) {
   for (const int channel : picture_channels(info)) header.default_bands.push_back(channel + 1);
 }
 
+void add_stokes(EnviHeader& header, const render::ImageInfo& info) {
+  header.bands = static_cast<int>(4 * info.channels.size());
+  header.wavelength_units = "Micrometers";
+  for (const char* component : {"I", "Q", "U", "V"})
+    for (const auto& channel : info.channels) {
+      header.band_names.push_back(format("{} {}", component, channel.name));
+      header.wavelength.push_back(channel.centre_um);
+      header.fwhm.push_back(channel.fwhm_um);
+    }
+}
+
+std::string stokes_convention() {
+  return "Q = |E_x|^2 - |E_y|^2 U = 2 Re(E_x E_y*) V = -2 Im(E_x E_y*) with fields as exp(i(kr - wt)); x is the direction of rising "
+         "columns in the focal plane and y that of falling lines, so that angles of polarization count from the image's right "
+         "counterclockwise as the image is looked at; away from the optical axis the axes are carried along great circles";
+}
+
+void add_stokes_convention(EnviHeader& header, const Acquisition::Camera& camera) {
+  header.other["stokes convention"] = stokes_convention();
+  const auto text = [](math::Vec3 v) { return format("{:.9g}, {:.9g}, {:.9g}", v.x, v.y, v.z); };
+  header.other["camera right (east, north, up)"] = text(camera.right);
+  header.other["camera down (east, north, up)"] = text(camera.down);
+  header.other["camera forward (east, north, up)"] = text(camera.forward);
+}
+
 std::string shown_unit(const std::string& unit) {
   return unit == "W m-2 sr-1 um-1" ? "W/(m\u00b2 sr \u00b5m)" : unit;
 }

@@ -17,6 +17,13 @@ EnviHeader image_header(std::string_view what, const render::ImageInfo& info, co
 /// Makes bands of the image's channels.
 void add_channels(EnviHeader& header, const render::ImageInfo& info);
 
+/// Makes bands of I of all channels, then Q, U and V.
+void add_stokes(EnviHeader& header, const render::ImageInfo& info);
+/// What the signs of Q, U and V mean and what they are about.
+std::string stokes_convention();
+/// That, and where the camera's axes point in the scene.
+void add_stokes_convention(EnviHeader& header, const Acquisition::Camera& camera);
+
 /// The radiance unit as people write it.
 std::string shown_unit(const std::string& unit);
 

@@ -101,19 +101,36 @@ class Writer {
   }
 
   void define_cube(const Quantity& quantity, const RasterView& view, const std::array<int, 3>& size) {
-    const int id = variable(std::string(quantity.name).c_str(), NC_FLOAT, {size.begin(), size.end()});
+    const bool stokes = quantity.bands == Quantity::Bands::stokes;
+    std::vector<int> dimensions(size.begin(), size.end());
+    if (stokes) dimensions.insert(dimensions.begin(), stokes_size());
+    const int id = variable(std::string(quantity.name).c_str(), NC_FLOAT, dimensions);
     const float gap = std::numeric_limits<float>::quiet_NaN();
     require(nc_put_att_float(file_, id, "_FillValue", NC_FLOAT, 1, &gap));
     text(id, "long_name", std::string(quantity.what));
     if (quantity.statistic == Quantity::Statistic::half_width)
       text(id, "comment", format("of the {:g} % interval", 100.0 * record_.identity.confidence));
-    text(id, "units", info_.radiance_unit);
-    text(id, "coordinates", "fwhm channel");
+    text(id, "units",
+         quantity.unit.empty()    ? info_.radiance_unit
+         : quantity.unit == "deg" ? "degree"
+                                  : std::string(quantity.unit));
+    if (quantity.needs.stokes) text(id, "stokes_convention", stokes_convention());
+    text(id, "coordinates", stokes ? "fwhm channel stokes_component" : "fwhm channel");
     if (map_ && map_->has_system()) text(id, "grid_mapping", NetcdfMap::kName);
     cubes_.emplace_back(id, &view);
   }
 
+  /// The dimension of I, Q, U and V, made where it is needed.
+  int stokes_size() {
+    if (stokes_dimension_ >= 0) return stokes_dimension_;
+    require(nc_def_dim(file_, "stokes", 4, &stokes_dimension_));
+    stokes_ = variable("stokes_component", NC_CHAR, {stokes_dimension_});
+    text(stokes_, "long_name", "component of the Stokes vector");
+    return stokes_dimension_;
+  }
+
   void write_coordinates() const {
+    if (stokes_dimension_ >= 0) require(nc_put_var_text(file_, stokes_, "IQUV"));
     std::vector<double> centres, widths;
     std::string names;
     for (const auto& channel : info_.channels) {
@@ -132,9 +149,13 @@ class Writer {
     for (int band = 0; band < view.bands; ++band)
       for (int y = 0; y < view.height; ++y) {
         view.read(y, band, line);
-        const std::size_t start[] = {static_cast<std::size_t>(band), static_cast<std::size_t>(y), 0},
-                          count[] = {1, 1, line.size()};
-        require(nc_put_vara_float(file_, variable, start, count, line.data()));
+        const std::size_t channels = info_.channels.size(), at = static_cast<std::size_t>(band);
+        // Of a Stokes vector the component is one more dimension, before all others.
+        const std::size_t start[] = {at / channels, at % channels, static_cast<std::size_t>(y), 0},
+                          count[] = {1, 1, 1, line.size()};
+        const bool stokes = static_cast<std::size_t>(view.bands) > channels;
+        require(nc_put_vara_float(file_, variable, stokes ? start : start + 1, stokes ? count : count + 1,
+                                  line.data()));
       }
   }
 
@@ -142,7 +163,7 @@ class Writer {
   const std::vector<NetcdfCube>& input_;
   const RunRecord& record_;
   const render::ImageInfo& info_;
-  int file_ = -1, wavelength_ = 0, fwhm_ = 0, name_ = 0;
+  int file_ = -1, wavelength_ = 0, fwhm_ = 0, name_ = 0, stokes_ = 0, stokes_dimension_ = -1;
   std::size_t name_length_ = 1;
   std::optional<NetcdfMap> map_;
   std::vector<std::pair<int, const RasterView*>> cubes_;
@@ -153,7 +174,8 @@ class Writer {
 std::uint64_t netcdf_bytes(const render::ImageInfo& image, const QuantitySet& quantities) {
   std::uint64_t bytes = 0;
   for (const Quantity* quantity : possible_quantities(quantities, image))
-    if (quantity->is_spectral()) bytes += cube_size(*quantity, image).bytes();
+    if (quantity->is_spectral() || quantity->bands == Quantity::Bands::stokes)
+      bytes += cube_size(*quantity, image).bytes();
   return bytes;
 }
 
@@ -165,18 +187,19 @@ void write_netcdf(PartFile& file, const std::vector<NetcdfCube>& input, const Ru
   Writer(file.part_path().string(), input, record).write();
 }
 
-constinit const ProductFormat formats::kNetcdf{.name = "netcdf",
-                                               .ending = "_radiance.nc",
-                                               .what = "radiance and its errors, NetCDF",
-                                               .write =
-                                                   [](PartFile& file, const FormatInput& input) {
-                                                     std::vector<NetcdfCube> by_channel;
-                                                     for (const Quantity* quantity : all_quantities())
-                                                       if (const RasterView view = input.values_of(*quantity);
-                                                           view && quantity->is_spectral())
-                                                         by_channel.push_back({quantity, view});
-                                                     write_netcdf(file, by_channel, input.record);
-                                                   },
-                                               .bytes = netcdf_bytes};
+constinit const ProductFormat formats::kNetcdf{
+    .name = "netcdf",
+    .ending = "_radiance.nc",
+    .what = "radiance and its errors, NetCDF",
+    .write =
+        [](PartFile& file, const FormatInput& input) {
+          std::vector<NetcdfCube> by_channel;
+          for (const Quantity* quantity : all_quantities())
+            if (const RasterView view = input.values_of(*quantity);
+                view && (quantity->is_spectral() || quantity->bands == Quantity::Bands::stokes))
+              by_channel.push_back({quantity, view});
+          write_netcdf(file, by_channel, input.record);
+        },
+    .bytes = netcdf_bytes};
 
 }  // namespace ifov::io

@@ -24,6 +24,7 @@ EnviHeader header_of(const Quantity& quantity, const render::ImageInfo& image, c
   header.bands = quantity.band_count(image);
   switch (quantity.bands) {
     case Quantity::Bands::channels: add_channels(header, image); break;
+    case Quantity::Bands::stokes: add_stokes(header, image); break;
     case Quantity::Bands::materials: header.band_names = image.materials; break;
     case Quantity::Bands::named:
       header.band_names.assign(quantity.band_names.begin(), quantity.band_names.end());
@@ -34,6 +35,7 @@ EnviHeader header_of(const Quantity& quantity, const render::ImageInfo& image, c
   if (quantity.is_spectral())
     header.other["z plot titles"] =
         format("Wavelength (Micrometers), {} ({})", capitalised(quantity.what), header.data_units);
+  if (quantity.needs.stokes) add_stokes_convention(header, identity.acquisition.camera);
   if (quantity.complete_header != nullptr) quantity.complete_header(header);
   return header;
 }

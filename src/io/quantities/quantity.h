@@ -58,7 +58,8 @@ struct Quantity {
     middle,  ///< of the ray through the pixel's middle
     pixel    ///< said of the pixel as a whole
   };
-  enum class Bands { channels, materials, named };
+  /// `stokes`: I, Q, U and V of all channels, component by component.
+  enum class Bands { channels, stokes, materials, named };
   /// Whether it is written where a document names nothing.
   enum class Usual { yes, no, where_no_map_tells };
   /// What there must be for it.
@@ -67,6 +68,7 @@ struct Quantity {
     bool variances = false;  ///< tiles that keep them apart
     bool air = false;        ///< an atmosphere that knows its error
     bool materials = false;
+    bool stokes = false;  ///< a sensor that tells polarization
   };
 
   std::string_view name;  ///< in documents, and of the cube: NAME_<name>.img

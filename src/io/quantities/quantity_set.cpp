@@ -42,11 +42,12 @@ void QuantitySet::add(const Quantity& quantity) {
   chosen_.insert(index, &quantity);
 }
 
-QuantitySet usual_quantities(bool map_tells) {
+QuantitySet usual_quantities(bool map_tells, bool stokes) {
   QuantitySet set;
   for (const Quantity* quantity : all_quantities())
-    if (quantity->usual == Quantity::Usual::yes ||
-        (quantity->usual == Quantity::Usual::where_no_map_tells && !map_tells))
+    if ((quantity->usual == Quantity::Usual::yes ||
+         (quantity->usual == Quantity::Usual::where_no_map_tells && !map_tells)) &&
+        (stokes || !quantity->needs.stokes))
       set.add(*quantity);
   return set;
 }
@@ -59,7 +60,7 @@ QuantitySet possible_quantities(const QuantitySet& choice, const render::ImageIn
   for (const Quantity* quantity : choice) {
     const Quantity::Needs& needs = quantity->needs;
     if ((!needs.errors || knows_errors) && (!needs.air || air) &&
-        (!needs.materials || !image.materials.empty()))
+        (!needs.materials || !image.materials.empty()) && (!needs.stokes || image.stokes))
       possible.add(*quantity);
   }
   return possible;

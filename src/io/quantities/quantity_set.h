@@ -45,8 +45,9 @@ class QuantitySet {
   std::vector<const Quantity*> chosen_;
 };
 
-/// What is written where a document names nothing. `map_tells`: every pixel's place follows from its column and line.
-QuantitySet usual_quantities(bool map_tells);
+/// What is written where a document names nothing. `map_tells`: every pixel's place follows from its column and line. `stokes`: the
+/// sensor tells polarization.
+QuantitySet usual_quantities(bool map_tells, bool stokes = false);
 
 /// What is left of a choice for this image, the radiance always.
 QuantitySet possible_quantities(const QuantitySet& choice, const render::ImageInfo& image,

@@ -1,6 +1,7 @@
 #include <array>
 
 #include "io/quantities/location_quantities.h"
+#include "io/quantities/polarization_quantities.h"
 #include "io/quantities/quality_quantities.h"
 #include "io/quantities/quantity_set.h"
 #include "io/quantities/radiance_quantities.h"
@@ -9,12 +10,26 @@
 namespace ifov::io {
 namespace {
 
-constexpr std::array kQuantities{&quantities::kRadiance,  &quantities::kStandardError,
-                                 &quantities::kHalfWidth, &quantities::kAtmosphereHalfWidth,
-                                 &quantities::kSamples,   &quantities::kQuality,
-                                 &quantities::kReasons,   &quantities::kQualityClass,
-                                 &quantities::kAbundance, &quantities::kAbundanceHalfWidth,
-                                 &quantities::kLocation,  &quantities::kViewAngles};
+constexpr std::array kQuantities{&quantities::kRadiance,
+                                 &quantities::kStandardError,
+                                 &quantities::kHalfWidth,
+                                 &quantities::kAtmosphereHalfWidth,
+                                 &quantities::kSamples,
+                                 &quantities::kQuality,
+                                 &quantities::kReasons,
+                                 &quantities::kQualityClass,
+                                 &quantities::kAbundance,
+                                 &quantities::kAbundanceHalfWidth,
+                                 &quantities::kLocation,
+                                 &quantities::kViewAngles,
+                                 &quantities::kStokes,
+                                 &quantities::kStokesStandardError,
+                                 &quantities::kStokesHalfWidth,
+                                 &quantities::kDolp,
+                                 &quantities::kDolpStandardError,
+                                 &quantities::kDolpBias,
+                                 &quantities::kAop,
+                                 &quantities::kAopStandardError};
 
 }  // namespace
 

@@ -54,6 +54,7 @@ void write_members(JsonWriter& json, const render::ImageInfo& image) {
           });
       });
   });
+  if (image.stokes) json.member("stokes", true);
   json.member("materials", image.materials);
   if (image.has_map)
     json.object("map", [&] {
@@ -78,6 +79,7 @@ render::ImageInfo image_of(const JsonView& v) {
     for (const auto& [key, member] : kAtmosphereKeys) air.*member = c["air"][key].number();
   }
   for (const JsonView& name : v["materials"].items()) image.materials.push_back(name.text());
+  image.stokes = v["stokes"].is_there() && v["stokes"].boolean();
   if (const JsonView map = v["map"]; map.is_there()) {
     image.has_map = true;
     image.map_x_m = map["x_m"].number();

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "io/scene_cache/cache_writer.h"
 
 namespace ifov::io {
 namespace {

@@ -11,10 +11,11 @@
 
 #include "core/run_control.h"
 #include "io/files/mapped_file.h"
-#include "io/scene_cache/cache_writer.h"
 #include "io/scene_cache/file_stamp.h"
 
 namespace ifov::io {
+
+class CacheWriter;
 
 /// What was worked out from a scene's files, kept in one file beside the document: records of bytes by name, each
 /// with the files that it was made from (docs/formats/scene_cache.md). What is damaged, of another version or older

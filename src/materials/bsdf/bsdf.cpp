@@ -47,4 +47,8 @@ void Bsdf::evaluate(const BsdfEvent&, ParameterSpectra, std::size_t, float*) con
   throw std::logic_error("a separable BSDF has no spectra of its own");
 }
 
+void Bsdf::evaluate_mueller(const BsdfEvent&, ParameterSpectra, std::size_t, const MuellerRows&) const {
+  throw std::logic_error("a BSDF that depolarizes has no Mueller matrix");
+}
+
 }  // namespace ifov::materials

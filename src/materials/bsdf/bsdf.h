@@ -1,16 +1,13 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
 
-#include "math/vec3.h"
+#include "materials/bsdf/event/bsdf_event.h"
 #include "radiometry/spectrum.h"
 
 namespace ifov::materials {
-
-enum class Side : std::uint8_t { reflected, transmitted };
 
 /// Where light of the far side comes from.
 enum class Passage : std::uint8_t {
@@ -18,23 +15,6 @@ enum class Passage : std::uint8_t {
   straight,  ///< through a sheet, without a change of direction
   into,      ///< out of a medium that begins behind the surface, as seen from outside
   out_of,    ///< the same surface as seen from within the medium
-};
-
-/// Light that meets a surface from one direction and leaves it in another. All vectors are unit vectors; both
-/// directions point away from the surface. The normal is on the side of `outgoing`; `incoming` is on the same side
-/// where light is reflected, on the other where it is transmitted.
-struct BsdfEvent {
-  math::Vec3 outgoing;
-  math::Vec3 incoming;
-  math::Normal3 normal;
-  math::Vec3 tangent;  ///< along the surface; zero unless the model has a direction (Bsdf::is_isotropic)
-  Side side = Side::reflected;
-
-  double outgoing_cosine() const { return math::dot(normal, outgoing); }
-  /// Above 0 where `incoming` is on the event's side.
-  double incoming_cosine() const {
-    return (side == Side::reflected ? 1.0 : -1.0) * math::dot(normal, incoming);
-  }
 };
 
 /// A direction drawn for light that leaves a surface towards `outgoing`.
@@ -48,9 +28,6 @@ struct BsdfSample {
 struct UnitSquarePoint {
   double u1 = 0.0, u2 = 0.0;
 };
-
-/// Spectral parameters of a model over wavelengths or nodes.
-using ParameterSpectra = std::span<const float* const>;
 
 /// How a surface spreads light: a bidirectional scattering distribution function (Nicodemus et al. 1977) with its
 /// parameters, immutable and shared between threads. Reciprocal.
@@ -112,6 +89,17 @@ class Bsdf {
   /// spectra(), in their order. Never called of a separable model.
   virtual void evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                         float* bsdf) const;
+
+  /// Whether light that leaves is polarized by the surface, or keeps of its polarization. Without it light leaves
+  /// unpolarized, whatever arrives.
+  virtual bool polarizes() const { return false; }
+  /// What evaluate_mueller() needs beside spectra(); they may be negative. None of a separable model.
+  virtual std::span<const radiometry::Spectrum> polarization_spectra() const { return {}; }
+  /// As evaluate(), the whole matrix (of a separable model over its factor; of a delta as seen by sample()): writes
+  /// columns() of `rows` in `count` wavelengths. `parameters` are the spectra of spectra() and then those of
+  /// polarization_spectra(). Element 0, 0 is what evaluate() gives. Called where polarizes() alone.
+  virtual void evaluate_mueller(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
+                                const MuellerRows& rows) const;
 };
 
 /// Whether highlights of the Sun may be far smaller than the thing that shows them.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <vector>
 
@@ -40,7 +41,10 @@ std::vector<SquarePoint> plain_square() {
 
 namespace {
 
-void add_up(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_t count, double cosine,
+/// What is added up: evaluate() of an event, into `count` floats.
+using Evaluate = std::function<void(const BsdfEvent& event, float* values)>;
+
+void add_up(const Bsdf& bsdf, const Evaluate& evaluate, Side side, std::size_t count, double cosine,
             const std::vector<SquarePoint>& lobe, float* spectrum) {
   const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
   const int azimuths = bsdf.is_isotropic() ? 1 : kAzimuths;
@@ -53,7 +57,7 @@ void add_up(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_
       const BsdfSample sample = bsdf.sample(event, first + (last - first) * point.u1, point.u2);
       if (!(sample.weight > 0.0)) continue;
       event.incoming = sample.incoming;
-      bsdf.evaluate(event, parameters, count, values.data());
+      evaluate(event, values.data());
       const double weight = (last - first) * point.weight * sample.weight;
       for (std::size_t n = 0; n < count; ++n) sum[n] += weight * static_cast<double>(values[n]);
     }
@@ -68,7 +72,7 @@ void add_up(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_
     if (bsdf.is_delta()) {
       const BsdfSample only = bsdf.sample(event, 0.5, 0.5);
       event.incoming = only.incoming;
-      bsdf.evaluate(event, parameters, count, values.data());
+      evaluate(event, values.data());
       for (std::size_t n = 0; n < count; ++n) sum[n] += only.weight * static_cast<double>(values[n]);
       continue;
     }
@@ -80,7 +84,30 @@ void add_up(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_
   for (std::size_t n = 0; n < count; ++n) spectrum[n] = static_cast<float>(sum[n] / azimuths);
 }
 
+void add_up(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_t count, double cosine,
+            const std::vector<SquarePoint>& lobe, float* spectrum) {
+  add_up(
+      bsdf, [&](const BsdfEvent& event, float* values) { bsdf.evaluate(event, parameters, count, values); },
+      side, count, cosine, lobe, spectrum);
+}
+
 }  // namespace
+
+void polarized_hemispherical(const Bsdf& bsdf, ParameterSpectra parameters, std::size_t count, double cosine,
+                             float* whole, float* q) {
+  static const std::vector<SquarePoint> lobe = crowded_square(kAcrossLobe);
+  std::vector<float> column(4 * count), both(2 * count);
+  const MuellerRows rows{column.data(), count, false};
+  add_up(
+      bsdf,
+      [&](const BsdfEvent& event, float* values) {
+        bsdf.evaluate_mueller(event, parameters, count, rows);
+        std::copy_n(rows.at(0, 0), 2 * count, values);
+      },
+      Side::reflected, 2 * count, cosine, lobe, both.data());
+  std::copy_n(both.data(), count, whole);
+  std::copy_n(both.data() + count, count, q);
+}
 
 void directional_hemispherical(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_t count,
                                double cosine, float* spectrum) {

@@ -17,6 +17,10 @@ class Mirror final : public Bsdf {
   double pdf(const BsdfEvent&) const override { return 0.0; }
   UnitSquarePoint invert(const BsdfEvent&) const override { return {0.5, 0.5}; }
   double shape(const BsdfEvent&) const override { return 0.0; }
+  /// An ideal mirror keeps all polarization: fields along s and p come back alike, up to their sign.
+  bool polarizes() const override { return true; }
+  void evaluate_mueller(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
+                        const MuellerRows& rows) const override;
 };
 
 }  // namespace ifov::materials

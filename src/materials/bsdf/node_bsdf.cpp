@@ -19,9 +19,11 @@ double cosine_of(std::size_t angle) {
 
 }  // namespace
 
-NodeBsdf::NodeBsdf(std::shared_ptr<const Bsdf> bsdf, const radiometry::SpectralNodes& nodes)
+NodeBsdf::NodeBsdf(std::shared_ptr<const Bsdf> bsdf, const radiometry::SpectralNodes& nodes, bool polarized)
     : bsdf_(std::move(bsdf)),
-      parameters_(std::max<std::size_t>(1, bsdf_->spectra().size()), nodes.node_count()),
+      parameters_(std::max<std::size_t>(
+                      1, bsdf_->spectra().size() + (polarized ? bsdf_->polarization_spectra().size() : 0)),
+                  nodes.node_count()),
       emissivity_(kAngles, nodes.node_count()) {
   for (std::size_t k = 0; k < bsdf_->spectra().size(); ++k) {
     nodes.average_surface(bsdf_->spectra()[k], parameters_.values(k));
@@ -32,15 +34,29 @@ NodeBsdf::NodeBsdf(std::shared_ptr<const Bsdf> bsdf, const radiometry::SpectralN
     absorption_.resize(1, nodes.node_count());
     nodes.average_surface(*bsdf_->absorption(), absorption_.values(0));
   }
+  const bool q_wanted = polarized && bsdf_->polarizes();
+  if (q_wanted) {
+    emitted_q_.resize(kAngles, nodes.node_count());
+    for (const radiometry::Spectrum& spectrum : bsdf_->polarization_spectra()) {
+      nodes.average_surface(spectrum, parameters_.values(pointers_.size()));
+      pointers_.push_back(parameters_.row(pointers_.size()));
+    }
+  }
   radiometry::SpectrumBlock reflected(kAngles, nodes.node_count()), transmitted(kAngles, nodes.node_count());
   parallel_for(kAngles, 0, [&](std::int64_t index) {
     const auto k = static_cast<std::size_t>(index);
     const double cosine = cosine_of(k);
-    directional_hemispherical(*bsdf_, Side::reflected, pointers_, nodes.node_count(), cosine,
-                              reflected.row(k));
+    if (q_wanted)
+      polarized_hemispherical(*bsdf_, pointers_, nodes.node_count(), cosine, reflected.row(k),
+                              emitted_q_.row(k));
+    else
+      directional_hemispherical(*bsdf_, Side::reflected, pointers_, nodes.node_count(), cosine,
+                                reflected.row(k));
     if (bsdf_->may_transmit())
       directional_hemispherical(*bsdf_, Side::transmitted, pointers_, nodes.node_count(), cosine,
                                 transmitted.row(k));
+    if (q_wanted)
+      for (std::size_t n = 0; n < nodes.node_count(); ++n) emitted_q_.row(k)[n] *= -1.0f;
     for (std::size_t n = 0; n < nodes.node_count(); ++n)
       emissivity_.row(k)[n] = std::max(0.0f, 1.0f - reflected.row(k)[n] - transmitted.row(k)[n]);
   });
@@ -85,12 +101,22 @@ void NodeBsdf::emissivity(double cosine, float* spectrum, float* work) const {
     for (std::size_t n = 0; n < emissivity_.stride(); ++n) spectrum[n] = std::max(0.0f, spectrum[n]);
     return;
   }
+  between_angles(emissivity_, cosine, spectrum);
+}
+
+bool NodeBsdf::polarized_emission(double cosine, float* spectrum) const {
+  if (emitted_q_.rows() == 0) return false;
+  between_angles(emitted_q_, cosine, spectrum);
+  return true;
+}
+
+void NodeBsdf::between_angles(const radiometry::SpectrumBlock& rows, double cosine, float* spectrum) const {
   const double position = std::clamp(cosine, 0.0, 1.0) * static_cast<double>(kAngles - 1);
   const auto below = std::min(static_cast<std::size_t>(position), kAngles - 2);
   const float share = static_cast<float>(position - static_cast<double>(below));
-  const float* __restrict a = emissivity_.row(below);
-  const float* __restrict b = emissivity_.row(below + 1);
-  for (std::size_t n = 0; n < emissivity_.stride(); ++n) spectrum[n] = a[n] + share * (b[n] - a[n]);
+  const float* __restrict a = rows.row(below);
+  const float* __restrict b = rows.row(below + 1);
+  for (std::size_t n = 0; n < rows.stride(); ++n) spectrum[n] = a[n] + share * (b[n] - a[n]);
 }
 
 }  // namespace ifov::materials

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "materials/bsdf/facet_parameters.h"
+#include "materials/bsdf/microfacet/facet_mueller.h"
 #include "materials/bsdf/microfacet/facet_reflection.h"
 #include "materials/bsdf/microfacet/fresnel_rows.h"
 #include "radiometry/refractive_index.h"
@@ -57,6 +58,10 @@ RoughConductor::RoughConductor(const Spectrum& n, const Spectrum& k, const Spect
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const Spectrum both[] = {rows[row], factor};
     spectra_.push_back(combined(both, [](std::span<const double> v) { return v[0] * v[1]; }));
+  }
+  for (const Spectrum& row : FresnelRows::polarization_of_index(n, k)) {
+    const Spectrum both[] = {row, factor};
+    polarization_.push_back(combined(both, [](std::span<const double> v) { return v[0] * v[1]; }));
   }
   spectra_.push_back(combined(all, [&](std::span<const double> v) {
     double mean = 0.0;
@@ -112,6 +117,18 @@ void RoughConductor::evaluate(const BsdfEvent& event, ParameterSpectra parameter
   const float* __restrict e = parameters[FresnelRows::kCount];
   for (std::size_t n = 0; n < count; ++n)
     bsdf[n] = w[0] * a[n] + w[1] * b[n] + w[2] * c[n] + w[3] * d[n] + again * e[n];
+}
+
+void RoughConductor::evaluate_mueller(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
+                                      const MuellerRows& rows) const {
+  const auto [out, in] = directions_of(event);
+  const FacetReflection once(facets_, out, in);
+  const float again = static_cast<float>(albedo_->again(albedo_->lost(out), albedo_->lost(in)));
+  write_facets(FacetPlane(event), once, parameters.first(FresnelRows::kCount),
+               parameters.subspan(FresnelRows::kCount + 1), count, rows);
+  float* __restrict whole = rows.at(0, 0);
+  const float* __restrict e = parameters[FresnelRows::kCount];
+  for (std::size_t n = 0; n < count; ++n) whole[n] += again * e[n];
 }
 
 }  // namespace ifov::materials

@@ -31,6 +31,11 @@ class RoughConductor final : public TwoLobes {
   std::span<const radiometry::Spectrum> spectra() const override { return spectra_; }
   void evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                 float* bsdf) const override;
+  bool polarizes() const override { return true; }
+  std::span<const radiometry::Spectrum> polarization_spectra() const override { return polarization_; }
+  /// Light that facets reflect once is polarized as Fresnel has it; light that they reflect again is not.
+  void evaluate_mueller(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
+                        const MuellerRows& rows) const override;
 
  private:
   double broad_share(math::Vec3 out) const override;
@@ -44,6 +49,7 @@ class RoughConductor final : public TwoLobes {
   std::shared_ptr<const FacetAlbedo> albedo_;
   std::vector<radiometry::Spectrum>
       spectra_;  // FresnelRows, then the factor of light that is reflected again
+  std::vector<radiometry::Spectrum> polarization_;  // FresnelRows::polarization_of_index
 };
 
 }  // namespace ifov::materials

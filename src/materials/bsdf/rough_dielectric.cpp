@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "materials/bsdf/facet_parameters.h"
+#include "materials/bsdf/microfacet/facet_mueller.h"
 #include "materials/bsdf/microfacet/facet_reflection.h"
 #include "materials/bsdf/microfacet/visible_facets.h"
 #include "sampling/warp.h"
@@ -63,6 +64,8 @@ RoughDielectric::RoughDielectric(const Spectrum& n, const Spectrum& base, FacetS
 void RoughDielectric::add_spectra(const Spectrum& n, const Spectrum& base) {
   constexpr std::size_t kRows = FresnelRows::kCount;
   std::vector<std::array<double, kRows>> once(kAngles);
+  std::vector<std::array<double, kRows>> along(
+      kAngles);  // the same of what is polarized in the plane of the normal
   std::vector<double> lost(kAngles);
   const VisibleFacets grid;
   parallel_for(static_cast<std::int64_t>(kAngles), 0, [&](std::int64_t index) {
@@ -70,9 +73,17 @@ void RoughDielectric::add_spectra(const Spectrum& n, const Spectrum& base) {
     const double cosine = std::max(1e-6, angle_cosine(k, kAngles));
     const Vec3 out{std::sqrt(1.0 - cosine * cosine), 0.0, cosine};
     once[k].fill(0.0);
-    grid.for_each_reflection(facets_, out, [&](double weight, double at) {
+    along[k].fill(0.0);
+    grid.for_each_reflection(facets_, out, [&](double weight, double at, Vec3 in) {
       const RowWeights rows = FresnelRows::at(at);
-      for (std::size_t i = 0; i < 4; ++i) once[k][rows.first + i] += weight * rows.weight[i];
+      // From the plane of both directions to that of the normal: cos of twice the angle.
+      const Vec3 own{0.0, -out.x, 0.0}, facet = math::cross(out, in);
+      const double along_own = math::dot(own, facet), squares = math::dot(own, own) * math::dot(facet, facet);
+      const double turn = squares > 0.0 ? 2.0 * along_own * along_own / squares - 1.0 : 1.0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        once[k][rows.first + i] += weight * rows.weight[i];
+        along[k][rows.first + i] += weight * turn * rows.weight[i];
+      }
     });
     lost[k] = albedo_->lost(out);
   });
@@ -101,6 +112,12 @@ void RoughDielectric::add_spectra(const Spectrum& n, const Spectrum& base) {
   spectra_.push_back(combined(passed, [&](std::span<const double> v) {
     return std::inner_product(v.begin(), v.end(), mean.begin(), 0.0);
   }));
+  polarization_ = FresnelRows::polarization_of_index(n, Spectrum::constant(0.0));
+  const std::vector<Spectrum> in_plane(polarization_.begin(), polarization_.begin() + kRows);
+  for (std::size_t k = 0; k < kAngles; ++k)
+    polarization_.push_back(combined(in_plane, [&](std::span<const double> v) {
+      return -std::inner_product(v.begin(), v.end(), along[k].begin(), 0.0);
+    }));
   const Spectrum under[] = {spectra_[kMean], n, base};
   spectra_.push_back(combined(under, [](std::span<const double> v) {
     const double out = v[0] / (v[1] * v[1]);  // 1 - r
@@ -179,6 +196,37 @@ void RoughDielectric::evaluate(const BsdfEvent& event, ParameterSpectra paramete
     const float passes_out = a[0] * p[0][n] + a[1] * p[1][n] + a[2] * p[2][n] + a[3] * p[3][n];
     const float passes_in = b[0] * q[0][n] + b[1] * q[1][n] + b[2] * q[2][n] + b[3] * q[3][n];
     bsdf[n] = once_more + passes_out * passes_in * base[n] / mean[n] * static_cast<float>(inv_pi);
+  }
+}
+
+void RoughDielectric::evaluate_mueller(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
+                                       const MuellerRows& rows) const {
+  const auto [out, in] = directions_of(event);
+  const FacetReflection once(facets_, out, in);
+  const std::size_t own = spectra_.size();
+  write_facets(FacetPlane(event), once, parameters.first(FresnelRows::kCount), parameters.subspan(own), count,
+               rows);
+  const RowWeights there = passed_at(out.z), back = passed_at(in.z);
+  const float again = static_cast<float>(albedo_->again(albedo_->lost(out), albedo_->lost(in)));
+  const auto between = [&](std::size_t table, const RowWeights& at, std::size_t n) {
+    float sum = 0.0f;
+    for (std::size_t i = 0; i < 4; ++i)
+      sum += static_cast<float>(at.weight[i]) * parameters[table + at.first + i][n];
+    return sum;
+  };
+  const float* __restrict more = parameters[kAgain];
+  const float* __restrict mean = parameters[kMean];
+  const float* __restrict base = parameters[kBase];
+  for (std::size_t n = 0; n < count; ++n) {
+    const float under = base[n] / mean[n] * static_cast<float>(inv_pi);
+    const float leaves[] = {between(kPassed, there, n), between(own + kPassedQ, there, n)};
+    const float enters = between(kPassed, back, n);
+    rows.at(0, 0)[n] += again * more[n] + under * leaves[0] * enters;
+    rows.at(1, 0)[n] += under * leaves[1] * enters;
+    if (!rows.all) continue;
+    const float enters_q = between(own + kPassedQ, back, n);
+    rows.at(0, 1)[n] += under * leaves[0] * enters_q;
+    rows.at(1, 1)[n] += under * leaves[1] * enters_q;
   }
 }
 

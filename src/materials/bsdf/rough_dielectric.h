@@ -31,10 +31,18 @@ class RoughDielectric final : public TwoLobes {
   std::span<const radiometry::Spectrum> spectra() const override { return spectra_; }
   void evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                 float* bsdf) const override;
+  bool polarizes() const override { return true; }
+  std::span<const radiometry::Spectrum> polarization_spectra() const override { return polarization_; }
+  /// The surface polarizes what it reflects once, and what it lets through: light of the base, unpolarized and alike from all
+  /// sides below the surface, leaves as (T, T_Q, 0, 0) in the plane of its direction and the normal, T_Q = - its own
+  /// DHR_10 (as Kirchhoff has it for emission), and light that enters counts as it does by reciprocity.
+  void evaluate_mueller(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
+                        const MuellerRows& rows) const override;
 
  private:
   static constexpr std::size_t kAngles = 33;  // of T
   // Places in spectra_: FresnelRows; the factor of light that facets reflect again; T by angle; its mean; what the base returns.
+  static constexpr std::size_t kPassedQ = 3 * FresnelRows::kCount;  // in polarization_
   static constexpr std::size_t kAgain = FresnelRows::kCount, kPassed = kAgain + 1, kMean = kPassed + kAngles,
                                kBase = kMean + 1;
   double broad_share(math::Vec3 out) const override;
@@ -50,7 +58,8 @@ class RoughDielectric final : public TwoLobes {
   FacetDistribution facets_;
   std::shared_ptr<const FacetAlbedo> albedo_;
   std::vector<radiometry::Spectrum> spectra_;
-  std::vector<double> grey_;  // means of the spectra over their wavelengths
+  std::vector<radiometry::Spectrum> polarization_;  // FresnelRows::polarization_of_index; T_Q by angle
+  std::vector<double> grey_;                        // means of the spectra over their wavelengths
 };
 
 }  // namespace ifov::materials

@@ -29,8 +29,12 @@ bool Glints::in(const transport::SpectralScene& scene) {
 }
 
 Glints::Glints(const transport::SpectralScene& scene, const sensor::Camera& camera, double margin_px,
-               std::uint64_t seed)
-    : scene_(scene), camera_(camera), mirrored_(scene), lights_(scene.nodes().channel_count()) {
+               std::uint64_t seed, const Polarimetry* polarimetry)
+    : scene_(scene),
+      camera_(camera),
+      mirrored_(scene),
+      stokes_(polarimetry, scene.nodes()),
+      lights_(stokes_.count()) {
   const geometry::SurfaceSurvey& survey = scene.sun_mirrors()->survey();
   const scene::Sun& sun = *scene.scene().sun;
   std::size_t surfaces = survey.rounds.size();
@@ -113,7 +117,9 @@ std::uint32_t Glints::row_of(const geometry::SurfacePoint& hit, const scene::Res
   last_material_ = surface.count == 1 ? surface.constituents[0].material : ~0u;
   radiometry::SpectrumBlock work(1, scene_.node_count());
   const float* sun = scene_.sun_irradiance(hit.position_m.z, work.row(0));
-  last_row_ = lights_.add_spectrum(mirrored_.channels(surface, hit.position_m.z, seen, sun));
+  std::vector<float> columns(stokes_.count());
+  stokes_.write_unpolarized(mirrored_.channels(surface, hit.position_m.z, seen, sun), columns.data());
+  last_row_ = lights_.add_spectrum(columns);
   return last_row_;
 }
 

@@ -6,6 +6,7 @@
 #include "render/mirrors/focal_lights.h"
 #include "render/mirrors/glint_search.h"
 #include "render/mirrors/mirrored_spectra.h"
+#include "render/polarized/stokes_columns.h"
 #include "sampling/tile.h"
 
 namespace ifov::scene {
@@ -32,7 +33,7 @@ class Glints {
 
   /// Traces all of them. Keeps a reference to the scene. `margin_px`: a footprint's half width.
   Glints(const transport::SpectralScene& scene, const sensor::Camera& camera, double margin_px,
-         std::uint64_t seed);
+         std::uint64_t seed, const Polarimetry* polarimetry = nullptr);
 
   /// As FocalLights::add_to.
   void add_to(const sampling::PixelFootprint& footprint, const sampling::Tolerance* tolerance,
@@ -50,7 +51,8 @@ class Glints {
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
   MirroredSpectra mirrored_;
-  FocalLights lights_;  // radiance of the Sun's disc, reflected, at the sensor
+  StokesColumns stokes_;  // a mirror leaves sunlight unpolarized
+  FocalLights lights_;    // radiance of the Sun's disc, reflected, at the sensor
   std::uint32_t last_material_ = ~0u, last_row_ = 0;
   double last_cosine_ = 0.0;
 };

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "geometry/world/surface_survey.h"
-#include "radiometry/spectrum_block.h"
+#include "render/polarized/scene_light.h"
 #include "sampling/random.h"
 #include "transport/mirrors/sun_lobes.h"
 #include "transport/spectral_scene.h"
@@ -44,14 +44,13 @@ bool Highlights::in(const transport::SpectralScene& scene) {
 }
 
 Highlights::Highlights(const transport::SpectralScene& scene, const sensor::Camera& camera, double margin_px,
-                       std::uint64_t seed)
+                       std::uint64_t seed, const Polarimetry* polarimetry)
     : scene_(scene),
       camera_(camera),
       seed_(seed),
       tracer_(scene, highlights_alone()),
-      light_(scene),
-      air_(scene),
-      lights_(scene.nodes().channel_count()) {
+      light_(std::make_unique<SceneLight>(scene, camera, polarimetry)),
+      lights_(light_->columns().count()) {
   find(seed, margin_px);
   lights_.sort();
 }
@@ -103,6 +102,8 @@ void Highlights::find(std::uint64_t seed, double margin_px) {
   std::sort(large_.begin(), large_.end());
 }
 
+Highlights::~Highlights() = default;
+
 void Highlights::trace(std::vector<GlintPoint>& points) {
   std::vector<sampling::FocalPoint> images;
   std::vector<transport::PathKey> keys;
@@ -116,8 +117,7 @@ void Highlights::trace(std::vector<GlintPoint>& points) {
   camera_.rays(images, rays);
   sampling::RayCounts counts;
   const transport::PathRecord& record = tracer_.trace(rays, keys, hits, counts);
-  radiometry::SpectrumBlock nothing(1, scene_.node_count());
-  std::vector<float> channels(std::max(scene_.stride(), scene_.nodes().channel_count()));
+  std::vector<float> channels(std::max(scene_.stride(), light_->columns().count()));
   for (std::size_t k = 0; k < points.size(); ++k) {
     // What was searched must be what is seen.
     if (!hits[k].hit() || !scene_.sun_lobes()->by_shape(hits[k]) ||
@@ -125,26 +125,19 @@ void Highlights::trace(std::vector<GlintPoint>& points) {
       continue;
     const std::uint32_t first = record.paths[k].first;
     if (first == transport::PathVertex::kNone || record.vertices[first].sun_weight <= 0.0f) continue;
-    float* radiance = light_.first_sunlight(record, k);
-    // Of what the air makes of light its own light is no part here.
-    air_.apply(record.paths[k], radiance);
-    std::fill_n(nothing.row(0), nothing.stride(), 0.0f);
-    air_.apply(record.paths[k], nothing.row(0));
-    for (std::size_t n = 0; n < nothing.stride(); ++n)
-      radiance[n] = std::max(0.0f, radiance[n] - nothing.row(0)[n]);
-    scene_.nodes().to_channels(radiance, channels.data());
+    light_->write_sunlight(record, k, points[k].image, rays[k], channels.data());
     add(points[k], channels.data());
   }
   points.clear();
 }
 
 void Highlights::add(const GlintPoint& point, const float* channels) {
-  const std::size_t count = scene_.nodes().channel_count();
-  const float brightest = *std::max_element(channels, channels + count);
+  const std::size_t count = light_->columns().count(), radiances = scene_.nodes().channel_count();
+  const float brightest = *std::max_element(channels, channels + radiances);
   if (!(brightest > 0.0f)) return;
   bool same = !spectrum_.empty();
   for (std::size_t c = 0; same && c < count; ++c)
-    same = std::abs(channels[c] / brightest - spectrum_[c]) <= kSameColour * spectrum_[c];
+    same = std::abs(channels[c] / brightest - spectrum_[c]) <= kSameColour * spectrum_[c % radiances];
   if (!same) {
     spectrum_.resize(count);
     for (std::size_t c = 0; c < count; ++c) spectrum_[c] = channels[c] / brightest;

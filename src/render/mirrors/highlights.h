@@ -6,15 +6,16 @@
 #include "render/mirrors/glint_search.h"
 #include "sampling/tile.h"
 #include "sensor/camera.h"
-#include "transport/path_light.h"
 #include "transport/path_tracer.h"
-#include "transport/view_atmosphere.h"
 
 namespace ifov::transport {
 class SpectralScene;
 }
 
 namespace ifov::render {
+
+class SceneLight;
+struct Polarimetry;
 
 /// The Sun's highlights in narrow lobes on curved surfaces and on meshes that the sensor sees directly (SunLobes): found by the
 /// surfaces' shapes (GlintSearch), traced as paths of one scattering, left out of all other paths
@@ -25,7 +26,8 @@ class Highlights {
 
   /// Traces all of them. Keeps a reference to the scene. `margin_px`: a footprint's half width.
   Highlights(const transport::SpectralScene& scene, const sensor::Camera& camera, double margin_px,
-             std::uint64_t seed);
+             std::uint64_t seed, const Polarimetry* polarimetry = nullptr);
+  ~Highlights();
 
   /// As FocalLights::add_to.
   void add_to(const sampling::PixelFootprint& footprint, const sampling::Tolerance* tolerance,
@@ -48,8 +50,7 @@ class Highlights {
   const sensor::Camera& camera_;
   std::uint64_t seed_, traced_ = 0;
   transport::PathTracer tracer_;
-  transport::PathLight light_;
-  transport::ViewAtmosphere air_;
+  const std::unique_ptr<SceneLight> light_;
   std::vector<std::uint32_t> large_;
   FocalLights lights_;           // radiance over that of their spectra at the sensor
   std::vector<float> spectrum_;  // the last one that was kept

@@ -9,14 +9,13 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "geometry/world.h"
+#include "render/polarized/scene_light.h"
 #include "sampling/random.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
-#include "transport/path_light.h"
 #include "transport/path_tracer.h"
 #include "transport/shapes/round_mirror.h"
 #include "transport/spectral_scene.h"
-#include "transport/view_atmosphere.h"
 
 namespace ifov::render {
 
@@ -41,9 +40,10 @@ std::unique_ptr<const MirrorImages> MirrorImages::find(const transport::Spectral
                                                        const sensor::Camera& camera,
                                                        const transport::TransportOptions& transport,
                                                        double margin_px, std::uint64_t seed, int threads,
-                                                       const CancelToken* cancel) {
+                                                       const CancelToken* cancel,
+                                                       const Polarimetry* polarimetry) {
   if (scene.scene().world == nullptr || scene.scene().world->survey() == nullptr) return nullptr;
-  std::unique_ptr<MirrorImages> images(new MirrorImages(scene, camera));
+  std::unique_ptr<MirrorImages> images(new MirrorImages(scene, camera, polarimetry));
   if (images->parts_.parts().empty() && images->parts_.complete()) return nullptr;
   images->list_mirrors();
   std::vector<Pair> pairs = images->pairs();
@@ -84,12 +84,14 @@ std::unique_ptr<const MirrorImages> MirrorImages::find(const transport::Spectral
   return images;
 }
 
-MirrorImages::MirrorImages(const transport::SpectralScene& scene, const sensor::Camera& camera)
+MirrorImages::MirrorImages(const transport::SpectralScene& scene, const sensor::Camera& camera,
+                           const Polarimetry* polarimetry)
     : scene_(scene),
       camera_(camera),
+      polarimetry_(polarimetry),
       parts_(scene),
       apart_(scene.scene(), parts_),
-      lights_(scene.nodes().channel_count()) {}
+      lights_(StokesColumns(polarimetry, scene.nodes()).count()) {}
 
 bool MirrorImages::settled(SeparateImages::Mirror mirror, std::uint32_t object) const {
   return std::binary_search(settled_.begin(), settled_.end(), Name{mirror, object});
@@ -238,14 +240,13 @@ void MirrorImages::trace(const Mirror& mirror, std::uint32_t part, std::vector<G
 
 FocalLights MirrorImages::weigh(transport::TransportOptions transport, std::uint64_t key,
                                 const std::vector<ImageSpectrum>& rows) const {
-  const std::size_t channels = scene_.nodes().channel_count();
+  SceneLight light(scene_, camera_, polarimetry_);
+  const std::size_t channels = light.columns().count();
   FocalLights lights(channels);
   transport.separate_images = nullptr;
   transport::PathTracer all(scene_, transport);
   transport.separate_images = &apart_;
   transport::PathTracer without_images(scene_, transport);
-  transport::PathLight light(scene_);
-  const transport::ViewAtmosphere air(scene_);
   struct Sum {
     double area = 0.0;
     std::vector<double> of;
@@ -278,9 +279,7 @@ FocalLights MirrorImages::weigh(transport::TransportOptions transport, std::uint
       const double sign = tracer == &all ? 1.0 : -1.0;
       const transport::PathRecord& paths = tracer->trace(rays, keys, hits, counts);
       for (std::size_t k = 0; k < count; ++k) {
-        float* radiance = light.radiance(paths, k);
-        air.apply(paths.paths[k], radiance);
-        scene_.nodes().to_channels(radiance, row.data());
+        light.write(paths, k, images[k], rays[k], row.data());
         Sum& sum = sums[points[first + k].row];
         const auto area = static_cast<double>(points[first + k].seen->per_radiance);
         if (tracer == &all) sum.area += area;

@@ -21,6 +21,8 @@ struct TransportOptions;
 
 namespace ifov::render {
 
+struct Polarimetry;
+
 /// Images of what shines (transport::ShiningParts) in mirrors that the sensor sees directly, flat or bent: in a pixel that
 /// sees a mirror ball a hot thing is a spot that no path need meet. Where it lies follows from the shapes (GlintSearch);
 /// what stands before the mirror and between it and the thing is traced. Paths see through the thing there, and the
@@ -34,7 +36,8 @@ class MirrorImages {
                                                   const sensor::Camera& camera,
                                                   const transport::TransportOptions& transport,
                                                   double margin_px, std::uint64_t seed, int threads,
-                                                  const CancelToken* cancel = nullptr);
+                                                  const CancelToken* cancel = nullptr,
+                                                  const Polarimetry* polarimetry = nullptr);
 
   /// For transport::TransportOptions.
   const transport::SeparateImages& apart() const { return apart_; }
@@ -63,7 +66,8 @@ class MirrorImages {
   static constexpr double kNegligible = 1e-4;
 
  private:
-  MirrorImages(const transport::SpectralScene& scene, const sensor::Camera& camera);
+  MirrorImages(const transport::SpectralScene& scene, const sensor::Camera& camera,
+               const Polarimetry* polarimetry);
   struct Mirror {
     transport::SeparateImages::Mirror name = 0;
     std::vector<std::size_t> rounds, smooths;  // of the survey
@@ -95,6 +99,7 @@ class MirrorImages {
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
+  const Polarimetry* polarimetry_;
   transport::ShiningParts parts_;
   transport::SeparateImages apart_;
   std::vector<Mirror> mirrors_;

@@ -54,11 +54,13 @@ void AccuracyTolerance::leave_hidden_channels(const std::vector<double>& path_ra
 
 void AccuracyTolerance::limits(std::span<const double> mean, std::span<double> limit) const {
   asked(mean, limit);
-  for (std::size_t c = 0; c < std::min(white_.size(), limit.size()); ++c) {
+  for (std::size_t c = 0; c < judged_columns(limit.size()); ++c) {
     if (std::isinf(limit[c])) continue;  // not judged
+    const std::size_t channel = c % white_.size();
     double other = cut_share_ * limit[c];
-    if (!air_.empty()) other += air_[c].of(mean[c]);
-    if (!nodes_.empty()) other += nodes_[c].counted(std::abs(mean[c]), limit[c]);
+    if (!air_.empty())
+      other += c == channel ? air_[c].of(mean[c]) : air_[channel].of_polarization(mean[channel]);
+    if (!nodes_.empty()) other += nodes_[channel].counted(std::abs(mean[channel]), limit[c]);
     if (other > 0.0) limit[c] = std::max(limit[c] - other, kLeastShare * limit[c]);
   }
 }
@@ -77,18 +79,23 @@ void AccuracyTolerance::asked(std::span<const double> mean, std::span<double> li
       continue;
     }
     const double radiance = std::abs(mean[c]);
+    const double passed = passed_.empty() ? 1.0 : passed_[c];
     switch (request_.unit) {
       case ErrorUnit::kelvin:
-        limit[c] = request_.error *
-                   brightness_.slope_w_m2_sr_um_k(static_cast<int>(c), std::max(radiance, floor_[c]));
+        limit[c] =
+            request_.error * passed *
+            brightness_.slope_w_m2_sr_um_k(static_cast<int>(c), std::max(radiance / passed, floor_[c]));
         break;
-      case ErrorUnit::percent: limit[c] = std::max(request_.error * radiance, floor_[c]); break;
+      case ErrorUnit::percent: limit[c] = std::max(request_.error * radiance, passed * floor_[c]); break;
       case ErrorUnit::radiance: limit[c] = request_.error; break;
-      case ErrorUnit::reflectance: limit[c] = request_.error * white_[c]; break;
+      case ErrorUnit::reflectance: limit[c] = request_.error * passed * white_[c]; break;
       case ErrorUnit::noise: limit[c] = request_.error * request_.noise_w_m2_sr_um[c]; break;
     }
     limit[c] = std::max(limit[c], kResolution * radiance);
   }
+  if (stokes_)
+    for (std::size_t c = white_.size(); c < judged_columns(mean.size()); ++c)
+      limit[c] = limit[c % white_.size()];
 }
 
 }  // namespace ifov::render

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -38,6 +39,15 @@ class AccuracyTolerance final : public sampling::Tolerance {
     cut_share_ = cut_share;
   }
 
+  /// Behind the channels stand Q, U and V of all of them (Polarimetry), which are judged by their channel's radiance: each has the
+  /// limit of I. Before the first tile. `passed`: by channel, what polarizers leave of unpolarized light (empty: all); the
+  /// brightness temperature is that of the light before them.
+  void judge_stokes(bool stokes, std::vector<double> passed = {}) {
+    stokes_ = stokes;
+    passed_ = std::move(passed);
+  }
+  bool with_stokes() const { return stokes_; }
+
   /// What is left for paths and edges: what is asked for less what the air, the nodes and a cut may be wrong by, but
   /// never less than kLeastShare of it, because no number of rays makes up for those.
   void limits(std::span<const double> mean, std::span<double> limit) const override;
@@ -52,6 +62,9 @@ class AccuracyTolerance final : public sampling::Tolerance {
   double floor_w_m2_sr_um(int channel) const { return floor_[static_cast<std::size_t>(channel)]; }
 
  private:
+  std::size_t judged_columns(std::size_t columns) const {
+    return std::min(columns, stokes_ ? 4 * white_.size() : white_.size());
+  }
   void leave_hidden_channels(const std::vector<double>& path_radiance);
 
   AccuracyRequest request_;
@@ -60,6 +73,8 @@ class AccuracyTolerance final : public sampling::Tolerance {
   std::vector<AtmosphereHalfWidth> air_;  // by channel; empty: none
   std::vector<NodeHalfWidth> nodes_;      // likewise
   double cut_share_ = 0.0;
+  bool stokes_ = false;
+  std::vector<double> passed_;
   std::vector<double> floor_;
   std::vector<char> judged_;
   double confidence_ = 0.95;

@@ -5,10 +5,21 @@
 #include <limits>
 
 #include "atmosphere/sensor/sensor_atmosphere.h"
+#include "materials/bsdf/bsdf.h"
+#include "render/polarized/polarimetry.h"
 #include "render/tolerance/accuracy_tolerance.h"
+#include "scene/scene.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {
+
+namespace {
+
+/// How far Q/I and U/I of path and sky may be off between the directions of their tables
+/// (tests/transport/test_polarized_light.cpp).
+constexpr double kPathPolarization = 3e-3, kSkyPolarization = 0.02;
+
+}  // namespace
 
 std::vector<AtmosphereHalfWidth> atmosphere_half_widths(const transport::SpectralScene& scene,
                                                         const atmosphere::SensorAtmosphere& atmosphere) {
@@ -29,28 +40,43 @@ std::vector<AtmosphereHalfWidth> atmosphere_half_widths(const transport::Spectra
       air.grey_radiance += nodes.node_weight(n) * (1.0 - kGrey) * planck[n] * scene.view_transmittance()[n];
       air.white_in_sky += nodes.node_weight(n) * scene.sky_radiance()[n] * scene.view_transmittance()[n];
     }
+    if (atmosphere.polarized()) {
+      air.polarization_path = kPathPolarization;
+      for (const materials::Material& material : scene.scene().materials)
+        if (material.bsdf->polarizes()) air.polarization_sky = kSkyPolarization;
+    }
     air.grey_radiance += air.path_radiance + kGrey * white[c];
   }
   return all;
+}
+
+void pass_optics(const Polarimetry& polarimetry, std::span<AtmosphereHalfWidth> air) {
+  for (std::size_t c = 0; c < air.size() && c < polarimetry.optics.size(); ++c) {
+    const radiometry::MuellerMatrix& optics = polarimetry.optics[c];
+    if (optics(0, 1) != 0.0 || optics(0, 2) != 0.0 || optics(0, 3) != 0.0)
+      air[c].passed = polarimetry.passed(c);
+  }
 }
 
 void widen(std::span<const AtmosphereHalfWidth> air, const AccuracyTolerance* tolerance,
            sampling::TileResult& tile) {
   if (air.empty() || !tile.has_errors()) return;
   const std::size_t columns = static_cast<std::size_t>(tile.columns);
-  std::vector<double> mean(columns), limit(columns);
+  std::vector<double> mean(columns), limit(columns), more(columns);
+  const std::size_t channels = air.size();  // behind them Q, U and V
   for (std::size_t p = 0; p < tile.samples.size(); ++p) {
     float* half_width = tile.half_width.data() + p * columns;
     for (std::size_t c = 0; c < columns; ++c) {
       mean[c] = tile.mean[p * columns + c];
-      half_width[c] += static_cast<float>(air[c].of(mean[c]));
+      more[c] = c < channels ? air[c].of(mean[c]) : air[c % channels].of_polarization(mean[c % channels]);
+      half_width[c] += static_cast<float>(more[c]);
     }
     if (tolerance == nullptr) continue;
     tolerance->asked(mean, limit);
     double worst = 0.0;
     bool no_room = false;
     for (std::size_t c = 0; c < columns; ++c) {
-      no_room = no_room || air[c].of(mean[c]) > (1.0 - AccuracyTolerance::kLeastShare) * limit[c];
+      no_room = no_room || more[c] > (1.0 - AccuracyTolerance::kLeastShare) * limit[c];
       const double ratio = half_width[c] / limit[c];
       worst = std::max(worst, std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio);
     }

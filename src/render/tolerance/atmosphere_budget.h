@@ -16,10 +16,14 @@ class SpectralScene;
 namespace ifov::render {
 
 class AccuracyTolerance;
+struct Polarimetry;
 
 /// By channel; empty where the atmosphere does not know its errors.
 std::vector<AtmosphereHalfWidth> atmosphere_half_widths(const transport::SpectralScene& scene,
                                                         const atmosphere::SensorAtmosphere& atmosphere);
+
+/// Tells them what stands before the channels.
+void pass_optics(const Polarimetry& polarimetry, std::span<AtmosphereHalfWidth> air);
 
 /// Widens a tile's intervals by what the air may be wrong by, and judges its pixels anew by what was asked
 /// for. An error that is the same in all pixels and for all rays neither averages out nor is independent of

@@ -17,11 +17,33 @@ struct AtmosphereHalfWidth {
   double nodes_path = 0.0, nodes_surface = 0.0,
          nodes_sky = 0.0;  ///< what of the first three the few spectral nodes make
 
-  double of(double radiance) const { return sum(path, surface, sky, radiance); }
+  /// How far Q and U of the path, and of the sky that surfaces reflect, may be off beside that, in parts of the
+  /// radiance (docs/theory/polarization.md).
+  double polarization_path = 0.0, polarization_sky = 0.0;
+
+  /// Of Q, U or V of light of this radiance.
+  double of_polarization(double radiance) const {
+    return passed > 0.0 ? of(radiance) : of(radiance) + of_polarization_alone(radiance);
+  }
+  /// What polarizers leave of unpolarized light; all else here is of light before them. 0: there are none.
+  double passed = 0.0;
+
+  /// Of radiance as the channel has it; behind polarizers with what Q and U err by, taken of as much unpolarized light.
+  double of(double radiance) const {
+    if (!(passed > 0.0)) return sum(path, surface, sky, radiance);
+    const double before = radiance / passed;
+    return passed * (sum(path, surface, sky, before) + of_polarization_alone(before));
+  }
   /// The nodes' part of it.
-  double of_nodes(double radiance) const { return sum(nodes_path, nodes_surface, nodes_sky, radiance); }
+  double of_nodes(double radiance) const {
+    if (!(passed > 0.0)) return sum(nodes_path, nodes_surface, nodes_sky, radiance);
+    return passed * sum(nodes_path, nodes_surface, nodes_sky, radiance / passed);
+  }
 
  private:
+  double of_polarization_alone(double radiance) const {
+    return sum(polarization_path * path_radiance, 0.0, polarization_sky, radiance);
+  }
   double sum(double of_path, double of_surface, double of_sky, double radiance) const {
     const double from_surface = std::max(0.0, radiance - path_radiance);
     return of_path + of_surface * from_surface + of_sky * std::min(from_surface, white_in_sky);

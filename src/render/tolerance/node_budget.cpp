@@ -24,6 +24,7 @@ void widen(std::span<const NodeHalfWidth> nodes, const AccuracyTolerance* tolera
   if (nodes.empty() || !tile.has_errors()) return;
   const std::size_t columns = static_cast<std::size_t>(tile.columns);
   std::vector<double> mean(columns), limit(columns, 0.0);
+  const std::size_t channels = nodes.size();  // behind them Q, U and V, which err as I does
   for (std::size_t p = 0; p < tile.samples.size(); ++p) {
     for (std::size_t c = 0; c < columns; ++c) mean[c] = tile.mean[p * columns + c];
     if (tolerance != nullptr) tolerance->asked(mean, limit);
@@ -31,7 +32,9 @@ void widen(std::span<const NodeHalfWidth> nodes, const AccuracyTolerance* tolera
     bool wider = false;
     for (std::size_t c = 0; c < columns; ++c) {
       float& half_width = tile.half_width[p * columns + c];
-      const double more = nodes[c].counted(std::abs(mean[c]), std::isinf(limit[c]) ? 0.0 : limit[c]);
+      const std::size_t channel = c % channels;
+      const double more =
+          nodes[channel].counted(std::abs(mean[channel]), std::isinf(limit[c]) ? 0.0 : limit[c]);
       half_width += static_cast<float>(more);
       const double ratio = half_width / limit[c];
       worst = std::max(worst, std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio);

@@ -12,11 +12,14 @@ void UnseenWidening::widen(std::size_t pixel, std::span<const double> more, samp
   tolerance_.asked(mean_, limit_);
   for (std::size_t c = 0; c < mean_.size(); ++c) {
     if (!(more[c] > negligible_ * limit_[c])) continue;
-    float& half_width = tile.half_width[first + c];
-    half_width += static_cast<float>(more[c]);
-    const auto ratio = static_cast<float>(static_cast<double>(half_width) / limit_[c]);
-    tile.worst_ratio[pixel] = std::max(tile.worst_ratio[pixel], ratio);
-    if (ratio > 1.0f + kRounding) tile.set(pixel, sampling::Reason::unseen_light);
+    // That light may be polarized in any way: behind the radiance Q, U and V are as uncertain.
+    for (std::size_t component = 0; component < components_; ++component) {
+      float& half_width = tile.half_width[first + component * mean_.size() + c];
+      half_width += static_cast<float>(more[c]);
+      const auto ratio = static_cast<float>(static_cast<double>(half_width) / limit_[c]);
+      tile.worst_ratio[pixel] = std::max(tile.worst_ratio[pixel], ratio);
+      if (ratio > 1.0f + kRounding) tile.set(pixel, sampling::Reason::unseen_light);
+    }
   }
 }
 

@@ -13,7 +13,11 @@ class UnseenWidening {
  public:
   /// Less than a share `negligible` of what was asked for is left alone. Keeps a reference.
   UnseenWidening(const AccuracyTolerance& tolerance, std::size_t channels, double negligible)
-      : tolerance_(tolerance), negligible_(negligible), mean_(channels), limit_(channels) {}
+      : tolerance_(tolerance),
+        negligible_(negligible),
+        components_(tolerance.with_stokes() ? 4 : 1),
+        mean_(channels),
+        limit_(channels) {}
 
   /// `more`: by channel, W m-2 sr-1 um-1. A pixel that becomes wider than was asked for gets Reason::unseen_light.
   void widen(std::size_t pixel, std::span<const double> more, sampling::TileResult& tile);
@@ -21,6 +25,7 @@ class UnseenWidening {
  private:
   const AccuracyTolerance& tolerance_;
   double negligible_;
+  std::size_t components_;  // of light that a tile has of each channel
   std::vector<double> mean_, limit_;
 };
 

@@ -50,7 +50,7 @@ Document Document::for_preview(int longest_px) const {
   return FacadeAccess::document({session::for_preview(inside_->document, longest_px), inside_->inputs});
 }
 
-std::string Document::name() const { return inside_->document.file_name; }
+std::string Document::name() const { return inside_->document.sources.file_name; }
 
 std::filesystem::path Document::output_folder() const { return inside_->document.output.folder; }
 

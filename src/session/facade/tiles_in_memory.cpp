@@ -70,7 +70,9 @@ class LastProgress final : public ProgressSink {
 class OtherSampling {
  public:
   OtherSampling(const Parts& parts, const io::Document& document)
-      : document_(document), plan_(assemble_sampling(document, parts.channels)) {
+      : document_(document),
+        plan_(assemble_sampling(document.sources, document.sampling, document.sensor.channels,
+                                parts.channels)) {
     if (plan_.knows_errors && !parts.plan.knows_errors)
       throw InputError(
           "sampling: the scene was loaded for single rays, which know no error; load it with another sampling");

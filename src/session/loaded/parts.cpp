@@ -1,7 +1,6 @@
 #include "session/loaded/parts.h"
 
 #include "atmosphere/imported_atmosphere.h"
-#include "atmosphere/sensor/sensor_atmosphere.h"
 #include "io/document/document.h"
 #include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"

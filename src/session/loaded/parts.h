@@ -21,12 +21,16 @@ namespace ifov::atmosphere {
 class ImportedAtmosphere;
 class SensorAtmosphere;
 }  // namespace ifov::atmosphere
+namespace ifov::io {
+struct Document;
+}
 namespace ifov::radiometry {
 class SpectralNodes;
 }
 namespace ifov::render {
 class AccuracyTolerance;
 class ChannelBrightness;
+struct Polarimetry;
 struct RenderJob;
 }  // namespace ifov::render
 namespace ifov::sensor {
@@ -52,9 +56,11 @@ struct Parts {
   std::vector<io::FileStamp> known_files;  ///< files whose bytes the scene cache vouches for
   std::optional<atmosphere::WeatherSeries> weather;
   std::vector<radiometry::Channel> channels;
+  std::shared_ptr<const render::Polarimetry>
+      polarimetry;  ///< what the sensor does with it; null: radiance alone
   std::unique_ptr<sensor::Camera> camera;
   std::string assumed_surroundings;  ///< what they were taken to be where none are declared; empty: nothing
-  std::unique_ptr<atmosphere::SensorAtmosphere> atmosphere;  ///< null without a modelled one
+  std::shared_ptr<atmosphere::SensorAtmosphere> atmosphere;  ///< null without a modelled one
   std::unique_ptr<atmosphere::ImportedAtmosphere> imported;  ///< null without imported runs
   std::unique_ptr<radiometry::SpectralNodes> own_nodes;      ///< null with either
   const radiometry::SpectralNodes* nodes = nullptr;

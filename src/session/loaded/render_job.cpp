@@ -1,5 +1,6 @@
 #include "io/document/document.h"
 #include "render/image_renderer.h"
+#include "render/polarized/polarimetry.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/wing_light.h"
 #include "sensor/camera.h"
@@ -13,6 +14,7 @@ render::RenderJob Parts::job() const { return job(plan, tolerance.get()); }
 render::RenderJob Parts::job(const SamplingPlan& sampling, const render::AccuracyTolerance* limits) const {
   render::RenderJob job{*spectral_scene, *camera, *footprint, *sampling.sampler};
   job.tolerance = limits;
+  job.polarimetry = polarimetry.get();
   job.wings = wings.get();
   job.cut = psf_cut;
   job.nodes = node_errors;
@@ -33,6 +35,11 @@ std::unique_ptr<render::AccuracyTolerance> Parts::tolerance_of(const SamplingPla
       *sampling.request, *brightness, spectral_scene->white_reflected(),
       static_cast<std::int64_t>(camera->width_px()) * camera->height_px(), spectral_scene->path_radiance(),
       air);
+  if (polarimetry) {
+    std::vector<double> passed;
+    for (std::size_t c = 0; c < polarimetry->optics.size(); ++c) passed.push_back(polarimetry->passed(c));
+    limits->judge_stokes(polarimetry->stokes, std::move(passed));
+  }
   limits->leave_room(node_errors, wings ? render::kCutShare : 0.0);
   return limits;
 }

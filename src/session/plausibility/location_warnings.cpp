@@ -56,12 +56,14 @@ void warn_of_camera(const Parts& parts, const SceneSurvey& survey, LogSink& log)
     world.intersect({&up, 1}, {&above, 1});
     const double backs = backs_about(world, *position);
     if (backs >= kInside)
-      log.warn(format(
-          "the camera is inside of {}: it sees the backs of surfaces all around. Move its 'position'",
-          above.hit() ? title_of(parts.document, parts.placed.of(above.instance)) : "something solid"));
+      log.warn(
+          format("the camera is inside of {}: it sees the backs of surfaces all around. Move its 'position'",
+                 above.hit() ? title_of(parts.document.scene.objects, parts.placed.of(above.instance))
+                             : "something solid"));
     else if (above.hit() && !above.front && above.geometric_normal.z > 0.0)
       log.warn(format("the camera is under the ground: {} lies {:.4g} m above it. Raise its 'position'",
-                      title_of(parts.document, parts.placed.of(above.instance)), above.distance_m));
+                      title_of(parts.document.scene.objects, parts.placed.of(above.instance)),
+                      above.distance_m));
   }
   if (survey.sky_share < 1.0) return;
   if (world.object_count() == 0)
@@ -79,7 +81,8 @@ void warn_of_objects_out_of_view(const Parts& parts, const SceneSurvey& survey, 
   std::string names;
   for (std::size_t d = 0; d < survey.in_frame.size(); ++d) {
     if (survey.surveyed[d] == 0 || survey.in_frame[d] > 0) continue;
-    if (whole++ < kObjectsNamed) names += (names.empty() ? "" : ", ") + title_of(parts.document, d);
+    if (whole++ < kObjectsNamed)
+      names += (names.empty() ? "" : ", ") + title_of(parts.document.scene.objects, d);
   }
   // Of a landscape around the picture much is out of view, and that is meant; the line "in view" counts it.
   if (whole == 0 || 2 * whole < survey.in_frame.size()) return;
@@ -116,7 +119,7 @@ void warn_of_far_objects(const Parts& parts, const SceneSurvey& survey, LogSink&
     const io::OriginDocument& origin = parts.document.scene.origin;
     log.warn(format(
         "{}: {} lie{} up to {:.0f} km from the picture: are {} coordinates of another frame? {}",
-        title_of(parts.document, d),
+        title_of(parts.document.scene.objects, d),
         count == 1 ? std::string("it")
                    : format("{} of {} copies", static_cast<double>(far) / surveyed * count, count),
         count == 1 ? "s" : "", furthest_m / 1000.0, count == 1 ? "its" : "their",
@@ -145,10 +148,10 @@ void warn_of_sizes(const Parts& parts, const SceneSurvey& survey, LogSink& log) 
       log.warn(format(
           "{} is {:.4g} m across, the picture {:.4g} m: are the mesh's coordinates millimetres? Then say "
           "\"unit\": \"mm\"",
-          title_of(parts.document, d), size_m, across_m));
+          title_of(parts.document.scene.objects, d), size_m, across_m));
     if (size_m < kMuchSmaller * survey.gsd_m.low)
       log.warn(format("{} is {:.3g} m across, less than a fiftieth of a pixel of {:.4g} m: are {} meant?",
-                      title_of(parts.document, d), size_m, survey.gsd_m.low,
+                      title_of(parts.document.scene.objects, d), size_m, survey.gsd_m.low,
                       from_file ? "its coordinates of another unit, and is such a pixel"
                                 : "such a size and such a pixel"));
   }
@@ -164,8 +167,8 @@ void warn_of_shared_locations(const Parts& parts, const SceneSurvey& survey, Log
     log.warn(format(
         "surfaces of {} and {} lie in one place in {:.2g} % of the picture: {} is seen there, {}. Lift one by a "
         "centimetre, or put it elsewhere in the list",
-        title_of(parts.document, one.seen), title_of(parts.document, one.hidden), 100.0 * one.share,
-        title_of(parts.document, one.seen),
+        title_of(parts.document.scene.objects, one.seen), title_of(parts.document.scene.objects, one.hidden),
+        100.0 * one.share, title_of(parts.document.scene.objects, one.seen),
         one.seen > one.hidden ? "which is the later of the two in the document"
                               : "which is higher by less than a hair"));
   }

@@ -72,7 +72,7 @@ void see(const Parts& parts, std::span<const sampling::FocalPoint> points, Scene
 
 void measure(const Parts& parts, std::span<const sampling::FocalPoint> points, SceneSurvey& survey) {
   const auto field = render::make_field(*parts.spectral_scene, *parts.camera, parts.job().transport,
-                                        render::LabelDetail::material);
+                                        render::LabelDetail::material, parts.job().polarimetry);
   std::vector<sampling::PathRequest> requests;
   for (const sampling::FocalPoint& point : points)
     requests.push_back({point, sampling::hash(parts.document.seed, 0x10c, requests.size()), 0});

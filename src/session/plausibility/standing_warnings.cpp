@@ -93,9 +93,9 @@ void warn_of_standing(const Parts& parts, LogSink& log) {
       if (one.under_m) ++buried, deepest_m = std::max(deepest_m, *one.under_m);
     }
     const auto which = [&](std::uint32_t some) {
-      return count == 1 ? title_of(parts.document, d)
-                        : format("{}: {} of {} copies that were looked at", title_of(parts.document, d), some,
-                                 surveyed);
+      return count == 1 ? title_of(parts.document.scene.objects, d)
+                        : format("{}: {} of {} copies that were looked at",
+                                 title_of(parts.document.scene.objects, d), some, surveyed);
     };
     if (2 * floating > surveyed)
       log.warn(format("{} float{} up to {:.3g} m above what is below: is the height right?", which(floating),

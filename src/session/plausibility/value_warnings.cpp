@@ -38,7 +38,8 @@ std::vector<std::string> channels_that(const Parts& parts, Is is) {
 bool dark(const Parts& parts, const SceneSurvey& survey, std::size_t c) {
   const std::vector<double> path = parts.spectral_scene->path_radiance();
   return !(survey.sun[c].high > kNothing) && !(survey.sky[c].high > kNothing) &&
-         !(survey.radiance[c].high > kNothing) && !(path[c] > kNothing);
+         !(survey.radiance[c].high > kNothing) && !(path[c] > kNothing) &&
+         !(parts.spectral_scene->white_reflected()[c] > kNothing);
 }
 
 void warn_of_dark_channels(const Parts& parts, const SceneSurvey& survey, LogSink& log) {
@@ -78,7 +79,7 @@ void warn_of_temperatures(const Parts& parts, LogSink& log) {
   for (const io::MaterialDocument& material : parts.document.scene.materials)
     check(material.temperature, format("the material '{}'", material.name));
   for (std::size_t d = 0; d < parts.document.scene.objects.size(); ++d)
-    check(parts.document.scene.objects[d].temperature, title_of(parts.document, d));
+    check(parts.document.scene.objects[d].temperature, title_of(parts.document.scene.objects, d));
   if (const auto mapped = parts.scene.mapped_temperatures(); mapped && mapped->hottest_k < kCold_k)
     log.warn(format(
         "the temperature maps hold {:g} to {:g} K: are their numbers degC? Then say \"unit\": \"degC\"",
@@ -138,7 +139,7 @@ void require_light(const Parts& parts, const SceneSurvey& survey) {
   for (std::size_t c = 0; c < parts.channels.size(); ++c)
     if (!dark(parts, survey, c)) return;
   throw io::document_error(
-      parts.document, light.position.line > 0 ? light.position : parts.document.sensor.position,
+      parts.document.sources, light.position.line > 0 ? light.position : parts.document.sensor.position,
       "nothing shines: no Sun above the horizon, no sky, and nothing that is seen has a temperature in these channels. Give "
       "'light' a 'sun' and a 'sky', the document an 'atmosphere', or materials a 'temperature'");
 }

@@ -34,7 +34,7 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
   const io::Document& document = parts.document;
   io::RunPlan plan;
   plan.identity.version = version();
-  plan.identity.document_path = document.file_name;
+  plan.identity.document_path = document.sources.file_name;
   plan.identity.document_text = *document.text;
   plan.identity.seed = document.seed;
   plan.identity.sampler = parts.plan.method;
@@ -49,7 +49,7 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
   plan.instruction_set = instruction_set();
   if (with_files)
     plan.files = io::stamp_scene_files(
-        document.files, std::filesystem::path(document.file_name).parent_path(), parts.known_files);
+        document.files, std::filesystem::path(document.sources.file_name).parent_path(), parts.known_files);
   plan.image = parts.info;
   plan.tile_px = document.sampling.tile_px;
   plan.judged = parts.tolerance != nullptr;
@@ -64,7 +64,7 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
   plan.formats = io::product_formats(document.output.formats);
   plan.name = document.output.name;
   const bool map_tells = parts.camera->ground_grid().has_value();
-  plan.cubes = document.output.products.value_or(io::usual_quantities(map_tells));
+  plan.cubes = document.output.products.value_or(io::usual_quantities(map_tells, document.sensor.stokes));
   for (const io::DocumentName& channel : document.output.quicklook_channels)
     for (std::size_t c = 0; c < document.sensor.channels.size(); ++c)
       if (document.sensor.channels[c].name == channel.name)

@@ -12,7 +12,7 @@ std::filesystem::path RunRequest::folder(const Session& session) const {
   std::filesystem::path folder = document.output.folder;
   if (!share.is_whole()) folder += format(".{}-of-{}", share.number, share.count);
   // It stands beside the document, perhaps in somebody's archive; a folder that the user gives may be a link.
-  io::refuse_links_below(std::filesystem::path(document.file_name).parent_path(), folder);
+  io::refuse_links_below(std::filesystem::path(document.sources.file_name).parent_path(), folder);
   return folder;
 }
 

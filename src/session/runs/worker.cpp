@@ -5,7 +5,6 @@
 
 #include "cluster/tile_client.h"
 #include "core/error.h"
-#include "io/document/document.h"
 #include "io/run_state/kept_run.h"
 #include "io/run_state/run_folder.h"
 #include "render/image_renderer.h"
@@ -88,12 +87,11 @@ class Worker {
     Loaded loaded;
     loaded.threads = threads_;
     try {
-      const io::Document document = io::read_document(options_.document, options_.overrides);
       LoadOptions load;
       load.scene_cache = options_.scene_cache;
       load.threads = threads_;
       load.cancel = options_.cancel;
-      session_.emplace(Session::load(document, nullptr, load));
+      session_.emplace(Session::load_file(options_.document, options_.overrides, nullptr, load));
       plan_ = assemble_plan(session_->parts(), reads_files());
     } catch (...) {
       loaded.fault = cluster::current_fault();

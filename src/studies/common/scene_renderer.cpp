@@ -111,9 +111,9 @@ std::string SceneRenderer::lighting() const {
 double SceneRenderer::render(const io::SamplingDocument& sampling, const Choices& choices,
                              render::TileSink& image) const {
   const session::Session::Parts& parts = session_.parts();
-  io::Document document = parts.document;
-  document.sampling = sampling;
-  const session::SamplingPlan plan = session::assemble_sampling(document, parts.channels);
+  const io::Document& document = parts.document;
+  const session::SamplingPlan plan =
+      session::assemble_sampling(document.sources, sampling, document.sensor.channels, parts.channels);
   const std::unique_ptr<render::AccuracyTolerance> tolerance = parts.tolerance_of(plan);
   render::RenderJob job = parts.job(plan, tolerance.get());
   job.tile_px = choices.tile_px;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "atmosphere/sensor/sensor_atmosphere.h"
+#include "radiometry/polarization_frame.h"
 
 namespace ifov::transport {
 namespace {
@@ -79,10 +80,8 @@ SkyDome::Corners SkyDome::at(math::Vec3 direction) const {
            static_cast<float>(above * (1.0 - beyond)), static_cast<float>(above * beyond)}};
 }
 
-radiometry::PolarizationFrame SkyDome::stokes(math::Vec3 direction,
-                                              std::span<radiometry::StokesVector> nodes) const {
-  const Corners corners = at(direction);
-  const radiometry::PolarizationFrame frame = radiometry::meridional_frame(-direction);
+SkyDome::PolarizedCorners SkyDome::polarization(const Corners& corners, math::Vec3 direction,
+                                                const radiometry::PolarizationFrame& frame) const {
   // Towards the direction's own azimuth from the Sun's, counterclockwise on one side and clockwise on the other.
   const double along = direction.x * towards_sun_.x + direction.y * towards_sun_.y;
   const double left = direction.y * towards_sun_.x - direction.x * towards_sun_.y;
@@ -90,21 +89,40 @@ radiometry::PolarizationFrame SkyDome::stokes(math::Vec3 direction,
   const bool vertical = !(std::hypot(direction.x, direction.y) > 0.0);
   const double own =
       vertical ? std::atan2(towards_sun_.y, towards_sun_.x) : std::atan2(direction.y, direction.x);
-  std::fill(nodes.begin(), nodes.end(), radiometry::StokesVector{});
+  PolarizedCorners result;
+  result.side = static_cast<float>(side);
   for (std::size_t k = 0; k < corners.spectrum.size(); ++k) {
+    const std::size_t r = static_cast<std::size_t>(corners.spectrum[k] - spectra_.row(0)) / spectra_.stride();
+    result.q[k] = q_.row(r);
+    result.u[k] = u_.row(r);
     const double weight = static_cast<double>(corners.weight[k]);
     if (weight == 0.0) continue;
-    const std::size_t r = static_cast<std::size_t>(corners.spectrum[k] - spectra_.row(0)) / spectra_.stride();
     const double zenith = zenith_rad_[r / azimuth_rad_.size()],
                  azimuth = azimuth_rad_[r % azimuth_rad_.size()];
     const radiometry::PolarizationFrame there =
         radiometry::meridional_frame(-std::cos(zenith), own + side * (azimuth - from_sun) + std::numbers::pi);
-    const radiometry::MuellerMatrix turn =
-        weight * turned(radiometry::carried(there, frame.direction), frame);
-    for (std::size_t n = 0; n < nodes.size(); ++n)
-      nodes[n] += turn * radiometry::StokesVector{static_cast<double>(corners.spectrum[k][n]),
-                                                  static_cast<double>(q_.row(r)[n]),
-                                                  side * static_cast<double>(u_.row(r)[n]), 0.0};
+    const radiometry::MuellerMatrix turn = turned(radiometry::carried(there, frame.direction), frame);
+    result.cosine[k] = static_cast<float>(weight * turn(1, 1));
+    result.sine[k] = static_cast<float>(weight * turn(1, 2));
+  }
+  return result;
+}
+
+radiometry::PolarizationFrame SkyDome::stokes(math::Vec3 direction,
+                                              std::span<radiometry::StokesVector> nodes) const {
+  const Corners corners = at(direction);
+  const radiometry::PolarizationFrame frame = radiometry::meridional_frame(-direction);
+  const PolarizedCorners sky = polarization(corners, direction, frame);
+  std::fill(nodes.begin(), nodes.end(), radiometry::StokesVector{});
+  for (std::size_t k = 0; k < corners.spectrum.size(); ++k) {
+    const double weight = static_cast<double>(corners.weight[k]), c = static_cast<double>(sky.cosine[k]),
+                 s = static_cast<double>(sky.sine[k]);
+    if (weight == 0.0) continue;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      const double q = static_cast<double>(sky.q[k][n]), u = static_cast<double>(sky.side * sky.u[k][n]);
+      nodes[n] += radiometry::StokesVector{weight * static_cast<double>(corners.spectrum[k][n]),
+                                           c * q + s * u, c * u - s * q, 0.0};
+    }
   }
   return frame;
 }

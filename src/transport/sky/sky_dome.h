@@ -6,10 +6,13 @@
 #include <vector>
 
 #include "math/vec3.h"
-#include "radiometry/polarization_frame.h"
 #include "radiometry/spectrum_block.h"
 #include "transport/sky/sky_sampler.h"
 
+namespace ifov::radiometry {
+struct PolarizationFrame;
+struct StokesVector;
+}  // namespace ifov::radiometry
 namespace ifov::atmosphere {
 class SensorAtmosphere;
 }
@@ -37,6 +40,16 @@ class SkyDome {
   /// of light from there. Light of the table's directions is interpolated in frames carried to this one, so
   /// that the zenith is a direction like others.
   radiometry::PolarizationFrame stokes(math::Vec3 direction, std::span<radiometry::StokesVector> nodes) const;
+
+  /// The same by rows of spectra, about a frame of light from there (its direction is -direction): Q is the sum of
+  /// cosine q + sine side u, U of cosine side u - sine q, over the corners at().
+  struct PolarizedCorners {
+    std::array<const float*, 4> q{}, u{};
+    std::array<float, 4> cosine{}, sine{};  ///< of twice the angles, times the corners' weights
+    float side = 1.0f;
+  };
+  PolarizedCorners polarization(const Corners& corners, math::Vec3 direction,
+                                const radiometry::PolarizationFrame& frame) const;
 
   /// Directions that are drawn as bright as they are, all nodes alike.
   const SkySampler& sampler() const { return sampler_; }

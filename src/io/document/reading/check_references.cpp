@@ -38,9 +38,9 @@ class ReferenceCheck {
       for (const ObjectDocument& object : prototype.objects) {
         check(object);
         if (std::holds_alternative<CityShape>(object.shape))
-          throw document_error(document_, object.shape_position, "a prototype cannot hold a city");
+          throw document_error(document_.sources, object.shape_position, "a prototype cannot hold a city");
         if (std::holds_alternative<RandomPlacement>(object.shape))
-          throw document_error(document_, object.shape_position,
+          throw document_error(document_.sources, object.shape_position,
                                "a prototype cannot hold a random placement");
       }
     }
@@ -63,7 +63,7 @@ class ReferenceCheck {
     const std::string hint = did_you_mean(reference.name, names);
     const std::string list =
         names.empty() ? "none is declared" : format("declared: {}", list_names(names, "and"));
-    throw document_error(document_, reference.position,
+    throw document_error(document_.sources, reference.position,
                          format("there is no {} '{}'{} ({})", what, reference.name, hint, list));
   }
 
@@ -85,7 +85,7 @@ class ReferenceCheck {
                      if (!std::holds_alternative<MeshShape>(object.shape) &&
                          !std::holds_alternative<CityShape>(object.shape)) {
                        throw document_error(
-                           document_, object.material->position,
+                           document_.sources, object.material->position,
                            "only a mesh and a city have 'slots', the names of materials in their files");
                      }
                    }},
@@ -113,7 +113,7 @@ class ReferenceCheck {
       states[prototype.name] = State::open;
       path.push_back(prototype.name);
       if (path.size() > kDeepest)
-        throw document_error(document_, prototype.position,
+        throw document_error(document_.sources, prototype.position,
                              format("prototypes are nested more than {} deep", kDeepest));
       for (const ObjectDocument& object : prototype.objects) {
         const DocumentName* of = copied_by(object);
@@ -122,7 +122,7 @@ class ReferenceCheck {
           std::string loop;
           for (auto at = std::find(path.begin(), path.end(), of->name); at != path.end(); ++at)
             loop += format("'{}' holds ", *at);
-          throw document_error(document_, of->position,
+          throw document_error(document_.sources, of->position,
                                format("the prototype '{}' holds itself: {}'{}'", of->name, loop, of->name));
         }
         for (const PrototypeDocument& inner : document_.scene.prototypes)
@@ -146,7 +146,7 @@ class ReferenceCheck {
     for (const ChannelDocument& channel : document_.sensor.channels) {
       if (!seen.insert(channel.name).second) {
         throw document_error(
-            document_, channel.position,
+            document_.sources, channel.position,
             format("two channels are named '{}'; give one a 'name' of its own", channel.name));
       }
     }
@@ -156,7 +156,7 @@ class ReferenceCheck {
   void check_direction(const std::optional<Source>& source, const char* body) const {
     if (!source || source->direction || (document_.time && document_.scene.origin.geographic)) return;
     throw document_error(
-        document_, source->position,
+        document_.sources, source->position,
         format("the {} has no direction: give 'zenith' and 'azimuth', or {}", body,
                document_.time ? "the scene's 'origin' with 'latitude' and 'longitude'"
                : document_.scene.origin.geographic
@@ -169,12 +169,12 @@ class ReferenceCheck {
     if (!moon) return;
     check_direction(moon, "Moon");
     if (!moon->phase_angle_rad && !document_.time)
-      throw document_error(document_, moon->position,
+      throw document_error(document_.sources, moon->position,
                            "the Moon has no phase: give 'phase_angle', or the document's 'time'");
     const std::string maker = document_.atmosphere.imported ? "imported" : document_.atmosphere.sky_maker();
     if (!maker.empty() && maker != "profile")
       throw document_error(
-          document_, moon->position,
+          document_.sources, moon->position,
           format(
               "the atmosphere's '{}' says what light the Sun gives, not the Moon: leave out 'moon', or name a "
               "'profile'",
@@ -187,11 +187,11 @@ class ReferenceCheck {
     const LightDocument& light = document_.light;
     if (!std::holds_alternative<NoSky>(light.sky))
       throw document_error(
-          document_, light.sky_position,
+          document_.sources, light.sky_position,
           format("the sky follows from the atmosphere's '{0}': leave out 'sky', or '{0}'", maker));
     if (maker != "profile" && light.sun && light.sun->irradiance)
       throw document_error(
-          document_, light.sun->position,
+          document_.sources, light.sun->position,
           format("the Sun's light follows from the atmosphere's '{0}': leave out 'spectrum', or '{0}'",
                  maker));
   }
@@ -200,7 +200,7 @@ class ReferenceCheck {
     const SensorDocument& sensor = document_.sensor;
     if (!std::holds_alternative<AiryPsf>(sensor.psf) || sensor.camera.settings->optics()) return;
     throw document_error(
-        document_, sensor.psf_position,
+        document_.sources, sensor.psf_position,
         "an Airy PSF needs a 'frame' camera, whose focal length and pitch give its size in pixels");
   }
 

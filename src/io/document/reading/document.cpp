@@ -51,8 +51,7 @@ Document parse_document(std::string text, const std::string& file_name,
   reject_unread(*parts.root);
   gather_former_keys(*parts.root, document.former_keys);
   position_defaults(document, parts.root->position());
-  document.file_name = file_name;
-  document.sources = parts.sources;
+  document.sources = {file_name, parts.sources};
   const auto names = file_names(*parts.root);
   document.files = existing_files(names);
   document.files.insert(document.files.end(), parts.included.begin(), parts.included.end());
@@ -73,11 +72,11 @@ Document read_document(const std::string& path, std::span<const DocumentOverride
   return parse_document(read_document_text(path), path, overrides);
 }
 
-InputError document_error(const Document& document, const SourcePosition& position,
+InputError document_error(const DocumentSources& sources, const SourcePosition& position,
                           std::string_view message) {
-  for (const auto& source : document.sources)
+  for (const auto& source : sources.texts)
     if (source->file_name() == position.file) return source->error(position, message);
-  return located_error({}, document.file_name, position, message);
+  return located_error({}, sources.file_name, position, message);
 }
 
 }  // namespace ifov::io

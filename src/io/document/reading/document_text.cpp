@@ -33,7 +33,8 @@ std::string document_text(const Document& document, const std::string& file_name
   Writing writing{std::filesystem::path(file_name).parent_path().string(), how.all_keys, how.sections};
   if (!writing.sections.empty()) writing.sections.push_back("ifov");
   std::string& folder = told.output.folder;
-  if (folder == usual_output_folder(document.file_name) || !can_be_named(file_from(writing.folder, folder)))
+  if (folder == usual_output_folder(document.sources.file_name) ||
+      !can_be_named(file_from(writing.folder, folder)))
     folder.clear();
   const Written written = whole_document_type().write(told, writing);
   if (!written)

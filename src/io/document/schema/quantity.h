@@ -41,6 +41,8 @@ extern const Dimension kNoise;                  ///< of the sensor
 extern const Dimension kRadiance;               ///< W m-2 sr-1 um-1
 extern const Dimension kDensity;                ///< m-2, of things on the ground
 extern const Dimension kIrradiance;             ///< W m-2 um-1
+extern const Dimension kPower;                  ///< W
+extern const Dimension kLuminousFlux;           ///< lm
 extern const Dimension kSpeed;                  ///< m s-1
 extern const Dimension kPressure;               ///< hPa
 extern const Dimension kWaterColumn;            ///< g cm-2

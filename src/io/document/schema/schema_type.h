@@ -3,9 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,12 +20,31 @@
 
 namespace ifov::io {
 
+template <class Signature>
+class SharedFunction;
+
+/// A function that its copies share: what a type captures of others, and those of others, is not copied with it.
+template <class Result, class... Arguments>
+class SharedFunction<Result(Arguments...)> {
+ public:
+  template <class F>
+  requires(!std::is_same_v<F, SharedFunction> && std::is_invocable_r_v<Result, const F&, Arguments...>)
+      SharedFunction(F function)  // implicit, as std::function's
+      : function_(std::make_shared<const std::function<Result(Arguments...)>>(std::move(function))) {}
+  Result operator()(Arguments... arguments) const {
+    return (*function_)(std::forward<Arguments>(arguments)...);
+  }
+
+ private:
+  std::shared_ptr<const std::function<Result(Arguments...)>> function_;
+};
+
 /// How a value of a document is described, read as a V and written. `read` throws InputError. What `write` gives is read
 /// as the same value; it gives nothing for a value that no text of this kind gives.
 template <class V>
 struct SchemaType {
-  using Read = std::function<V(const DocumentNode&)>;
-  using Write = std::function<Written(const V&, Writing&)>;
+  using Read = SharedFunction<V(const DocumentNode&)>;
+  using Write = SharedFunction<Written(const V&, Writing&)>;
 
   SchemaType(ValueDescriptionPtr what, Read reads, Write writes)
       : description(std::move(what)), read(std::move(reads)), write(std::move(writes)) {}

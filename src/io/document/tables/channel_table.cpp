@@ -23,6 +23,8 @@ struct ChannelEntry {
   SourcePosition position;
   std::optional<SpectrumDocument> noise;
   std::optional<double> noise_k;
+  std::optional<PolarizerDocument> polarizer;
+  std::optional<RetarderDocument> retarder;
 };
 
 SchemaType<double> wavelength() { return quantity(kWavelength, Range::above(0.0, "um")); }
@@ -63,6 +65,29 @@ SchemaType<TabulatedChannel> tabulated_channel_type() {
                     "column of the response, counted from 1")
       .optional("band", &TabulatedChannel::band, label(),
                 "which block of a file with several, named in lines such as ';; BAND 1'");
+  return record.type();
+}
+
+SchemaType<PolarizerDocument> polarizer_type() {
+  Record<PolarizerDocument> record("polarizer", "A linear polarizer before the channel.");
+  record
+      .required(
+          "angle", &PolarizerDocument::angle_rad, quantity(kAngle, Range::between(-360.0, 360.0, "deg")),
+          "of the axis along which light swings that is let through: from the image's right, counterclockwise as the image is looked at")
+      .with_default(
+          "extinction", &PolarizerDocument::extinction, number(Range::between(1.0, 1e9)), "10000",
+          "how many times as much of it is let through as of light that swings across; 1 polarizes nothing");
+  return record.type();
+}
+
+SchemaType<RetarderDocument> retarder_type() {
+  Record<RetarderDocument> record("retarder", "A wave plate before the channel and its polarizer.");
+  record
+      .required("retardance", &RetarderDocument::retardance_rad,
+                quantity(kAngle, Range::between(-360.0, 360.0, "deg")),
+                "phase by which light along the slow axis falls behind: 90 deg of a quarter-wave plate")
+      .required("angle", &RetarderDocument::angle_rad, quantity(kAngle, Range::between(-360.0, 360.0, "deg")),
+                "of the slow axis, counted as a polarizer's");
   return record.type();
 }
 
@@ -148,7 +173,10 @@ SchemaType<ChannelEntry> entry_type() {
           "standard deviation of the sensor's noise as a radiance at the centre of the channel (NEdL); for errors stated in its unit")
       .one("noise_temperature", &ChannelEntry::noise_k,
            quantity(kTemperatureDifference, Range::above(0.0, "K")),
-           "the same as a temperature difference of a black surface of 300 K (NEdT)");
+           "the same as a temperature difference of a black surface of 300 K (NEdT)")
+      .optional("polarizer", &ChannelEntry::polarizer, polarizer_type(),
+                "what stands before it; the channel's radiance is what is let through")
+      .optional("retarder", &ChannelEntry::retarder, retarder_type(), "what stands before the polarizer");
   return record.type();
 }
 
@@ -214,6 +242,8 @@ class ChannelEntries {
     entry.responses.push_back(channels_[k].response);
     entry.noise = channels_[k].noise;
     entry.noise_k = channels_[k].noise_k;
+    entry.polarizer = channels_[k].polarizer;
+    entry.retarder = channels_[k].retarder;
     return entry;
   }
 
@@ -230,6 +260,8 @@ class ChannelEntries {
       const double expected_um = centre(from) + static_cast<double>(end - from) * step_um;
       if (!(std::abs(centre(end) - expected_um) <= kSame * centre(end)) || noises_[end] != noises_[from] ||
           channels_[end].noise_k != channels_[from].noise_k ||
+          channels_[end].polarizer != channels_[from].polarizer ||
+          channels_[end].retarder != channels_[from].retarder ||
           name_in_series(channels_[end]) != name_in_series(channels_[from]))
         break;
     }
@@ -260,7 +292,8 @@ SchemaType<std::vector<ChannelDocument>> channels_type() {
                 const std::string name = entry.name.empty() ? own
                                          : series           ? format("{} {}", entry.name, own)
                                                             : entry.name;
-                channels.push_back({name, std::move(response), entry.position, entry.noise, entry.noise_k});
+                channels.push_back({name, std::move(response), entry.position, entry.noise, entry.noise_k,
+                                    entry.polarizer, entry.retarder});
               }
             }
             return channels;

@@ -127,6 +127,7 @@ SchemaType<LightDocument> light_type() {
                                                                       : SkyEntry{light.sky, {}};
                     }),
                 sky_type(), "without it a black sky")
+      .optional("sources", &LightDocument::lamps, lamps_type(), "lamps; without them none")
       .optional(
           "surroundings", &LightDocument::surroundings, surroundings_type(),
           "without them the mean of the ground in the picture where an atmosphere is modelled or imported, else "

@@ -50,6 +50,10 @@ SchemaType<SensorDocument> sensor_type() {
                                  : std::optional(PsfEntry{sensor.psf, {}});
                     }),
                 psf_type(), "blur of the optics; none if not given")
+      .with_default(
+          "stokes", &SensorDocument::stokes, boolean(), "false",
+          "whether the Stokes vector of light is told, about the axes of the focal plane: products `stokes`, `dolp`, `aop` and "
+          "their errors")
       .with_default("fill_factor", &SensorDocument::fill_factor, fraction({0.0, 1.0, true, false, {}}), "1",
                     "sensitive share of a detector element's area, a centred square");
   return record.type();

@@ -13,6 +13,7 @@ struct CameraDocument;
 struct ChannelDocument;
 struct Document;
 struct ImportedDocument;
+struct LampDocument;
 struct LightDocument;
 struct MaterialDocument;
 struct ObjectDocument;
@@ -38,6 +39,7 @@ SchemaType<std::vector<ObjectDocument>> objects_type();
 SchemaType<SceneDocument> scene_type();
 
 SchemaType<LightDocument> light_type();
+SchemaType<std::vector<LampDocument>> lamps_type();
 SchemaType<AtmosphereDocument> atmosphere_type();
 SchemaType<ImportedDocument> imported_type();
 SchemaType<WeatherDocument> weather_type();

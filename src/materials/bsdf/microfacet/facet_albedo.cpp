@@ -39,7 +39,7 @@ FacetAlbedo::FacetAlbedo(const FacetDistribution& facets)
     const math::Vec3 out = math::normalized(
         {(1.0 - upright) * std::cos(turn) / width_x_, (1.0 - upright) * std::sin(turn) / width_y_, upright});
     double reflected = 0.0;
-    grid.for_each_reflection(facets, out, [&](double weight, double) { reflected += weight; });
+    grid.for_each_reflection(facets, out, [&](double weight, double, math::Vec3) { reflected += weight; });
     lost_[k] = std::max(0.0, 1.0 - reflected);
   });
   add_lobe();

@@ -11,36 +11,72 @@ namespace {
 
 using radiometry::Spectrum;
 
-double unpolarized(std::complex<double> index, double cosine) {
-  const radiometry::FresnelAmplitudes r = radiometry::fresnel_reflection_amplitudes(index, cosine);
-  return 0.5 * (std::norm(r.p) + std::norm(r.s));
-}
+/// What is told at the angles: an element of Fresnel's matrix.
+using Element = double (*)(const radiometry::FresnelAmplitudes& r);
+
+double unpolarized(const radiometry::FresnelAmplitudes& r) { return 0.5 * (std::norm(r.p) + std::norm(r.s)); }
+constexpr Element kUnpolarized[] = {unpolarized};
+constexpr Element kPolarization[] = {
+    [](const radiometry::FresnelAmplitudes& r) { return 0.5 * (std::norm(r.p) - std::norm(r.s)); },
+    [](const radiometry::FresnelAmplitudes& r) { return (r.p * std::conj(r.s)).real(); },
+    [](const radiometry::FresnelAmplitudes& r) { return (r.p * std::conj(r.s)).imag(); }};
 
 struct Index {
   const Spectrum &n, &k;
   std::complex<double> at(double um) const { return {n.at(um), k.at(um)}; }
 };
 
-bool is_straight(const Index& index, double first_um, double last_um) {
+bool is_straight(const Index& index, std::span<const Element> elements, double first_um, double last_um) {
   constexpr double kWithin = 2e-4;
   for (const double cosine : {1.0, 0.5, 0.15}) {
-    const double middle = unpolarized(index.at(0.5 * (first_um + last_um)), cosine);
-    const double mean =
-        0.5 * (unpolarized(index.at(first_um), cosine) + unpolarized(index.at(last_um), cosine));
-    if (std::abs(middle - mean) > kWithin) return false;
+    const auto at = [&](double um) {
+      return radiometry::fresnel_reflection_amplitudes(index.at(um), cosine);
+    };
+    const auto middle = at(0.5 * (first_um + last_um)), first = at(first_um), last = at(last_um);
+    for (const Element element : elements)
+      if (std::abs(element(middle) - 0.5 * (element(first) + element(last))) > kWithin) return false;
   }
   return true;
 }
 
 /// Adds what lies between the two, but not their first.
-void add_between(const Index& index, double first_um, double last_um, int halvings, std::vector<double>& um) {
-  if (halvings > 0 && !is_straight(index, first_um, last_um)) {
+void add_between(const Index& index, std::span<const Element> elements, double first_um, double last_um,
+                 int halvings, std::vector<double>& um) {
+  if (halvings > 0 && !is_straight(index, elements, first_um, last_um)) {
     const double middle = 0.5 * (first_um + last_um);
-    add_between(index, first_um, middle, halvings - 1, um);
-    add_between(index, middle, last_um, halvings - 1, um);
+    add_between(index, elements, first_um, middle, halvings - 1, um);
+    add_between(index, elements, middle, last_um, halvings - 1, um);
   } else {
     um.push_back(last_um);
   }
+}
+
+/// FresnelRows::kCount rows of each element.
+std::vector<Spectrum> rows_of_index(const Spectrum& n, const Spectrum& k, std::span<const Element> elements) {
+  constexpr int kHalvings = 6;
+  const Index index{n, k};
+  const Spectrum* const both[] = {&n, &k};
+  const radiometry::CommonWavelengths common = radiometry::common_wavelengths(both);
+  std::vector<double> um;
+  if (!common.um.empty()) um.push_back(common.um.front());
+  for (std::size_t i = 1; i < common.um.size(); ++i)
+    add_between(index, elements, common.um[i - 1], common.um[i], kHalvings, um);
+  const std::string& name = n.is_constant() ? k.name() : n.name();
+  std::vector<Spectrum> rows;
+  for (const Element element : elements)
+    for (std::size_t row = 0; row < FresnelRows::kCount; ++row) {
+      const auto at = [&](std::complex<double> m) {
+        return element(radiometry::fresnel_reflection_amplitudes(m, FresnelRows::cosine(row)));
+      };
+      if (um.empty()) {
+        rows.push_back(Spectrum::constant(at({n.values()[0], k.values()[0]})));
+        continue;
+      }
+      std::vector<double> values;
+      for (const double wavelength : um) values.push_back(at(index.at(wavelength)));
+      rows.emplace_back(um, std::move(values), common.outside, name);
+    }
+  return rows;
 }
 
 }  // namespace
@@ -51,26 +87,11 @@ double FresnelRows::cosine(std::size_t row) {
 }
 
 std::vector<Spectrum> FresnelRows::of_index(const Spectrum& n, const Spectrum& k) {
-  constexpr int kHalvings = 6;
-  const Index index{n, k};
-  const Spectrum* const both[] = {&n, &k};
-  const radiometry::CommonWavelengths common = radiometry::common_wavelengths(both);
-  std::vector<Spectrum> rows;
-  if (common.um.empty()) {
-    for (std::size_t row = 0; row < kCount; ++row)
-      rows.push_back(Spectrum::constant(unpolarized({n.values()[0], k.values()[0]}, cosine(row))));
-    return rows;
-  }
-  std::vector<double> um{common.um.front()};
-  for (std::size_t i = 1; i < common.um.size(); ++i)
-    add_between(index, common.um[i - 1], common.um[i], kHalvings, um);
-  const std::string& name = n.is_constant() ? k.name() : n.name();
-  for (std::size_t row = 0; row < kCount; ++row) {
-    std::vector<double> values;
-    for (const double at : um) values.push_back(unpolarized(index.at(at), cosine(row)));
-    rows.emplace_back(um, std::move(values), common.outside, name);
-  }
-  return rows;
+  return rows_of_index(n, k, kUnpolarized);
+}
+
+std::vector<Spectrum> FresnelRows::polarization_of_index(const Spectrum& n, const Spectrum& k) {
+  return rows_of_index(n, k, kPolarization);
 }
 
 Spectrum combined(std::span<const Spectrum> spectra,

@@ -25,6 +25,11 @@ struct FresnelRows {
   static std::vector<radiometry::Spectrum> of_index(const radiometry::Spectrum& n,
                                                     const radiometry::Spectrum& k);
 
+  /// The rest of Fresnel's matrix at the same angles: kCount rows of (|r_p|^2 - |r_s|^2) / 2, of Re(r_p r_s*) and of
+  /// Im(r_p r_s*), each as near as the reflectance.
+  static std::vector<radiometry::Spectrum> polarization_of_index(const radiometry::Spectrum& n,
+                                                                 const radiometry::Spectrum& k);
+
   static RowWeights at(double cosine);
   /// Weights of all rows in the mean over a hemisphere, 2 integral of R cos d cos.
   static const std::array<double, kCount>& mean_weights();

@@ -17,7 +17,7 @@ class VisibleFacets {
       rows_.push_back(points_[k].u1);
   }
 
-  /// use(weight, cosine of incidence on the facet): the sum of weight x R(cosine) is the directional-hemispherical
+  /// use(weight, cosine of incidence on the facet, where the light comes from): the sum of weight x R(cosine) is the directional-hemispherical
   /// reflectance towards `out` of facets whose Fresnel reflectance is R.
   template <class Use>
   void for_each_reflection(const FacetDistribution& facets, math::Vec3 out, const Use& use) const {
@@ -31,7 +31,7 @@ class VisibleFacets {
         const math::Vec3 in = 2.0 * cosine * facet - out;
         if (!(in.z > 0.0)) continue;
         const double lit = area_out * in.z;
-        use(points_[j].weight * lit / (lit + facets.projected_area(in) * out.z - out.z * in.z), cosine);
+        use(points_[j].weight * lit / (lit + facets.projected_area(in) * out.z - out.z * in.z), cosine, in);
       }
     }
   }

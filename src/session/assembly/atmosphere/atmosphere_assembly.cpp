@@ -9,7 +9,9 @@
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "core/format.h"
 #include "geometry/world.h"
-#include "io/document/document.h"
+#include "io/document/atmosphere_document.h"
+#include "io/document/scene_document.h"
+#include "io/document/sensor_document.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "session/assembly/atmosphere/node_tolerance.h"
@@ -23,9 +25,9 @@ namespace {
 constexpr double kNodeTolerance = 5e-3, kFinest = 5e-4;
 constexpr std::size_t kMostColumns = 256, kUsualNodes = 8, kMostNodes = 32;
 
-double sensor_altitude_km(const io::Document& document, const sensor::Camera& camera, double line_px,
+double sensor_altitude_km(const io::ModelledAtmosphere& air, const sensor::Camera& camera, double line_px,
                           double ground_km) {
-  if (const std::optional<double>& given = document.atmosphere.modelled->sensor_altitude_km) return *given;
+  if (const std::optional<double>& given = air.sensor_altitude_km) return *given;
   const std::optional<double> altitude_m = camera.pose(line_px).altitude_m();
   return altitude_m ? ground_km + 1e-3 * *altitude_m : atmosphere::kTopOfAtmosphereKm;
 }
@@ -39,7 +41,8 @@ void warn(const AtmosphereSubject& subject, const atmosphere::AtmosphereColumn& 
 
 }  // namespace
 
-void check_channels(const io::Document& document, std::span<const radiometry::Channel> channels) {
+void check_channels(const io::DocumentSources& sources, std::span<const io::ChannelDocument> written,
+                    std::span<const radiometry::Channel> channels) {
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const radiometry::Channel& channel = channels[c];
     const bool line = channel.is_monochromatic();
@@ -47,21 +50,24 @@ void check_channels(const io::Document& document, std::span<const radiometry::Ch
                  last_um = line ? channel.centre_um : channel.response.last_um();
     if (first_um >= kShortest_um && last_um <= kLongest_um) continue;
     throw io::document_error(
-        document, document.sensor.channels[c].position,
+        sources, written[c].position,
         format(
             "the channel '{}' reaches from {:.4g} to {:.4g} um, and the modelled atmosphere from {:g} to {:g} um",
             channel.name, first_um, last_um, kShortest_um, kLongest_um));
   }
 }
 
-atmosphere::AtmosphereColumn assemble_column(const io::Document& document) {
-  atmosphere::AtmosphereDescription description = document.atmosphere.modelled->description;
+atmosphere::AtmosphereColumn assemble_column(const io::ModelledAtmosphere& air,
+                                             const io::OriginDocument& origin) {
+  atmosphere::AtmosphereDescription description = air.description;
   if (!description.air.ground_altitude_km && description.air.levels.empty())
-    description.air.ground_altitude_km = std::max(0.0, 1e-3 * document.scene.origin.height_m);
+    description.air.ground_altitude_km = std::max(0.0, 1e-3 * origin.height_m);
   return atmosphere::AtmosphereColumn(description);
 }
 
-atmosphere::SensorGeometry sensor_geometry(const io::Document& document, const sensor::Camera& camera,
+atmosphere::SensorGeometry sensor_geometry(const io::DocumentSources& sources,
+                                           const io::ModelledAtmosphere& air,
+                                           const io::CameraDocument& written, const sensor::Camera& camera,
                                            const std::optional<scene::Sun>& sun, double ground_km) {
   atmosphere::SensorGeometry geometry;
   const math::Ray middle = camera.middle_ray();
@@ -69,7 +75,7 @@ atmosphere::SensorGeometry sensor_geometry(const io::Document& document, const s
   geometry.view_zenith_rad = sensor::nadir_angle_rad(middle);
   if (!(geometry.view_zenith_rad <= kLowestView_rad))
     throw io::document_error(
-        document, document.sensor.camera.position,
+        sources, written.position,
         format(
             "under a modelled atmosphere the camera must look down, at most {:.0f} degrees from the nadir; the middle "
             "of its image looks {:.1f} degrees away",
@@ -78,16 +84,16 @@ atmosphere::SensorGeometry sensor_geometry(const io::Document& document, const s
     geometry.sun_zenith_rad = sun->zenith_rad();
     geometry.view_azimuth_rad = std::atan2(up.x, up.y) - sun->azimuth_rad();
   }
-  geometry.sensor_altitude_km = sensor_altitude_km(document, camera, camera.middle_line_px(), ground_km);
+  geometry.sensor_altitude_km = sensor_altitude_km(air, camera, camera.middle_line_px(), ground_km);
   if (!(geometry.sensor_altitude_km > ground_km))
     throw InputError(format("the sensor stands at {:g} km, not above the ground at {:g} km",
                             geometry.sensor_altitude_km, ground_km));
   return geometry;
 }
 
-atmosphere::SensorAltitudes sensor_altitudes(const io::Document& document, const sensor::Camera& camera,
+atmosphere::SensorAltitudes sensor_altitudes(const io::ModelledAtmosphere& air, const sensor::Camera& camera,
                                              double ground_km) {
-  const auto at = [&](double line_px) { return sensor_altitude_km(document, camera, line_px, ground_km); };
+  const auto at = [&](double line_px) { return sensor_altitude_km(air, camera, line_px, ground_km); };
   const double middle_km = at(camera.middle_line_px());
   atmosphere::SensorAltitudes altitudes{middle_km, middle_km};
   for (int line = 0; line <= camera.height_px(); ++line) {
@@ -148,12 +154,14 @@ std::string narrow_channels(std::span<const radiometry::Channel> channels,
 }
 
 std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
+    const io::AtmosphereDocument& written, const io::OriginDocument& origin, const io::SensorDocument& sensor,
     const AtmosphereSubject& subject, std::span<const radiometry::Spectrum> surfaces,
     radiometry::NodeDemands demands, const AtmosphereWork& work) {
-  const io::Document& document = subject.document;
-  check_channels(document, subject.channels);
-  return with_position(document, document.atmosphere.position, [&] {
-    const atmosphere::AtmosphereColumn column = assemble_column(document);
+  const io::ModelledAtmosphere& modelled = written.modelled.value();
+  check_channels(subject.sources, sensor.channels, subject.channels);
+  return with_position(subject.sources, written.position, [&] {
+    const atmosphere::AtmosphereColumn column = assemble_column(modelled, origin);
+    const double ground_km = column.levels().altitude_km.front();
     atmosphere::SensorAtmosphere::Inputs inputs;
     inputs.channels = subject.channels;
     if (subject.scene.sun) inputs.solar_irradiance = subject.scene.sun->irradiance;
@@ -164,12 +172,13 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
                                    ? std::max(kFinest, node_tolerance(subject.scene, subject.channels,
                                                                       subject.request, kNodeTolerance))
                                    : kNodeTolerance;
-    inputs.geometry =
-        sensor_geometry(document, subject.camera, subject.scene.sun, column.levels().altitude_km.front());
+    inputs.geometry = sensor_geometry(subject.sources, modelled, sensor.camera, subject.camera,
+                                      subject.scene.sun, ground_km);
     inputs.lines_of_sight.emplace(
         line_of_sight_range(subject.camera, subject.scene.sun, subject.scene.world->heights().high_m),
-        column.levels(), sensor_altitudes(document, subject.camera, column.levels().altitude_km.front()));
+        column.levels(), sensor_altitudes(modelled, subject.camera, ground_km));
     inputs.with_errors = true;
+    inputs.polarized = subject.polarized;
     inputs.ground = subject.scene.materials[subject.scene.surroundings.material].reflectance;
     inputs.threads = work.threads;
     inputs.kept = work.kept;

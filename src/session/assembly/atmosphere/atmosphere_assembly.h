@@ -20,6 +20,14 @@ struct SensorAltitudes;
 struct SensorGeometry;
 struct LineOfSightRange;
 }  // namespace ifov::atmosphere
+namespace ifov::io {
+struct AtmosphereDocument;
+struct CameraDocument;
+struct ChannelDocument;
+struct ModelledAtmosphere;
+struct OriginDocument;
+struct SensorDocument;
+}  // namespace ifov::io
 namespace ifov::scene {
 struct Sun;
 }
@@ -32,18 +40,22 @@ inline constexpr double kLowestView_rad = 80.0 * std::numbers::pi / 180.0;
 /// Where the tables of the modelled atmosphere begin and end.
 inline constexpr double kShortest_um = 0.2, kLongest_um = 50.0;
 
-/// Throws InputError at the first of the sensor's channels that reaches beyond these.
-void check_channels(const io::Document& document, std::span<const radiometry::Channel> channels);
+/// Throws InputError at the first of the channels, `written` so in the document, that reaches beyond these.
+void check_channels(const io::DocumentSources& sources, std::span<const io::ChannelDocument> written,
+                    std::span<const radiometry::Channel> channels);
 
-/// The air that a document with a modelled atmosphere describes. Throws InputError.
-atmosphere::AtmosphereColumn assemble_column(const io::Document& document);
+/// The air that a document describes, over ground as high as the scene's origin where it does not say. Throws InputError.
+atmosphere::AtmosphereColumn assemble_column(const io::ModelledAtmosphere& air,
+                                             const io::OriginDocument& origin);
 
 /// Sun and sensor over ground at this altitude. Throws InputError, at the place in the document.
-atmosphere::SensorGeometry sensor_geometry(const io::Document& document, const sensor::Camera& camera,
+atmosphere::SensorGeometry sensor_geometry(const io::DocumentSources& sources,
+                                           const io::ModelledAtmosphere& air,
+                                           const io::CameraDocument& written, const sensor::Camera& camera,
                                            const std::optional<scene::Sun>& sun, double ground_km);
 
 /// The altitudes that the sensor has while the lines of an image are exposed, over ground at this altitude.
-atmosphere::SensorAltitudes sensor_altitudes(const io::Document& document, const sensor::Camera& camera,
+atmosphere::SensorAltitudes sensor_altitudes(const io::ModelledAtmosphere& air, const sensor::Camera& camera,
                                              double ground_km);
 
 /// The lines of sight of an image, over surfaces up to this height.
@@ -62,9 +74,10 @@ struct AtmosphereWork {
   LogSink* log = nullptr;
 };
 
-/// The document's modelled atmosphere as the channels of its sensor see it from its camera. `surfaces` and `demands`
+/// A document's modelled atmosphere as the channels of its sensor see it from its camera. `surfaces` and `demands`
 /// as for radiometry::SpectralNodes::build. Throws InputError, at the place in the document.
 std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
+    const io::AtmosphereDocument& written, const io::OriginDocument& origin, const io::SensorDocument& sensor,
     const AtmosphereSubject& subject, std::span<const radiometry::Spectrum> surfaces,
     radiometry::NodeDemands demands, const AtmosphereWork& work);
 

@@ -8,7 +8,8 @@
 #include "atmosphere/imported_light.h"
 #include "core/names.h"
 #include "io/atmosphere/import_paths.h"
-#include "io/document/document.h"
+#include "io/document/atmosphere_document.h"
+#include "io/document/light_document.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "session/assembly/shared/with_position.h"
@@ -82,11 +83,11 @@ double albedo_of(const ImportedPath& run, std::size_t index, std::size_t count,
   return given[index];
 }
 
-atmosphere::ImportedRuns read_runs(const io::Document& document, std::optional<double> sun_zenith_rad) {
-  const io::ImportedDocument& source = *document.atmosphere.imported;
+atmosphere::ImportedRuns read_runs(const io::DocumentSources& sources, const io::ImportedDocument& source,
+                                   std::optional<double> sun_zenith_rad) {
   atmosphere::ImportedRuns runs;
   for (std::size_t k = 0; k < source.files.size(); ++k) {
-    with_position(document, source.files[k].position, [&] {
+    with_position(sources, source.files[k].position, [&] {
       io::ImportOptions options;
       options.sun_zenith_rad = sun_zenith_rad;
       if (!source.uvspec_inputs.empty()) options.uvspec_input = source.uvspec_inputs[k].path;
@@ -121,21 +122,23 @@ std::optional<atmosphere::SunAbove> sun_above(const scene::Scene& scene) {
   return atmosphere::SunAbove{scene.sun->direction.z, scene.sun->irradiance};
 }
 
-void check_light(const io::Document& document, const atmosphere::ImportedLight& light) {
-  if (const std::optional<io::SunDocument>& sun = document.light.sun;
+void check_light(const io::DocumentSources& sources, const io::LightDocument& written,
+                 const atmosphere::ImportedLight& light) {
+  if (const std::optional<io::SunDocument>& sun = written.sun;
       sun && light.own_irradiance && (sun->irradiance || sun->distance_au))
     throw io::document_error(
-        document, sun->position,
+        sources, sun->position,
         "the Sun's irradiance follows from the imported runs: leave out its 'spectrum' and 'distance'");
-  if (!light.sky.empty() && !std::holds_alternative<io::NoSky>(document.light.sky))
-    throw io::document_error(document, document.light.position,
+  if (!light.sky.empty() && !std::holds_alternative<io::NoSky>(written.sky))
+    throw io::document_error(sources, written.position,
                              "the sky's irradiance follows from the imported runs: leave out 'sky'");
 }
 
-void warn(const AtmosphereSubject& subject, const atmosphere::ImportedRuns& runs,
-          const atmosphere::ImportedLight& light, const atmosphere::ImportedAtmosphere& air, LogSink& log) {
+void warn(const io::LightDocument& written, const AtmosphereSubject& subject,
+          const atmosphere::ImportedRuns& runs, const atmosphere::ImportedLight& light,
+          const atmosphere::ImportedAtmosphere& air, LogSink& log) {
   for (const std::string& remark : light.remarks) log.warn(remark);
-  if (light.sky.empty() && std::holds_alternative<io::NoSky>(subject.document.light.sky))
+  if (light.sky.empty() && std::holds_alternative<io::NoSky>(written.sky))
     log.warn(format(
         "{} does not tell the diffuse irradiance of the ground: the sky is black (give light.sky, a run over "
         "ground of albedo above 0, or a column of diffuse_irradiance)",
@@ -161,20 +164,19 @@ void warn(const AtmosphereSubject& subject, const atmosphere::ImportedRuns& runs
 }  // namespace
 
 std::unique_ptr<atmosphere::ImportedAtmosphere> assemble_imported(
-    const AtmosphereSubject& subject, std::span<const radiometry::Spectrum> surfaces,
-    radiometry::NodeDemands demands, LogSink* log) {
-  const io::Document& document = subject.document;
-  return with_position(document, document.atmosphere.imported->position, [&] {
+    const io::ImportedDocument& written, const io::LightDocument& light, const AtmosphereSubject& subject,
+    std::span<const radiometry::Spectrum> surfaces, radiometry::NodeDemands demands, LogSink* log) {
+  return with_position(subject.sources, written.position, [&] {
     demands.most_nodes = kMostImportedNodes;
     demands.tolerance = kImportedTolerance;
     const std::optional<atmosphere::SunAbove> sun = sun_above(subject.scene);
-    const atmosphere::ImportedRuns runs =
-        read_runs(document, sun ? std::optional(subject.scene.sun->zenith_rad()) : std::nullopt);
-    const atmosphere::ImportedLight light = atmosphere::imported_light(runs, sun);
-    check_light(document, light);
+    const atmosphere::ImportedRuns runs = read_runs(
+        subject.sources, written, sun ? std::optional(subject.scene.sun->zenith_rad()) : std::nullopt);
+    const atmosphere::ImportedLight imported = atmosphere::imported_light(runs, sun);
+    check_light(subject.sources, light, imported);
     auto air = std::make_unique<atmosphere::ImportedAtmosphere>(
-        light, atmosphere::ImportedAtmosphere::Inputs{subject.channels, surfaces, demands});
-    if (log != nullptr) warn(subject, runs, light, *air, *log);
+        imported, atmosphere::ImportedAtmosphere::Inputs{subject.channels, surfaces, demands});
+    if (log != nullptr) warn(light, subject, runs, imported, *air, *log);
     return air;
   });
 }

@@ -10,12 +10,17 @@ namespace ifov::atmosphere {
 class ImportedAtmosphere;
 }
 
+namespace ifov::io {
+struct ImportedDocument;
+struct LightDocument;
+}  // namespace ifov::io
+
 namespace ifov::session {
 
-/// The document's imported runs as the channels of its sensor see them. `surfaces` and `demands` as for
-/// radiometry::SpectralNodes::build. Throws InputError, at the place in the document.
+/// A document's imported runs as the channels of its sensor see them; `light` must leave to them what follows from
+/// them. `surfaces` and `demands` as for radiometry::SpectralNodes::build. Throws InputError, at the place in the document.
 std::unique_ptr<atmosphere::ImportedAtmosphere> assemble_imported(
-    const AtmosphereSubject& subject, std::span<const radiometry::Spectrum> surfaces,
-    radiometry::NodeDemands demands, LogSink* log);
+    const io::ImportedDocument& written, const io::LightDocument& light, const AtmosphereSubject& subject,
+    std::span<const radiometry::Spectrum> surfaces, radiometry::NodeDemands demands, LogSink* log);
 
 }  // namespace ifov::session

@@ -2,7 +2,8 @@
 
 #include <numbers>
 
-#include "io/document/document.h"
+#include "core/format.h"
+#include "io/document/weather_document.h"
 #include "io/weather/weather_file.h"
 #include "session/assembly/shared/with_position.h"
 
@@ -37,27 +38,28 @@ std::string span_of(const atmosphere::WeatherSeries& weather) {
 
 }  // namespace
 
-std::optional<atmosphere::WeatherSeries> assemble_weather(const io::Document& document) {
-  if (!document.weather) return std::nullopt;
-  const io::WeatherDocument& weather = *document.weather;
+atmosphere::WeatherSeries assemble_weather(const io::DocumentSources& sources,
+                                           const io::WeatherDocument& weather,
+                                           const std::optional<geodesy::UtcTime>& time) {
   if (!weather.source.file) return inline_weather(weather);
   const io::DocumentFile& file = *weather.source.file;
-  return with_position(document, file.position, [&] {
+  return with_position(sources, file.position, [&] {
     io::WeatherOptions options;
     options.date = weather.source.date;
     options.typical_year = weather.source.typical_year;
     atmosphere::WeatherSeries series = io::read_weather(file.path, options);
-    if (document.time && !series.at(WeatherQuantity::air_temperature_k, *document.time))
+    if (time && !series.at(WeatherQuantity::air_temperature_k, *time))
       throw InputError(format("'{}' does not tell the air temperature at {}; {}", file.path,
-                              geodesy::format_utc(*document.time), span_of(series)));
+                              geodesy::format_utc(*time), span_of(series)));
     return series;
   });
 }
 
-std::string weather_statement(const io::Document& document, const atmosphere::WeatherSeries& weather) {
-  if (!document.time && !weather.is_constant())
+std::string weather_statement(const std::optional<geodesy::UtcTime>& document_time,
+                              const atmosphere::WeatherSeries& weather) {
+  if (!document_time && !weather.is_constant())
     return format("weather: {}; the document has no 'time' to look it up", weather.site().name);
-  const geodesy::UtcTime time = document.time.value_or(geodesy::UtcTime{});
+  const geodesy::UtcTime time = document_time.value_or(geodesy::UtcTime{});
   const auto known = [&](WeatherQuantity quantity, double factor, double offset, std::string_view unit,
                          int digits) {
     const std::optional<double> value = weather.at(quantity, time);

@@ -4,18 +4,23 @@
 #include <string>
 
 #include "atmosphere/weather_series.h"
+#include "geodesy/utc_time.h"
 
 namespace ifov::io {
-struct Document;
-}
+struct DocumentSources;
+struct WeatherDocument;
+}  // namespace ifov::io
 
 namespace ifov::session {
 
-/// The document's weather, read and checked; none where it has none. Throws InputError, at the place in the
-/// document, also where a file has nothing to say about the document's time.
-std::optional<atmosphere::WeatherSeries> assemble_weather(const io::Document& document);
+/// A document's weather, read and checked. Throws InputError, at the place in the document, also where a file has
+/// nothing to say about the document's time.
+atmosphere::WeatherSeries assemble_weather(const io::DocumentSources& sources,
+                                           const io::WeatherDocument& weather,
+                                           const std::optional<geodesy::UtcTime>& time);
 
 /// One line for people: the air at the document's time.
-std::string weather_statement(const io::Document& document, const atmosphere::WeatherSeries& weather);
+std::string weather_statement(const std::optional<geodesy::UtcTime>& document_time,
+                              const atmosphere::WeatherSeries& weather);
 
 }  // namespace ifov::session

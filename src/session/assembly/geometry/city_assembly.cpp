@@ -11,7 +11,6 @@
 #include "core/names.h"
 #include "geometry/world/world_builder.h"
 #include "io/city/city_json_reader.h"
-#include "io/document/document.h"
 #include "io/document/scene_document.h"
 #include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/with_position.h"
@@ -34,7 +33,7 @@ std::string epsg_code(const std::string& system) {
 
 /// Which of the entries of `slots` covers each slot of an object, and under which name the binding knows it.
 std::vector<std::uint32_t> materials_of(const io::ObjectDocument& object, const io::CityObject& thing,
-                                        const io::Document& document, AssignmentAssembly& assignments) {
+                                        const io::DocumentSources& sources, AssignmentAssembly& assignments) {
   std::vector<std::string> names;
   const auto* slots = std::get_if<io::MaterialSlots>(&object.material->value);
   if (slots != nullptr)
@@ -44,7 +43,7 @@ std::vector<std::uint32_t> materials_of(const io::ObjectDocument& object, const 
     const std::string* name = slots != nullptr ? io::city_slot(thing, slot, names) : &slot;
     if (name == nullptr)
       throw io::document_error(
-          document, object.material->position,
+          sources, object.material->position,
           format("no material for the surfaces '{}' of the {} '{}'; give one for '{}', '{}' or 'other'", slot,
                  thing.type, thing.id, slot, thing.type));
     materials.push_back(assignments.assignment(*object.material, *name, object.temperature));
@@ -162,14 +161,14 @@ void report(const std::string& file, const io::CityModel& model, math::Point3 ce
 
 }  // namespace
 
-void place_city(const io::Document& document, const io::ObjectDocument& object,
+void place_city(const io::DocumentSources& sources, const io::ObjectDocument& object,
                 const math::Transform& scene_from_document, const MapFrame& frame,
                 AssignmentAssembly& assignments, geometry::WorldBuilder& builder, LogSink* log) {
   const io::CityShape& shape = std::get<io::CityShape>(object.shape);
   // The object's transform is about the document's coordinates, the model's are on the map.
   const math::Transform scene_from_map =
-      scene_from_document * math::Transform::translation(document.scene.origin.offset_m - frame.offset_m());
-  io::CityModel model = with_position(document, shape.file.position, [&] {
+      scene_from_document * math::Transform::translation(frame.document_offset_m() - frame.offset_m());
+  io::CityModel model = with_position(sources, shape.file.position, [&] {
     io::CityModel read = io::read_city_json(shape.file.path, {shape.lod, shape.types});
     const std::string code = epsg_code(read.reference_system);
     if (frame.reference() == nullptr || code.empty()) return read;
@@ -191,7 +190,7 @@ void place_city(const io::Document& document, const io::ObjectDocument& object,
       warn_of_misspelt_rules(shape.file.path, *slots, model, *log);
   }
   for (io::CityObject& thing : model.objects) {
-    const std::vector<std::uint32_t> materials = materials_of(object, thing, document, assignments);
+    const std::vector<std::uint32_t> materials = materials_of(object, thing, sources, assignments);
     // Roads, lawns and water are parts of the ground, not things that a sensor may miss.
     const bool pilot_ray = object.pilot_ray.value_or(thing.type.starts_with("Building"));
     const math::Transform scene_from_thing =

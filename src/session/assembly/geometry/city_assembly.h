@@ -7,7 +7,7 @@ namespace ifov::geometry {
 class WorldBuilder;
 }
 namespace ifov::io {
-struct Document;
+struct DocumentSources;
 struct ObjectDocument;
 }  // namespace ifov::io
 
@@ -20,7 +20,7 @@ class MapFrame;
 /// own. `scene_from_document` takes map coordinates (after the object's transform) to the scene. Coordinates
 /// in another projection than the scene's are taken over where both are stated. Tells `log` (may be null)
 /// what was read and what was left out. Throws InputError.
-void place_city(const io::Document& document, const io::ObjectDocument& object,
+void place_city(const io::DocumentSources& sources, const io::ObjectDocument& object,
                 const math::Transform& scene_from_document, const MapFrame& frame,
                 AssignmentAssembly& assignments, geometry::WorldBuilder& builder, LogSink* log);
 

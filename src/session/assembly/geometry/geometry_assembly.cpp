@@ -3,13 +3,13 @@
 #include <compare>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "geometry/world.h"
 #include "geometry/world/world_builder.h"
-#include "io/document/document.h"
 #include "io/instances/instance_csv.h"
 #include "io/instances/instance_file.h"
 #include "io/scene_cache/scene_cache.h"
@@ -20,6 +20,7 @@
 #include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/surfaces/assignment_assembly.h"
+#include "session/assembly/surfaces/lamp_assembly.h"
 
 namespace ifov::session {
 namespace {
@@ -54,23 +55,26 @@ class SlotList {
 
 class GeometryAssembly {
  public:
-  GeometryAssembly(const io::Document& document, AssignmentAssembly& assignments, const MapFrame& frame,
-                   LogSink* log, io::SceneCache* cache)
-      : document_(document),
+  GeometryAssembly(const io::DocumentSources& sources, std::span<const io::ObjectDocument> objects,
+                   std::span<const io::PrototypeDocument> prototypes, AssignmentAssembly& assignments,
+                   const MapFrame& frame, LogSink* log, io::SceneCache* cache)
+      : sources_(sources),
+        objects_(objects),
+        prototype_documents_(prototypes),
         assignments_(assignments),
         frame_(frame),
         log_(log),
         cache_(cache),
-        shapes_(document, frame, builder_, cache, log, assignments.any_medium()) {}
+        shapes_(sources, frame, builder_, cache, log, assignments.any_medium()) {}
 
-  std::unique_ptr<geometry::World> assemble(PlacedObjects& placed) {
-    const math::Transform scene_from_document =
-        math::Transform::translation(-document_.scene.origin.offset_m);
-    for (const io::ObjectDocument& object : document_.scene.objects) {
+  std::unique_ptr<geometry::World> assemble(std::span<const PlacedLamp> lamps, PlacedObjects& placed) {
+    const math::Transform scene_from_document = math::Transform::translation(-frame_.document_offset_m());
+    for (const io::ObjectDocument& object : objects_) {
       placed.begin(builder_.object_count());
-      with_position(document_, object.position, [&] { place(object, scene_from_document); });
+      with_position(sources_, object.position, [&] { place(object, scene_from_document); });
     }
     placed.end(builder_.object_count());
+    place_lamps(lamps);
     geometry::BuildOptions options;
     options.surveyed = assignments_.mirrors();
     options.lobes = assignments_.lobes();
@@ -84,7 +88,7 @@ class GeometryAssembly {
       place_copies(object, prototype(of->name), scene_from_object);
     } else if (std::holds_alternative<io::CityShape>(object.shape)) {
       assignments_.refuse_media(*object.material);
-      place_city(document_, object, scene_from_object, frame_, assignments_, builder_, log_);
+      place_city(sources_, object, scene_from_object, frame_, assignments_, builder_, log_);
     } else if (const auto* placement = std::get_if<io::RandomPlacement>(&object.shape)) {
       place_at_random(object, *placement, scene_from_document);
     } else {
@@ -95,6 +99,18 @@ class GeometryAssembly {
         materials.push_back(assignments_.assignment(*object.material, slot, object.temperature));
       builder_.place(shape.id, scene_from_object * shape.object_from_shape, materials,
                      object.pilot_ray.value_or(true));
+    }
+  }
+
+  void place_lamps(std::span<const PlacedLamp> lamps) {
+    std::optional<geometry::ShapeId> ball, disk;
+    for (const PlacedLamp& lamp : lamps) {
+      std::optional<geometry::ShapeId>& shape = lamp.is_disk ? disk : ball;
+      if (!shape)
+        shape = builder_.add_shape(lamp.is_disk ? geometry::Shape(geometry::Disk{})
+                                                : geometry::Shape(geometry::Sphere{}));
+      const std::vector<std::uint32_t> materials{assignments_.assignment(lamp.state)};
+      builder_.place(*shape, lamp.scene_from_unit, materials, true);
     }
   }
 
@@ -120,8 +136,7 @@ class GeometryAssembly {
                        const math::Transform& scene_from_document) {
     const geometry::World* carrier =
         placement.on ? &ground(placement.on->name, scene_from_document) : nullptr;
-    std::vector<std::vector<io::Instance>> copies =
-        random_copies(document_, placement, frame_, carrier, log_);
+    std::vector<std::vector<io::Instance>> copies = random_copies(sources_, placement, frame_, carrier, log_);
     for (std::size_t k = 0; k < copies.size(); ++k) {
       if (copies[k].empty()) continue;
       const BuiltPrototype& built = prototype(placement.of[k].prototype.name);
@@ -135,10 +150,10 @@ class GeometryAssembly {
   const geometry::World& ground(const std::string& name, const math::Transform& scene_from_document) {
     std::unique_ptr<geometry::World>& world = grounds_[name];
     if (world) return *world;
-    GeometryAssembly alone(document_, assignments_, frame_, nullptr, cache_);
-    for (const io::ObjectDocument& object : document_.scene.objects)
+    GeometryAssembly alone(sources_, objects_, prototype_documents_, assignments_, frame_, nullptr, cache_);
+    for (const io::ObjectDocument& object : objects_)
       if (object.name == name && object.material)
-        with_position(document_, object.position, [&] { alone.place(object, scene_from_document); });
+        with_position(sources_, object.position, [&] { alone.place(object, scene_from_document); });
     world = alone.builder_.build();
     return *world;
   }
@@ -149,10 +164,10 @@ class GeometryAssembly {
     BuiltPrototype built;
     SlotList slots;
     std::vector<geometry::Part> parts;
-    for (const io::PrototypeDocument& source : document_.scene.prototypes) {
+    for (const io::PrototypeDocument& source : prototype_documents_) {
       if (source.name != name) continue;
       for (const io::ObjectDocument& object : source.objects)
-        with_position(document_, object.position, [&] { parts.push_back(part_of(object, slots)); });
+        with_position(sources_, object.position, [&] { parts.push_back(part_of(object, slots)); });
     }
     built.slots = std::move(slots).take();
     built.id = builder_.add_prototype(parts);
@@ -195,7 +210,7 @@ class GeometryAssembly {
     const auto file = many->binary ? many->binary : many->csv;
     if (file) {
       const auto list =
-          with_position(document_, file->position, [&]() -> std::shared_ptr<const geometry::Placements> {
+          with_position(sources_, file->position, [&]() -> std::shared_ptr<const geometry::Placements> {
             if (many->binary) return std::make_shared<io::InstanceFile>(file->path);
             return cached_instances(cache_, {file->path}, [&] { return io::read_instance_csv(file->path); });
           });
@@ -215,7 +230,9 @@ class GeometryAssembly {
     return transform * math::Transform::scaling(source.scale);
   }
 
-  const io::Document& document_;
+  const io::DocumentSources& sources_;
+  std::span<const io::ObjectDocument> objects_;
+  std::span<const io::PrototypeDocument> prototype_documents_;
   AssignmentAssembly& assignments_;
   const MapFrame& frame_;
   LogSink* log_;
@@ -228,11 +245,15 @@ class GeometryAssembly {
 
 }  // namespace
 
-std::unique_ptr<geometry::World> assemble_geometry(const io::Document& document,
-                                                   AssignmentAssembly& assignments, const MapFrame& frame,
+std::unique_ptr<geometry::World> assemble_geometry(const io::DocumentSources& sources,
+                                                   std::span<const io::ObjectDocument> objects,
+                                                   std::span<const io::PrototypeDocument> prototypes,
+                                                   AssignmentAssembly& assignments,
+                                                   std::span<const PlacedLamp> lamps, const MapFrame& frame,
                                                    LogSink* log, io::SceneCache* cache,
                                                    PlacedObjects& placed) {
-  return GeometryAssembly(document, assignments, frame, log, cache).assemble(placed);
+  return GeometryAssembly(sources, objects, prototypes, assignments, frame, log, cache)
+      .assemble(lamps, placed);
 }
 
 }  // namespace ifov::session

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/format.h"
-#include "io/document/document.h"
+#include "io/document/scene_document.h"
 
 namespace ifov::session {
 namespace {
@@ -26,9 +26,9 @@ std::size_t PlacedObjects::of(std::uint32_t placed) const {
          1;
 }
 
-std::string title_of(const io::Document& document, std::size_t object) {
-  if (object >= document.scene.objects.size()) return "an object";
-  const io::ObjectDocument& one = document.scene.objects[object];
+std::string title_of(std::span<const io::ObjectDocument> objects, std::size_t object) {
+  if (object >= objects.size()) return "an object";
+  const io::ObjectDocument& one = objects[object];
   if (!one.name.empty()) return format("'{}' (line {})", one.name, one.position.line);
   return format("scene.objects[{}] (a {}, line {})", object, std::visit(KindOfShape{}, one.shape),
                 one.position.line);

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace ifov::io {
-struct Document;
+struct ObjectDocument;
 }
 
 namespace ifov::session {
@@ -27,7 +28,8 @@ class PlacedObjects {
   std::vector<std::uint32_t> first_;  ///< by object of the document, and the number of all at the end
 };
 
-/// "'tower' (line 23)", "scene.objects[0] (a plane, line 12)": for messages.
-std::string title_of(const io::Document& document, std::size_t object);
+/// "'tower' (line 23)", "scene.objects[0] (a plane, line 12)": for messages. `objects` are those of
+/// the document's scene.
+std::string title_of(std::span<const io::ObjectDocument> objects, std::size_t object);
 
 }  // namespace ifov::session

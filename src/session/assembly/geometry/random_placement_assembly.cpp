@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "core/overloaded.h"
-#include "io/document/document.h"
 #include "sampling/random_placement.h"
 #include "session/assembly/shared/raster_assembly.h"
 #include "session/assembly/shared/with_position.h"
@@ -129,11 +128,11 @@ std::vector<std::optional<double>> heights_of(const std::vector<sampling::Random
 
 }  // namespace
 
-std::vector<std::vector<io::Instance>> random_copies(const io::Document& document,
+std::vector<std::vector<io::Instance>> random_copies(const io::DocumentSources& sources,
                                                      const io::RandomPlacement& source, const MapFrame& frame,
                                                      const geometry::World* ground, LogSink* log) {
   const sampling::PlacementArea area{source.low_m[0], source.low_m[1], source.high_m[0], source.high_m[1]};
-  return with_position(document, source.density_position, [&] {
+  return with_position(sources, source.density_position, [&] {
     const Density density =
         std::visit(Overloaded{[](double even_m2) {
                                 return Density{even_m2, {}};

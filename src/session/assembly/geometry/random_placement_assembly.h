@@ -9,7 +9,7 @@
 #include "session/assembly/shared/map_frame.h"
 
 namespace ifov::io {
-struct Document;
+struct DocumentSources;
 }
 
 namespace ifov::session {
@@ -18,7 +18,7 @@ namespace ifov::session {
 /// is what they stand on, in those of the scene; null: they stand at the document's height. Says in the log
 /// how dense they stand; warns where the minimum distance does not allow the density that is asked for, and
 /// of places without ground.
-std::vector<std::vector<io::Instance>> random_copies(const io::Document& document,
+std::vector<std::vector<io::Instance>> random_copies(const io::DocumentSources& sources,
                                                      const io::RandomPlacement& source, const MapFrame& frame,
                                                      const geometry::World* ground, LogSink* log);
 

@@ -6,7 +6,6 @@
 #include "core/error.h"
 #include "core/overloaded.h"
 #include "geometry/mesh_topology.h"
-#include "io/document/document.h"
 #include "io/document/shapes/primitive.h"
 #include "io/mesh/mesh_reader.h"
 #include "session/assembly/geometry/mesh_cache.h"
@@ -59,7 +58,7 @@ BuiltShape ShapeAssembly::shape(const io::MeshShape& s) {
   const std::string key = format("{}|{}|{}", s.file.path, s.unit_m, y_is_up);
   const auto known = meshes_.find(key);
   if (known != meshes_.end()) return known->second;
-  return with_position(document_, s.file.position, [&] {
+  return with_position(sources_, s.file.position, [&] {
     geometry::Body body =
         cached_mesh(cache_, {{s.file.path}, "", [&] { return io::further_mesh_files(s.file.path); }},
                     [&] { return io::read_mesh(s.file.path, log_); });
@@ -77,11 +76,11 @@ BuiltShape ShapeAssembly::shape(const io::MeshShape& s) {
 
 BuiltShape ShapeAssembly::shape(const io::TerrainShape& s) {
   // Its coordinates are about the scene's origin; the object's transform is meant for those of the document.
-  return with_position(document_, s.file.position, [&]() -> BuiltShape {
+  return with_position(sources_, s.file.position, [&]() -> BuiltShape {
     return {is_traced_in_raster(s, frame_, use_ == Use::part_of_prototype)
                 ? builder_.add_height_field(assemble_height_field(s, frame_, log_))
                 : builder_.add_body(assemble_terrain(s, frame_, cache_, log_)),
-            math::Transform::translation(document_.scene.origin.offset_m),
+            math::Transform::translation(frame_.document_offset_m()),
             {""},
             false};
   });

@@ -10,7 +10,7 @@
 #include "session/assembly/shared/map_frame.h"
 
 namespace ifov::io {
-struct Document;
+struct DocumentSources;
 class SceneCache;
 }  // namespace ifov::io
 
@@ -29,9 +29,9 @@ struct BuiltShape {
 class ShapeAssembly {
  public:
   /// `cache` and `log` may be null.
-  ShapeAssembly(const io::Document& document, const MapFrame& frame, geometry::WorldBuilder& builder,
+  ShapeAssembly(const io::DocumentSources& sources, const MapFrame& frame, geometry::WorldBuilder& builder,
                 io::SceneCache* cache, LogSink* log, bool tells_insides)
-      : document_(document),
+      : sources_(sources),
         frame_(frame),
         builder_(builder),
         cache_(cache),
@@ -51,7 +51,7 @@ class ShapeAssembly {
   BuiltShape shape(const io::InstancesShape&);
   BuiltShape shape(const io::RandomPlacement&);
 
-  const io::Document& document_;
+  const io::DocumentSources& sources_;
   const MapFrame& frame_;
   geometry::WorldBuilder& builder_;
   io::SceneCache* cache_;

@@ -8,6 +8,7 @@
 #include "geometry/terrain_mesh.h"
 #include "io/raster/elevation.h"
 #include "io/raster/raster.h"
+#include "io/scene_cache/cache_writer.h"
 #include "io/scene_cache/scene_cache.h"
 #include "session/assembly/geometry/mesh_cache.h"
 

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "io/document/document.h"
 #include "session/assembly/shared/with_position.h"
 
 namespace ifov::session {
@@ -14,11 +13,10 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 }  // namespace
 
-MapFrame::MapFrame(const io::Document& document) {
-  const io::OriginDocument& origin = document.scene.origin;
-  offset_m_ = origin.offset_m;
+MapFrame::MapFrame(const io::DocumentSources& sources, const io::OriginDocument& origin)
+    : document_offset_m_(origin.offset_m), offset_m_(origin.offset_m) {
   if (origin.crs.empty()) return;
-  with_position(document, origin.crs_position, [&] {
+  with_position(sources, origin.crs_position, [&] {
     reference_.emplace(origin.crs);
     if (!reference_->is_projected() || reference_->metres_per_unit() != 1.0)
       throw InputError(format("the scene's coordinates are metres; '{}' is not a map projection in metres",

@@ -8,7 +8,7 @@
 #include "io/raster/map_reference.h"
 
 namespace ifov::io {
-struct Document;
+struct DocumentSources;
 }
 
 namespace ifov::session {
@@ -17,7 +17,10 @@ namespace ifov::session {
 class MapFrame {
  public:
   /// Throws InputError, at the origin's place in the document, where its reference is unknown or not in metres.
-  explicit MapFrame(const io::Document& document);
+  MapFrame(const io::DocumentSources& sources, const io::OriginDocument& origin);
+
+  /// What coordinates of the document are lessened by to be about the scene's origin, metres.
+  math::Vec3 document_offset_m() const { return document_offset_m_; }
 
   /// Map coordinates of the scene's origin, metres.
   math::Vec3 offset_m() const { return offset_m_; }
@@ -31,7 +34,7 @@ class MapFrame {
 
  private:
   std::optional<io::MapReference> reference_;
-  math::Vec3 offset_m_;
+  math::Vec3 document_offset_m_, offset_m_;
 };
 
 /// The system of a scene's map coordinates, for its products, as well-known text: the one that the origin names; else a

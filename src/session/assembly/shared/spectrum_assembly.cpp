@@ -1,6 +1,6 @@
 #include "session/assembly/shared/spectrum_assembly.h"
 
-#include "io/document/document.h"
+#include "io/document/spectrum_document.h"
 #include "io/library/material_library.h"
 #include "io/spectra/asd.h"
 #include "io/spectra/csv_spectrum.h"
@@ -42,13 +42,13 @@ void require_optical(const radiometry::Spectrum& read) {
 }
 
 struct Assemble {
-  const io::Document& document;
+  const io::DocumentSources& sources;
   const io::SpectrumDocument& spectrum;
 
   /// Reads and, where something is wrong, says so at the place in the document that names the file.
   template <class Read>
   auto from(const io::DocumentFile& file, const Read& read) const {
-    return with_position(document, file.position, read);
+    return with_position(sources, file.position, read);
   }
 
   /// The part of a file's spectrum that counts, without the noise of the measurement.
@@ -98,7 +98,7 @@ struct Assemble {
     std::vector<radiometry::Spectrum> parts;
     for (const io::DocumentFile& file : source.files)
       parts.push_back(from(file, [&] { return io::read_ecostress(file.path).reflectance; }));
-    return with_position(document, spectrum.position, [&] {
+    return with_position(sources, spectrum.position, [&] {
       return of_sample(parts.size() == 1 ? parts[0] : joined(parts[0], parts[1]),
                        io::SampleQuantity::reflectance);
     });
@@ -156,7 +156,7 @@ struct Assemble {
 
   radiometry::Spectrum operator()(const io::JoinedSpectrum& source) const {
     const auto part = [&](const io::SpectrumDocument& one) {
-      return assemble_spectrum(document, one, "a part to join");
+      return assemble_spectrum(sources, one, "a part to join");
     };
     return joined(part(source.parts[0]), part(source.parts[1]));
   }
@@ -164,11 +164,11 @@ struct Assemble {
 
 }  // namespace
 
-radiometry::Spectrum assemble_spectrum(const io::Document& document, const io::SpectrumDocument& spectrum,
-                                       const std::string& name) {
-  return with_position(document, spectrum.position,
+radiometry::Spectrum assemble_spectrum(const io::DocumentSources& sources,
+                                       const io::SpectrumDocument& spectrum, const std::string& name) {
+  return with_position(sources, spectrum.position,
                        [&] {
-                         return std::visit(Assemble{document, spectrum}, spectrum.source);
+                         return std::visit(Assemble{sources, spectrum}, spectrum.source);
                        })
       .with_outside(outside_range(spectrum.outside))
       .with_name(name);

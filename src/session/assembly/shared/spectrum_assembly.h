@@ -5,14 +5,14 @@
 #include "radiometry/spectrum.h"
 
 namespace ifov::io {
-struct Document;
+struct DocumentSources;
 struct SpectrumDocument;
 }  // namespace ifov::io
 
 namespace ifov::session {
 
-/// Reads the files that a spectrum of the document names. `name` is what later messages call it.
-radiometry::Spectrum assemble_spectrum(const io::Document& document, const io::SpectrumDocument& spectrum,
-                                       const std::string& name);
+/// Reads the files that a spectrum of a document names. `name` is what later messages call it.
+radiometry::Spectrum assemble_spectrum(const io::DocumentSources& sources,
+                                       const io::SpectrumDocument& spectrum, const std::string& name);
 
 }  // namespace ifov::session

@@ -8,14 +8,14 @@ namespace ifov::session {
 /// broken, a spectrum with a gap) comes out as an InputError at that place of the document, with the cause's own
 /// message in it, unless it has a place in the document already.
 template <class Action>
-auto with_position(const io::Document& document, const SourcePosition& position, Action&& action) {
+auto with_position(const io::DocumentSources& sources, const SourcePosition& position, Action&& action) {
   try {
     return action();
   } catch (const InputError& error) {
     if (error.position().line > 0 && error.position().file == position.file) throw;
-    throw io::document_error(document, position, error.what());
+    throw io::document_error(sources, position, error.what());
   } catch (const SystemError& error) {
-    throw io::document_error(document, position, error.what());
+    throw io::document_error(sources, position, error.what());
   }
 }
 

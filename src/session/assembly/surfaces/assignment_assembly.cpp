@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/overloaded.h"
-#include "io/document/document.h"
 #include "io/raster/fill_unknown.h"
 #include "io/spectra/brdf_table.h"
 #include "materials/bsdf/bsdf_model.h"
@@ -20,13 +19,13 @@ namespace ifov::session {
 namespace {
 
 /// Whether a spectrum keeps to what its parameter may be, in all wavelengths.
-void check_range(const io::Document& document, const io::SpectrumDocument& source,
+void check_range(const io::DocumentSources& sources, const io::SpectrumDocument& source,
                  const radiometry::Spectrum& spectrum, const materials::BsdfParameter& parameter) {
   const double low = spectrum.minimum(), high = spectrum.maximum();
   if (low >= parameter.low && high <= parameter.high) return;
   const bool is_low = low < parameter.low;
   const double limit = is_low ? parameter.low : parameter.high, value = is_low ? low : high;
-  with_position(document, source.position, [&] {
+  with_position(sources, source.position, [&] {
     throw InputError(format("'{}' is {:g}{}, {} {:g}: it lies between {:g} and {:g}", parameter.key, value,
                             spectrum.is_constant() ? "" : " at some wavelength", is_low ? "below" : "above",
                             limit, parameter.low, parameter.high));
@@ -46,9 +45,14 @@ void check_two_sided(const io::MaterialDocument& source) {
 
 }  // namespace
 
-AssignmentAssembly::AssignmentAssembly(const io::Document& document, const MapFrame& frame,
-                                       scene::Scene& scene, LogSink* log)
-    : document_(document), scene_(scene), log_(log), textures_(document, frame, log) {
+AssignmentAssembly::AssignmentAssembly(const io::DocumentSources& sources,
+                                       const std::vector<io::MaterialDocument>& materials, std::uint64_t seed,
+                                       const MapFrame& frame, scene::Scene& scene, LogSink* log)
+    : sources_(sources),
+      written_(materials),
+      scene_(scene),
+      log_(log),
+      textures_(sources, materials, seed, frame, log) {
   add_materials();
 }
 
@@ -68,12 +72,12 @@ void AssignmentAssembly::assemble_scattering(const io::MaterialDocument& source,
                           [&](const std::string& word) { inputs.values.emplace_back(key, word); },
                           [&](const io::SpectrumDocument& spectrum) {
                             const radiometry::Spectrum values =
-                                assemble_spectrum(document_, spectrum, format("{} of {}", key, source.name));
-                            check_range(document_, spectrum, values, parameter(key));
+                                assemble_spectrum(sources_, spectrum, format("{} of {}", key, source.name));
+                            check_range(sources_, spectrum, values, parameter(key));
                             inputs.values.emplace_back(key, values);
                           },
                           [&](const io::DocumentFile& file) {
-                            with_position(document_, file.position, [&] {
+                            with_position(sources_, file.position, [&] {
                               inputs.values.emplace_back(key, io::read_brdf_table(file.path));
                             });
                           },
@@ -81,29 +85,37 @@ void AssignmentAssembly::assemble_scattering(const io::MaterialDocument& source,
                value);
   }
   material.bsdf = model.make(inputs);
+  const bool directional = !material.bsdf->is_separable(),
+             transmits = directional && material.bsdf->may_transmit();
+  if (transmits && source.transmittance)
+    throw InputError(format("material '{}': '{}' says itself what it transmits; leave 'transmittance' out",
+                            source.name, model.key));
+  if (transmits) material.transmittance.reset();
   materials::check(material);
-  if (!material.bsdf->is_separable())
-    material.reflectance = materials::directional_hemispherical(*material.bsdf, materials::Side::reflected,
-                                                                materials::kBihemispherical);
+  const auto whole = [&](materials::Side side) {
+    return materials::directional_hemispherical(*material.bsdf, side, materials::kBihemispherical);
+  };
+  if (directional) material.reflectance = whole(materials::Side::reflected);
+  if (transmits) material.transmittance = whole(materials::Side::transmitted);
 }
 
 void AssignmentAssembly::add_materials() {
   std::vector<materials::Material> further;
-  const auto first = static_cast<std::uint32_t>(document_.scene.materials.size());
-  for (const io::MaterialDocument& source : document_.scene.materials) {
+  const auto first = static_cast<std::uint32_t>(written_.size());
+  for (const io::MaterialDocument& source : written_) {
     materials::Material material;
     material.name = source.name;
     if (source.transmittance)
       material.transmittance =
-          assemble_spectrum(document_, *source.transmittance, format("transmittance of {}", source.name));
+          assemble_spectrum(sources_, *source.transmittance, format("transmittance of {}", source.name));
     if (source.temperature)
       if (const double* fixed_k = std::get_if<double>(&source.temperature->value))
         material.temperature_k = *fixed_k;
     const auto take = [&](const io::SpectrumDocument& curve, const std::string& what) {
       const radiometry::Spectrum spectrum =
-          assemble_spectrum(document_, curve, format("{}{}", what, source.name));
+          assemble_spectrum(sources_, curve, format("{}{}", what, source.name));
       material.reflectance = source.is_emissivity ? spectrum.complement() : spectrum;
-      with_position(document_, source.position, [&] { assemble_scattering(source, material); });
+      with_position(sources_, source.position, [&] { assemble_scattering(source, material); });
     };
     take(source.spectrum, source.further_curves.empty() ? "" : "curve 1 of ");
     scene_.materials.push_back(material);
@@ -116,7 +128,7 @@ void AssignmentAssembly::add_materials() {
     const auto own = static_cast<std::uint32_t>(scene_.materials.size() - 1);
     behind_.push_back(own);
     if (const std::shared_ptr<const materials::Bsdf> behind = scene_.materials[own].bsdf->behind()) {
-      with_position(document_, source.position, [&] { check_two_sided(source); });
+      with_position(sources_, source.position, [&] { check_two_sided(source); });
       materials::Material back = scene_.materials[own];
       back.bsdf = behind;
       back.reflectance = materials::directional_hemispherical(*behind, materials::Side::reflected,
@@ -143,21 +155,21 @@ std::uint32_t AssignmentAssembly::assignment(const io::MaterialBinding& binding,
                      for (const auto& slot : slots.slots)
                        names += (names.empty() ? "'" : ", '") + slot.first + "'";
                      throw io::document_error(
-                         document_, binding.position,
+                         sources_, binding.position,
                          format("no material for slot '{}' of the mesh; the slots given are {}", slot_name,
                                 names.empty() ? "none" : names));
                    }
                    surfaces.push_back(surface_of(found->second, temperature));
                  },
                  [&](const io::MaterialMap& map) {
-                   with_position(document_, binding.position, [&] { assignment.classes = class_map(map); });
+                   with_position(sources_, binding.position, [&] { assignment.classes = class_map(map); });
                    for (const auto& entry : map.classes)
                      surfaces.push_back(surface_of(entry.second, temperature));
                  },
                  [&](const io::MixtureDocument& source) {
                    for (const io::DocumentName& material : source.materials)
                      surfaces.push_back(surface_of(material, temperature));
-                   with_position(document_, binding.position,
+                   with_position(sources_, binding.position,
                                  [&] { assignment.patterns.push_back(mixture(source, surfaces)); });
                    assignment.states.push_back(surfaces[0].state);
                  }},
@@ -167,7 +179,7 @@ std::uint32_t AssignmentAssembly::assignment(const io::MaterialBinding& binding,
       assignment.states.push_back(surface.state);
       assignment.temperatures.push_back(surface.temperature);
     }
-  with_position(document_, binding.position, [&] { check_one_sided(binding, surfaces); });
+  with_position(sources_, binding.position, [&] { check_one_sided(binding, surfaces); });
   add_backs(assignment, surfaces);
   add_patterns(assignment, surfaces);
   return add(std::move(assignment));
@@ -209,8 +221,8 @@ bool AssignmentAssembly::any_medium() const {
 void AssignmentAssembly::refuse_media(const io::MaterialBinding& binding) const {
   const auto check = [&](const io::DocumentName& name) {
     if (refracts(material_index(name.name)))
-      throw io::document_error(
-          document_, binding.position,
+      throw io::sources_error(
+          sources_, binding.position,
           format(
               "light is refracted into '{}', but this shape has no inside: take a solid (a box, a sphere, a "
               "closed mesh) or a plane, {{\"slab\": ...}} for a pane, or \"over\": \"absorber\" where "
@@ -230,6 +242,12 @@ void AssignmentAssembly::refuse_media(const io::MaterialBinding& binding) const 
              binding.value);
 }
 
+std::uint32_t AssignmentAssembly::assignment(scene::SurfaceState surface) {
+  scene::SurfaceAssignment assignment;
+  assignment.states.push_back(state(surface));
+  return add(std::move(assignment));
+}
+
 void AssignmentAssembly::add_patterns(scene::SurfaceAssignment& assignment,
                                       const std::vector<Surface>& surfaces) {
   std::vector<Pattern> reliefs, textures;
@@ -237,7 +255,7 @@ void AssignmentAssembly::add_patterns(scene::SurfaceAssignment& assignment,
     if (std::find(list.begin(), list.end(), pattern) == list.end()) list.push_back(pattern);
   };
   for (const Surface& surface : surfaces) {
-    const io::MaterialDocument& source = document_.scene.materials[surface.material];
+    const io::MaterialDocument& source = written_[surface.material];
     if (source.relief) {
       Pattern& relief = patterns_[format("relief {}", surface.material)];
       if (!relief)
@@ -340,11 +358,11 @@ AssignmentAssembly::Surface AssignmentAssembly::surface_of(
   Surface surface;
   surface.material = material_index(material.name);
   const std::optional<io::TemperatureDocument>& source =
-      temperature ? temperature : document_.scene.materials[surface.material].temperature;
+      temperature ? temperature : written_[surface.material].temperature;
   if (source) {
     std::visit(Overloaded{[&](double fixed_k) { surface.fixed_k = fixed_k; },
                           [&](const io::TemperatureMap& map) {
-                            with_position(document_, source->position,
+                            with_position(sources_, source->position,
                                           [&] { surface.temperature = temperature_map(map); });
                           }},
                source->value);
@@ -391,8 +409,8 @@ std::shared_ptr<const materials::TemperatureMap> AssignmentAssembly::temperature
 }
 
 std::uint32_t AssignmentAssembly::material_index(const std::string& name) const {
-  for (std::size_t m = 0; m < document_.scene.materials.size(); ++m)
-    if (document_.scene.materials[m].name == name) return static_cast<std::uint32_t>(m);
+  for (std::size_t m = 0; m < written_.size(); ++m)
+    if (written_[m].name == name) return static_cast<std::uint32_t>(m);
   throw InputError(format("there is no material '{}'", name));
 }
 

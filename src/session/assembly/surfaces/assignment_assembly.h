@@ -15,7 +15,7 @@
 #include "session/assembly/surfaces/texture_assembly.h"
 
 namespace ifov::io {
-struct Document;
+struct DocumentSources;
 }
 namespace ifov::materials {
 class ClassMap;
@@ -37,13 +37,17 @@ namespace ifov::session {
 class AssignmentAssembly {
  public:
   /// Reads all materials into the scene: those of the document in its order, then the further curves of textured ones.
-  /// Keeps all references; `log` may be null.
-  AssignmentAssembly(const io::Document& document, const MapFrame& frame, scene::Scene& scene, LogSink* log);
+  /// Keeps all references; `seed` as of TextureAssembly; `log` may be null.
+  AssignmentAssembly(const io::DocumentSources& sources, const std::vector<io::MaterialDocument>& materials,
+                     std::uint64_t seed, const MapFrame& frame, scene::Scene& scene, LogSink* log);
 
   /// Index of the surface assignment for a binding on one slot of an object (`slot_name` as in a mesh file, else empty);
   /// `temperature` replaces the materials' own.
   std::uint32_t assignment(const io::MaterialBinding& binding, const std::string& slot_name,
                            const std::optional<io::TemperatureDocument>& temperature);
+
+  /// Of a surface of one state, without maps.
+  std::uint32_t assignment(scene::SurfaceState surface);
 
   /// By surface assignment made so far: whether any of its materials is a mirror; empty where none is.
   std::vector<bool> mirrors() const;
@@ -83,7 +87,8 @@ class AssignmentAssembly {
   bool refracts(std::uint32_t material) const;
   std::uint32_t add(scene::SurfaceAssignment assignment);
 
-  const io::Document& document_;
+  const io::DocumentSources& sources_;
+  const std::vector<io::MaterialDocument>& written_;
   scene::Scene& scene_;
   LogSink* log_;
   TextureAssembly textures_;

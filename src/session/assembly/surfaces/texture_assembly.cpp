@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "core/overloaded.h"
-#include "io/document/document.h"
 #include "materials/relief_map.h"
 #include "sampling/hash.h"
 #include "session/assembly/shared/with_position.h"
@@ -29,7 +28,7 @@ materials::MapGrid TextureAssembly::grid(const io::RasterDocument& source, const
 
 materials::TextureMap::Image TextureAssembly::image(const io::TextureImage& source,
                                                     const std::string& material) {
-  return with_position(document_, source.raster.file.position, [&] {
+  return with_position(sources_, source.raster.file.position, [&] {
     const io::Raster& raster = read(source.raster);
     const std::string& path = source.raster.file.path;
     materials::ImageScores scores;
@@ -61,19 +60,19 @@ std::shared_ptr<const materials::TextureMap> TextureAssembly::texture(
     std::size_t material, const std::vector<radiometry::Spectrum>& curves) {
   std::shared_ptr<const materials::TextureMap>& shared = textures_[material];
   if (shared) return shared;
-  const io::MaterialDocument& source = document_.scene.materials[material];
+  const io::MaterialDocument& source = written_[material];
   std::vector<materials::SpectralRange> ranges;
   std::vector<materials::TextureMap::Image> images;
   for (const io::TextureImage& one : source.texture->images) {
     ranges.push_back({one.from_um, one.to_um});
     images.push_back(image(one, source.name));
   }
-  with_position(document_, source.texture->position, [&] {
+  with_position(sources_, source.texture->position, [&] {
     const auto distance = source.texture->covariance ? materials::CurveMatcher::Distance::covariance
                                                      : materials::CurveMatcher::Distance::plain;
     materials::CurveMatcher matcher(materials::range_means(curves, ranges), ranges.size(), distance);
     shared = std::make_shared<materials::TextureMap>(std::move(images), std::move(matcher),
-                                                     sampling::hash(document_.seed, material));
+                                                     sampling::hash(seed_, material));
   });
   return shared;
 }
@@ -102,8 +101,8 @@ std::shared_ptr<const materials::ReliefMap> TextureAssembly::read_relief(const i
 
 std::shared_ptr<const materials::ReliefMap> TextureAssembly::relief(std::size_t material) {
   std::shared_ptr<const materials::ReliefMap>& shared = reliefs_[material];
-  const io::ReliefDocument& source = *document_.scene.materials[material].relief;
-  if (!shared) with_position(document_, source.position, [&] { shared = read_relief(source); });
+  const io::ReliefDocument& source = *written_[material].relief;
+  if (!shared) with_position(sources_, source.position, [&] { shared = read_relief(source); });
   return shared;
 }
 

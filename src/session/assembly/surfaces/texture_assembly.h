@@ -14,7 +14,7 @@
 #include "session/assembly/shared/raster_assembly.h"
 
 namespace ifov::io {
-struct Document;
+struct DocumentSources;
 }
 namespace ifov::materials {
 class ReliefMap;
@@ -22,11 +22,13 @@ class ReliefMap;
 
 namespace ifov::session {
 
-/// Makes the textures and reliefs of materials, each once, and knows every map of the scene.
+/// Makes the textures and reliefs of materials, each once, and knows every map of the scene. Keeps all references; `seed` tells
+/// textures of the same numbers apart; `log` may be null.
 class TextureAssembly {
  public:
-  TextureAssembly(const io::Document& document, const MapFrame& frame, LogSink* log)
-      : document_(document), frame_(frame), log_(log) {}
+  TextureAssembly(const io::DocumentSources& sources, const std::vector<io::MaterialDocument>& materials,
+                  std::uint64_t seed, const MapFrame& frame, LogSink* log)
+      : sources_(sources), written_(materials), seed_(seed), frame_(frame), log_(log) {}
 
   /// The texture of a material of the document, whose curves are given as reflectances. Says where a histogram looks
   /// clipped and where an image has cells without a number.
@@ -43,7 +45,9 @@ class TextureAssembly {
   materials::TextureMap::Image image(const io::TextureImage& source, const std::string& material);
   std::shared_ptr<const materials::ReliefMap> read_relief(const io::ReliefDocument& source);
 
-  const io::Document& document_;
+  const io::DocumentSources& sources_;
+  const std::vector<io::MaterialDocument>& written_;
+  std::uint64_t seed_;
   const MapFrame& frame_;
   LogSink* log_;
   RasterStore rasters_;

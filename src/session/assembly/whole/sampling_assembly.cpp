@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "io/document/document.h"
 #include "io/document/samplers/accuracy_sampling.h"
+#include "io/document/sampling_document.h"
+#include "io/document/sensor_document.h"
 #include "render/image_renderer.h"
 #include "sampling/tile.h"
 #include "session/assembly/shared/spectrum_assembly.h"
@@ -25,14 +26,15 @@ render::ErrorUnit unit_of(io::ErrorSize::Unit unit) {
 }
 
 struct Plan {
-  const io::Document& document;
+  const io::DocumentSources& sources;
+  std::span<const io::ChannelDocument> written;
   const std::vector<radiometry::Channel>& channels;
 
   std::vector<int> judged(const io::DocumentName* channel) const {
     if (channel == nullptr) return {};
     for (std::size_t c = 0; c < channels.size(); ++c)
       if (channels[c].name == channel->name) return {static_cast<int>(c)};
-    throw io::document_error(document, channel->position, format("there is no channel '{}'", channel->name));
+    throw io::document_error(sources, channel->position, format("there is no channel '{}'", channel->name));
   }
 
   /// Noise of every channel, W m-2 sr-1 um-1. InputError at a judged channel that declares none.
@@ -40,10 +42,10 @@ struct Plan {
     constexpr double kWarm_k = 300.0;
     std::vector<double> result(channels.size(), 0.0);
     for (std::size_t c = 0; c < channels.size(); ++c) {
-      const io::ChannelDocument& source = document.sensor.channels[c];
+      const io::ChannelDocument& source = written[c];
       if (source.noise)
-        result[c] = with_position(document, source.position, [&] {
-          return assemble_spectrum(document, *source.noise, "noise").at(channels[c].centre_um);
+        result[c] = with_position(sources, source.position, [&] {
+          return assemble_spectrum(sources, *source.noise, "noise").at(channels[c].centre_um);
         });
       else if (source.noise_k)
         result[c] = *source.noise_k * radiometry::channel_planck_slope_w_m2_sr_um_k(channels[c], kWarm_k);
@@ -51,7 +53,7 @@ struct Plan {
           judged.empty() || std::find(judged.begin(), judged.end(), static_cast<int>(c)) != judged.end();
       if (asked && !(result[c] > 0.0))
         throw io::document_error(
-            document, source.position,
+            sources, source.position,
             format("the accuracy is stated as a share of the sensor's noise, and channel '{}' has "
                    "none above 0: give it 'noise' or 'noise_temperature'",
                    source.name));
@@ -83,15 +85,16 @@ struct Plan {
 
 }  // namespace
 
-SamplingPlan assemble_sampling(const io::Document& document,
+SamplingPlan assemble_sampling(const io::DocumentSources& sources, const io::SamplingDocument& sampling,
+                               std::span<const io::ChannelDocument> written,
                                const std::vector<radiometry::Channel>& channels) {
-  const Plan assemble{document, channels};
-  const io::SamplerSettings& settings = *document.sampling.method;
+  const Plan assemble{sources, written, channels};
+  const io::SamplerSettings& settings = *sampling.method;
   SamplingPlan plan;
   plan.sampler = settings.build();
   plan.method = settings.description();
   plan.knows_errors = settings.knows_errors();
-  if (const auto* accuracy = io::sampler_as<io::AccuracySampling>(document.sampling))
+  if (const auto* accuracy = io::sampler_as<io::AccuracySampling>(sampling))
     assemble.ask(*accuracy, plan);
   else
     plan.steering_channels = assemble.judged(settings.channel_looked_at());

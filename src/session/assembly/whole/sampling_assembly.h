@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,10 @@
 #include "render/tolerance/accuracy_request.h"
 
 namespace ifov::io {
-struct Document;
-}
+struct ChannelDocument;
+struct DocumentSources;
+struct SamplingDocument;
+}  // namespace ifov::io
 namespace ifov::sampling {
 class PixelSampler;
 }
@@ -28,7 +31,9 @@ struct SamplingPlan {
   std::vector<int> steering_channels;
 };
 
-SamplingPlan assemble_sampling(const io::Document& document,
+/// `written`: the channels as the document has them, whose noise an accuracy may be stated by.
+SamplingPlan assemble_sampling(const io::DocumentSources& sources, const io::SamplingDocument& sampling,
+                               std::span<const io::ChannelDocument> written,
                                const std::vector<radiometry::Channel>& channels);
 
 }  // namespace ifov::session

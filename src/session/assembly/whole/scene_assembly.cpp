@@ -2,19 +2,17 @@
 
 #include "geometry/periodic_world.h"
 #include "geometry/world.h"
-#include "io/document/document.h"
+#include "io/document/scene_document.h"
 #include "io/scene_cache/scene_cache.h"
 #include "session/assembly/geometry/geometry_assembly.h"
 #include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/surfaces/assignment_assembly.h"
-#include "session/assembly/whole/light_assembly.h"
+#include "session/assembly/surfaces/lamp_assembly.h"
 
 namespace ifov::session {
-namespace {
 
-/// What stands in the scene and how it is kept.
-std::string describe(const geometry::World& world) {
+std::string scene_statement(const geometry::World& world) {
   const geometry::World::Storage kept = world.storage();
   std::string text = format("scene: {} objects, {} triangles, {:.1f} MB", world.object_count(),
                             world.triangle_count(), static_cast<double>(kept.bytes) / 1e6);
@@ -28,30 +26,30 @@ std::string describe(const geometry::World& world) {
   return text;
 }
 
-}  // namespace
-
-AssembledScene assemble_scene(const io::Document& document, LogSink* log, io::SceneCache* cache) {
+AssembledScene assemble_scene(const io::DocumentSources& sources, const io::SceneDocument& written,
+                              std::span<const io::LampDocument> lamps, std::uint64_t seed, LogSink* log,
+                              io::SceneCache* cache) {
   AssembledScene assembled;
   scene::Scene& scene = assembled.scene;
-  const MapFrame frame(document);
+  const MapFrame frame(sources, written.origin);
   assembled.map_offset_m = frame.offset_m();
-  AssignmentAssembly assignments(document, frame, scene, log);
-  scene.world = assemble_geometry(document, assignments, frame, log, cache, assembled.placed);
+  AssignmentAssembly assignments(sources, written.materials, seed, frame, scene, log);
+  const std::vector<PlacedLamp> placed = assemble_lamps(sources, lamps, frame, scene);
+  scene.world = assemble_geometry(sources, written.objects, written.prototypes, assignments, placed, frame,
+                                  log, cache, assembled.placed);
   assembled.map_scales = assignments.map_scales();
-  if (document.scene.periodic) {
-    const io::PeriodicDocument& periodic = *document.scene.periodic;
+  if (written.periodic) {
+    const io::PeriodicDocument& periodic = *written.periodic;
     geometry::PeriodicWorld::Cell cell{-0.5 * periodic.width_m, -0.5 * periodic.height_m, periodic.width_m,
                                        periodic.height_m};
     if (periodic.low_left_m) {
-      cell.west_m = (*periodic.low_left_m)[0] - document.scene.origin.offset_m.x;
-      cell.south_m = (*periodic.low_left_m)[1] - document.scene.origin.offset_m.y;
+      cell.west_m = (*periodic.low_left_m)[0] - written.origin.offset_m.x;
+      cell.south_m = (*periodic.low_left_m)[1] - written.origin.offset_m.y;
     }
-    scene.world = with_position(document, periodic.position, [&] {
+    scene.world = with_position(sources, periodic.position, [&] {
       return std::make_unique<geometry::PeriodicWorld>(std::move(scene.world), cell);
     });
   }
-  assemble_light(document, scene);
-  if (log != nullptr) log->info(describe(*scene.world));
   return assembled;
 }
 

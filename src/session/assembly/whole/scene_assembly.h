@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,20 +11,28 @@
 #include "session/assembly/shared/map_scale.h"
 
 namespace ifov::io {
-struct Document;
+struct DocumentSources;
+struct LampDocument;
 class SceneCache;
+struct SceneDocument;
 }  // namespace ifov::io
 
 namespace ifov::session {
 
-/// Builds the scene that a document describes: reads its meshes, maps and spectra, and lists the maps that lie on it by
-/// place. `log` and `cache` may be null.
+/// A scene with its lamps, without other light yet.
 struct AssembledScene {
   scene::Scene scene;
   std::vector<MapScale> map_scales;
   PlacedObjects placed;
   math::Vec3 map_offset_m;  ///< map coordinates of the scene's origin
 };
-AssembledScene assemble_scene(const io::Document& document, LogSink* log, io::SceneCache* cache = nullptr);
+/// Builds what a document's scene consists of: reads its meshes, maps and spectra, and lists the maps that lie on it by
+/// place. `seed` as of TextureAssembly; `log` and `cache` may be null.
+AssembledScene assemble_scene(const io::DocumentSources& sources, const io::SceneDocument& written,
+                              std::span<const io::LampDocument> lamps, std::uint64_t seed, LogSink* log,
+                              io::SceneCache* cache = nullptr);
+
+/// One line for people: what stands in the scene and how it is kept.
+std::string scene_statement(const geometry::World& world);
 
 }  // namespace ifov::session

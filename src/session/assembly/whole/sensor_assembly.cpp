@@ -5,10 +5,11 @@
 #include "core/overloaded.h"
 #include "geometry/world.h"
 #include "io/document/cameras/camera_settings.h"
-#include "io/document/document.h"
+#include "io/document/sensor_document.h"
 #include "io/raster/raster.h"
 #include "io/spectra/channel_table.h"
 #include "io/spectra/csv_spectrum.h"
+#include "render/polarized/polarimetry.h"
 #include "render/tile_sink.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
@@ -21,7 +22,7 @@ namespace ifov::session {
 namespace {
 
 struct BuildChannel {
-  const io::Document& document;
+  const io::DocumentSources& sources;
   const io::ChannelDocument& channel;
 
   radiometry::Channel operator()(const io::GaussianChannel& s) const {
@@ -34,7 +35,7 @@ struct BuildChannel {
     return radiometry::Channel::monochromatic(channel.name, s.at_um);
   }
   radiometry::Channel operator()(const io::TabulatedChannel& s) const {
-    return with_position(document, s.file.position, [&] {
+    return with_position(sources, s.file.position, [&] {
       const io::WavelengthUnit unit =
           s.um_per_unit == 1.0 ? io::WavelengthUnit::micrometres : io::WavelengthUnit::nanometres;
       if (s.band.empty()) {
@@ -60,25 +61,51 @@ struct BuildChannel {
 
 }  // namespace
 
-std::unique_ptr<sensor::Camera> assemble_camera(const io::Document& document, const scene::Scene& scene) {
-  return with_position(document, document.sensor.camera.position, [&] {
-    return document.sensor.camera.settings->build(
-        {document.scene.origin.offset_m, scene.world->heights().high_m});
+std::unique_ptr<sensor::Camera> assemble_camera(const io::DocumentSources& sources,
+                                                const io::CameraDocument& camera,
+                                                const io::OriginDocument& origin,
+                                                const geometry::World& world) {
+  return with_position(sources, camera.position, [&] {
+    return camera.settings->build({origin.offset_m, world.heights().high_m});
   });
 }
 
-std::vector<radiometry::Channel> assemble_channels(const io::Document& document) {
+std::vector<radiometry::Channel> assemble_channels(const io::DocumentSources& sources,
+                                                   std::span<const io::ChannelDocument> written) {
   std::vector<radiometry::Channel> channels;
-  for (const io::ChannelDocument& channel : document.sensor.channels)
-    channels.push_back(with_position(document, channel.position, [&] {
-      return std::visit(BuildChannel{document, channel}, channel.response);
+  for (const io::ChannelDocument& channel : written)
+    channels.push_back(with_position(sources, channel.position, [&] {
+      return std::visit(BuildChannel{sources, channel}, channel.response);
     }));
   return channels;
 }
 
-std::unique_ptr<sensor::Psf> assemble_psf(const io::Document& document) {
-  const io::SensorDocument& source = document.sensor;
-  return with_position(document, source.psf_position, [&] {
+std::shared_ptr<const render::Polarimetry> assemble_polarimetry(const io::SensorDocument& sensor) {
+  using radiometry::MuellerMatrix;
+  const std::vector<io::ChannelDocument>& channels = sensor.channels;
+  auto polarimetry = std::make_shared<render::Polarimetry>();
+  polarimetry->stokes = sensor.stokes;
+  const bool bare = std::none_of(channels.begin(), channels.end(), [](const io::ChannelDocument& channel) {
+    return channel.polarizer || channel.retarder;
+  });
+  if (bare && !sensor.stokes) return nullptr;
+  if (bare) return polarimetry;
+  for (const io::ChannelDocument& channel : channels) {
+    MuellerMatrix optics;
+    if (channel.retarder)
+      optics = MuellerMatrix::linear_retarder(channel.retarder->retardance_rad, channel.retarder->angle_rad);
+    if (channel.polarizer)
+      optics = MuellerMatrix::linear_diattenuator(1.0, 1.0 / channel.polarizer->extinction,
+                                                  channel.polarizer->angle_rad) *
+               optics;
+    polarimetry->optics.push_back(optics);
+  }
+  return polarimetry;
+}
+
+std::unique_ptr<sensor::Psf> assemble_psf(const io::DocumentSources& sources,
+                                          const io::SensorDocument& sensor) {
+  return with_position(sources, sensor.psf_position, [&] {
     using Made = std::unique_ptr<sensor::Psf>;
     return std::visit(
         Overloaded{[](const io::NoPsf&) -> Made { return nullptr; },
@@ -86,7 +113,7 @@ std::unique_ptr<sensor::Psf> assemble_psf(const io::Document& document) {
                      return sensor::make_gaussian_psf(gaussian.sigma_px);
                    },
                    [&](const io::AiryPsf& airy) -> Made {
-                     const auto optics = source.camera.settings->optics().value();
+                     const auto optics = sensor.camera.settings->optics().value();
                      return sensor::make_airy_psf(
                          {airy.wavelength_um, airy.aperture_m, optics.focal_length_m, optics.pitch_m});
                    },
@@ -98,11 +125,11 @@ std::unique_ptr<sensor::Psf> assemble_psf(const io::Document& document) {
                      return sensor::make_kernel_psf(raster.width, raster.height, std::move(values),
                                                     kernel.samples_per_pixel);
                    }},
-        source.psf);
+        sensor.psf);
   });
 }
 
-render::ImageInfo image_info(const io::Document& document, const sensor::Camera& camera,
+render::ImageInfo image_info(const io::OriginDocument& origin, const sensor::Camera& camera,
                              const std::vector<radiometry::Channel>& channels, const scene::Scene& scene,
                              math::Vec3 map_offset_m) {
   render::ImageInfo info;
@@ -119,7 +146,7 @@ render::ImageInfo image_info(const io::Document& document, const sensor::Camera&
     info.gsd_m = grid->gsd_m;
     info.map_rotation_rad = grid->rotation_rad;
   }
-  info.map_projection = map_system(document.scene.origin);
+  info.map_projection = map_system(origin);
   return info;
 }
 

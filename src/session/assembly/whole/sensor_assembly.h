@@ -1,17 +1,26 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "math/vec3.h"
 #include "radiometry/channel.h"
 
-namespace ifov::io {
-struct Document;
+namespace ifov::geometry {
+class World;
 }
+namespace ifov::io {
+struct CameraDocument;
+struct ChannelDocument;
+struct DocumentSources;
+struct OriginDocument;
+struct SensorDocument;
+}  // namespace ifov::io
 namespace ifov::render {
 struct ImageInfo;
-}
+struct Polarimetry;
+}  // namespace ifov::render
 namespace ifov::scene {
 struct Scene;
 }
@@ -22,14 +31,21 @@ class Psf;
 
 namespace ifov::session {
 
-/// `scene` tells where rays of a nadir camera without a height start.
-std::unique_ptr<sensor::Camera> assemble_camera(const io::Document& document, const scene::Scene& scene);
-std::vector<radiometry::Channel> assemble_channels(const io::Document& document);
+/// A camera stands about the scene's origin; `world` tells where rays of a nadir camera without a height start.
+std::unique_ptr<sensor::Camera> assemble_camera(const io::DocumentSources& sources,
+                                                const io::CameraDocument& camera,
+                                                const io::OriginDocument& origin,
+                                                const geometry::World& world);
+std::vector<radiometry::Channel> assemble_channels(const io::DocumentSources& sources,
+                                                   std::span<const io::ChannelDocument> written);
+/// Whether polarization is told, and what stands before the channels.
+std::shared_ptr<const render::Polarimetry> assemble_polarimetry(const io::SensorDocument& sensor);
 /// Null without one: perfect optics.
-std::unique_ptr<sensor::Psf> assemble_psf(const io::Document& document);
+std::unique_ptr<sensor::Psf> assemble_psf(const io::DocumentSources& sources,
+                                          const io::SensorDocument& sensor);
 
 /// Names, channels and map information for products; `map_offset_m` as of MapFrame.
-render::ImageInfo image_info(const io::Document& document, const sensor::Camera& camera,
+render::ImageInfo image_info(const io::OriginDocument& origin, const sensor::Camera& camera,
                              const std::vector<radiometry::Channel>& channels, const scene::Scene& scene,
                              math::Vec3 map_offset_m);
 

@@ -6,7 +6,8 @@
 
 #include "core/format.h"
 #include "geometry/world.h"
-#include "io/document/document.h"
+#include "io/document/atmosphere_document.h"
+#include "io/document/light_document.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "session/assembly/whole/camera_grid.h"
@@ -76,10 +77,10 @@ radiometry::Spectrum mean_reflectance(const scene::Scene& scene, const Ground& g
 
 }  // namespace
 
-std::optional<std::string> assume_surroundings(const io::Document& document, const sensor::Camera& camera,
-                                               scene::Scene& scene) {
-  if (document.light.surroundings || !(document.atmosphere.modelled || document.atmosphere.imported))
-    return std::nullopt;
+std::optional<std::string> assume_surroundings(const io::LightDocument& light,
+                                               const io::AtmosphereDocument& atmosphere,
+                                               const sensor::Camera& camera, scene::Scene& scene) {
+  if (light.surroundings || !(atmosphere.modelled || atmosphere.imported)) return std::nullopt;
   const Ground ground = ground_in_view(scene, camera);
   if (!(ground.area > 0.0)) return std::nullopt;
   materials::Material& around = scene.materials[scene.surroundings.material];

@@ -4,8 +4,9 @@
 #include <string>
 
 namespace ifov::io {
-struct Document;
-}
+struct AtmosphereDocument;
+struct LightDocument;
+}  // namespace ifov::io
 namespace ifov::scene {
 struct Scene;
 }
@@ -20,7 +21,8 @@ namespace ifov::session {
 /// places that a grid of the camera's rays meets, reflectances weighed by area, the mean temperature of what emits
 /// (only if more than half of it does). Returns one line that says so; nothing where surroundings are declared, where
 /// no atmosphere is modelled or imported, or where the camera meets nothing.
-std::optional<std::string> assume_surroundings(const io::Document& document, const sensor::Camera& camera,
-                                               scene::Scene& scene);
+std::optional<std::string> assume_surroundings(const io::LightDocument& light,
+                                               const io::AtmosphereDocument& atmosphere,
+                                               const sensor::Camera& camera, scene::Scene& scene);
 
 }  // namespace ifov::session

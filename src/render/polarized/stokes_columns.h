@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "render/polarized/polarimetry.h"
+#include "sampling/tile.h"
+#include "transport/polarized/stokes_rows.h"
+
+namespace ifov::radiometry {
+class SpectralNodes;
+}
+
+namespace ifov::render {
+
+/// The columns of a sample that are light: the channels' radiance, and behind them Q, U and V of all channels where a sensor tells
+/// them. Samplers treat them all alike; when a tile is done Q, U and V leave its arrays for layers, so that
+/// whoever takes tiles finds channels as always. An object serves one thread.
+class StokesColumns {
+ public:
+  /// Keeps references; `polarimetry` null: channels alone.
+  StokesColumns(const Polarimetry* polarimetry, const radiometry::SpectralNodes& nodes);
+
+  std::size_t count() const { return polarimetry_.columns(channels_); }
+  bool told() const { return polarimetry_.stokes; }
+
+  /// Light in nodes, about the focal plane's axes, behind the channels' optics.
+  void write(const transport::StokesRows& light, float* row);
+  /// Of unpolarized light by channel; `row` and `channels` may be the same.
+  void write_unpolarized(std::span<const float> channels, float* row);
+
+  /// Moves Q, U and V of a finished tile that has these columns alone to its layers (StokesLayers).
+  void settle(sampling::TileResult& tile) const;
+
+ private:
+  void pass(std::size_t channel, const radiometry::StokesVector& light, float* row) const;
+
+  const Polarimetry& polarimetry_;
+  const radiometry::SpectralNodes& nodes_;
+  std::size_t channels_;
+  std::vector<float> work_;
+};
+
+/// Layers of a tile with the Stokes vector beside I, floats, [pixel][component][channel]. Errors are there where the tile has any.
+struct StokesLayers {
+  static constexpr const char* kMean = "stokes";                  ///< Q, U, V
+  static constexpr const char* kStandardError = "stokes_error";   ///< of I, Q, U, V
+  static constexpr const char* kHalfWidth = "stokes_half_width";  ///< of Q, U, V
+};
+
+}  // namespace ifov::render

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <vector>
+
+#include "radiometry/polarization_frame.h"
+#include "radiometry/spectrum_block.h"
+#include "transport/path_record.h"
+#include "transport/polarized/stokes_rows.h"
+
+namespace ifov::materials {
+struct MuellerRows;
+}
+
+namespace ifov::transport {
+
+class SpectralScene;
+
+/// As PathLight, with the polarization of light: a path is walked from its far end to the sensor, a Stokes vector in hand, so that
+/// each surface costs one matrix times one vector, and one that depolarizes no more than its factor. Of a scene that
+/// is polarized(), whose paths keep their directions. An object serves one thread.
+class PolarizedPathLight {
+ public:
+  /// Keeps a reference to the scene, which must outlive this.
+  explicit PolarizedPathLight(const SpectralScene& scene);
+
+  /// The light that path k brings to where its first segment ends, as PathLight::radiance(), about a frame of
+  /// the direction towards the sensor. The spectra are the caller's until the next call.
+  StokesRows light(const PathRecord& record, std::size_t k, const radiometry::PolarizationFrame& frame);
+  /// Of that, what the first surface makes of direct sunlight.
+  StokesRows first_sunlight(const PathRecord& record, std::size_t k,
+                            const radiometry::PolarizationFrame& frame);
+
+ private:
+  enum Work {
+    kOut,
+    kArriving = kOut + 4,
+    kSource = kArriving + 4,
+    kTurned = kSource + 4,
+    kMueller = kTurned + 4,
+    kMuellerWork = kMueller + 16,
+    kEmission = kMuellerWork + 16,
+    kEmissionPart,
+    kEmissionWork,
+    kFactor,
+    kWork,
+    kMoreWork,
+    kSun,
+    kSpectra
+  };
+  /// Light on its way, of which Q, U and V mean nothing where it is not polarized.
+  struct Beam {
+    StokesRows rows;
+    bool any = false, polarized = false;
+    radiometry::PolarizationFrame frame;
+  };
+  using Directions = PathRecord::Directions;
+
+  float* spectrum(int w) { return spectra_.row(static_cast<std::size_t>(w)); }
+  StokesRows rows_from(int w) { return {{spectrum(w), spectrum(w + 1), spectrum(w + 2), spectrum(w + 3)}}; }
+  StokesRows about(Beam& beam, const radiometry::PolarizationFrame& frame);
+  void clear(Beam& beam, bool polarized);
+  void polarize(Beam& beam);
+
+  void start_at_sky(const PathRecord::Path& path, const radiometry::PolarizationFrame* frame);
+  /// What leaves a vertex; `arriving_` is what its continuation brings.
+  void leave(const PathRecord& record, const PathVertex& vertex, const Directions& directions);
+  void emit(const PathRecord& record, const PathVertex& vertex);
+  void add_sun(const PathRecord& record, const PathVertex& vertex, const Directions& directions);
+  void add_sought(const PathRecord& record, const PathVertex& vertex, const Directions& directions);
+  void add_mirrored(const PathRecord& record, const PathVertex& vertex, const Directions& directions);
+  void add_continuation(const PathRecord& record, const PathVertex& vertex, const Directions& directions);
+  /// Emission of a surface whose spectra are not kept, towards where it was met from; false where there is none.
+  bool emit(const PathRecord::Mixed& mixed, Beam& beam);
+  const float* factor(const PathRecord& record, std::uint32_t mixed, const float* kept, bool transmitted,
+                      const LobeEvent* event);
+  /// Adds what a surface that polarizes makes of light from both directions of an event.
+  void add_scattered(const PathRecord::Mixed& mixed, const LobeEvent& event, const Beam& light, float weight);
+  void add_times(const materials::MuellerRows& matrix, const Beam& light, const materials::BsdfEvent& event,
+                 float weight);
+  void add_unpolarized(const float* factor, const float* light, float weight);
+
+  const SpectralScene& scene_;
+  std::size_t n_;
+  radiometry::SpectrumBlock spectra_;
+  Beam out_, arriving_, source_;
+  std::vector<std::uint32_t> vertices_;
+};
+
+}  // namespace ifov::transport

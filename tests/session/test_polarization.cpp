@@ -1,0 +1,187 @@
+// Polarized light from a document to tiles: directions on the focal plane, intervals of Q and U, polarizers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "core/format.h"
+#include "io/document/document.h"
+#include "render/image_renderer.h"
+#include "render/polarized/stokes_columns.h"
+#include "render/tile_sink.h"
+#include "sampling/tile.h"
+#include "session/loaded/parts.h"
+#include "session/messages.h"
+#include "session/session.h"
+
+namespace ifov::session {
+namespace {
+
+class TheTile final : public render::TileSink {
+ public:
+  void begin(const render::ImageInfo&) override {}
+  void write(const sampling::TileResult& tile) override { result = tile; }
+  sampling::TileResult result;
+};
+
+sampling::TileResult rendered_once(const std::string& document, std::uint64_t seed = 1) {
+  const Session session = Session::load(io::parse_document(document, "polarized.json"), nullptr);
+  render::RenderJob job = session.parts().job();
+  job.seed = seed;
+  render::RenderControl control;
+  control.threads = 1;
+  TheTile tile;
+  render::render_image(job, control, tile);
+  return tile.result;
+}
+
+/// I, Q or U of a tile that has Stokes layers.
+double stokes_of(const sampling::TileResult& tile, std::size_t pixel, int component,
+                 std::size_t channel = 0) {
+  const std::size_t channels = static_cast<std::size_t>(tile.columns);
+  if (component == 0) return static_cast<double>(tile.mean[pixel * channels + channel]);
+  return static_cast<double>(
+      tile.layer(render::StokesLayers::kMean)
+          ->values<float>()[(3 * pixel + static_cast<std::size_t>(component) - 1) * channels + channel]);
+}
+
+constexpr const char* kBlue = R"({"name": "blue", "monochromatic": {"at": "0.37 um"}})";
+
+/// A pixel that looks straight down at a plane of a material through clear air; the Sun stands low in the azimuth 60 deg.
+std::string nadir(const std::string& material, const std::string& altitude, const std::string& camera = "",
+                  const std::string& sun = "60 deg") {
+  return format(
+      R"({{"ifov": 1, "scene": {{"materials": {{"ground": {}}}, "objects": [{{"plane": {{}}, "material": "ground"}}]}},
+      "light": {{"sun": {{"point": {{"zenith": "78.463 deg", "azimuth": "{}"}}}}, "surroundings": {{"reflectance": 0}}}},
+      "atmosphere": {{"profile": "US standard 1976", "aerosol": {{"type": "none"}}{}}},
+      "sensor": {{"camera": {{"orthographic": {{"gsd": "1 m", "pixels": [1, 1]{}}}}}, "stokes": true, "channels": [{}]}},
+      "sampling": {{"grid": {{"elements": [1, 1]}}}}}})",
+      material, sun, altitude, camera, kBlue);
+}
+
+// Light scattered once at a right angle swings across the Sun's plane. With the Sun in the azimuth 60 deg, 30 deg
+// counterclockwise from the image's right, that is 120 deg: Q < 0 and U < 0. Natraj, Li and Yung (2009) have 0.709 for an
+// optical depth of 0.5 without depolarization; air's molecules depolarize to about 0.94 of it.
+TEST(Polarization, SkyAndPathSwingAcrossTheSunsPlane) {
+  const auto check = [](const sampling::TileResult& tile) {
+    const double i = stokes_of(tile, 0, 0), q = stokes_of(tile, 0, 1), u = stokes_of(tile, 0, 2);
+    const double degree = std::hypot(q, u) / i;
+    EXPECT_GT(degree, 0.6);
+    EXPECT_LT(degree, 0.72);
+    const double angle = 0.5 * std::atan2(u, q) * 180.0 / std::numbers::pi + 180.0;
+    EXPECT_NEAR(angle, 120.0, 0.3);
+    // What a fault in the hand of the frames would show: the Sun on the other side.
+    EXPECT_GT(std::abs(0.5 * std::atan2(-u, q) * 180.0 / std::numbers::pi + 180.0 - 120.0), 50.0);
+  };
+  check(rendered_once(nadir(R"({"reflectance": 0})", "")));
+  // The sky that comes down, in a mirror seen from below the air.
+  check(rendered_once(
+      nadir(R"({"reflectance": 1, "scattering": "mirror"})", R"(, "sensor_altitude": "10 m")")));
+}
+
+// Seen aslant to the north, the Sun in the east and in the west make mirror images of each other, and neither is what
+// the other is.
+TEST(Polarization, TheSunOnEitherSideMakesMirrorImages) {
+  const auto from = [](const std::string& sun) {
+    return rendered_once(
+        nadir(R"({"reflectance": 0})", "", R"(, "view_zenith": "40 deg", "view_azimuth": "180 deg")", sun));
+  };
+  const sampling::TileResult east = from("70 deg"), west = from("290 deg");
+  const double i = stokes_of(east, 0, 0);
+  EXPECT_NEAR(stokes_of(west, 0, 1), stokes_of(east, 0, 1), 1e-4 * i);
+  EXPECT_NEAR(stokes_of(west, 0, 2), -stokes_of(east, 0, 2), 1e-4 * i);
+  EXPECT_GT(std::abs(stokes_of(east, 0, 2)), 0.1 * i);
+  // Across the plane of Sun and sight, (k cross sun) about x = east and y = k cross x; light scattered again turns it a little.
+  const auto angle = [](const sampling::TileResult& tile) {
+    const double half =
+        0.5 * std::atan2(stokes_of(tile, 0, 2), stokes_of(tile, 0, 1)) * 180.0 / std::numbers::pi;
+    return half < 0.0 ? half + 180.0 : half;
+  };
+  EXPECT_NEAR(angle(east), 112.7, 6.0);
+  EXPECT_NEAR(angle(west), 67.3, 6.0);
+}
+
+/// Glossy and matt balls on a glossy floor, aslant; `sensor` adds keys, `channels` are all of the list.
+std::string glossy(const std::string& sensor, const std::string& channels, const std::string& sampling) {
+  return format(R"({{"ifov": 1, "scene": {{"materials": {{
+        "floor": {{"reflectance": 0.2, "scattering": {{"rough_dielectric": {{"index": 1.5, "roughness": 0.3}}}}}},
+        "metal": {{"reflectance": 1, "scattering": {{"rough_conductor": {{"index": "aluminium", "roughness": 0.4}}}}}},
+        "paint": {{"reflectance": 0.6}}}},
+      "objects": [{{"plane": {{}}, "material": "floor"}},
+        {{"sphere": {{"center": ["-1 m", "0 m", "1 m"], "radius": "1 m"}}, "material": "metal"}},
+        {{"sphere": {{"center": ["1.3 m", "0.3 m", "0.8 m"], "radius": "0.8 m"}}, "material": "paint"}}]}},
+      "light": {{"sun": {{"disc": {{"zenith": "40 deg", "azimuth": "110 deg"}}}}, "sky": {{"radiance": "40 W m-2 sr-1 um-1"}}}},
+      "sensor": {{"camera": {{"frame": {{"pixels": [6, 6], "focal_length": "100 mm", "pitch": "5 mm",
+          "position": ["0 m", "-14 m", "9 m"], "look_at": ["0 m", "0 m", "0.5 m"]}}}}, {} "channels": [{}]}},
+      "sampling": {}}})",
+                sensor, channels, sampling);
+}
+
+constexpr const char* kGreen = R"({"name": "green", "monochromatic": {"at": "0.55 um"}})";
+
+TEST(Polarization, RadianceIsTheSameWhetherItIsAskedForOrNot) {
+  const std::string rays = R"({"grid": {"elements": [8, 8]}})";
+  const sampling::TileResult told = rendered_once(glossy(R"("stokes": true,)", kGreen, rays)),
+                             plain = rendered_once(glossy("", kGreen, rays));
+  ASSERT_EQ(told.mean.size(), plain.mean.size());
+  double most = 0.0;
+  for (std::size_t p = 0; p < plain.mean.size(); ++p) {
+    // A surface polarizes what another then reflects as it is polarized: a few per cent at most here.
+    EXPECT_NEAR(told.mean[p], plain.mean[p], 0.05f * plain.mean[p]) << p;
+    most = std::max(most, std::hypot(stokes_of(told, p, 1), stokes_of(told, p, 2)) / stokes_of(told, p, 0));
+  }
+  EXPECT_GT(most, 0.05);
+}
+
+TEST(Polarization, IntervalsOfQAndUHoldTheTruth) {
+  const sampling::TileResult truth =
+      rendered_once(glossy(R"("stokes": true,)", kGreen, R"({"accuracy": {"error": "0.7 %"}})"), 1000);
+  int inside = 0, inside_half = 0, count = 0;
+  const std::string document = glossy(R"("stokes": true,)", kGreen, R"({"accuracy": {"error": "5 %"}})");
+  const Session session = Session::load(io::parse_document(document, "polarized.json"), nullptr);
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    render::RenderJob job = session.parts().job();
+    job.seed = seed;
+    render::RenderControl control;
+    control.threads = 1;
+    TheTile tile;
+    render::render_image(job, control, tile);
+    const auto widths = tile.result.layer(render::StokesLayers::kHalfWidth)->values<float>();
+    const auto own = truth.layer(render::StokesLayers::kStandardError)->values<float>();
+    for (std::size_t p = 0; p < 36; ++p)
+      for (int component = 1; component <= 2; ++component) {
+        const double off = std::abs(stokes_of(tile.result, p, component) - stokes_of(truth, p, component)),
+                     width = static_cast<double>(widths[3 * p + static_cast<std::size_t>(component) - 1]),
+                     left = 2.0 * static_cast<double>(own[4 * p + static_cast<std::size_t>(component)]);
+        inside += off <= width + left, ++count;
+        inside_half += off <= 0.1 * width;
+      }
+  }
+  EXPECT_GT(inside, 0.95 * count) << inside << " of " << count;
+  EXPECT_LT(inside_half, 0.8 * count) << "intervals of a tenth of that hold it too: nothing was tested";
+}
+
+TEST(Polarization, PolarizersPassWhatTheStokesVectorSays) {
+  const std::string polarized = format(
+      R"({}, {{"name": "a", "monochromatic": {{"at": "0.55 um"}}, "polarizer": {{"angle": "0 deg", "extinction": 1e9}}}},
+         {{"name": "b", "monochromatic": {{"at": "0.55 um"}}, "polarizer": {{"angle": "45 deg", "extinction": 1e9}}}},
+         {{"name": "c", "monochromatic": {{"at": "0.55 um"}}, "polarizer": {{"angle": "90 deg", "extinction": 4}}}})",
+      kGreen);
+  const sampling::TileResult tile =
+      rendered_once(glossy(R"("stokes": true,)", polarized, R"({"grid": {"elements": [4, 4]}})"));
+  double turned_wrong = 0.0;
+  for (std::size_t p = 0; p < 36; ++p) {
+    const double i = stokes_of(tile, p, 0), q = stokes_of(tile, p, 1), u = stokes_of(tile, p, 2);
+    EXPECT_NEAR(tile.mean[4 * p + 1], 0.5 * (i + q), 1e-5 * i);
+    EXPECT_NEAR(tile.mean[4 * p + 2], 0.5 * (i + u), 1e-5 * i);
+    EXPECT_NEAR(tile.mean[4 * p + 3], 0.5 * (i - q) + 0.125 * (i + q), 1e-5 * i);
+    turned_wrong =
+        std::max(turned_wrong, std::abs(static_cast<double>(tile.mean[4 * p + 2]) - 0.5 * (i - u)) / i);
+  }
+  EXPECT_GT(turned_wrong, 0.01) << "an axis turned the other way passes";
+}
+
+}  // namespace
+}  // namespace ifov::session
