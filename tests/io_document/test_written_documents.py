@@ -30,6 +30,7 @@ UNITS = [
     {"DU": 1, "atm-cm": 1e3},
     {"ppm": 1, "ppb": 1e-3, "ppmv": 1},
     {"g/kg": 1, "g kg-1": 1},
+    {"lm": 1, "klm": 1e3},
     {"px": 1, "pixel": 1, "pixels": 1},
     {"au": 1, "AU": 1},
     {"m-2": 1, "ha-1": 1e-4, "km-2": 1e-6, "m^-2": 1, "per m2": 1, "per ha": 1e-4, "per km2": 1e-6, "/m2": 1, "/ha": 1e-4, "/km2": 1e-6},

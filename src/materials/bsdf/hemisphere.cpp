@@ -1,9 +1,11 @@
 #include "materials/bsdf/hemisphere.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "materials/bsdf/microfacet/crowded_square.h"
@@ -27,14 +29,39 @@ Crowded crowded(int k) {
   return {t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / kAcross};
 }
 
-std::vector<SquarePoint> plain_square() {
+/// Points of the square, all and in four parts: every second along either side. Azimuths take the parts in turn.
+struct Points {
+  static constexpr int kParts = 4;
+  std::vector<SquarePoint> all;
+  std::array<std::vector<SquarePoint>, kParts> parts;
+
+  Points(std::vector<SquarePoint> points, int across) : all(std::move(points)) {
+    std::array<double, kParts> whole{};
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const auto row = static_cast<int>(k) / across, column = static_cast<int>(k) % across;
+      const auto part = static_cast<std::size_t>(2 * (row % 2) + column % 2);
+      parts[part].push_back(all[k]);
+      whole[part] += all[k].weight;
+    }
+    for (std::size_t part = 0; part < kParts; ++part)
+      for (SquarePoint& point : parts[part]) point.weight /= whole[part];
+  }
+};
+
+Points plain_points() {
   std::vector<SquarePoint> points;
   for (int i = 0; i < kAcross; ++i)
     for (int j = 0; j < kAcross; ++j) {
       const Crowded x = crowded(i), y = crowded(j);
       points.push_back({x.u, y.u, x.weight * y.weight});
     }
-  return points;
+  return {std::move(points), kAcross};
+}
+
+const Points& lobe_points(int across) {
+  static const Points coarse(crowded_square(kAcross), kAcross),
+      fine(crowded_square(kAcrossLobe), kAcrossLobe);
+  return across == kAcross ? coarse : fine;
 }
 
 }  // namespace
@@ -45,15 +72,15 @@ namespace {
 using Evaluate = std::function<void(const BsdfEvent& event, float* values)>;
 
 void add_up(const Bsdf& bsdf, const Evaluate& evaluate, Side side, std::size_t count, double cosine,
-            const std::vector<SquarePoint>& lobe, float* spectrum) {
+            const Points& lobe, float* spectrum) {
   const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
   const int azimuths = bsdf.is_isotropic() ? 1 : kAzimuths;
   std::vector<double> sum(count, 0.0);
   std::vector<float> values(count);
-  static const std::vector<SquarePoint> plain = plain_square();
-  const auto add_part = [&](BsdfEvent event, double first, double last,
-                            const std::vector<SquarePoint>& points) {
-    for (const SquarePoint& point : points) {
+  static const Points plain = plain_points();
+  const auto add_part = [&](BsdfEvent event, double first, double last, const Points& points, int azimuth) {
+    const auto part = static_cast<std::size_t>(azimuth % Points::kParts);
+    for (const SquarePoint& point : azimuths > 1 ? points.parts[part] : points.all) {
       const BsdfSample sample = bsdf.sample(event, first + (last - first) * point.u1, point.u2);
       if (!(sample.weight > 0.0)) continue;
       event.incoming = sample.incoming;
@@ -78,14 +105,14 @@ void add_up(const Bsdf& bsdf, const Evaluate& evaluate, Side side, std::size_t c
     }
     // Of two lobes each by itself.
     const double seam = bsdf.seam(event);
-    if (seam > kNegligible) add_part(event, 0.0, seam, plain);
-    add_part(event, seam, 1.0, seam > 0.0 ? lobe : plain);
+    if (seam > kNegligible) add_part(event, 0.0, seam, plain, a);
+    add_part(event, seam, 1.0, seam > 0.0 ? lobe : plain, a);
   }
   for (std::size_t n = 0; n < count; ++n) spectrum[n] = static_cast<float>(sum[n] / azimuths);
 }
 
 void add_up(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_t count, double cosine,
-            const std::vector<SquarePoint>& lobe, float* spectrum) {
+            const Points& lobe, float* spectrum) {
   add_up(
       bsdf, [&](const BsdfEvent& event, float* values) { bsdf.evaluate(event, parameters, count, values); },
       side, count, cosine, lobe, spectrum);
@@ -95,7 +122,6 @@ void add_up(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_
 
 void polarized_hemispherical(const Bsdf& bsdf, ParameterSpectra parameters, std::size_t count, double cosine,
                              float* whole, float* q) {
-  static const std::vector<SquarePoint> lobe = crowded_square(kAcrossLobe);
   std::vector<float> column(4 * count), both(2 * count);
   const MuellerRows rows{column.data(), count, false};
   add_up(
@@ -104,15 +130,14 @@ void polarized_hemispherical(const Bsdf& bsdf, ParameterSpectra parameters, std:
         bsdf.evaluate_mueller(event, parameters, count, rows);
         std::copy_n(rows.at(0, 0), 2 * count, values);
       },
-      Side::reflected, 2 * count, cosine, lobe, both.data());
+      Side::reflected, 2 * count, cosine, lobe_points(kAcrossLobe), both.data());
   std::copy_n(both.data(), count, whole);
   std::copy_n(both.data() + count, count, q);
 }
 
 void directional_hemispherical(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_t count,
                                double cosine, float* spectrum) {
-  static const std::vector<SquarePoint> lobe = crowded_square(kAcrossLobe);
-  add_up(bsdf, side, parameters, count, cosine, lobe, spectrum);
+  add_up(bsdf, side, parameters, count, cosine, lobe_points(kAcrossLobe), spectrum);
 }
 
 radiometry::Spectrum directional_hemispherical(const Bsdf& bsdf, Side side, double cosine) {
@@ -129,11 +154,10 @@ radiometry::Spectrum directional_hemispherical(const Bsdf& bsdf, Side side, doub
   }
   for (const std::vector<float>& row : rows) parameters.push_back(row.data());
 
-  static const std::vector<SquarePoint> lobe = crowded_square(kAcross);
   std::vector<double> values(common.um.size(), 0.0);
   std::vector<float> row(values.size());
   const auto add = [&](double towards, double weight) {
-    add_up(bsdf, side, parameters, row.size(), towards, lobe, row.data());
+    add_up(bsdf, side, parameters, row.size(), towards, lobe_points(kAcross), row.data());
     for (std::size_t k = 0; k < row.size(); ++k) values[k] += weight * static_cast<double>(row[k]);
   };
   if (cosine >= 0.0) {
