@@ -221,7 +221,7 @@ bool AssignmentAssembly::any_medium() const {
 void AssignmentAssembly::refuse_media(const io::MaterialBinding& binding) const {
   const auto check = [&](const io::DocumentName& name) {
     if (refracts(material_index(name.name)))
-      throw io::sources_error(
+      throw io::document_error(
           sources_, binding.position,
           format(
               "light is refracted into '{}', but this shape has no inside: take a solid (a box, a sphere, a "
