@@ -3,6 +3,9 @@
 #include <stdexcept>
 
 #include "core/error.h"
+#include "materials/bsdf/boundary/film.h"
+#include "materials/bsdf/boundary/slab.h"
+#include "materials/bsdf/boundary/smooth.h"
 #include "materials/bsdf/bsdf_model.h"
 #include "materials/bsdf/hapke.h"
 #include "materials/bsdf/lambertian.h"
@@ -36,6 +39,9 @@ constexpr std::array kModels{&Lambertian::kModel,
                              &RoughConductor::kModel,
                              &RoughDielectric::kModel,
                              &Ward::kModel,
+                             &smooth::kModel,
+                             &slab::kModel,
+                             &film::kModel,
                              &Sea::kModel,
                              &Leaf::kModel,
                              &FacetBrdf::kPriestGermer,

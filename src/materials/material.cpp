@@ -68,7 +68,7 @@ void check(const Material& material) {
   check_fraction(material, material.reflectance, "reflectance");
   if (material.transmittance) {
     check_fraction(material, *material.transmittance, "transmittance");
-    if (!material.bsdf->may_transmit())
+    if (!material.bsdf->may_transmit() || !material.bsdf->is_separable())
       throw InputError(
           format("material '{}': only \"lambertian\" scattering can have a transmittance", material.name));
     check_sum(material, *material.transmittance);

@@ -29,6 +29,8 @@ SpectralMaterials::SpectralMaterials(std::span<const Material> materials,
     directional_.push_back(material.bsdf->is_separable()
                                ? nullptr
                                : std::make_unique<NodeBsdf>(material.bsdf, nodes, polarized));
+    any_pane_ = any_pane_ || material.bsdf->passage() == Passage::straight;
+    any_medium_ = any_medium_ || material.bsdf->passage() == Passage::into;
     if (const NodeBsdf* model = directional_.back().get()) {
       maximum_reflectance_.back() = static_cast<float>(model->highest_reflectance());
       maximum_transmittance_.back() = static_cast<float>(model->highest_transmittance());

@@ -39,12 +39,16 @@ class SpectralMaterials {
   /// Largest value over the nodes, and directions (for Russian roulette).
   float maximum_reflectance(std::uint32_t material) const { return maximum_reflectance_[material]; }
   float maximum_transmittance(std::uint32_t material) const { return maximum_transmittance_[material]; }
+  /// Whether light of any material comes straight through, as through a pane; or refracted, as into a medium.
+  bool any_pane() const { return any_pane_; }
+  bool any_medium() const { return any_medium_; }
 
  private:
   radiometry::SpectrumBlock reflectance_, emissivity_;
   radiometry::SpectrumBlock transmittance_;  // row 0: of the opaque ones
   std::vector<std::uint32_t> transmittance_index_;
   std::vector<float> maximum_reflectance_, maximum_transmittance_;
+  bool any_pane_ = false, any_medium_ = false;
   std::vector<std::unique_ptr<const NodeBsdf>> directional_;
 };
 

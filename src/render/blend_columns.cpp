@@ -6,6 +6,7 @@
 #include <set>
 
 #include "geometry/surface_point.h"
+#include "sampling/tile.h"
 #include "scene/scene.h"
 
 namespace ifov::render {

@@ -3,8 +3,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "sampling/tile.h"
+#include "sampling/field.h"
 
+namespace ifov::sampling {
+struct TileResult;
+}
 namespace ifov::geometry {
 struct SurfacePoint;
 }

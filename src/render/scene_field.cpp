@@ -33,6 +33,7 @@ SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Came
       blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count())),
       map_detail_(scene.scene(), camera),
       unseen_(scene, blends_.first_column() + blends_.count()),
+      through_(scene),
       mirror_light_(
           detail == LabelDetail::sun_state
               ? transport::MirrorLight::find(scene, tracer_.sun_images(), transport.mirror_reflections)
@@ -122,6 +123,14 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
   const scene::Scene& scene = scene_.scene();
   sun_rays_.clear();
   owner_.clear();
+  // What a ray ends at, behind all that it is seen through.
+  std::span<const geometry::SurfacePoint> seen = hits;
+  if (through_.any()) {
+    seen_.assign(hits.begin(), hits.end());
+    passed_.resize(hits.size());
+    through_.follow(rays_, seen_, passed_, counts_);
+    seen = seen_;
+  }
   for (std::size_t k = 0; k < hits.size(); ++k) {
     const geometry::SurfacePoint& hit = hits[k];
     SurfaceLabel label;
@@ -132,29 +141,34 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
                                          ? SurfaceLabel::kBlend
                                          : truth_.of_material[surface.constituents[0].material];
       label = {hit.instance, hit.patch, material, hit.front, SunState::none};
+    }
+    const geometry::SurfacePoint& lit = seen[k];
+    if (lit.hit()) {
       if (detail == LabelDetail::sun_state && !disc_points_.empty()) {
         bool transmits = false;
-        if (shows_sunlight(surface, transmits)) {
+        if (shows_sunlight(scene.resolve(lit), transmits)) {
           // A leaf may be lit from behind.
-          const math::Vec3 normal = hit.geometric_normal.as_vector();
+          const math::Vec3 normal = lit.geometric_normal.as_vector();
           const bool behind = math::dot(scene.sun->direction, normal) < 0.0;
-          const math::Vec3 outward = (transmits ? !behind : hit.front) ? normal : -normal;
+          const math::Vec3 outward = (transmits ? !behind : lit.front) ? normal : -normal;
           std::size_t above = 0;
           for (const math::Vec3& direction : disc_points_) above += math::dot(direction, outward) > 0.0;
           label.sun = above == 0                    ? SunState::shaded
                       : above < disc_points_.size() ? SunState::penumbra
                                                     : SunState::lit;
           if (mirror_light_ != nullptr)
-            mirror_light_->ask(static_cast<std::uint32_t>(k), rays_[k], hit, (hit.front ? normal : -normal));
+            mirror_light_->ask(static_cast<std::uint32_t>(k), rays_[k], lit, (lit.front ? normal : -normal));
           if (label.sun == SunState::lit) {
             owner_.push_back(static_cast<std::uint32_t>(k));
             for (const math::Vec3& direction : disc_points_)
-              sun_rays_.push_back(rays_[k].onward(hit.position_m + hit.offset_m * outward, direction));
+              sun_rays_.push_back(rays_[k].onward(lit.position_m + lit.offset_m * outward, direction));
           }
         }
       }
     }
     labels[k] = label.pack();
+    if (through_.any() && passed_[k] != 0)
+      labels[k] = SurfaceLabel::with_mirrored(labels[k], passed_[k] >> 20, false);
   }
   if (mirror_light_ != nullptr)
     mirror_light_->answer(counts_, [&](std::uint32_t k, std::uint64_t state, bool uneven) {
@@ -169,10 +183,21 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
     const auto blocked = static_cast<std::size_t>(
         std::count(blocked_.begin() + static_cast<std::ptrdiff_t>(g * group),
                    blocked_.begin() + static_cast<std::ptrdiff_t>((g + 1) * group), std::uint8_t{1}));
-    if (blocked > 0) {
-      const SunState state = blocked == group ? SunState::shaded : SunState::penumbra;
-      labels[owner_[g]] = (labels[owner_[g]] & ~sampling::Label{3}) | static_cast<sampling::Label>(state);
+    if (blocked == 0) continue;
+    SunState state = blocked == group ? SunState::shaded : SunState::penumbra;
+    if (through_.any()) {
+      std::uint64_t panes = 0;
+      bool alike = true;
+      for (std::size_t j = g * group; j < (g + 1) * group; ++j) {
+        const std::uint64_t one = blocked_[j] != 0 ? through_.passed(sun_rays_[j], counts_) : 2;
+        alike = alike && (j == g * group || one == panes);
+        panes = one;
+      }
+      state = !alike ? SunState::penumbra : panes == 0 ? SunState::shaded : SunState::lit;
+      if (alike && panes != 0)
+        labels[owner_[g]] = SurfaceLabel::with_mirrored(labels[owner_[g]], panes >> 20, false);
     }
+    labels[owner_[g]] = (labels[owner_[g]] & ~sampling::Label{3}) | static_cast<sampling::Label>(state);
   }
 }
 

@@ -6,6 +6,7 @@
 #include "render/blend_columns.h"
 #include "render/label_detail.h"
 #include "render/map_detail.h"
+#include "render/seen_through.h"
 #include "render/surface_label.h"
 #include "render/unseen/unseen_light.h"
 #include "sampling/field.h"
@@ -78,6 +79,7 @@ class SceneField final : public sampling::Field {
   BlendColumns blends_;
   MapDetail map_detail_;
   UnseenLight unseen_;
+  SeenThrough through_;
   std::unique_ptr<transport::MirrorLight> mirror_light_;  // null where mirrors throw none
   struct Sunlight {
     bool shows, passes;  ///< whether it is seen where it falls on a material, and from behind
@@ -88,7 +90,8 @@ class SceneField final : public sampling::Field {
   std::vector<sampling::FocalPoint> points_;
   std::vector<math::Ray> rays_, sun_rays_;
   std::vector<transport::PathKey> keys_;
-  std::vector<geometry::SurfacePoint> hits_;
+  std::vector<geometry::SurfacePoint> hits_, seen_;
+  std::vector<std::uint64_t> passed_;  // by hit: what it is seen through
   std::vector<std::uint8_t> blocked_;
   std::vector<std::uint32_t> owner_;  // of each group of sun rays: index of its hit
 };

@@ -42,8 +42,9 @@ std::vector<bool> assignments_showing(const Scene& scene, const Is& is) {
   std::vector<bool> showing;
   for (const SurfaceAssignment& assignment : assignments) {
     // Curves of a texture scatter as the material of the state does that they replace.
-    bool any = std::any_of(assignment.states.begin(), assignment.states.end(),
-                           [&](std::uint32_t state) { return is(states[state].material); });
+    const auto shows = [&](std::uint32_t state) { return is(states[state].material); };
+    bool any = std::any_of(assignment.states.begin(), assignment.states.end(), shows) ||
+               std::any_of(assignment.back_states.begin(), assignment.back_states.end(), shows);
     for (const auto& pattern : assignment.patterns) {
       const std::vector<std::uint32_t> brought = pattern->mixed_materials();
       any = any || std::any_of(brought.begin(), brought.end(), is);
@@ -87,7 +88,8 @@ ResolvedSurface Scene::resolve_own(const geometry::SurfacePoint& point) const {
   Constituent& only = surface.constituents[0];
   const materials::MapPosition position{point.position_m.x, point.position_m.y, point.u, point.v};
   const std::uint32_t index = assignment.classes ? assignment.classes->at(position) : std::uint16_t{0};
-  only.state = assignment.states[index];
+  const bool behind = !point.front && !assignment.back_states.empty();
+  only.state = behind ? assignment.back_states[index] : assignment.states[index];
   only.material = states[only.state].material;
   only.weight = 1.0;
   only.mapped_temperature_k = 0.0;

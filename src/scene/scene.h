@@ -95,6 +95,8 @@ struct SurfaceAssignment {
   std::shared_ptr<const materials::ClassMap> classes;
   std::vector<std::shared_ptr<const materials::TemperatureMap>> temperatures;  ///< by state; empty: none
   std::vector<std::shared_ptr<const Pattern>> patterns;
+  /// The same as `states` where the inner side is seen; empty: it is as the outer one.
+  std::vector<std::uint32_t> back_states{};
   friend bool operator==(const SurfaceAssignment&, const SurfaceAssignment&) = default;
 
   bool mixes_materials() const;  ///< by one of its patterns

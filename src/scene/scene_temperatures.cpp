@@ -43,7 +43,10 @@ bool Scene::emits(std::uint32_t state) const {
   const std::uint32_t material = states[state].material;
   return std::any_of(assignments.begin(), assignments.end(), [&](const SurfaceAssignment& assignment) {
     for (std::size_t k = 0; k < assignment.temperatures.size(); ++k)
-      if (assignment.states[k] == state && assignment.temperatures[k]) return true;
+      if (assignment.temperatures[k] &&
+          (assignment.states[k] == state ||
+           (!assignment.back_states.empty() && assignment.back_states[k] == state)))
+        return true;
     return std::any_of(assignment.patterns.begin(), assignment.patterns.end(), [&](const auto& pattern) {
       const std::vector<std::uint32_t> mixed = pattern->mixed_materials();
       return pattern->temperatures() && std::find(mixed.begin(), mixed.end(), material) != mixed.end();

@@ -86,6 +86,12 @@ void EmitterChoice::list_surfaces() {
         add(c, state.material, map->minimum_k(), map->maximum_k(), lamp, patterned);
       else
         add(c, state.material, state.temperature_k, state.temperature_k, lamp, patterned);
+      if (assignment.back_states.empty() || assignment.back_states[k] == assignment.states[k]) continue;
+      const scene::SurfaceState& back = scene.states[assignment.back_states[k]];
+      if (map != nullptr)
+        add(c, back.material, map->minimum_k(), map->maximum_k());
+      else
+        add(c, back.material, back.temperature_k, back.temperature_k);
     }
     for (const auto& pattern : assignment.patterns) {
       const auto range = pattern->temperatures();

@@ -6,6 +6,7 @@
 
 #include "sampling/random.h"
 #include "sampling/warp.h"
+#include "transport/delta_events.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::transport {
@@ -43,7 +44,7 @@ MirrorLight::MirrorLight(const SpectralScene& scene, const SunImages& images)
     : scene_(scene),
       mirrors_(*scene.sun_mirrors()),
       images_(images),
-      tracer_(scene.scene(), mirrors_, images_) {
+      tracer_(scene.scene(), mirrors_, images_, scene.materials().any_pane()) {
   for (const SunImages::Image& image : images_.images()) {
     if (disc_points_.size() == kMostImages) break;
     disc_points_.push_back(fixed_disc_points(image.direction, scene.scene().sun->half_angle_rad));
@@ -87,19 +88,31 @@ void MirrorLight::ask(std::uint32_t owner, const math::Ray& seen, const geometry
 void MirrorLight::trace(sampling::RayCounts& counts) {
   tracer_.trace(
       ways_, counts,
-      [&](Way& way, const geometry::SurfacePoint&, const scene::ResolvedSurface& surface) {
+      [&](Way& way, const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface) {
         double share = 0.0;
-        for (const scene::Constituent& part : surface)
-          if (is_mirror(scene_.scene(), part)) share += part.weight * scene_.brightest(part.material);
+        if (scene_.materials().any_pane() || scene_.materials().any_medium())
+          share = highest_of_deltas(scene_, surface, delta_view(way.ray.direction, hit, surface),
+                                    SurfaceLobe::Deltas::mirrors);
+        else
+          for (const scene::Constituent& part : surface)
+            if (is_mirror(scene_.scene(), part)) share += part.weight * scene_.brightest(part.material);
         way.light *= share;
       },
       [&](const Way& way) {
         Asked& point = asked_[way.asked];
         if (way.image == MirrorPath::kRound)
           point.round_light += way.light;
-        else
+        else if (point.seen[way.image] < 255)
           ++point.seen[way.image];
-      });
+      },
+      [&](const Way& way, const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface,
+          bool through) {
+        return through && !passes_straight(scene_, surface)
+                   ? 0.0
+                   : highest_of_deltas(scene_, surface, delta_view(-way.ray.direction, hit, surface),
+                                       through ? SurfaceLobe::Deltas::panes : SurfaceLobe::Deltas::mirrors);
+      },
+      [&](const Way&, const geometry::SurfacePoint&, const scene::ResolvedSurface&) {});
 }
 
 MirrorLight::State MirrorLight::state_of(const Asked& point) const {
@@ -107,7 +120,7 @@ MirrorLight::State MirrorLight::state_of(const Asked& point) const {
   std::uint64_t images = 0;
   for (std::size_t k = 0; k < disc_points_.size(); ++k) {
     if (point.seen[k] == 0) continue;
-    const bool whole = point.seen[k] == disc_points_[k].size();
+    const bool whole = point.seen[k] % disc_points_[k].size() == 0;
     images += sampling::hash(k, whole);
     state.uneven = state.uneven || !whole;
   }

@@ -18,6 +18,19 @@ PathLight::PathLight(const SpectralScene& scene) : scene_(scene), n_(scene.strid
 }
 
 float* PathLight::radiance(const PathRecord& record, std::size_t k) {
+  one(record, k);
+  std::uint32_t also = record.paths[k].also;
+  if (also == PathVertex::kNone) return spectrum(kSum);
+  float* whole = spectrum(kWhole);
+  std::memcpy(whole, spectrum(kSum), n_ * sizeof(float));
+  for (; also != PathVertex::kNone; also = record.paths[also].also) {
+    one(record, also);
+    spectra::add_scaled(whole, spectrum(kSum), 1.0f, n_);
+  }
+  return whole;
+}
+
+void PathLight::one(const PathRecord& record, std::size_t k) {
   const PathRecord::Path& path = record.paths[k];
   if (path.first == PathVertex::kNone) {
     std::memset(spectrum(kSum), 0, n_ * sizeof(float));
@@ -30,7 +43,50 @@ float* PathLight::radiance(const PathRecord& record, std::size_t k) {
     }
   }
   if (path.escaped) add_escaped(path);
-  return spectrum(kSum);
+}
+
+const float* PathLight::left_by(const PathRecord::Segment& segment) {
+  const float* __restrict per_m = scene_.absorption(segment.medium.material);
+  float* __restrict left = spectrum(kSegment);
+  const float length = static_cast<float>(segment.length_m);
+  for (std::size_t i = 0; i < n_; ++i) left[i] = std::exp(-per_m[i] * length);
+  return left;
+}
+
+void PathLight::come_through(const PathRecord::Segment& segment, bool shines) {
+  const float* __restrict left = left_by(segment);
+  float* __restrict throughput = spectrum(kThroughput), * __restrict sum = spectrum(kSum);
+  const float* black = shines ? scene_.black(segment.medium, spectrum(kBlack)) : nullptr;
+  if (black != nullptr)
+    for (std::size_t i = 0; i < n_; ++i) sum[i] += throughput[i] * (1.0f - left[i]) * black[i];
+  for (std::size_t i = 0; i < n_; ++i) throughput[i] *= left[i];
+}
+
+const float* PathLight::factor(const PathRecord& record, const PathRecord::Mirrored::Factor& factor,
+                               bool transmitted) {
+  if (factor.spectrum != nullptr) return factor.spectrum;
+  const PathRecord::Mixed& mixed = record.mixed[factor.mixed];
+  const LobeEvent* event = factor.event == PathVertex::kNone ? nullptr : &record.way_events[factor.event];
+  return lobe_factor(scene_, mixed.surface, mixed.lobe, transmitted, event, spectrum(kDimmed),
+                     spectrum(kWork));
+}
+
+void PathLight::dim(const PathRecord& record, std::uint32_t passes, float* light) {
+  for (std::uint32_t k = passes; k != PathVertex::kNone; k = record.passes[k].next) {
+    const PathRecord::Pass& pass = record.passes[k];
+    const float* left = pass.segment != PathVertex::kNone ? left_by(record.segments[pass.segment])
+                                                          : factor(record, pass.factor, true);
+    for (std::size_t i = 0; i < n_; ++i) light[i] *= left[i];
+  }
+}
+
+const float* PathLight::sunlight(const PathRecord& record, const PathVertex& vertex) {
+  const float* sun = scene_.sun_irradiance(vertex.height_m, spectrum(kSun));
+  if (vertex.sun_passes == PathVertex::kNone) return sun;
+  float* dimmed = spectrum(kSunlight);
+  std::memcpy(dimmed, sun, n_ * sizeof(float));
+  dim(record, vertex.sun_passes, dimmed);
+  return dimmed;
 }
 
 float* PathLight::first_sunlight(const PathRecord& record, std::size_t k) {
@@ -41,18 +97,17 @@ float* PathLight::first_sunlight(const PathRecord& record, std::size_t k) {
     return sum;
   }
   const PathVertex& vertex = record.vertices[first];
-  spectra::scaled_product(sum, sun_factor(record, vertex),
-                          scene_.sun_irradiance(vertex.height_m, spectrum(kSun)), vertex.sun_weight, n_);
+  spectra::scaled_product(sum, sun_factor(record, vertex), sunlight(record, vertex), vertex.sun_weight, n_);
   return sum;
 }
 
 void PathLight::add_first(const PathRecord& record, const PathVertex& vertex) {
   float *sum = spectrum(kSum), *throughput = spectrum(kThroughput);
-  const float* emitted = emission(record, vertex);
+  const float* emitted = vertex.emission_weight > 0.0f ? emission(record, vertex) : nullptr;
   const float* factor = nullptr;
   if (vertex.sun_weight > 0.0f) {
     factor = sun_factor(record, vertex);
-    const float* sun = scene_.sun_irradiance(vertex.height_m, spectrum(kSun));
+    const float* sun = sunlight(record, vertex);
     if (emitted != nullptr)
       spectra::sum_of_scaled_product(sum, emitted, factor, sun, vertex.sun_weight, n_);
     else
@@ -71,6 +126,8 @@ void PathLight::add_first(const PathRecord& record, const PathVertex& vertex) {
 
 void PathLight::add_later(const PathRecord& record, const PathVertex& vertex) {
   float *sum = spectrum(kSum), *throughput = spectrum(kThroughput);
+  if (vertex.segment != PathVertex::kNone)
+    come_through(record.segments[vertex.segment], vertex.segment_shines);
   if (vertex.emission_weight == 1.0f) {
     if (const float* emitted = emission(record, vertex)) spectra::add_product(sum, throughput, emitted, n_);
   } else if (vertex.emission_weight > 0.0f) {
@@ -83,7 +140,7 @@ void PathLight::add_later(const PathRecord& record, const PathVertex& vertex) {
   const float* factor = nullptr;
   if (vertex.sun_weight > 0.0f) {
     factor = sun_factor(record, vertex);
-    const float* sun = scene_.sun_irradiance(vertex.height_m, spectrum(kSun));
+    const float* sun = sunlight(record, vertex);
     if (goes_on && vertex.sun_transmitted == vertex.continuation_transmitted &&
         !is_directional(record, vertex)) {
       spectra::add_and_scale(sum, throughput, factor, sun, vertex.sun_weight, vertex.continuation_weight, n_);
@@ -107,6 +164,12 @@ void PathLight::add_sought(const PathRecord& record, const PathVertex& vertex, c
   const float* emitted = vertex.sought_emission;
   if (vertex.sought_mixed != PathVertex::kNone) emitted = emission(record.mixed[vertex.sought_mixed]);
   if (emitted == nullptr) return;
+  if (vertex.sought_passes != PathVertex::kNone) {
+    float* dimmed = spectrum(kSoughtLight);
+    std::memcpy(dimmed, emitted, n_ * sizeof(float));
+    dim(record, vertex.sought_passes, dimmed);
+    emitted = dimmed;
+  }
   if (throughput != nullptr)
     spectra::add_scaled_product(spectrum(kSum), throughput, factor, emitted, vertex.sought_weight, n_);
   else
@@ -145,14 +208,8 @@ const float* PathLight::continuation_factor(const PathRecord& record, const Path
 
 void PathLight::add_mirrored(const PathRecord& record, const PathVertex& vertex, const float* throughput) {
   float* way = spectrum(kMirrored);
-  const auto times = [&](const PathRecord::Mirrored::Factor& factor, bool transmitted) {
-    const float* values = factor.spectrum;
-    if (values == nullptr) {
-      const PathRecord::Mixed& mixed = record.mixed[factor.mixed];
-      const LobeEvent* event = factor.event == PathVertex::kNone ? nullptr : &record.way_events[factor.event];
-      values = lobe_factor(scene_, mixed.surface, mixed.lobe, transmitted, event, spectrum(kDimmed),
-                           spectrum(kWork));
-    }
+  const auto times = [&](const PathRecord::Mirrored::Factor& one, bool transmitted) {
+    const float* values = factor(record, one, transmitted);
     for (std::size_t i = 0; i < n_; ++i) way[i] *= values[i];
   };
   for (std::uint32_t k = vertex.mirrored; k != PathVertex::kNone; k = record.mirrored[k].next) {
@@ -167,6 +224,7 @@ void PathLight::add_mirrored(const PathRecord& record, const PathVertex& vertex,
     spectra::set_scaled(way, source, light.weight, n_);
     times(light.surface, light.transmitted);
     for (std::size_t m = 0; m < light.count; ++m) times(light.mirrors[m], false);
+    dim(record, light.passes, way);
     if (throughput != nullptr)
       spectra::add_product(spectrum(kSum), throughput, way, n_);
     else

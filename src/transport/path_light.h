@@ -34,6 +34,11 @@ class PathLight {
     kDimmed,
     kSoughtFactor,
     kMirrored,
+    kSunlight,
+    kSoughtLight,
+    kSegment,
+    kBlack,
+    kWhole,
     kWork,
     kMoreWork,
     kSpectra
@@ -51,6 +56,16 @@ class PathLight {
   const float* continuation_factor(const PathRecord& record, const PathVertex& vertex, const float* sun);
   void add_sought(const PathRecord& record, const PathVertex& vertex, const float* throughput);
   void add_escaped(const PathRecord::Path& path);
+  /// One path alone, without those that began as it.
+  void one(const PathRecord& record, std::size_t k);
+  /// The Sun's irradiance at a vertex, through what it comes through.
+  const float* sunlight(const PathRecord& record, const PathVertex& vertex);
+  /// Multiplies by what a chain of PathRecord::passes leaves.
+  void dim(const PathRecord& record, std::uint32_t passes, float* light);
+  const float* factor(const PathRecord& record, const PathRecord::Mirrored::Factor& factor, bool transmitted);
+  /// What a medium leaves of light over its length.
+  const float* left_by(const PathRecord::Segment& segment);
+  void come_through(const PathRecord::Segment& segment, bool shines);
   /// Sunlight by way of mirrors; `throughput` null: 1.
   void add_mirrored(const PathRecord& record, const PathVertex& vertex, const float* throughput);
 

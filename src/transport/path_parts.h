@@ -19,6 +19,7 @@ struct PathTracer::Departure {
   double seek_probability = 0.0;    // that emitters were sought on this side; 0: they were not
   double mirror_probability = 0.0;  // that they were sought by way of a certain plane of mirrors
   bool unfolded = false;            // the receiver stands behind the mirror that the path has come by
+  bool by_pane = false;             // only by panes: the receiver stands where it stood
   bool by_rounds = false;           // they were sought by way of round mirrors
   std::uint32_t round = kNone;      // that the path has come by, with the coefficients of its image
   std::array<double, 3> widens{};
@@ -31,6 +32,12 @@ struct PathTracer::Way {
   bool from_sensor = true;
   bool flat = true;     // all of them have a facing
   bool unseen = false;  // sunlight by this way is found by random paths alone
+  // Of panes and media that the path came through.
+  bool passed = false;     // any
+  bool in_medium = false;  // the path is within one
+  bool entered = false;    // which it entered on this way, flying along `outside` before
+  bool broken = false;     // it was refracted in a way that is not sought
+  math::Vec3 outside{};
 };
 
 struct PathTracer::Path {
@@ -41,10 +48,15 @@ struct PathTracer::Path {
   Departure left;            // where it left the surface before
   Way way;
   SeparateImages::Mirror mirror = SeparateImages::kNone;  // that it came by straight from the sensor
+  bool direct = true;                                     // by mirrors and boundaries alone
+  std::uint8_t forks = 0;        // at which it took one side and another path the other
+  float share = 1.0f;            // of light that it brings to the sensor, at most; kept while it is direct
+  std::uint32_t medium = kNone;  // that its ray is in: index into media_
 };
 
 struct PathTracer::SurfaceEvent {  // a path that scatters at this depth
   std::uint32_t path = 0;
+  std::uint32_t number = 0;      // in the record: the path's, or that of the other side of a fork
   std::uint32_t shadow = kNone;  // index of its shadow ray
   PathVertex vertex;             // sunlight as if nothing blocked it
   math::Ray next;
@@ -55,6 +67,21 @@ struct PathTracer::SurfaceEvent {  // a path that scatters at this depth
   double seek_reflected = -1.0;
   Way next_chain;
   SeparateImages::Mirror next_mirror = SeparateImages::kNone;
+  bool next_direct = false;
+  std::uint8_t next_forks = 0;
+  float next_share = 0.0f;
+  std::uint32_t next_medium = kNone;
+};
+
+/// A ray towards light on its way through what may let it pass.
+struct PathTracer::PassingRay {
+  std::uint32_t event = 0;
+  math::Ray ray;
+  math::Vec3 towards;                        // in which direction it must leave
+  double share = 1.0;                        // of light that comes through, at most
+  std::uint32_t passes = PathVertex::kNone;  // in the record
+  std::uint32_t medium = kNone;
+  std::uint32_t light = kNone;  // index into sunken_, of a ray from within a medium
 };
 
 struct PathTracer::Seek {  // a ray that was sent to an emitter

@@ -31,12 +31,19 @@ struct PathVertex {
   const float* sought_emission = nullptr;  ///< null: of `sought_mixed`
   std::uint32_t sought_mixed = kNone;      ///< index into PathRecord::mixed
   std::uint32_t mirrored = kNone;  ///< index into PathRecord::mirrored: sunlight that came by way of mirrors
+  /// Indices into PathRecord::passes: what the Sun's light, and that of the emitter, came through.
+  std::uint32_t sun_passes = kNone, sought_passes = kNone;
+  /// Index into PathRecord::segments: the medium that the path came through to here.
+  std::uint32_t segment = kNone;
+  bool segment_shines = true;  ///< what the medium emits counts here
   double height_m = 0.0;
 };
 
 /// What paths did between the sensor and the light, without a spectrum: all that rays and random numbers decide.
 struct PathRecord {
   struct Path {
+    /// Another path that began as this one and took the other side of a boundary: its light is added to this one's.
+    std::uint32_t also = PathVertex::kNone;
     std::uint32_t first = PathVertex::kNone, last = PathVertex::kNone;  ///< of its vertices
     math::Vec3 towards_sensor;
     double sensor_height_m = 0.0;   ///< where the first segment starts
@@ -78,10 +85,22 @@ struct PathRecord {
     };
     Factor surface;  ///< of the vertex
     std::array<Factor, kMost> mirrors;
-    double height_m = 0.0;            ///< of the mirror that sees the Sun
-    bool emitted = false;             ///< not sunlight, but:
-    const float* emission = nullptr;  ///< null: of `emission_mixed`
+    std::uint32_t passes = PathVertex::kNone;  ///< index into PathRecord::passes
+    double height_m = 0.0;                     ///< of the mirror that sees the Sun
+    bool emitted = false;                      ///< not sunlight, but:
+    const float* emission = nullptr;           ///< null: of `emission_mixed`
     std::uint32_t emission_mixed = PathVertex::kNone;
+  };
+  /// A way through a medium.
+  struct Segment {
+    scene::Constituent medium;
+    double length_m = 0.0;
+  };
+  /// What light comes through on its way to a surface, nearest first: a pane or boundary, or a segment of a medium.
+  struct Pass {
+    Mirrored::Factor factor;
+    std::uint32_t segment = PathVertex::kNone;
+    std::uint32_t next = PathVertex::kNone;
   };
   /// Of a vertex, where polarization is asked for (SpectralScene::polarized()).
   struct Directions {
@@ -96,6 +115,8 @@ struct PathRecord {
   std::vector<Events> events;
   std::vector<LobeEvent> way_events;  ///< at surfaces that mirrors light
   std::vector<Mirrored> mirrored;
+  std::vector<Segment> segments;
+  std::vector<Pass> passes;
   std::vector<Directions> directions;  ///< by vertex; empty where nobody asks
 
   void start(std::size_t count) {
@@ -105,6 +126,8 @@ struct PathRecord {
     events.clear();
     way_events.clear();
     mirrored.clear();
+    segments.clear();
+    passes.clear();
     directions.clear();
   }
   void add(std::uint32_t path, const PathVertex& vertex) {

@@ -24,8 +24,10 @@ PathTracer::PathTracer(const SpectralScene& scene, TransportOptions options)
   mirrors_ = scene.sun_mirrors();
   if (mirrors_ != nullptr) {
     images_ = SunImages(*mirrors_, scene.scene().sun->direction, options.mirror_reflections);
-    mirror_tracer_ = std::make_unique<MirrorTracer>(scene.scene(), *mirrors_, images_);
+    mirror_tracer_ =
+        std::make_unique<MirrorTracer>(scene.scene(), *mirrors_, images_, scene.materials().any_pane());
   }
+  passages_ = scene.materials().any_pane() || scene.materials().any_medium();
 }
 
 PathTracer::~PathTracer() = default;
@@ -37,7 +39,8 @@ const PathRecord& PathTracer::trace(std::span<const math::Ray> rays, std::span<c
   record_.start(rays.size());
   paths_.resize(rays.size());
   for (std::size_t k = 0; k < rays.size(); ++k)
-    paths_[k] = {rays[k], keys[k], static_cast<std::uint32_t>(k), true, {}, {}, SeparateImages::kNone};
+    paths_[k] = {rays[k], keys[k], static_cast<std::uint32_t>(k), true, {}, {}};
+  media_.clear();
   for (int depth = 0; !paths_.empty(); ++depth) {
     trace_segment(counts, depth);
     if (depth == 0) {
@@ -52,6 +55,10 @@ const PathRecord& PathTracer::trace(std::span<const math::Ray> rays, std::span<c
     }
     advance(depth, counts);
   }
+  for (std::size_t k = 0; k < rays.size() && passages_; ++k)
+    for (std::uint32_t also = record_.paths[k].also; also != PathVertex::kNone;
+         also = record_.paths[also].also)
+      record_.paths[k].unseen += record_.paths[also].unseen;
   return record_;
 }
 
@@ -72,18 +79,30 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
   mirror_seeks_.clear();
   mirror_rays_.clear();
   unseen_rays_.clear();
+  passing_rays_.clear();
+  sunken_.clear();
   for (std::size_t k = 0; k < paths_.size(); ++k) {
-    if (passes(paths_[k], hits_[k]))
+    if (passes(paths_[k], hits_[k])) {
       pass(paths_[k], hits_[k]);
-    else if (hits_[k].hit())
-      scatter(paths_[k], static_cast<std::uint32_t>(k), scene_.scene().resolve(hits_[k]), depth);
-    else
+    } else if (hits_[k].hit()) {
+      const scene::ResolvedSurface surface = scene_.scene().resolve(hits_[k]);
+      if (passages_ && forks(paths_[k], hits_[k], surface)) {
+        const std::uint32_t number = paths_[k].number, twin = fork(number);
+        scatter(paths_[k], static_cast<std::uint32_t>(k), surface, depth, Branch::reflected, number);
+        scatter(paths_[k], static_cast<std::uint32_t>(k), surface, depth, Branch::transmitted, twin);
+      } else {
+        scatter(paths_[k], static_cast<std::uint32_t>(k), surface, depth, Branch::by_chance,
+                paths_[k].number);
+      }
+    } else {
       escape(paths_[k]);
+    }
   }
 
   blocked_.resize(shadow_rays_.size());
   if (!shadow_rays_.empty()) scene_.scene().world->occluded(shadow_rays_, blocked_);
   counts.shadow += shadow_rays_.size();
+  if (passages_) pass_shadow_rays(counts);
   if (!unseen_rays_.empty()) trace_unseen_rays(counts);
   if (!mirror_rays_.empty()) trace_mirror_rays(counts);
 
@@ -96,10 +115,11 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
   for (SurfaceEvent& event : events_) {
     const Path& path = paths_[event.path];
     if (event.shadow == kNone || blocked_[event.shadow] != 0) event.vertex.sun_weight = 0.0f;
-    record_.add(path.number, event.vertex);
+    record_.add(event.number, event.vertex);
     if (event.vertex.continuation_weight > 0.0f)
-      next_paths_.push_back({event.next, path.key, path.number, event.next_sees_sun, event.left,
-                             event.next_chain, event.next_mirror});
+      next_paths_.push_back({event.next, path.key, event.number, event.next_sees_sun, event.left,
+                             event.next_chain, event.next_mirror, event.next_direct, event.next_forks,
+                             event.next_share, event.next_medium});
   }
   paths_.swap(next_paths_);
 }

@@ -65,6 +65,9 @@ class PathTracer {
   struct SunRay;
   struct MirrorRay;
   struct UnseenRay;
+  struct PassingRay;
+  /// Which side of a boundary a path goes on to: by chance, or, at a fork, each.
+  enum class Branch : std::uint8_t { by_chance, reflected, transmitted };
   void trace_segment(sampling::RayCounts& counts, int depth);
   void advance(int depth, sampling::RayCounts& counts);
   void escape(const Path& path);
@@ -80,7 +83,13 @@ class PathTracer {
   /// Bsdf::grey() of how a path goes on, which its weight is multiplied by; 1 of a separable lobe, whose weight holds it.
   double continuation_grey(const SurfaceLobe& lobe, const PathVertex& vertex);
   /// What becomes of a path at a surface: an event is added, of no weights where it ends there without sunlight.
-  void scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface, int depth);
+  void scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface, int depth,
+               Branch branch, std::uint32_t number);
+  /// Whether both sides of a boundary are followed, so that neither is left to chance where the sensor sees it.
+  bool forks(const Path& path, const geometry::SurfacePoint& hit,
+             const scene::ResolvedSurface& surface) const;
+  /// Another path of the record that has come the same way, and brings nothing from there.
+  std::uint32_t fork(std::uint32_t number);
   void send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, int depth,
                    sampling::Point2 u, SurfaceEvent& event);
   /// Share of sunlight from a direction that belongs to these paths (TransportOptions::highlights).
@@ -106,10 +115,34 @@ class PathTracer {
   void note_chain(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
                   const geometry::SurfacePoint& hit, SurfaceEvent& event);
   void trace_mirror_rays(sampling::RayCounts& counts);
+
+  // Through panes and media (path_tracer_passes.cpp).
+  /// How a path goes on that came through a surface: whether what it meets there is sought by other rays.
+  void note_passage(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
+                    const geometry::SurfacePoint& hit, SurfaceEvent& event);
+  /// Sunlight that reaches a surface in a medium through the flat boundaries of it.
+  void send_from_medium(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
+                        const geometry::SurfacePoint& hit, int depth, const scene::ResolvedSurface& surface,
+                        sampling::Point2 u);
+  /// Follows rays to the Sun that panes and parallel faces let pass.
+  void pass_shadow_rays(sampling::RayCounts& counts);
+  void trace_passing(sampling::RayCounts& counts);
+  bool pass(PassingRay& way, const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface);
+  /// Of the wide Sun what a ray finds that is refracted by what it met, 1/sr: 0 where that bounds no medium.
+  float refracted_light(math::Ray ray, geometry::SurfacePoint hit, sampling::RayCounts& counts) const;
+  /// The same for rays to emitters, straight on alone.
+  void pass_seeks(sampling::RayCounts& counts);
+  /// Index of a new entry of the record before `next`.
+  std::uint32_t add_pass(const scene::ResolvedSurface& surface, math::Vec3 away,
+                         const geometry::SurfacePoint& hit, std::uint32_t next);
+  std::uint32_t add_segment(std::uint32_t medium, double length_m);
+  /// The medium that a path is in after a surface; kNone: none.
+  std::uint32_t medium_after(std::uint32_t before, const SurfaceLobe& lobe,
+                             const scene::ResolvedSurface& surface);
   void trace_unseen_rays(sampling::RayCounts& counts);
   /// Direction, side and weight of the continued path, before any roulette; false where it ends.
   bool continue_path(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
-                     sampling::Point2 u, SurfaceEvent& event);
+                     sampling::Point2 u, Branch branch, SurfaceEvent& event);
   /// Sends a ray to an emitter.
   void seek(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
             const PathKey& key, int depth, SurfaceEvent& event);
@@ -125,8 +158,11 @@ class PathTracer {
   Departure by_mirror(const Departure& left, const geometry::SurfacePoint& hit,
                       const scene::ResolvedSurface& surface) const;
   bool shows_mirror(const scene::ResolvedSurface& surface) const;
-  /// What a mirror leaves of light.
-  PathRecord::Mirrored::Factor mirror_factor(const scene::ResolvedSurface& surface);
+  /// What a mirror leaves of light that it reflects from or to a direction away from it.
+  PathRecord::Mirrored::Factor mirror_factor(const scene::ResolvedSurface& surface, math::Vec3 away,
+                                             const geometry::SurfacePoint& hit);
+  PathRecord::Mirrored::Factor delta_factor(const scene::ResolvedSurface& surface, math::Vec3 away,
+                                            const geometry::SurfacePoint& hit, SurfaceLobe::Deltas deltas);
   /// What the surface of an event makes of light that reaches it by way of mirrors.
   PathRecord::Mirrored::Factor surface_factor(const scene::ResolvedSurface& surface, const PathVertex& vertex,
                                               const LobeEvent& event, bool transmitted);
@@ -177,6 +213,10 @@ class PathTracer {
   std::vector<MirrorSeek> mirror_seeks_;
   std::vector<MirrorRay> mirror_rays_;
   std::vector<UnseenRay> unseen_rays_;
+  bool passages_ = false;  // some surface lets light pass
+  std::vector<PassingRay> passing_rays_, next_passing_;
+  std::vector<PathRecord::Mirrored> sunken_;  // light of rays from within media, by PassingRay::light
+  std::vector<scene::Constituent> media_;     // that paths are in
   std::vector<std::uint32_t> seen_images_;
   std::vector<std::uint8_t> hidden_;
 };

@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "geometry/world.h"
-#include "materials/bsdf/mirror.h"
 #include "math/vec3.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"
+#include "transport/delta_events.h"
 #include "transport/mirrors/emitter_mirrors.h"
 #include "transport/mirrors/mirror_paths.h"
 #include "transport/path_parts.h"
@@ -154,7 +154,7 @@ void PathTracer::trace_mirror_seeks(sampling::RayCounts& counts) {
     if (!hit.hit()) continue;
     const scene::ResolvedSurface surface = scene_.scene().resolve(hit);
     if (!shows_mirror(surface) || !reflects(seek, hit, surface)) continue;
-    seek.light.mirrors[seek.light.count++] = mirror_factor(surface);
+    seek.light.mirrors[seek.light.count++] = mirror_factor(surface, seek.ray.direction, hit);
     mirror_seeks_[kept++] = seek;
   }
   mirror_seeks_.resize(kept);
@@ -208,15 +208,28 @@ bool PathTracer::shows_mirror(const scene::ResolvedSurface& surface) const {
                      [&](const scene::Constituent& part) { return is_mirror(scene_.scene(), part); });
 }
 
-PathRecord::Mirrored::Factor PathTracer::mirror_factor(const scene::ResolvedSurface& surface) {
+PathRecord::Mirrored::Factor PathTracer::mirror_factor(const scene::ResolvedSurface& surface, math::Vec3 away,
+                                                       const geometry::SurfacePoint& hit) {
   PathRecord::Mirrored::Factor factor;
-  if (surface.count == 1) {
+  if (surface.count == 1 && scene_.materials().directional(surface.constituents[0].material) == nullptr) {
     factor.spectrum = scene_.materials().reflectance(surface.constituents[0].material);
-  } else {
-    SurfaceLobe lobe;
-    lobe.bsdf = materials::Mirror::shared().get();
-    factor.mixed = add_mixed(surface, lobe, {});
+    return factor;
   }
+  return delta_factor(surface, away, hit, SurfaceLobe::Deltas::mirrors);
+}
+
+PathRecord::Mirrored::Factor PathTracer::delta_factor(const scene::ResolvedSurface& surface, math::Vec3 away,
+                                                      const geometry::SurfacePoint& hit,
+                                                      SurfaceLobe::Deltas deltas) {
+  PathRecord::Mirrored::Factor factor;
+  SurfaceLobe lobe;
+  lobe.deltas = deltas;
+  factor.mixed = add_mixed(surface, lobe, {});
+  LobeEvent event;
+  event.event = delta_view(away, hit, surface);
+  if (deltas == SurfaceLobe::Deltas::panes) event.event.side = materials::Side::transmitted;
+  factor.event = static_cast<std::uint32_t>(record_.way_events.size());
+  record_.way_events.push_back(event);
   return factor;
 }
 

@@ -6,6 +6,7 @@
 #include "geometry/world.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"
+#include "transport/delta_events.h"
 #include "transport/mirrors/emitter_mirrors.h"
 #include "transport/path_parts.h"
 #include "transport/path_sides.h"
@@ -116,7 +117,7 @@ void PathTracer::trace_mirror_rays(sampling::RayCounts& counts) {
   mirror_tracer_->trace(
       mirror_rays_, counts,
       [&](MirrorRay& way, const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface) {
-        way.light.mirrors[way.light.count++] = mirror_factor(surface);
+        way.light.mirrors[way.light.count++] = mirror_factor(surface, way.ray.direction, hit);
         way.light.height_m = hit.position_m.z;
       },
       [&](MirrorRay& way) {
@@ -124,6 +125,16 @@ void PathTracer::trace_mirror_rays(sampling::RayCounts& counts) {
         way.light.next = vertex.mirrored;
         vertex.mirrored = static_cast<std::uint32_t>(record_.mirrored.size());
         record_.mirrored.push_back(way.light);
+      },
+      [&](const MirrorRay& way, const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface,
+          bool through) {
+        return through && !passes_straight(scene_, surface)
+                   ? 0.0
+                   : highest_of_deltas(scene_, surface, delta_view(-way.ray.direction, hit, surface),
+                                       through ? SurfaceLobe::Deltas::panes : SurfaceLobe::Deltas::mirrors);
+      },
+      [&](MirrorRay& way, const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface) {
+        way.light.passes = add_pass(surface, -way.ray.direction, hit, way.light.passes);
       });
 }
 
@@ -135,31 +146,36 @@ void PathTracer::note_chain(const Path& path, const SurfaceLobe& lobe, const Sid
   if (!lobe.bsdf->is_delta()) {
     way = {};
     way.from_sensor = false;
+    way.in_medium = event.next_medium != kNone;
+  } else if (event.vertex.continuation_transmitted) {
+    note_passage(path, lobe, sides, hit, event);
   } else {
     way = path.way;
-    const std::uint32_t facing = event.vertex.continuation_transmitted
-                                     ? SunMirrors::kNone
-                                     : mirrors_->facing_of(hit, sides.shading.as_vector());
+    // What is reflected within a medium, or came out of it bent, is not sought.
+    way.broken = way.broken || way.in_medium;
+    const std::uint32_t facing = mirrors_->facing_of(hit, sides.shading.as_vector());
     way.flat = way.flat && facing != SunMirrors::kNone;
     if (way.flat && way.reflections < way.facings.size())
       way.facings[way.reflections] = static_cast<std::uint16_t>(facing);
     if (way.reflections < 255) ++way.reflections;
     if (way.from_sensor) {
-      const bool apart = options_.sought_only && way.reflections == 1 && mirrors_->glints_by_shape(hit);
+      const bool apart =
+          options_.sought_only && way.reflections == 1 && !way.passed && mirrors_->glints_by_shape(hit);
       event.next_sees_sun = way.flat || !apart;
       way.unseen = !way.flat && !apart;
     } else {
       const bool sought =
-          way.flat ? way.reflections <= images_.reflections() &&
-                         images_.image_of({way.facings.data(), way.reflections}) != SunMirrors::kNone
-                   : way.reflections == 1 && options_.mirror_reflections > 0 &&
-                         !event.vertex.continuation_transmitted && mirrors_->rounds().sought(hit);
+          !way.broken &&
+          (way.flat
+               ? way.reflections <= images_.reflections() &&
+                     images_.image_of({way.facings.data(), way.reflections}) != SunMirrors::kNone
+               : way.reflections == 1 && options_.mirror_reflections > 0 && mirrors_->rounds().sought(hit));
       event.next_sees_sun = !sought && !options_.sought_only;
       // What bends and is met first is looked for by send_to_unseen.
       way.unseen = !sought && (way.unseen || way.flat || way.reflections > 1);
     }
   }
-  record_.paths[path.number].brightest *=
+  record_.paths[event.number].brightest *=
       static_cast<float>(highest * continuation_grey(lobe, event.vertex)) * event.vertex.continuation_weight;
 }
 
@@ -219,6 +235,9 @@ void PathTracer::trace_unseen_rays(sampling::RayCounts& counts) {
     const geometry::SurfacePoint& hit = hits_[k];
     if (!hit.hit()) continue;
     const scene::ResolvedSurface surface = scene_.scene().resolve(hit);
+    if (scene_.materials().any_medium())
+      record_.paths[paths_[events_[unseen.event].path].number].unseen +=
+          unseen.weight * refracted_light(unseen.ray, hit, counts);
     double highest = 0.0;
     for (const scene::Constituent& part : surface)
       if (is_mirror(scene_.scene(), part)) highest += part.weight * scene_.brightest(part.material);

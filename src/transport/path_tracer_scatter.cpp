@@ -13,6 +13,7 @@
 #include "transport/path_tracer.h"
 #include "transport/sky/sky_dome.h"
 #include "transport/spectral_scene.h"
+#include "transport/surface_lobe.h"
 
 namespace ifov::transport {
 
@@ -61,25 +62,68 @@ double PathTracer::continuation_grey(const SurfaceLobe& lobe, const PathVertex& 
   return events == nullptr ? 1.0 : lobe.grey(events->continuation.event);
 }
 
+bool PathTracer::forks(const Path& path, const geometry::SurfacePoint& hit,
+                       const scene::ResolvedSurface& surface) const {
+  // Further forks are worth their rays where both sides bring much of the light.
+  constexpr int kMostForks = 3;
+  constexpr double kLeastOfAll = 1e-5, kLeastFurther = 0.02;
+  if (!path.direct || path.forks >= kMostForks || surface.count != 1 || options_.maximum_scatterings == 0)
+    return false;
+  SurfaceLobe lobe = surface_lobe(scene_, surface, 0.0);
+  if (!lobe.directional || !lobe.bsdf->is_delta() || !lobe.bsdf->may_transmit()) return false;
+  const Sides sides(path.ray, hit, surface.shading_normal);
+  narrow_to_angle(scene_, surface, sides.view(lobe, false), lobe);
+  return std::min(lobe.highest_reflectance, lobe.highest_transmittance) * static_cast<double>(path.share) >
+         (path.forks == 0 ? kLeastOfAll : kLeastFurther);
+}
+
+std::uint32_t PathTracer::fork(std::uint32_t number) {
+  const auto twin = static_cast<std::uint32_t>(record_.paths.size());
+  PathRecord::Path path = record_.paths[number];
+  path.first = path.last = PathVertex::kNone;
+  path.unseen = 0.0f;
+  record_.paths.push_back(path);
+  record_.paths[number].also = twin;
+  for (std::uint32_t v = record_.paths[number].first; v != PathVertex::kNone; v = record_.vertices[v].next) {
+    PathVertex vertex = record_.vertices[v];
+    vertex.next = PathVertex::kNone;
+    vertex.emission_weight = vertex.sun_weight = vertex.sought_weight = 0.0f;
+    vertex.segment_shines = false;
+    vertex.mirrored = PathVertex::kNone;
+    record_.add(twin, vertex);
+  }
+  return twin;
+}
+
 void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface,
-                         int depth) {
+                         int depth, Branch branch, std::uint32_t number) {
   const double choice =
       surface.count > 1
           ? sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth, kShapeChoice))
           : 0.0;
-  const SurfaceLobe lobe = surface_lobe(scene_, surface, choice);
+  SurfaceLobe lobe = surface_lobe(scene_, surface, choice);
   const geometry::SurfacePoint& hit = hits_[path_index];
   SurfaceEvent& event = events_.emplace_back();
   event.path = path_index;
+  event.number = number;
   event.vertex = vertex_of(surface, lobe, -path.ray.direction);
   event.vertex.height_m = hit.position_m.z;
   if (path.left.seek_probability > 0.0) event.vertex.emission_weight = unsought(path, hit);
+  if (path.medium != kNone) event.vertex.segment = add_segment(path.medium, hit.distance_m);
+  if (branch == Branch::transmitted) {
+    event.vertex.emission_weight = 0.0f;
+    event.vertex.segment_shines = false;
+  }
   if (scene_.polarized())
     directions_.push_back({-path.ray.direction, {}, surface.shading_normal.as_vector(), nullptr});
   if (depth == options_.maximum_scatterings || lobe.highest_reflectance + lobe.highest_transmittance <= 0.0)
     return;
 
   const Sides sides(path.ray, hit, surface.shading_normal);
+  if (lobe.directional && lobe.bsdf->is_delta()) {
+    narrow_to_angle(scene_, surface, sides.view(lobe, false), lobe);
+    if (lobe.highest_reflectance + lobe.highest_transmittance <= 0.0) return;
+  }
   if (scene_.polarized()) {
     directions_.back().normal = sides.shading.as_vector();
     if (lobe.bsdf->polarizes()) directions_.back().polarizing = lobe.bsdf;
@@ -92,6 +136,7 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
       send_to_images(path, surface, lobe, sides, hit, depth, u);
       send_to_rounds(path, surface, lobe, sides, hit, depth, u);
       send_to_unseen(path, lobe, sides, hit, depth);
+      if (path.medium != kNone) send_from_medium(path, lobe, sides, hit, depth, surface, u);
     }
   }
   PathVertex& vertex = event.vertex;
@@ -105,7 +150,7 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
   }
   if (depth + 1 != options_.maximum_scatterings &&
       continue_path(lobe, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair + 1u),
-                    event) &&
+                    branch, event) &&
       depth + 1 >= kCertainScatterings) {
     const double highest =
         vertex.continuation_transmitted ? lobe.highest_transmittance : lobe.highest_reflectance;
@@ -115,6 +160,29 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
         sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth)) < probability;
     vertex.continuation_weight =
         survives ? static_cast<float>(vertex.continuation_weight / probability) : 0.0f;
+  }
+  if (passages_ && vertex.continuation_weight > 0.0f) {
+    const bool delta = lobe.bsdf->is_delta(), transmitted = vertex.continuation_transmitted;
+    event.next_medium = transmitted ? medium_after(path.medium, lobe, surface) : path.medium;
+    // Media within others, and sensors within one, are not followed: the pixel may lack, or hold, what a white surface shows.
+    const materials::Passage passage = lobe.bsdf->passage();
+    if (transmitted && ((passage == materials::Passage::into && path.medium != kNone) ||
+                        (passage == materials::Passage::out_of && path.medium == kNone)))
+      record_.paths[event.number].unseen +=
+          path.share * static_cast<float>(lobe.highest_transmittance / std::numbers::pi);
+    event.next_direct = path.direct && delta;
+    event.next_forks = static_cast<std::uint8_t>(path.forks + (branch == Branch::by_chance ? 0 : 1));
+    event.next_share =
+        path.share * vertex.continuation_weight *
+        static_cast<float>(transmitted ? lobe.highest_transmittance : lobe.highest_reflectance);
+    // A pane changes nothing of how emitters were sought straight.
+    if (delta && transmitted && lobe.bsdf->passage() == materials::Passage::straight &&
+        path.left.round == kNone && (!path.left.unfolded || path.left.by_pane)) {
+      event.left = path.left;
+      event.left.unfolded = event.left.by_pane = true;
+      event.left.mirror_probability = 0.0;
+      event.left.by_rounds = false;
+    }
   }
   if (scene_.polarized()) directions_.back().incoming = event.next.direction;
   if (by_mirrors && vertex.continuation_weight > 0.0f) {
@@ -218,11 +286,13 @@ LobeEvent PathTracer::scattering(const SurfaceLobe& lobe, const Sides& sides, ma
 }
 
 bool PathTracer::continue_path(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
-                               sampling::Point2 u, SurfaceEvent& event) {
+                               sampling::Point2 u, Branch branch, SurfaceEvent& event) {
   // The side is chosen so that no node's weight outgrows the sum of the two highest factors.
   double probability = 1.0;
   bool transmitted = false;
-  if (lobe.highest_transmittance > 0.0) {
+  if (branch != Branch::by_chance) {
+    transmitted = branch == Branch::transmitted;
+  } else if (lobe.highest_transmittance > 0.0) {
     probability = lobe.highest_reflectance / (lobe.highest_reflectance + lobe.highest_transmittance);
     transmitted = !(u.x < probability);
     u.x = transmitted ? (u.x - probability) / (1.0 - probability) : u.x / probability;

@@ -119,6 +119,7 @@ void PathTracer::trace_seeks(sampling::RayCounts& counts) {
   seek_hits_.resize(seek_rays_.size());
   scene_.scene().world->intersect(seek_rays_, seek_hits_);
   counts.shadow += seek_rays_.size();
+  if (passages_) pass_seeks(counts);
   for (SurfaceEvent& event : events_) {
     if (event.seek == kNone) continue;
     const Seek& seek = seeks_[event.seek];

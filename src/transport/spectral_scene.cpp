@@ -240,6 +240,19 @@ void SpectralScene::light_surroundings() {
         (light_.row(kSunIrradiance)[n] * static_cast<float>(sine / std::numbers::pi) + light_.row(kSky)[n]);
 }
 
+const float* SpectralScene::absorption(std::uint32_t material) const {
+  const materials::NodeBsdf* model = materials_.directional(material);
+  return model == nullptr ? nullptr : model->absorption();
+}
+
+const float* SpectralScene::black(const scene::Constituent& constituent, float* scratch) const {
+  if (constituent.mapped_temperature_k > 0.0) {
+    planck_->row(constituent.mapped_temperature_k, scratch);
+    return scratch;
+  }
+  return scene_.states[constituent.state].temperature_k > 0.0 ? black_.row(constituent.state) : nullptr;
+}
+
 const float* SpectralScene::thermal_emission(const scene::Constituent& constituent, double cosine,
                                              float* scratch, float* work) const {
   const double own_k = scene_.states[constituent.state].temperature_k;
@@ -248,7 +261,7 @@ const float* SpectralScene::thermal_emission(const scene::Constituent& constitue
     return own_k > 0.0 ? emission_.row(constituent.state) : nullptr;
   const float* __restrict emissivity = materials_.emissivity(constituent.material);
   if (model != nullptr) {
-    model->emissivity(cosine, work);
+    model->emissivity(cosine, work, scratch);
     emissivity = work;
   }
   if (!black_body(constituent, scratch)) return nullptr;

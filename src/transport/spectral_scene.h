@@ -58,6 +58,12 @@ class SpectralScene {
   /// Null where the Sun lights nothing with a narrow lobe.
   const SunLobes* sun_lobes() const { return lobes_.get(); }
 
+  /// What the medium behind a material absorbs, 1/m, in nodes; null: nothing.
+  const float* absorption(std::uint32_t material) const;
+  /// Planck's radiance of a constituent's temperature, in `scratch` (stride() floats); null: it emits nothing. Of materials that depend
+  /// on direction.
+  const float* black(const scene::Constituent& constituent, float* scratch) const;
+
   /// What of the light that meets a material goes on in any node, at most; 0 marks a black surface, which ends paths.
   double brightest(std::uint32_t material) const {
     return materials_.maximum_reflectance(material) + materials_.maximum_transmittance(material);

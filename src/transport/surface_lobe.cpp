@@ -20,6 +20,16 @@ void describe(const SpectralScene& scene, std::uint32_t material, SurfaceLobe& l
   lobe.isotropic = !lobe.directional || lobe.bsdf->is_isotropic();
 }
 
+bool belongs(const SpectralScene& scene, const SurfaceLobe& lobe, const scene::Constituent& constituent) {
+  const materials::Bsdf* bsdf = bsdf_of(scene, constituent);
+  switch (lobe.deltas) {
+    case SurfaceLobe::Deltas::none: return bsdf == lobe.bsdf;
+    case SurfaceLobe::Deltas::mirrors: return bsdf->is_delta();
+    case SurfaceLobe::Deltas::panes: return bsdf->passage() == materials::Passage::straight;
+  }
+  return false;
+}
+
 /// The model of the constituent that the choice falls on, and the probability of all constituents of that model.
 void choose_model(const SpectralScene& scene, const scene::ResolvedSurface& surface, double whole,
                   double choice, SurfaceLobe& lobe) {
@@ -87,6 +97,42 @@ SurfaceLobe surface_lobe(const SpectralScene& scene, const scene::ResolvedSurfac
   return lobe;
 }
 
+void narrow_to_angle(const SpectralScene& scene, const scene::ResolvedSurface& surface,
+                     const materials::BsdfEvent& view, SurfaceLobe& lobe) {
+  lobe.highest_reflectance = lobe.highest_transmittance = 0.0;
+  for (const scene::Constituent& c : surface) {
+    if (bsdf_of(scene, c) != lobe.bsdf) continue;
+    const materials::NodeBsdf& model = *scene.materials().directional(c.material);
+    const double weight = surface.count == 1 ? 1.0 : c.weight / lobe.probability;
+    lobe.highest_reflectance += weight * model.highest_share(view, materials::Side::reflected);
+    lobe.highest_transmittance += weight * model.highest_share(view, materials::Side::transmitted);
+  }
+}
+
+bool passes_straight(const SpectralScene& scene, const scene::ResolvedSurface& surface) {
+  return scene.materials().any_pane() &&
+         std::any_of(surface.begin(), surface.end(), [&](const scene::Constituent& c) {
+           return bsdf_of(scene, c)->passage() == materials::Passage::straight;
+         });
+}
+
+double highest_of_deltas(const SpectralScene& scene, const scene::ResolvedSurface& surface,
+                         const materials::BsdfEvent& view, SurfaceLobe::Deltas deltas) {
+  SurfaceLobe lobe;
+  lobe.deltas = deltas;
+  const materials::Side side =
+      deltas == SurfaceLobe::Deltas::panes ? materials::Side::transmitted : materials::Side::reflected;
+  double highest = 0.0;
+  for (const scene::Constituent& c : surface) {
+    if (!belongs(scene, lobe, c)) continue;
+    const materials::NodeBsdf* model = scene.materials().directional(c.material);
+    highest +=
+        c.weight * (model == nullptr ? static_cast<double>(scene.materials().maximum_reflectance(c.material))
+                                     : model->highest_share(view, side));
+  }
+  return highest;
+}
+
 const float* lobe_factor(const SpectralScene& scene, const scene::ResolvedSurface& surface,
                          const SurfaceLobe& lobe, bool transmitted, const LobeEvent* event, float* scratch,
                          float* work) {
@@ -100,7 +146,7 @@ const float* lobe_factor(const SpectralScene& scene, const scene::ResolvedSurfac
   if (surface.count == 1) return spectrum(surface.constituents[0].material, scratch, work);
   bool any = false;
   for (const scene::Constituent& c : surface) {
-    if (bsdf_of(scene, c) != lobe.bsdf) continue;
+    if (!belongs(scene, lobe, c)) continue;
     if (transmitted && materials.maximum_transmittance(c.material) <= 0.0f) continue;
     const float w = static_cast<float>(c.weight / lobe.probability);
     const float* __restrict from = spectrum(c.material, work, work + n);

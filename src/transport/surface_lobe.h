@@ -19,7 +19,22 @@ struct SurfaceLobe {
   /// What weights of a directional lobe, whose shape is 1, are multiplied by where probabilities are made of them without a
   /// spectrum.
   double grey(const materials::BsdfEvent& event) const { return directional ? bsdf->grey(event) : 1.0; }
+  /// In place of one model: all constituents that reflect as mirrors, or all that let light through straight on.
+  enum class Deltas : std::uint8_t { none, mirrors, panes };
+  Deltas deltas = Deltas::none;
 };
+
+/// Of a lobe that is a delta and not separable, whose factors depend on the angle: puts its highest factors at this view in place of
+/// those at any.
+void narrow_to_angle(const SpectralScene& scene, const scene::ResolvedSurface& surface,
+                     const materials::BsdfEvent& view, SurfaceLobe& lobe);
+
+/// Whether some of a surface lets light through straight on, as panes do.
+bool passes_straight(const SpectralScene& scene, const scene::ResolvedSurface& surface);
+
+/// What goes on in any node, at most, where light meets all its mirrors, or all its panes, from a direction.
+double highest_of_deltas(const SpectralScene& scene, const scene::ResolvedSurface& surface,
+                         const materials::BsdfEvent& view, SurfaceLobe::Deltas deltas);
 
 /// Constituents whose model is the same object are added up, weighed by area: nothing random is in it. Where they have unlike
 /// models (a mirror in a meadow), `choice` in [0, 1) picks one in proportion to weight and brightness, and its factors

@@ -258,7 +258,7 @@ TEST(Bsdf, TheRegistryKnowsEveryModel) {
     EXPECT_EQ(std::string(error.what()),
               "there is no scattering model 'lambertain'; there are 'lambertian', 'mirror', 'oren_nayar', "
               "'ross_li', 'roujean', 'rpv', 'hapke', 'snow', 'table', 'rough_conductor', 'rough_dielectric', "
-              "'ward', 'sea', 'leaf', 'priest_germer', "
+              "'ward', 'smooth', 'slab', 'film', 'sea', 'leaf', 'priest_germer', "
               "'maxwell_beard', 'shell_target', 'maignan'");
   }
 }

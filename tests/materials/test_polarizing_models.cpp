@@ -238,8 +238,8 @@ StokesVector in_a_room(const std::shared_ptr<const Bsdf>& bsdf, const NodeBsdf& 
                                                                   static_cast<double>(column[1]),
                                                                   static_cast<double>(column[2]), 0.0};
     }
-  radiometry::SpectrumBlock work(2, 1);
-  own.emissivity(cosine, work.row(0));
+  radiometry::SpectrumBlock work(3, 1);
+  own.emissivity(cosine, work.row(0), work.row(2));
   sum.i += static_cast<double>(work.row(0)[0]);
   if (own.polarized_emission(cosine, work.row(1))) sum.q += static_cast<double>(work.row(1)[0]);
   return sum;

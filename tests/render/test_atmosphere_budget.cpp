@@ -9,6 +9,7 @@
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/atmosphere_budget.h"
 #include "render/tolerance/channel_brightness.h"
+#include "sampling/tile.h"
 
 namespace ifov::render {
 namespace {

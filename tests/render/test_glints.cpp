@@ -7,7 +7,9 @@
 
 #include "materials/bsdf/mirror.h"
 #include "render/mirrors/glints.h"
+#include "sampling/pixel_footprint.h"
 #include "sampling/random.h"
+#include "sampling/tile.h"
 #include "sensor/frame_camera.h"
 #include "sensor/orthographic_camera.h"
 #include "transport/small_scene.h"

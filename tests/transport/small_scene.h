@@ -33,6 +33,11 @@ class SmallScene {
     scene::SurfaceAssignment assignment;
     assignment.states = {index};
     scene_.assignments.push_back(assignment);
+    // The other side of a boundary is a material of its own.
+    if (const std::shared_ptr<const materials::Bsdf> behind = bsdf->behind()) {
+      const std::uint32_t back = this->material(reflectance, temperature_k, behind);
+      scene_.assignments[index].back_states = {back};
+    }
     return index;
   }
 

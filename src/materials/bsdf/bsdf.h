@@ -1,11 +1,21 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <span>
 
 #include "materials/bsdf/event/bsdf_event.h"
 #include "radiometry/spectrum.h"
 
 namespace ifov::materials {
+
+/// Where light of the far side comes from.
+enum class Passage : std::uint8_t {
+  none,      ///< it does not come through, or is spread (a leaf)
+  straight,  ///< through a sheet, without a change of direction
+  into,      ///< out of a medium that begins behind the surface, as seen from outside
+  out_of,    ///< the same surface as seen from within the medium
+};
 
 /// A direction drawn for light that leaves a surface towards `outgoing`.
 struct BsdfSample {
@@ -31,13 +41,21 @@ class Bsdf {
  public:
   virtual ~Bsdf() = default;
 
-  /// All light leaves at the angle at which it came: sample() gives the only direction, shape() and pdf() are 0. Such a
-  /// model is separable.
+  /// All light of a side leaves in one direction: sample() gives the direction that it came from, weight 1 (0: there is none), shape()
+  /// and pdf() are 0. Of such a model that is not separable evaluate() gives the share of radiance that comes that way, 0 to 1; in a
+  /// medium radiance stands for basic radiance, L / n^2 (docs/theory/surfaces.md).
   virtual bool is_delta() const { return false; }
   virtual bool is_separable() const { return false; }
   /// A separable model is isotropic.
   virtual bool is_isotropic() const { return true; }
   virtual bool may_transmit() const { return false; }
+  virtual Passage passage() const { return Passage::none; }
+  /// The same surface from its other side, where that differs; null: it does not.
+  virtual std::shared_ptr<const Bsdf> behind() const { return nullptr; }
+  /// Of `into` and `out_of`: the index of the medium by which directions are bent.
+  virtual double bending_index() const { return 1.0; }
+  /// Of `into`: what the medium absorbs, 1/m, by wavelength; null: nothing.
+  virtual const radiometry::Spectrum* absorption() const { return nullptr; }
 
   /// Draws `incoming` for all else of the view, on its side. Unless overridden, in proportion to the cosine.
   virtual BsdfSample sample(const BsdfEvent& view, double u1, double u2) const;

@@ -96,6 +96,13 @@ void add_up(const Bsdf& bsdf, const Evaluate& evaluate, Side side, std::size_t c
     event.normal = {0.0, 0.0, 1.0};
     event.tangent = {1.0, 0.0, 0.0};
     event.side = side;
+    if (bsdf.is_delta()) {
+      const BsdfSample only = bsdf.sample(event, 0.5, 0.5);
+      event.incoming = only.incoming;
+      evaluate(event, values.data());
+      for (std::size_t n = 0; n < count; ++n) sum[n] += only.weight * static_cast<double>(values[n]);
+      continue;
+    }
     // Of two lobes each by itself.
     const double seam = bsdf.seam(event);
     if (seam > kNegligible) add_part(event, 0.0, seam, plain, a);

@@ -29,6 +29,11 @@ NodeBsdf::NodeBsdf(std::shared_ptr<const Bsdf> bsdf, const radiometry::SpectralN
     nodes.average_surface(bsdf_->spectra()[k], parameters_.values(k));
     pointers_.push_back(parameters_.row(k));
   }
+  if (bsdf_->absorption() != nullptr) {
+    has_absorption_ = true;
+    absorption_.resize(1, nodes.node_count());
+    nodes.average_surface(*bsdf_->absorption(), absorption_.values(0));
+  }
   const bool q_wanted = polarized && bsdf_->polarizes();
   if (q_wanted) {
     emitted_q_.resize(kAngles, nodes.node_count());
@@ -62,7 +67,40 @@ NodeBsdf::NodeBsdf(std::shared_ptr<const Bsdf> bsdf, const radiometry::SpectralN
     }
 }
 
-void NodeBsdf::emissivity(double cosine, float* spectrum) const {
+double NodeBsdf::highest_share(const BsdfEvent& view, Side side) const {
+  if (side == Side::transmitted && !bsdf_->may_transmit()) return 0.0;
+  BsdfEvent event = view;
+  event.side = side;
+  const BsdfSample only = bsdf_->sample(event, 0.5, 0.5);
+  if (!(only.weight > 0.0)) return 0.0;
+  event.incoming = only.incoming;
+  thread_local std::vector<float> shares;
+  shares.resize(parameters_.stride());
+  evaluate(event, shares.data());
+  float highest = 0.0f;
+  for (std::size_t n = 0; n < parameters_.columns(); ++n) highest = std::max(highest, shares[n]);
+  return static_cast<double>(highest);
+}
+
+void NodeBsdf::emissivity(double cosine, float* spectrum, float* work) const {
+  if (bsdf_->is_delta()) {
+    BsdfEvent event;
+    event.outgoing = {std::sqrt(std::max(0.0, 1.0 - cosine * cosine)), 0.0, cosine};
+    event.normal = {0.0, 0.0, 1.0};
+    event.incoming = bsdf_->sample(event, 0.5, 0.5).incoming;
+    evaluate(event, work);
+    for (std::size_t n = 0; n < emissivity_.stride(); ++n) spectrum[n] = 1.0f - work[n];
+    event.side = Side::transmitted;
+    if (bsdf_->may_transmit()) {
+      const BsdfSample through = bsdf_->sample(event, 0.5, 0.5);
+      event.incoming = through.incoming;
+      evaluate(event, work);
+      if (through.weight > 0.0)
+        for (std::size_t n = 0; n < emissivity_.stride(); ++n) spectrum[n] -= work[n];
+    }
+    for (std::size_t n = 0; n < emissivity_.stride(); ++n) spectrum[n] = std::max(0.0f, spectrum[n]);
+    return;
+  }
   between_angles(emissivity_, cosine, spectrum);
 }
 

@@ -21,8 +21,12 @@ class NodeBsdf {
     bsdf_->evaluate(event, pointers_, parameters_.stride(), spectrum);
   }
   /// Towards a direction of this cosine above the surface: 1 - reflectance - transmittance of light from there (Kirchhoff),
-  /// linear between 33 angles.
-  void emissivity(double cosine, float* spectrum) const;
+  /// linear between 33 angles; of a delta at that angle itself. A delta uses `work` (stride floats).
+  void emissivity(double cosine, float* spectrum, float* work) const;
+  /// Largest share of a delta at this angle, in any node.
+  double highest_share(const BsdfEvent& view, Side side) const;
+  /// What the medium behind the surface absorbs, 1/m; null: nothing.
+  const float* absorption() const { return has_absorption_ ? absorption_.row(0) : nullptr; }
   /// Where it was asked for and the model polarizes.
   void evaluate_mueller(const BsdfEvent& event, const MuellerRows& rows) const {
     bsdf_->evaluate_mueller(event, pointers_, parameters_.stride(), rows);
@@ -40,8 +44,10 @@ class NodeBsdf {
   std::vector<const float*> pointers_;
   void between_angles(const radiometry::SpectrumBlock& rows, double cosine, float* spectrum) const;
   radiometry::SpectrumBlock emissivity_;  // by angle
-  radiometry::SpectrumBlock emitted_q_;   // likewise; empty: unpolarized
-  double highest_[2] = {0.0, 0.0};        // by Side
+  radiometry::SpectrumBlock absorption_;
+  bool has_absorption_ = false;
+  radiometry::SpectrumBlock emitted_q_;  // likewise; empty: unpolarized
+  double highest_[2] = {0.0, 0.0};       // by Side
 };
 
 }  // namespace ifov::materials

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sampling/pixel_footprint.h"
 #include "sampling/quantiles.h"
+#include "sampling/tile.h"
+#include "sampling/tolerance.h"
 
 namespace ifov::render {
 

@@ -5,9 +5,12 @@
 #include <vector>
 
 #include "sampling/field.h"
-#include "sampling/pixel_footprint.h"
-#include "sampling/tile.h"
-#include "sampling/tolerance.h"
+
+namespace ifov::sampling {
+class PixelFootprint;
+class Tolerance;
+struct TileResult;
+}  // namespace ifov::sampling
 
 namespace ifov::render {
 

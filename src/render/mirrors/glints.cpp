@@ -106,8 +106,14 @@ void Glints::trace(std::vector<GlintPoint>& points) {
 
 std::uint32_t Glints::row_of(const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface,
                              const math::Ray& seen) {
-  // One surface of one material has one row: its glint is small.
-  if (surface.count == 1 && surface.constituents[0].material == last_material_) return last_row_;
+  // One surface of one material has one row: its glint is small. Where reflection depends on the angle, one for about one angle.
+  constexpr double kSameCosine = 5e-4;
+  const double cosine = std::abs(math::dot(surface.shading_normal.as_vector(), seen.direction));
+  const bool same_angle = scene_.materials().directional(surface.constituents[0].material) == nullptr ||
+                          std::abs(cosine - last_cosine_) < kSameCosine;
+  if (surface.count == 1 && surface.constituents[0].material == last_material_ && same_angle)
+    return last_row_;
+  last_cosine_ = cosine;
   last_material_ = surface.count == 1 ? surface.constituents[0].material : ~0u;
   radiometry::SpectrumBlock work(1, scene_.node_count());
   const float* sun = scene_.sun_irradiance(hit.position_m.z, work.row(0));

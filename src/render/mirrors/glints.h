@@ -54,6 +54,7 @@ class Glints {
   StokesColumns stokes_;  // a mirror leaves sunlight unpolarized
   FocalLights lights_;    // radiance of the Sun's disc, reflected, at the sensor
   std::uint32_t last_material_ = ~0u, last_row_ = 0;
+  double last_cosine_ = 0.0;
 };
 
 }  // namespace ifov::render

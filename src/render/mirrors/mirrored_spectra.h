@@ -29,7 +29,7 @@ class MirroredSpectra {
 
  private:
   const transport::SpectralScene& scene_;
-  radiometry::SpectrumBlock work_;
+  radiometry::SpectrumBlock work_, by_angle_;
   std::vector<double> share_;
   std::vector<float> channels_;
 };

@@ -6,6 +6,7 @@
 
 #include "radiometry/spectral_nodes.h"
 #include "render/polarized/steering.h"
+#include "sampling/tile.h"
 
 namespace ifov::render {
 

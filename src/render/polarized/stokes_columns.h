@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "render/polarized/polarimetry.h"
-#include "sampling/tile.h"
 #include "transport/polarized/stokes_rows.h"
 
+namespace ifov::sampling {
+struct TileResult;
+}
 namespace ifov::radiometry {
 class SpectralNodes;
 }

@@ -8,6 +8,7 @@
 #include "materials/bsdf/bsdf.h"
 #include "render/polarized/polarimetry.h"
 #include "render/tolerance/accuracy_tolerance.h"
+#include "sampling/tile.h"
 #include "scene/scene.h"
 #include "transport/spectral_scene.h"
 

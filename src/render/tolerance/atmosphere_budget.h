@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "render/tolerance/atmosphere_half_width.h"
-#include "sampling/tile.h"
 
+namespace ifov::sampling {
+struct TileResult;
+}
 namespace ifov::atmosphere {
 class SensorAtmosphere;
 }

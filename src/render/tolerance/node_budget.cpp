@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "render/tolerance/accuracy_tolerance.h"
+#include "sampling/tile.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {

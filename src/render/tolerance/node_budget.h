@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "render/tolerance/node_half_width.h"
-#include "sampling/tile.h"
 
+namespace ifov::sampling {
+struct TileResult;
+}
 namespace ifov::transport {
 class SpectralScene;
 }

@@ -4,6 +4,7 @@
 
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/unseen/widen_unseen.h"
+#include "sampling/tile.h"
 #include "transport/mirrors/sun_mirrors.h"
 #include "transport/spectral_scene.h"
 

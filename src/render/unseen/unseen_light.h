@@ -2,9 +2,11 @@
 
 #include <vector>
 
-#include "sampling/tile.h"
 #include "transport/path_record.h"
 
+namespace ifov::sampling {
+struct TileResult;
+}
 namespace ifov::transport {
 class SpectralScene;
 }

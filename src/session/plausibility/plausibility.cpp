@@ -29,6 +29,10 @@ void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log) {
         "light of surfaces that outshine the scene is sought by way of one mirror that is flat, a ball or a round "
         "column, not of other shapes or of several in turn: what those throw of it on other surfaces is found by chance "
         "alone, and pixels near them may be less sure than they say");
+  if (emitters->count() > 0 && scene.materials().any_medium())
+    log.warn(
+        "light of surfaces that outshine the scene is sought through panes, not through boundaries that refract it: what "
+        "comes by way of such media is found by chance alone, and pixels near them may be less sure than they say");
 }
 
 void tell_of_highlights(const transport::SpectralScene& scene, LogSink& log) {

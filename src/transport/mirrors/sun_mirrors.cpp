@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "geometry/world.h"
+#include "materials/bsdf/bsdf.h"
 #include "scene/scene.h"
 
 namespace ifov::transport {
@@ -83,6 +84,12 @@ SunMirrors::SunMirrors(const scene::Scene& scene, const SurfaceSurvey& survey)
       balls.push_back({facing.bounds.low_m + (facing.bounds.high_m - facing.bounds.low_m) * 0.5,
                        0.5 * length(facing.bounds.high_m - facing.bounds.low_m)});
   balls.insert(balls.end(), rounds_.unsought().begin(), rounds_.unsought().end());
+  // What a ball reflects is sought, not what it refracts.
+  refracts_ = std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& material) {
+    return material.bsdf->passage() == materials::Passage::into;
+  });
+  if (refracts_)
+    for (const SurfaceSurvey::Round& round : survey.rounds) balls.push_back(round.ball);
   group(balls, kMostGroups, groups_);
 }
 

@@ -48,7 +48,7 @@ class SunMirrors {
 
   /// Whether some light comes by ways that are not sought, however many reflections are.
   bool may_hide() const {
-    return !groups_.empty() || facings_.size() + rounds_.all().size() > 1 ||
+    return refracts_ || !groups_.empty() || facings_.size() + rounds_.all().size() > 1 ||
            (facings_.size() == 1 && !facings_[0].one_plane);
   }
   /// Spheres about all mirrors of which some light is not sought at its first reflection.
@@ -59,6 +59,7 @@ class SunMirrors {
   const geometry::SurfaceSurvey& survey_;
   std::vector<Facing> facings_;
   bool by_shape_ = true;  // copies of a periodic scene, and faces that pass for curved ones, are not searched
+  bool refracts_ = false;    // some let light into a medium
   std::vector<bool> bends_;  // by surface assignment: a relief tilts its normals
   RoundMirrors rounds_;
   std::vector<geometry::SurfaceSurvey::Ball> groups_;

@@ -65,7 +65,7 @@ class GeometryAssembly {
         frame_(frame),
         log_(log),
         cache_(cache),
-        shapes_(sources, frame, builder_, cache, log) {}
+        shapes_(sources, frame, builder_, cache, log, assignments.any_medium()) {}
 
   std::unique_ptr<geometry::World> assemble(std::span<const PlacedLamp> lamps, PlacedObjects& placed) {
     const math::Transform scene_from_document = math::Transform::translation(-frame_.document_offset_m());
@@ -87,11 +87,13 @@ class GeometryAssembly {
     if (const io::DocumentName* of = copied_by(object)) {
       place_copies(object, prototype(of->name), scene_from_object);
     } else if (std::holds_alternative<io::CityShape>(object.shape)) {
+      assignments_.refuse_media(*object.material);
       place_city(sources_, object, scene_from_object, frame_, assignments_, builder_, log_);
     } else if (const auto* placement = std::get_if<io::RandomPlacement>(&object.shape)) {
       place_at_random(object, *placement, scene_from_document);
     } else {
       const BuiltShape shape = shapes_.build(object, ShapeAssembly::Use::object);
+      if (!shape.has_inside) assignments_.refuse_media(*object.material);
       std::vector<std::uint32_t> materials;
       for (const std::string& slot : shape.slot_names)
         materials.push_back(assignments_.assignment(*object.material, slot, object.temperature));
@@ -185,6 +187,7 @@ class GeometryAssembly {
         for (BuiltPrototype::Slot& slot : own) slot.temperature = &object.temperature;
     } else {
       const BuiltShape shape = shapes_.build(object, ShapeAssembly::Use::part_of_prototype);
+      if (!shape.has_inside) assignments_.refuse_media(*object.material);
       part.what = shape.id;
       part.prototype_from_part = part.prototype_from_part * shape.object_from_shape;
       for (const std::string& slot : shape.slot_names) own.push_back({&object, slot, &object.temperature});

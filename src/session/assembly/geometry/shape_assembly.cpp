@@ -4,6 +4,8 @@
 #include <variant>
 
 #include "core/error.h"
+#include "core/overloaded.h"
+#include "geometry/mesh_topology.h"
 #include "io/document/shapes/primitive.h"
 #include "io/mesh/mesh_reader.h"
 #include "session/assembly/geometry/mesh_cache.h"
@@ -28,6 +30,16 @@ void warn_of_y_up(const std::string& path, const geometry::World::Bounds& b, Log
       std::filesystem::path(path).filename().string(), -b.low_m.z));
 }
 
+/// Of what is no mesh.
+bool has_inside(const geometry::Shape& shape) {
+  return std::visit(
+      Overloaded{[](const geometry::Plane&) { return true; }, [](const geometry::Box&) { return true; },
+                 [](const geometry::Sphere&) { return true; },
+                 [](const geometry::Cylinder& s) { return s.capped; },
+                 [](const geometry::PlacedUnit& s) { return s.solid; }, [](const auto&) { return false; }},
+      shape);
+}
+
 }  // namespace
 
 BuiltShape ShapeAssembly::build(const io::ObjectDocument& object, Use use) {
@@ -37,7 +49,8 @@ BuiltShape ShapeAssembly::build(const io::ObjectDocument& object, Use use) {
 
 BuiltShape ShapeAssembly::shape(const io::PrimitiveShape& s) {
   io::PrimitiveSettings::Built built = s.settings->build();
-  return {builder_.add_shape(std::move(built.shape)), built.object_from_shape, {""}};
+  const bool inside = has_inside(built.shape);
+  return {builder_.add_shape(std::move(built.shape)), built.object_from_shape, {""}, inside};
 }
 
 BuiltShape ShapeAssembly::shape(const io::MeshShape& s) {
@@ -54,7 +67,9 @@ BuiltShape ShapeAssembly::shape(const io::MeshShape& s) {
     if (slots.empty()) slots = {""};
     math::Transform object_from_file = math::Transform::scaling({s.unit_m, s.unit_m, s.unit_m});
     if (y_is_up) object_from_file = object_from_file * math::Transform::rotation({1.0, 0.0, 0.0}, 0.5 * M_PI);
-    const BuiltShape built{builder_.add_body(std::move(body)), object_from_file, std::move(slots)};
+    const bool inside =
+        tells_insides_ && geometry::topology_of(body.mesh.vertices_m, body.mesh.triangles).closed;
+    const BuiltShape built{builder_.add_body(std::move(body)), object_from_file, std::move(slots), inside};
     return meshes_.emplace(key, built).first->second;
   });
 }
@@ -66,7 +81,8 @@ BuiltShape ShapeAssembly::shape(const io::TerrainShape& s) {
                 ? builder_.add_height_field(assemble_height_field(s, frame_, log_))
                 : builder_.add_body(assemble_terrain(s, frame_, cache_, log_)),
             math::Transform::translation(frame_.document_offset_m()),
-            {""}};
+            {""},
+            false};
   });
 }
 

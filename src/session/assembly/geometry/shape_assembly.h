@@ -21,6 +21,8 @@ struct BuiltShape {
   geometry::ShapeId id;
   math::Transform object_from_shape;
   std::vector<std::string> slot_names;
+  /// It bounds a volume, or is a plane, which has a lower side; of meshes only told where that is asked for.
+  bool has_inside = false;
 };
 
 /// Turns shapes of documents into shapes of a builder; the file of a mesh is read once.
@@ -28,8 +30,13 @@ class ShapeAssembly {
  public:
   /// `cache` and `log` may be null.
   ShapeAssembly(const io::DocumentSources& sources, const MapFrame& frame, geometry::WorldBuilder& builder,
-                io::SceneCache* cache, LogSink* log)
-      : sources_(sources), frame_(frame), builder_(builder), cache_(cache), log_(log) {}
+                io::SceneCache* cache, LogSink* log, bool tells_insides)
+      : sources_(sources),
+        frame_(frame),
+        builder_(builder),
+        cache_(cache),
+        log_(log),
+        tells_insides_(tells_insides) {}
 
   enum class Use { object, part_of_prototype };
   /// Throws InputError for what is no shape: copies, scattered copies and cities.
@@ -49,6 +56,7 @@ class ShapeAssembly {
   geometry::WorldBuilder& builder_;
   io::SceneCache* cache_;
   LogSink* log_;
+  bool tells_insides_;
   std::map<std::string, BuiltShape> meshes_;
   Use use_ = Use::object;  // of the shape that is being built
 };

@@ -11,6 +11,7 @@
 #include "materials/bsdf/bsdf_model.h"
 #include "materials/bsdf/hemisphere.h"
 #include "scene/map_patterns.h"
+#include "scene/scene.h"
 #include "session/assembly/shared/spectrum_assembly.h"
 #include "session/assembly/shared/with_position.h"
 
@@ -29,6 +30,17 @@ void check_range(const io::DocumentSources& sources, const io::SpectrumDocument&
                             spectrum.is_constant() ? "" : " at some wavelength", is_low ? "below" : "above",
                             limit, parameter.low, parameter.high));
   });
+}
+
+/// What is seen otherwise from behind is smooth and of one kind.
+void check_two_sided(const io::MaterialDocument& source) {
+  const auto refuse = [&](const char* what) {
+    throw InputError(
+        format("material '{}': {} cannot be on a '{}' surface that is seen otherwise from its inner side",
+               source.name, what, source.scattering.model));
+  };
+  if (!source.further_curves.empty()) refuse("a texture");
+  if (source.relief) refuse("a relief");
 }
 
 }  // namespace
@@ -113,6 +125,18 @@ void AssignmentAssembly::add_materials() {
       take(source.further_curves[k], format("curve {} of ", k + 2));
       further.push_back(material);
     }
+    const auto own = static_cast<std::uint32_t>(scene_.materials.size() - 1);
+    behind_.push_back(own);
+    if (const std::shared_ptr<const materials::Bsdf> behind = scene_.materials[own].bsdf->behind()) {
+      with_position(sources_, source.position, [&] { check_two_sided(source); });
+      materials::Material back = scene_.materials[own];
+      back.bsdf = behind;
+      back.reflectance = materials::directional_hemispherical(*behind, materials::Side::reflected,
+                                                              materials::kBihemispherical);
+      back.curve_of = own;
+      behind_.back() = first + static_cast<std::uint32_t>(further.size());
+      further.push_back(std::move(back));
+    }
   }
   scene_.materials.insert(scene_.materials.end(), further.begin(), further.end());
 }
@@ -155,8 +179,67 @@ std::uint32_t AssignmentAssembly::assignment(const io::MaterialBinding& binding,
       assignment.states.push_back(surface.state);
       assignment.temperatures.push_back(surface.temperature);
     }
+  with_position(sources_, binding.position, [&] { check_one_sided(binding, surfaces); });
+  add_backs(assignment, surfaces);
   add_patterns(assignment, surfaces);
   return add(std::move(assignment));
+}
+
+void AssignmentAssembly::add_backs(scene::SurfaceAssignment& assignment,
+                                   const std::vector<Surface>& surfaces) {
+  const bool any = std::any_of(surfaces.begin(), surfaces.end(), [&](const Surface& surface) {
+    return behind_[surface.material] != surface.material;
+  });
+  if (!any || assignment.states.size() != surfaces.size()) return;
+  for (const Surface& surface : surfaces)
+    assignment.back_states.push_back(state({behind_[surface.material], surface.fixed_k}));
+}
+
+void AssignmentAssembly::check_one_sided(const io::MaterialBinding& binding,
+                                         const std::vector<Surface>& surfaces) const {
+  if (!std::holds_alternative<io::MixtureDocument>(binding.value)) return;
+  for (const Surface& surface : surfaces)
+    if (behind_[surface.material] != surface.material)
+      throw InputError(format(
+          "a mixture cannot hold '{}', which is seen otherwise from its inner side; a map of classes can",
+          scene_.materials[surface.material].name));
+}
+
+bool AssignmentAssembly::refracts(std::uint32_t material) const {
+  return scene_.materials[material].bsdf->passage() == materials::Passage::into;
+}
+
+std::vector<bool> AssignmentAssembly::mirrors() const { return scene_.mirror_assignments(); }
+std::vector<bool> AssignmentAssembly::lobes() const { return scene_.lobe_assignments(); }
+
+bool AssignmentAssembly::any_medium() const {
+  for (std::uint32_t m = 0; m < scene_.materials.size(); ++m)
+    if (refracts(m)) return true;
+  return false;
+}
+
+void AssignmentAssembly::refuse_media(const io::MaterialBinding& binding) const {
+  const auto check = [&](const io::DocumentName& name) {
+    if (refracts(material_index(name.name)))
+      throw io::document_error(
+          sources_, binding.position,
+          format(
+              "light is refracted into '{}', but this shape has no inside: take a solid (a box, a sphere, a "
+              "closed mesh) or a plane, {{\"slab\": ...}} for a pane, or \"over\": \"absorber\" where "
+              "what enters it ends there",
+              name.name));
+  };
+  std::visit(Overloaded{check,
+                        [&](const io::MaterialSlots& slots) {
+                          for (const auto& slot : slots.slots) check(slot.second);
+                        },
+                        [&](const io::MaterialMap& map) {
+                          for (const auto& entry : map.classes) check(entry.second);
+                        },
+                        [&](const io::MixtureDocument& mixture) {
+                          for (const io::DocumentName& name : mixture.materials) check(name);
+                        }},
+             binding.value);
 }
 
 std::uint32_t AssignmentAssembly::assignment(scene::SurfaceState surface) {

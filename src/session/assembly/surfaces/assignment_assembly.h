@@ -10,7 +10,6 @@
 
 #include "core/run_control.h"
 #include "io/document/scene_document.h"
-#include "scene/scene.h"
 #include "session/assembly/shared/map_scale.h"
 #include "session/assembly/shared/raster_assembly.h"
 #include "session/assembly/surfaces/texture_assembly.h"
@@ -19,8 +18,17 @@ namespace ifov::io {
 struct DocumentSources;
 }
 namespace ifov::materials {
+class ClassMap;
 class MixtureMap;
-}
+struct Material;
+class TemperatureMap;
+}  // namespace ifov::materials
+namespace ifov::scene {
+class Pattern;
+struct Scene;
+struct SurfaceAssignment;
+struct SurfaceState;
+}  // namespace ifov::scene
 
 namespace ifov::session {
 
@@ -42,8 +50,12 @@ class AssignmentAssembly {
   std::uint32_t assignment(scene::SurfaceState surface);
 
   /// By surface assignment made so far: whether any of its materials is a mirror; empty where none is.
-  std::vector<bool> mirrors() const { return scene_.mirror_assignments(); }
-  std::vector<bool> lobes() const { return scene_.lobe_assignments(); }
+  std::vector<bool> mirrors() const;
+  std::vector<bool> lobes() const;
+  /// Whether light is refracted into what some material covers.
+  bool any_medium() const;
+  /// Throws where a binding has a material that light is refracted into: for objects without an inside.
+  void refuse_media(const io::MaterialBinding& binding) const;
 
   /// How large the cells of the maps are that were made so far.
   const std::vector<MapScale>& map_scales() const { return textures_.map_scales(); }
@@ -68,6 +80,11 @@ class AssignmentAssembly {
   std::shared_ptr<const materials::ClassMap> class_map(const io::MaterialMap& map);
   Pattern mixture(const io::MixtureDocument& source, const std::vector<Surface>& surfaces);
   void add_patterns(scene::SurfaceAssignment& assignment, const std::vector<Surface>& surfaces);
+  /// How the inner side looks of surfaces that look otherwise there.
+  void add_backs(scene::SurfaceAssignment& assignment, const std::vector<Surface>& surfaces);
+  /// Throws where a material that is seen otherwise from behind stands for what it cannot.
+  void check_one_sided(const io::MaterialBinding& binding, const std::vector<Surface>& surfaces) const;
+  bool refracts(std::uint32_t material) const;
   std::uint32_t add(scene::SurfaceAssignment assignment);
 
   const io::DocumentSources& sources_;
@@ -77,6 +94,8 @@ class AssignmentAssembly {
   TextureAssembly textures_;
   /// By material of the document: the first of its further curves.
   std::vector<std::uint32_t> first_further_;
+  /// By material of the document: how it is seen from behind; itself where that is the same.
+  std::vector<std::uint32_t> behind_;
   std::map<std::string, std::shared_ptr<const materials::TemperatureMap>> temperature_maps_;
   std::map<std::string, std::shared_ptr<const materials::ClassMap>> class_maps_;
   std::map<std::string, std::shared_ptr<const materials::MixtureMap>> mixture_maps_;
