@@ -55,9 +55,13 @@ endfunction()
 
 # The sources of a folder are compiled some at a time, which takes a fifth of the time: most of it went into the same headers.
 # Names in unnamed namespaces of one folder must differ, therefore; where they rightly do not (a class Reader for each format), the
-# folder stands in APART of its CMakeLists.txt. Debug builds and other compilers compile each source alone (Makefile).
+# folder stands in APART of its CMakeLists.txt. What is edited to add a model, a camera and so on is compiled alone, so that to add
+# one takes seconds (tests/docs does it nine times). Debug builds and other compilers compile each source alone (Makefile).
 option(IFOV_JOIN_SOURCES "Compile the sources of a folder some at a time" ON)
 set(IFOV_JOINED 10)
+set_property(DIRECTORY ${CMAKE_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS docs/developer/extending.md)
+file(STRINGS ${CMAKE_SOURCE_DIR}/docs/developer/extending.md rows REGEX "^\\| \\[.*`src/")
+string(REGEX MATCHALL "src/[a-z0-9_/]+\\.cpp" IFOV_EDITED_TO_ADD "${rows}")
 function(ifov_join_sources target sources)
   if(NOT IFOV_JOIN_SOURCES)
     return()
@@ -72,7 +76,8 @@ function(ifov_join_sources target sources)
     if("${folder}" STREQUAL "")
       set(folder .)
     endif()
-    if(folder IN_LIST APART)
+    file(RELATIVE_PATH name ${CMAKE_SOURCE_DIR} ${source})
+    if(folder IN_LIST APART OR name IN_LIST IFOV_EDITED_TO_ADD)
       set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     endif()
   endforeach()

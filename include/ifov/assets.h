@@ -47,10 +47,17 @@ struct CopiesAsset {
   std::vector<double> scale;    ///< above 0; empty: as they are
 };
 
+/// What a file would hold, in any format that a document may name. Its name ends as that of the file would, "house.glb",
+/// where the ending tells the format. A file that stands beside another is an asset beside it: "leaves.sli" and "leaves.hdr".
+struct FileAsset {
+  std::string bytes;
+};
+
 struct FacadeAccess;
 
-/// What a program gives documents from memory, by name: "asset:roof" then stands for the file of a mesh, a raster, a table of
-/// a spectrum or a list of copies wherever a document may name such a file. From there on nothing differs from a file, but
+/// What a program gives documents from memory, by name: "asset:roof" then stands for a file wherever a document may name one
+/// but under "include", which is read with the document: for that of a mesh, a raster, a table of a spectrum or a list of
+/// copies as arrays, for every file as its bytes. From there on nothing differs from a file, but
 /// that the scene cache keeps nothing of it. Run states and records hold what the contents hash to: a run is not gone on with
 /// under other ones.
 class IFOV_API Assets {
@@ -62,6 +69,7 @@ class IFOV_API Assets {
   void add(const std::string& name, const RasterAsset& raster);
   void add(const std::string& name, const SpectrumAsset& spectrum);
   void add(const std::string& name, const CopiesAsset& copies);
+  void add(const std::string& name, FileAsset file);
   std::vector<std::string> names() const;  ///< sorted
 
  private:

@@ -6,6 +6,7 @@
 #include "io/atmosphere/modtran_csv.h"
 #include "io/atmosphere/path_csv.h"
 #include "io/atmosphere/uvspec.h"
+#include "io/files/inputs.h"
 
 namespace ifov::io {
 namespace {
@@ -21,8 +22,7 @@ std::filesystem::path input_beside(const std::filesystem::path& output) {
   for (const char* extension : {".inp", ".INP", ".in"}) {
     std::filesystem::path input = output;
     input.replace_extension(extension);
-    std::error_code unreadable;
-    if (input != output && std::filesystem::is_regular_file(input, unreadable)) return input;
+    if (input != output && input_exists(input)) return input;
   }
   return {};
 }

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/names.h"
+#include "io/files/inputs.h"
 
 namespace ifov::io {
 namespace {
@@ -203,11 +204,11 @@ void collect_file(const std::filesystem::path& path, Keywords& keywords, int dep
   collect(file, keywords, [&](const Words& words) {
     if (words.words.size() < 2) words.fail(0, "found no file; expected 'include FILE'");
     if (depth >= kDeepestInclude) words.fail(0, "found files that include each other too deeply");
+    const std::filesystem::path name = std::filesystem::path(words.words[1]).filename();
     std::filesystem::path other = path.parent_path() / words.words[1];
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(other, error))
-      other = path.parent_path() / std::filesystem::path(words.words[1]).filename();
-    if (!std::filesystem::is_regular_file(other, error))
+    if (!input_exists(other)) other = path.parent_path() / name;
+    if (is_asset_name(path.native())) other = std::string(kAssetPrefix) + name.string();
+    if (!input_exists(other))
       words.fail(1,
                  format("found the file '{}', which is neither there nor beside this one", words.words[1]));
     collect_file(other, keywords, depth + 1);

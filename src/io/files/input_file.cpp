@@ -55,8 +55,11 @@ int open_for_reading(const fs::path& path) {
 }  // namespace
 
 InputFile::InputFile(const fs::path& path) : path_(path) {
-  if (is_asset_name(path.native()))
-    refuse_asset(path, asset_named(path).what, "a file: of this kind nothing is taken from memory");
+  if (is_asset_name(path.native())) {
+    memory_ = asset_as<FileBytes>(path, "a file").bytes;
+    size_ = memory_->size();
+    return;
+  }
   descriptor_ = Descriptor(open_for_reading(path));
   if (!descriptor_) throw cannot_read(path_, file_reason(errno));
   struct stat info {};
@@ -67,6 +70,8 @@ InputFile::InputFile(const fs::path& path) : path_(path) {
 }
 
 std::size_t InputFile::read_at(std::uint64_t offset, std::span<char> bytes) const {
+  if (memory_)
+    return offset < size_ ? memory_->copy(bytes.data(), bytes.size(), static_cast<std::size_t>(offset)) : 0;
   std::size_t done = 0;
   while (done < bytes.size()) {
     stop_if_cancelled();
@@ -82,6 +87,7 @@ std::size_t InputFile::read_at(std::uint64_t offset, std::span<char> bytes) cons
 }
 
 std::string InputFile::text() const {
+  if (memory_) return *memory_;
   std::string text(size_, '\0');
   std::size_t done = read_at(0, text);
   // Some file systems (/proc, growing logs) hold more than they said.

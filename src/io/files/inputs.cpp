@@ -44,6 +44,14 @@ const Assets::Asset& asset_named(const std::string& name) {
                           hint.empty() ? std::string(".") : hint, list_names(names, "and")));
 }
 
+bool input_exists(const std::filesystem::path& name) {
+  std::error_code unreadable;
+  if (!is_asset_name(name.native())) return std::filesystem::is_regular_file(name, unreadable);
+  const Assets* const all = current_inputs().assets.get();
+  const Assets::Asset* const asset = all != nullptr ? all->find(name.native()) : nullptr;
+  return asset != nullptr && std::any_cast<FileBytes>(&asset->content) != nullptr;
+}
+
 void refuse_asset(const std::string& name, const std::string& what, std::string_view expected) {
   throw InputError(format("'{}' is {}; expected {}", name, what, expected));
 }

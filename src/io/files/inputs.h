@@ -19,9 +19,9 @@ namespace ifov::io {
 inline constexpr std::string_view kAssetPrefix = "asset:";
 inline bool is_asset_name(std::string_view name) { return name.starts_with(kAssetPrefix); }
 
-/// Meshes, rasters, spectra and lists of copies that a program has in memory, by name. They are what the readers of files
-/// make: read_mesh() gives a geometry::TriangleMesh, read_raster() a Raster, read_csv_spectrum() the columns of a
-/// SpectrumColumns, read_instance_csv() a list of Instance.
+/// Meshes, rasters, spectra, lists of copies and whole files that a program has in memory, by name. They are what the readers
+/// of files make: read_mesh() gives a geometry::TriangleMesh, read_raster() a Raster, read_csv_spectrum() the columns
+/// of a SpectrumColumns, read_instance_csv() a list of Instance; or a FileBytes, which every reader takes in place of a file.
 class Assets {
  public:
   struct Asset {
@@ -46,6 +46,11 @@ struct SpectrumColumns {
   std::vector<double> wavelength, value;
 };
 
+/// What a file would hold; InputFile gives it out.
+struct FileBytes {
+  std::shared_ptr<const std::string> bytes;
+};
+
 /// What a call may read: files anywhere or below a folder, and assets.
 struct Inputs final : Call::Data {
   std::filesystem::path below;           ///< without links; empty: files may lie anywhere
@@ -61,6 +66,16 @@ const Assets::Asset& asset_named(const std::string& name);
 /// Its content. InputError where it is something else; `expected`: "a raster".
 template <class T>
 const T& asset_as(const std::string& name, std::string_view expected);
+
+/// The arrays of an asset: null where a file is named, or an asset that holds the bytes of one. InputError as of asset_as().
+template <class T>
+const T* arrays_of_asset(const std::filesystem::path& name, std::string_view expected) {
+  if (!is_asset_name(name.native()) || std::any_cast<FileBytes>(&asset_named(name).content)) return nullptr;
+  return &asset_as<T>(name, expected);
+}
+
+/// Whether there is a plain file, or an asset that holds the bytes of one.
+bool input_exists(const std::filesystem::path& name);
 
 [[noreturn]] void refuse_asset(const std::string& name, const std::string& what, std::string_view expected);
 

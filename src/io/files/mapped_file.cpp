@@ -53,6 +53,11 @@ MappedFile::MappedFile(const std::filesystem::path& path) {
   const InputFile file(path);
   size_ = file.size();
   if (size_ == 0) return;
+  if (file.memory()) {
+    memory_ = file.memory();
+    data_ = reinterpret_cast<const std::byte*>(memory_->data());
+    return;
+  }
   void* memory = mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file.descriptor(), 0);
   if (memory == MAP_FAILED)
     throw SystemError(format("cannot read '{}': {}", path.string(), file_reason(errno)));
@@ -66,7 +71,7 @@ MappedFile::~MappedFile() {
     one.begin = nullptr;
     one.taken = false;
   }
-  if (data_ != nullptr) munmap(const_cast<std::byte*>(data_), size_);
+  if (data_ != nullptr && !memory_) munmap(const_cast<std::byte*>(data_), size_);
 }
 
 }  // namespace ifov::io

@@ -95,7 +95,8 @@ class RowReader {
 }  // namespace
 
 std::vector<Instance> read_instance_csv(const std::filesystem::path& path) {
-  if (is_asset_name(path.native())) return asset_as<std::vector<Instance>>(path, "a list of copies");
+  if (const auto* const asset = arrays_of_asset<std::vector<Instance>>(path, "a list of copies"))
+    return *asset;
   const MappedFile file(path);
   const std::span<const std::byte> bytes = file.bytes();
   return RowReader(path.string(), {reinterpret_cast<const char*>(bytes.data()), bytes.size()}).read();

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "io/files/input_file.h"
+#include "io/files/inputs.h"
 #include "io/json/json_adapter.h"
 
 namespace ifov::io {
@@ -82,6 +83,10 @@ OpenableFiles openable_files(const DocumentTree& tree, const std::filesystem::pa
     if (uri == nullptr || uri->type() != DocumentNode::Type::text || uri->text().starts_with("data:"))
       continue;
     const std::string decoded = decoded_uri(uri->text());
+    if (is_asset_name(path.native()))
+      uri->fail(
+          format("found the buffer '{}'; expected those of a mesh in memory within it: a data URI, or a .glb",
+                 decoded));
     std::error_code error;
     const auto real = std::filesystem::weakly_canonical(open.folder / decoded, error);
     const auto within = error ? std::filesystem::path("..") : real.lexically_relative(open.folder);

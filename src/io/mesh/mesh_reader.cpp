@@ -28,7 +28,7 @@ std::vector<std::string> further_mesh_files(const std::filesystem::path& path) {
 }
 
 geometry::TriangleMesh read_mesh(const std::filesystem::path& path, LogSink* log) {
-  if (is_asset_name(path.native())) return asset_as<geometry::TriangleMesh>(path, "a mesh");
+  if (const auto* const asset = arrays_of_asset<geometry::TriangleMesh>(path, "a mesh")) return *asset;
   const MeshFormat* known = mesh_format_of(path);
   const std::string name = path.string();
   if (known == nullptr)

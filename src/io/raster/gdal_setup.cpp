@@ -41,8 +41,14 @@ struct OpenFile {
 int look_at(void*, const char* name, VSIStatBufL* info, int) {
   try {
     const InputFile file(name);
-    return fstat64(file.descriptor(), info);
+    if (!file.memory()) return fstat64(file.descriptor(), info);
+    *info = {};
+    info->st_mode = S_IFREG;
+    info->st_size = static_cast<off_t>(file.size());
+    return 0;
   } catch (const SystemError&) {
+    return -1;
+  } catch (const InputError&) {  // no such asset
     return -1;
   }
 }
@@ -52,6 +58,8 @@ void* open_input(void*, const char* name, const char* access) {
   try {
     return new OpenFile{InputFile(name)};
   } catch (const SystemError&) {
+    return nullptr;
+  } catch (const InputError&) {
     return nullptr;
   }
 }

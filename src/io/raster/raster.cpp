@@ -51,9 +51,8 @@ void check_blocks(GDALDatasetH dataset, const std::string& name, std::size_t val
 void check_text(GDALDatasetH dataset, const std::string& name, std::size_t values) {
   const std::string_view driver = GDALGetDriverShortName(GDALGetDatasetDriver(dataset));
   if (driver != "AAIGrid" && driver != "GSAG") return;
-  std::error_code error;
-  const std::uintmax_t file_bytes = std::filesystem::file_size(name, error);
-  if (!error && file_bytes / 2 + 1 < values)
+  const std::uint64_t file_bytes = InputFile(name).size();
+  if (file_bytes / 2 + 1 < values)
     fail(name, format("the raster is damaged: {} bytes cannot hold {} x {} numbers", file_bytes,
                       GDALGetRasterXSize(dataset), GDALGetRasterYSize(dataset)));
 }
@@ -61,8 +60,7 @@ void check_text(GDALDatasetH dataset, const std::string& name, std::size_t value
 /// A small file that announces a large raster must give its last row before memory is taken for all of them.
 void check_end(GDALDatasetH dataset, const std::string& name, std::size_t values, const QuietGdal& gdal) {
   constexpr std::size_t kSmall_bytes = std::size_t{64} << 20, kMostCompressed_times = 100;
-  std::error_code error;
-  const std::uintmax_t file_bytes = std::filesystem::file_size(name, error);
+  const std::uint64_t file_bytes = InputFile(name).size();
   if (values * sizeof(float) < kSmall_bytes || values * sizeof(float) / kMostCompressed_times < file_bytes)
     return;
   const int width = GDALGetRasterXSize(dataset), height = GDALGetRasterYSize(dataset);
@@ -144,16 +142,15 @@ class RasterFile {
   RasterFrame frame_;
 };
 
-const Raster& raster_asset(const std::filesystem::path& path) {
-  return asset_as<Raster>(path.string(), "a raster");
+const Raster* raster_asset(const std::filesystem::path& path) {
+  return arrays_of_asset<Raster>(path, "a raster");
 }
 
 [[noreturn]] void refuse_band(const std::string& name, int band, int bands) {
   throw InputError(format("{} has no band {}; it has {}", name, band, bands));
 }
 
-Raster band_of_asset(const std::filesystem::path& path, int band) {
-  const Raster& all = raster_asset(path);
+Raster band_of(const Raster& all, const std::filesystem::path& path, int band) {
   if (band < 1 || band > all.bands) refuse_band(path.string(), band, all.bands);
   const auto first = all.values.begin() + static_cast<std::ptrdiff_t>(all.cells()) * (band - 1);
   Raster one{static_cast<const RasterFrame&>(all), {}, all.nodata, {}};
@@ -173,14 +170,14 @@ std::string raster_driver_list() {
 }
 
 Raster read_raster(const std::filesystem::path& path, std::size_t max_values) {
-  if (is_asset_name(path.native())) return raster_asset(path);
+  if (const Raster* const asset = raster_asset(path)) return *asset;
   prepare_gdal();
   const RasterFile file(path);
   return file.read(1, file.frame().bands, max_values);
 }
 
 Raster read_band(const std::filesystem::path& path, int band, std::size_t max_values) {
-  if (is_asset_name(path.native())) return band_of_asset(path, band);
+  if (const Raster* const asset = raster_asset(path)) return band_of(*asset, path, band);
   prepare_gdal();
   const RasterFile file(path);
   if (band < 1 || band > file.frame().bands) refuse_band(path.string(), band, file.frame().bands);
@@ -188,7 +185,7 @@ Raster read_band(const std::filesystem::path& path, int band, std::size_t max_va
 }
 
 RasterFrame read_raster_frame(const std::filesystem::path& path) {
-  if (is_asset_name(path.native())) return raster_asset(path);
+  if (const Raster* const asset = raster_asset(path)) return *asset;
   prepare_gdal();
   return RasterFile(path).frame();
 }

@@ -18,6 +18,14 @@ std::vector<std::filesystem::path> companions_of(const std::filesystem::path& fi
   return companions;
 }
 
+void stamp_asset(const std::string& name, std::vector<FileStamp>& stamps) {
+  const Assets* const all = current_inputs().assets.get();
+  const Assets::Asset* const asset = all != nullptr ? all->find(name) : nullptr;
+  const bool known =
+      std::any_of(stamps.begin(), stamps.end(), [&](const FileStamp& s) { return s.path == name; });
+  if (asset != nullptr && !known) stamps.push_back({name, asset->bytes, 0, asset->hash});
+}
+
 }  // namespace
 
 std::vector<FileStamp> stamp_scene_files(const std::vector<std::string>& named,
@@ -27,9 +35,9 @@ std::vector<FileStamp> stamp_scene_files(const std::vector<std::string>& named,
   std::vector<FileStamp> assets;
   for (const std::string& file : named) {
     if (is_asset_name(file)) {
-      const Assets* const all = current_inputs().assets.get();
-      const Assets::Asset* const asset = all != nullptr ? all->find(file) : nullptr;
-      if (asset != nullptr) assets.push_back({file, asset->bytes, 0, asset->hash});
+      stamp_asset(file, assets);
+      if (input_exists(file))
+        for (const auto& companion : companions_of(file)) stamp_asset(companion.string(), assets);
       continue;
     }
     files.emplace_back(file);

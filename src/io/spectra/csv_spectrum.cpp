@@ -24,8 +24,8 @@ std::size_t column_named(const TextFile& file, int heading_line, const std::vect
 }
 
 /// Columns in memory, as rows of a text would be taken.
-radiometry::Spectrum spectrum_asset(const std::filesystem::path& path, const CsvSpectrumOptions& options) {
-  const auto& columns = asset_as<SpectrumColumns>(path, "a spectrum");
+radiometry::Spectrum spectrum_asset(const SpectrumColumns& columns, const std::filesystem::path& path,
+                                    const CsvSpectrumOptions& options) {
   if (options.wavelength_column != 1 || options.value_column != 2 || !options.value_name.empty())
     throw InputError(format("'{}' is a spectrum in memory: its values are column 2", path.string()));
   const TextFile rows_of(path.string(), "");
@@ -54,7 +54,8 @@ bool has_decimal_comma(std::string_view text) {
 }
 
 radiometry::Spectrum read_csv_spectrum(const std::filesystem::path& path, const CsvSpectrumOptions& options) {
-  if (is_asset_name(path.native())) return spectrum_asset(path, options);
+  if (const auto* const columns = arrays_of_asset<SpectrumColumns>(path, "a spectrum"))
+    return spectrum_asset(*columns, path, options);
   return parse_csv_spectrum(TextFile(path), options);
 }
 

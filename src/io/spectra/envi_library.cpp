@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/names.h"
 #include "io/envi/envi_header.h"
+#include "io/files/inputs.h"
 #include "io/spectra/spectrum_bytes.h"
 #include "io/tables/text_table.h"
 
@@ -162,20 +163,16 @@ std::size_t EnviLibrary::index_of(int number) const {
 
 EnviLibrary read_envi_library(const std::filesystem::path& path) {
   const bool is_header = lower_case(path.extension().string()) == ".hdr";
-  const auto exists = [](const std::filesystem::path& file) {
-    std::error_code error;
-    return std::filesystem::is_regular_file(file, error);
-  };
   std::filesystem::path header = path, data = path;
   if (is_header) {
     data.replace_extension();
     for (const char* ending : {".sli", ".SLI", ".lib", ".img", ".dat"})
-      if (!exists(data)) data = std::filesystem::path(path).replace_extension(ending);
-    if (!exists(data)) throw SystemError(format("found no data beside the header '{}'", path.string()));
+      if (!input_exists(data)) data = std::filesystem::path(path).replace_extension(ending);
+    if (!input_exists(data)) throw SystemError(format("found no data beside the header '{}'", path.string()));
   } else {
     header.replace_extension(".hdr");
-    if (!exists(header)) header = path.string() + ".hdr";
-    if (!exists(header)) throw SystemError(format("found no header (.hdr) beside '{}'", path.string()));
+    if (!input_exists(header)) header = path.string() + ".hdr";
+    if (!input_exists(header)) throw SystemError(format("found no header (.hdr) beside '{}'", path.string()));
   }
   return EnviLibrary(read_bytes(header, kLargestHeader), header.string(), read_bytes(data, kLargestData),
                      data.string());

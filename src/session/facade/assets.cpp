@@ -1,7 +1,9 @@
 #include "ifov/assets.h"
 
 #include <cmath>
+#include <memory>
 #include <span>
+#include <utility>
 
 #include "core/error.h"
 #include "geometry/body.h"
@@ -175,6 +177,15 @@ void Assets::add(const std::string& name, const CopiesAsset& copies) {
   content.add(copies.positions_m).add(copies.yaw_rad).add(copies.scale);
   inside_->assets.add(
       name, content.of(instances_of(name, copies), format("a list of {} copies", copies.positions_m.size())));
+}
+
+void Assets::add(const std::string& name, FileAsset file) {
+  Content content;
+  content.add(std::vector<std::string>{file.bytes});
+  const std::size_t bytes = file.bytes.size();
+  inside_->assets.add(name,
+                      content.of(io::FileBytes{std::make_shared<const std::string>(std::move(file.bytes))},
+                                 format("a file of {} bytes", bytes)));
 }
 
 std::vector<std::string> Assets::names() const { return inside_->assets.names(); }

@@ -34,7 +34,7 @@ AtmosphereSection broadband_section(const AtmosphereOptions& options) {
   int within = 0;
   constexpr double kMuchWater_g_cm2 = 10.0;
   PlotSeries down{"long-wave", "#0072b2", {}, {}, true}, lit{"short-wave", "#d55e00", {}, {}, true};
-  for (const RfmipColumn& column : rfmip_fluxes(*folder, sites, options.study.threads)) {
+  for (const RfmipColumn& column : rfmip_fluxes(*folder, sites, {.threads = options.study.threads})) {
     longwave.add(column.longwave, column.longwave_reference);
     down.x.push_back(column.longwave_reference);
     down.y.push_back(column.longwave - column.longwave_reference);

@@ -86,13 +86,13 @@ AtmosphereDescription described(const Inputs& inputs, std::size_t site, double w
   return description;
 }
 
-double longwave_down(const AtmosphereColumn& column) {
+double longwave_down(const AtmosphereColumn& column, double step_cm1) {
   const GaussNodes nodes = gauss_nodes(4);
   const double ground_k = column.levels().temperature_K.front();
   double sum = 0.0, below = kStefanBoltzmann * std::pow(ground_k, 4);
   for (double nu = kFirst_cm1; nu < 30000.0; nu += 5.0)
     below -= 5.0 * kPi * radiometry::planck_w_m2_sr_um(1e4 / nu, ground_k) * 1e4 / (nu * nu);
-  for (double nu = kFirst_cm1; nu < kLastThermal_cm1; nu += 5.0) {
+  for (double nu = kFirst_cm1 + 0.5 * (step_cm1 - 5.0); nu < kLastThermal_cm1; nu += step_cm1) {
     const ColumnOptics optics = column.at(nu);
     const double um = optics.wavelength_um;
     std::vector<double> planck;
@@ -100,15 +100,15 @@ double longwave_down(const AtmosphereColumn& column) {
     for (std::size_t term = 0; term < optics.terms(); ++term) {
       const LayerOptics layers = optics.term(term);
       const ThermalColumn thermal(column.levels().altitude_km, planck, layers.gas_absorption);
-      sum += 5.0 * optics.weight(term) * thermal.radiances(nodes, {1.0, planck[0]}).flux_down[0] * um * um *
-             1e-4;
+      sum += step_cm1 * optics.weight(term) * thermal.radiances(nodes, {1.0, planck[0]}).flux_down[0] * um *
+             um * 1e-4;
     }
   }
   return sum + below;
 }
 
 double shortwave_down(const AtmosphereColumn& column, double zenith_rad, double albedo,
-                      double total_irradiance) {
+                      double total_irradiance, double step_cm1) {
   ScatteringOptions options;
   options.nodes_per_hemisphere = 4;
   options.polarized = false;
@@ -116,12 +116,12 @@ double shortwave_down(const AtmosphereColumn& column, double zenith_rad, double 
   options.spherical_earth = false;  // as the reference has it
   const ColumnSolver solver(options);
   const radiometry::Spectrum& spectrum = radiometry::solar_irradiance_1au();
-  constexpr double kStep_cm1 = 25.0, kLast_cm1 = 49000.0;  // at half the step the flux moves by 0.03 %
+  constexpr double kLast_cm1 = 49000.0;
   const double ground_km = column.levels().altitude_km.front();
   double sum = 0.0, all = 0.0;
-  for (double nu = 1000.0; nu < kLast_cm1; nu += kStep_cm1) {
+  for (double nu = 1000.0; nu < kLast_cm1; nu += step_cm1) {
     double irradiance = 0.0;  // of the step
-    for (double at = nu - 0.5 * kStep_cm1 + 2.5; at < nu + 0.5 * kStep_cm1; at += 5.0)
+    for (double at = nu - 0.5 * step_cm1 + 2.5; at < nu + 0.5 * step_cm1; at += 5.0)
       irradiance += spectrum.at(1e4 / at) * 5.0 * 1e4 / (at * at);
     all += irradiance;
     const ColumnOptics optics = column.at(nu);
@@ -138,25 +138,26 @@ double shortwave_down(const AtmosphereColumn& column, double zenith_rad, double 
 }  // namespace
 
 std::vector<RfmipColumn> rfmip_fluxes(const std::filesystem::path& folder, std::span<const std::size_t> sites,
-                                      int threads, double water_share) {
+                                      const RfmipQuestion& question) {
   const Inputs inputs(folder);
   std::vector<RfmipColumn> columns(sites.size());
-  parallel_for(static_cast<std::int64_t>(sites.size()), threads, [&](std::int64_t k) {
+  parallel_for(static_cast<std::int64_t>(sites.size()), question.threads, [&](std::int64_t k) {
     const std::size_t site = sites[static_cast<std::size_t>(k)];
     RfmipColumn& result = columns[static_cast<std::size_t>(k)];
-    const AtmosphereColumn column(described(inputs, site, water_share));
+    const AtmosphereColumn column(described(inputs, site, question.water_share));
     const double* pressure = &inputs.pressure_Pa[site * kLevels];
     const std::size_t ground = pressure[0] > pressure[kLevels - 1] ? 0 : kLevels - 1;
     result.site = site;
     result.weight = inputs.weight[site];
-    result.longwave = longwave_down(column);
+    result.longwave = longwave_down(column, question.longwave_step_cm1);
     result.longwave_reference = inputs.longwave[site * kLevels + ground];
     const double zenith_rad = inputs.zenith_deg[site] * kPi / 180.0;
     if (zenith_rad > 85.0 * kPi / 180.0) return;
     for (std::size_t l = 0; l < kLayers; ++l)
-      result.water_in_beam_g_cm2 += 0.1 * 0.622 * water_share * inputs.water[site * kLayers + l] *
+      result.water_in_beam_g_cm2 += 0.1 * 0.622 * question.water_share * inputs.water[site * kLayers + l] *
                                     std::abs(pressure[l + 1] - pressure[l]) / 9.80665 / std::cos(zenith_rad);
-    result.shortwave = shortwave_down(column, zenith_rad, inputs.albedo[site], inputs.irradiance[site]);
+    result.shortwave = shortwave_down(column, zenith_rad, inputs.albedo[site], inputs.irradiance[site],
+                                      question.shortwave_step_cm1);
     result.shortwave_reference = inputs.shortwave[site * kLevels + ground];
   });
   return columns;

@@ -1,0 +1,279 @@
+#include "named_files.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+#include <iterator>
+
+namespace facade_test {
+namespace {
+
+template <class T>
+std::string raw(std::initializer_list<T> values) {
+  std::string bytes(values.size() * sizeof(T), '\0');
+  std::memcpy(bytes.data(), std::data(values), bytes.size());
+  return bytes;
+}
+
+std::string grid() {
+  std::string text = "ncols 4\nnrows 4\nxllcorner -8\nyllcorner -8\ncellsize 4\n";
+  for (int k = 0; k < 16; ++k) text += std::to_string(1 + k % 3) + ((k + 1) % 4 == 0 ? "\n" : " ");
+  return text;
+}
+
+/// Three bands of bytes, the last of them high: normals that lean to and fro.
+std::map<std::string, std::string> normals() {
+  std::string data;
+  for (int band = 0; band < 3; ++band)
+    for (int k = 0; k < 16; ++k) data += static_cast<char>(band == 2 ? 240 : 100 + 10 * (k % 5));
+  return {{"n.img", data},
+          {"n.hdr",
+           "ENVI\nsamples = 4\nlines = 4\nbands = 3\nheader offset = 0\nfile type = ENVI Standard\n"
+           "data type = 1\ninterleave = bsq\nbyte order = 0\n"}};
+}
+
+std::string brdf() {
+  std::string text;
+  for (const char* light : {"0", "45", "80"})
+    for (const char* view : {"0", "45", "80"})
+      for (const char* azimuth : {"0", "90", "180"})
+        for (const char* um : {"0.4", "0.7"})
+          text += std::string(light) + "," + view + "," + azimuth + "," + um + ",0.1\n";
+  return text;
+}
+
+std::string asd() {
+  std::string bytes(484, '\0');
+  const auto set = [&](std::size_t at, auto value) { std::memcpy(bytes.data() + at, &value, sizeof value); };
+  bytes.replace(0, 3, "as7");
+  set(186, std::uint8_t{1}), set(191, 350.f), set(195, 100.f), set(204, std::uint16_t{4});
+  const std::string white =
+      raw({std::uint16_t{0xffff}}) + std::string(16, '\0') + raw({std::uint16_t{5}}) + "white";
+  return bytes + raw({1.f, 2.f, 3.f, 4.f}) + white + raw({6.f, 7.f, 8.f, 9.f});
+}
+
+std::string ems() {
+  std::string text = "1\n";
+  for (int degree = 0; degree <= 90; ++degree) text += "1.0\n";
+  return text + "CURVE_BEGIN\n0.35\t0.98\n2.5 0.95\n14.9\t0.9\n";
+}
+
+/// Two copies: no turn, no scale.
+std::string instances() {
+  return "IFOVINST" + raw({std::uint32_t{0x01020304}, std::uint32_t{1}}) + raw({std::uint64_t{2}}) +
+         raw({std::uint32_t{24}}) + std::string(4, '\0') + raw({0.0, 0.0, 0.0}) + raw({std::uint64_t{0}}) +
+         raw({-3.0, -3.0, 0.0, 1.0, 1.0, 0.0});
+}
+
+const std::string kCity = R"({"type": "CityJSON", "version": "2.0",
+  "transform": {"scale": [0.001, 0.001, 0.001], "translate": [0, 0, 0]},
+  "vertices": [[-5000, -5000, 0], [5000, -5000, 0], [0, 5000, 2000]],
+  "CityObjects": {"a": {"type": "Building",
+                        "geometry": [{"type": "MultiSurface", "lod": "2", "boundaries": [[[0, 1, 2]]]}]}}})";
+
+const std::string kEcostress =
+    "Name: Concrete\nType: manmade\nClass: Concrete\nSubclass: Paving\nParticle Size: Solid\nSample No.: 1\n"
+    "Owner: a\nWavelength Range: All\nOrigin: JHU\nCollection Date: N/A\nDescription: Paving.\n"
+    "Measurement: Directional (10 Degree) Hemispherical Reflectance\nFirst Column: X\nSecond Column: Y\n"
+    "X Units: Wavelength (micrometers)\nY Units: Reflectance (percent)\nFirst X Value: 0.42\n"
+    "Last X Value: 14.0\nNumber of X Values: 3\nAdditional Information: none\n\n"
+    "0.4200\t21.5\n0.7000\t42.25\n14.0000\t5.125\n";
+
+/// At the ground and above the air, looking straight down; what is sent up and what is seen of it depend on the ground.
+std::string uvspec(const std::string& sent_back, const std::string& seen) {
+  std::string text;
+  for (const char* nm : {"400", "700"})
+    text += std::string(nm) + " 900 " + sent_back + " 1 1 1\n 0.0\n 1.0 0 0\n" + nm +
+            " 1200 0 100 1 1 1\n 0.0\n 1.0 " + seen + " " + seen + "\n";
+  return text;
+}
+std::string uvspec_input(const std::string& albedo) {
+  return "source solar a.dat # mW\nsza 40\nalbedo " + albedo +
+         "\numu 1\nphi 0\nzout 0 toa\nrte_solver disort\n";
+}
+
+const std::string kCsv = R"({"csv": "FILEa.csv", "wavelength_unit": "um")";
+
+Parts reflectance(const std::string& value) { return {.material = "\"reflectance\": " + value}; }
+Parts object(const std::string& value) { return {.object = value}; }
+Parts imported(const std::string& files) {
+  return {.sky = R"("surroundings": {"reflectance": 0.2})",
+          .more = R"(, "atmosphere": {"imported": {)" + files + "}}"};
+}
+
+std::vector<Named> named_by_materials() {
+  const std::string placed = R"(, "low_left": ["-8 m", "-8 m"], "size": ["16 m", "16 m"])";
+  return {
+      {"CSV spectrum", "csv", reflectance(kCsv + "}"), {{"a.csv", "0.4,0.1\n0.58,0.5\n2.5,0.3\n"}}},
+      {"ECOSTRESS spectrum",
+       "ecostress",
+       reflectance(R"({"ecostress": "FILEa.txt"})"),
+       {{"a.txt", kEcostress}}},
+      {"USGS spectrum",
+       "usgs",
+       reflectance(R"({"usgs": "FILEa.txt", "wavelengths": "FILEw.txt"})"),
+       {{"a.txt", " splib07a Record=13: Grass ASDFRa AREF\n 0.1\n 0.2\n 0.3\n"},
+        {"w.txt", " splib07a Record=1: Wavelengths ASD\n 0.4\n 0.58\n 0.7\n"}}},
+      {"ASD spectrum", "asd", reflectance(R"({"asd": "FILEa.asd"})"), {{"a.asd", asd()}}},
+      {"ENVI library spectrum",
+       "sli",
+       reflectance(R"({"sli": "FILEa.sli", "spectrum": "lawn"})"),
+       {{"a.sli", raw({1.f, 2.f, 3.f, 4.f, 5.f, 6.f})},
+        {"a.hdr",
+         "ENVI\nsamples = 3\nlines = 2\nbands = 1\nheader offset = 0\nfile type = ENVI Spectral Library\n"
+         "data type = 4\ninterleave = bsq\nbyte order = 0\nwavelength units = Nanometers\n"
+         "spectra names = {roof, lawn}\nwavelength = {400, 500, 700}\nreflectance scale factor = 10\n"}}},
+      {"DIRSIG spectrum", "ems", {.material = R"("emissivity": {"ems": "FILEa.ems"})"}, {{"a.ems", ems()}}},
+      {"temperature map",
+       "file",
+       {.material = R"("reflectance": 0.3, "temperature": {"map": {"file": "FILEa.asc", "unit": "degC"}})",
+        .thermal = R"({"name": "T", "top_hat": {"from": "10 um", "to": "11 um"}})"},
+       {{"a.asc", grid()}}},
+      {"table",
+       "file",
+       reflectance(R"(1, "scattering": {"table": {"file": "FILEa.csv"}})"),
+       {{"a.csv", brdf()}}},
+      {"CSV spectrum of a number",
+       "csv",
+       {.sky =
+            R"("sky": {"none": {}}, "sources": [{"point": {"at": ["0 m", "0 m", "3 m"], "power": "10 W", "spectrum": )" +
+            kCsv + "}}}]"},
+       {{"a.csv", "0.4,1.2\n0.7,1.6\n"}}},
+      {"texture image",
+       "file",
+       reflectance(
+           R"([0.1, 0.4, 0.6], "texture": {"images": [{"file": "FILEa.asc", "from": "0.4 um", "to": "0.7 um"}]})"),
+       {{"a.asc", grid()}}},
+      {"relief of heights",
+       "file",
+       reflectance(R"(0.3, "relief": {"heights": {"file": "FILEa.asc", "unit": "1 m"}})"),
+       {{"a.asc", grid()}}},
+      {"relief of normals", "file",
+       reflectance(R"(0.3, "relief": {"normals": {"file": "FILEn.img")" + placed + "}}"), normals()},
+  };
+}
+
+std::vector<Named> named_by_objects() {
+  return {
+      {"instances",
+       "csv",
+       object(R"({"instances": {"of": "ball", "csv": "FILEa.csv"}})"),
+       {{"a.csv", "-3,-3,0\n1,1,0\n"}}},
+      {"instances",
+       "binary",
+       object(R"({"instances": {"of": "ball", "binary": "FILEa.ifovinst"}})"),
+       {{"a.ifovinst", instances()}}},
+      {"density map",
+       "file",
+       object(R"({"random_placement": {"of": "ball", "density": {"file": "FILEa.asc", "unit": "0.2 m-2"},
+               "area": {"low": ["-8 m", "-8 m"], "high": ["8 m", "8 m"]}}})"),
+       {{"a.asc", grid()}}},
+      {"mesh",
+       "file",
+       object(R"({"mesh": {"file": "FILEa.obj"}, "material": "m"})"),
+       {{"a.obj", "v -5 -5 0\nv 5 -5 0\nv 0 5 2\nf 1 2 3\n"}}},
+      {"city", "file", object(R"({"city": {"file": "FILEa.json"}, "material": "m"})"), {{"a.json", kCity}}},
+      {"terrain",
+       "file",
+       object(R"({"terrain": {"file": "FILEa.asc", "unit": "1 m"}, "material": "m"})"),
+       {{"a.asc", grid()}}},
+      {"material map",
+       "file",
+       {.more_materials = R"(, "n": {"reflectance": 0.7})",
+        .object =
+            R"({"plane": {}, "material": {"map": {"file": "FILEa.asc", "classes": {"1": "m", "2": "n", "3": "m"}}}})"},
+       {{"a.asc", grid()}}},
+      {"mixture map",
+       "file",
+       object(R"({"plane": {}, "material": {"mixture": {"file": "FILEa.asc", "materials": ["m"]}}})"),
+       {{"a.asc", grid()}}},
+      {"measured lamp",
+       "file",
+       {.sky =
+            R"("sky": {"none": {}}, "sources": [{"ies": {"at": ["0 m", "0 m", "3 m"], "file": "FILEa.ies"}}])"},
+       {{"a.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 100\n0 90\n0\n10 10\n"}}},
+  };
+}
+
+std::vector<Named> named_elsewhere() {
+  return {
+      {"CSV spectrum of irradiance",
+       "csv",
+       {.sun = R"({"point": {"zenith": "40 deg", "azimuth": "120 deg", "spectrum": )" + kCsv +
+               R"(, "unit": "W m-2 um-1"}}})"},
+       {{"a.csv", "0.4,1000\n0.7,1500\n"}}},
+      {"CSV spectrum of radiance",
+       "csv",
+       {.sky = R"("sky": {"radiance": )" + kCsv + R"(, "unit": "W m-2 sr-1 um-1"}})"},
+       {{"a.csv", "0.4,100\n0.7,50\n"}}},
+      {"imported atmosphere",
+       "files",
+       imported(R"("files": ["FILEa.csv"])"),
+       {{"a.csv",
+         "wavelength_um,ground_sensor_transmittance,sun_ground_transmittance,direct_sun_ground_transmittance,"
+         "solar_path_radiance\n0.4,0.7,0.6,0.5,50\n0.7,0.8,0.7,0.6,20\n"}}},
+      {"imported atmosphere",
+       "uvspec_inputs",
+       imported(
+           R"("files": ["FILEa.out", "FILEc.out", "FILEe.out"], "uvspec_inputs": ["FILEb.inp", "FILEd.inp", "FILEf.inp"], "albedos": [0, 0.25, 0.5])"),
+       {{"a.out", uvspec("300 0", "40")},
+        {"b.inp", uvspec_input("0")},
+        {"c.out", uvspec("330.8 307.7", "123.25")},
+        {"d.inp", uvspec_input("0.25")},
+        {"e.out", uvspec("363.2 631.6", "210.9")},
+        {"f.inp", uvspec_input("0.5")}}},
+      {"weather",
+       "file",
+       {.more = R"(, "weather": {"file": "FILEa.csv"})"},
+       {{"a.csv",
+         "time,air_temperature_c,wind_speed_m_s\n2026-06-21T10:00:00Z,20,3\n2026-06-21T11:00:00Z,22,4\n"}}},
+      {"tabulated channel",
+       "file",
+       {.channel =
+            R"({"name": "c", "tabulated": {"file": "FILEa.txt", "wavelength_unit": "nm", "band": "2"}})"},
+       {{"a.txt", ";; BAND 1\n443 0.1\n444 1\n445 0.2\n;; BAND 2\n490 0\n500 1\n510 0\n"}}},
+      {"kernel PSF",
+       "file",
+       {.sensor = R"(, "psf": {"kernel": {"file": "FILEa.asc", "samples_per_pixel": 2}})"},
+       {{"a.asc", grid()}}},
+  };
+}
+
+}  // namespace
+
+std::string Named::document(const std::string& in_place_of_FILE) const {
+  const std::string text = R"({"ifov": 1,
+  "scene": {"materials": {"m": {)" +
+                           parts.material + "}" + parts.more_materials + R"(},
+            "prototypes": {"ball": [{"sphere": {"center": ["0 m", "0 m", "0 m"], "radius": "0.5 m"}, "material": "m"}]},
+            "objects": [)" +
+                           parts.object + R"(]},
+  "light": {"sun": )" + parts.sun +
+                           ", " + parts.sky + R"(},
+  "sensor": {"camera": {"orthographic": {"gsd": "2 m", "pixels": [4, 4]}},
+             "channels": [)" +
+                           parts.channel + ", " + parts.thermal + "]" + parts.sensor + R"(},
+  "sampling": {"single": {}})" +
+                           parts.more + "}";
+  return replaced_all(text, "FILE", in_place_of_FILE);
+}
+
+std::vector<Named> all_named() {
+  std::vector<Named> all = named_by_materials();
+  for (const std::vector<Named>& more : {named_by_objects(), named_elsewhere()})
+    all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+const Named& named(const std::vector<Named>& all, const std::string& section) {
+  return *std::find_if(all.begin(), all.end(), [&](const Named& one) { return one.section == section; });
+}
+
+std::string replaced_all(std::string text, const std::string& what, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
+    text.replace(at, what.size(), by);
+  return text;
+}
+
+}  // namespace facade_test
