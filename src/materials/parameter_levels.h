@@ -30,7 +30,7 @@ struct ParameterLevels {
 };
 
 /// What levels may be off.
-inline constexpr LevelError kLevelTolerance{1e-3, 5e-3};
+inline constexpr LevelError kLevelTolerance{1e-3, 1e-3};
 
 /// Levels among the values that occur (`values`: one or more, rising, without repetition), first and last among them: the one in the
 /// middle between two levels is added, where the error there is largest first, until it is everywhere within kLevelTolerance or there

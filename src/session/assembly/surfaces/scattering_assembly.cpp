@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/overloaded.h"
+#include "core/parallel.h"
 #include "io/document/scene_document.h"
 #include "io/spectra/brdf_table.h"
 #include "materials/bsdf/bsdf_model.h"
@@ -203,20 +204,17 @@ ScatteringAssembly::Levels ScatteringAssembly::levels(const io::MaterialDocument
                              placed.values});
     });
   }
+  const std::size_t inner = maps.size() == 1 ? 1 : levels.axes[1].levels.size();
   for (std::size_t curve = 0; curve < curves.size(); ++curve) {
     std::vector<materials::Material>& of_curve = levels.members.emplace_back();
-    for (const double first : levels.axes[0].levels) {
-      Numbers numbers{{std::string(maps[0].parameter->key), first}};
-      if (maps.size() == 1) {
-        of_curve.push_back(material_at(curve, numbers));
-        continue;
-      }
-      for (const double second : levels.axes[1].levels) {
-        numbers.resize(1);
-        numbers.emplace_back(std::string(maps[1].parameter->key), second);
-        of_curve.push_back(material_at(curve, numbers));
-      }
-    }
+    of_curve.resize(levels.axes[0].levels.size() * inner);
+    parallel_for(static_cast<std::int64_t>(of_curve.size()), 0, [&](std::int64_t index) {
+      const auto k = static_cast<std::size_t>(index);
+      Numbers numbers{{std::string(maps[0].parameter->key), levels.axes[0].levels[k / inner]}};
+      if (maps.size() > 1)
+        numbers.emplace_back(std::string(maps[1].parameter->key), levels.axes[1].levels[k % inner]);
+      of_curve[k] = material_at(curve, numbers);
+    });
   }
   return levels;
 }
