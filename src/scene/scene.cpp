@@ -23,6 +23,11 @@ bool SurfaceAssignment::bends_normals() const {
   return std::any_of(patterns.begin(), patterns.end(), [](const auto& p) { return p->bends_normals(); });
 }
 
+const materials::TemperatureMap* SurfaceAssignment::temperature_map(std::size_t index, bool inner) const {
+  const auto& maps = inner && !back_temperatures.empty() ? back_temperatures : temperatures;
+  return maps.empty() ? nullptr : maps[index].get();
+}
+
 Scene::Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
@@ -48,6 +53,10 @@ std::vector<bool> assignments_showing(const Scene& scene, const Is& is) {
     for (const auto& pattern : assignment.patterns) {
       const std::vector<std::uint32_t> brought = pattern->mixed_materials();
       any = any || std::any_of(brought.begin(), brought.end(), is);
+      for (std::uint32_t s = 0; s < states.size() && !any; ++s) {
+        const std::vector<std::uint32_t> replacing = pattern->replacing(s);
+        any = std::any_of(replacing.begin(), replacing.end(), shows);
+      }
       if (pattern->mixes_materials() && brought.empty())
         for (std::uint32_t m = 0; m < materials.size(); ++m) any = any || is(m);
     }
@@ -93,8 +102,8 @@ ResolvedSurface Scene::resolve_own(const geometry::SurfacePoint& point) const {
   only.material = states[only.state].material;
   only.weight = 1.0;
   only.mapped_temperature_k = 0.0;
-  if (!assignment.temperatures.empty() && assignment.temperatures[index])
-    only.mapped_temperature_k = assignment.temperatures[index]->at_k(position);
+  if (const materials::TemperatureMap* map = assignment.temperature_map(index, behind))
+    only.mapped_temperature_k = map->at_k(position);
   for (const auto& pattern : assignment.patterns) pattern->apply(point, surface);
   return surface;
 }

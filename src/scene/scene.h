@@ -80,6 +80,9 @@ class Pattern {
   /// scene's. Each costs a column of numbers.
   virtual std::vector<std::uint32_t> mixed_materials() const { return {}; }
 
+  /// The states that `apply` puts in the place of a state of the surface assignment, where these may emit or scatter otherwise.
+  virtual std::vector<std::uint32_t> replacing(std::uint32_t) const { return {}; }
+
   /// Whether `apply` may tilt the shading normal.
   virtual bool bends_normals() const { return false; }
 
@@ -97,10 +100,15 @@ struct SurfaceAssignment {
   std::vector<std::shared_ptr<const Pattern>> patterns;
   /// The same as `states` where the inner side is seen; empty: it is as the outer one.
   std::vector<std::uint32_t> back_states{};
+  /// Maps of temperatures of `back_states`; empty: `temperatures`.
+  std::vector<std::shared_ptr<const materials::TemperatureMap>> back_temperatures{};
   friend bool operator==(const SurfaceAssignment&, const SurfaceAssignment&) = default;
 
   bool mixes_materials() const;  ///< by one of its patterns
   bool bends_normals() const;    ///< by one of its patterns
+
+  /// Of a state's outer side or, where it looks otherwise, its inner one; null: none.
+  const materials::TemperatureMap* temperature_map(std::size_t index, bool inner) const;
 };
 
 /// The immutable assembly of geometry, materials and light. Answers "what is at this point" and "what lights it";

@@ -20,8 +20,9 @@ void include(std::optional<TemperatureRange>& range, double coldest_k, double ho
 std::optional<TemperatureRange> Scene::mapped_temperatures() const {
   std::optional<TemperatureRange> range;
   for (const SurfaceAssignment& assignment : assignments) {
-    for (const auto& map : assignment.temperatures)
-      if (map) include(range, map->minimum_k(), map->maximum_k());
+    for (const auto* maps : {&assignment.temperatures, &assignment.back_temperatures})
+      for (const auto& map : *maps)
+        if (map) include(range, map->minimum_k(), map->maximum_k());
     for (const auto& pattern : assignment.patterns)
       if (const auto of_pattern = pattern->temperatures())
         include(range, of_pattern->coldest_k, of_pattern->hottest_k);
@@ -42,11 +43,12 @@ bool Scene::emits(std::uint32_t state) const {
   if (states[state].temperature_k > 0.0 || states[state].lamp > 0) return true;
   const std::uint32_t material = states[state].material;
   return std::any_of(assignments.begin(), assignments.end(), [&](const SurfaceAssignment& assignment) {
-    for (std::size_t k = 0; k < assignment.temperatures.size(); ++k)
-      if (assignment.temperatures[k] &&
-          (assignment.states[k] == state ||
-           (!assignment.back_states.empty() && assignment.back_states[k] == state)))
+    for (std::size_t k = 0; k < assignment.states.size(); ++k) {
+      if (assignment.states[k] == state && assignment.temperature_map(k, false)) return true;
+      if (!assignment.back_states.empty() && assignment.back_states[k] == state &&
+          assignment.temperature_map(k, true))
         return true;
+    }
     return std::any_of(assignment.patterns.begin(), assignment.patterns.end(), [&](const auto& pattern) {
       const std::vector<std::uint32_t> mixed = pattern->mixed_materials();
       return pattern->temperatures() && std::find(mixed.begin(), mixed.end(), material) != mixed.end();

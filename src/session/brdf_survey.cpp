@@ -79,6 +79,8 @@ std::vector<std::string> description_of(const io::MaterialDocument& source,
   const std::size_t curves = source.further_curves.size() + 1;
   if (curves > 1) lines.push_back(format("curve {} of {}; its texture is left out", curve, curves));
   if (source.relief) lines.push_back("its relief is left out");
+  if (ScatteringAssembly::map_count(source) > 0)
+    lines.push_back("a parameter from a map is taken at the map's mean");
   if (material.transmittance && material.bsdf->is_separable())
     lines.push_back(
         "what it transmits leaves the other side as Lambert's law says, transmittance / pi, 1/sr");
@@ -143,6 +145,10 @@ io::BrdfReport survey_brdf(const io::Document& document, const std::string& name
       throw InputError(format("light from {:g} deg: expected 0 to {:g} deg from the normal", light / kDegree,
                               kLastView_deg));
   const io::MaterialDocument& source = find_material(document, name);
+  if (source.sides)
+    throw io::document_error(document.sources, source.position,
+                             format("'{}' has two sides: ask for '{}' or '{}'", name,
+                                    source.sides->front.name, source.sides->back.name));
   const materials::Material material = assemble_material(document, source, question.curve);
   io::BrdfReport report;
   report.name = name;

@@ -79,19 +79,24 @@ void EmitterChoice::list_surfaces() {
     mapped_[c] = assignment.classes || !assignment.temperatures.empty() || !assignment.patterns.empty();
     for (std::size_t k = 0; k < assignment.states.size(); ++k) {
       const scene::SurfaceState& state = scene.states[assignment.states[k]];
-      const auto* map = assignment.temperatures.empty() ? nullptr : assignment.temperatures[k].get();
+      const auto* map = assignment.temperature_map(k, false);
       const float* lamp = scene_.lamp_radiance(assignment.states[k]);
       const bool patterned = scene_.lamp_pattern(assignment.states[k]) != nullptr;
-      if (map != nullptr)
-        add(c, state.material, map->minimum_k(), map->maximum_k(), lamp, patterned);
-      else
-        add(c, state.material, state.temperature_k, state.temperature_k, lamp, patterned);
+      const double coldest_k = map != nullptr ? map->minimum_k() : state.temperature_k;
+      const double hottest_k = map != nullptr ? map->maximum_k() : state.temperature_k;
+      add(c, state.material, coldest_k, hottest_k, lamp, patterned);
+      for (const auto& pattern : assignment.patterns)
+        for (const std::uint32_t other : pattern->replacing(assignment.states[k]))
+          add(c, scene.states[other].material, coldest_k, hottest_k, lamp, patterned);
       if (assignment.back_states.empty() || assignment.back_states[k] == assignment.states[k]) continue;
       const scene::SurfaceState& back = scene.states[assignment.back_states[k]];
-      if (map != nullptr)
-        add(c, back.material, map->minimum_k(), map->maximum_k());
-      else
-        add(c, back.material, back.temperature_k, back.temperature_k);
+      const auto* back_map = assignment.temperature_map(k, true);
+      const double back_coldest_k = back_map != nullptr ? back_map->minimum_k() : back.temperature_k;
+      const double back_hottest_k = back_map != nullptr ? back_map->maximum_k() : back.temperature_k;
+      add(c, back.material, back_coldest_k, back_hottest_k);
+      for (const auto& pattern : assignment.patterns)
+        for (const std::uint32_t other : pattern->replacing(assignment.back_states[k]))
+          add(c, scene.states[other].material, back_coldest_k, back_hottest_k);
     }
     for (const auto& pattern : assignment.patterns) {
       const auto range = pattern->temperatures();

@@ -197,7 +197,10 @@ TEST(Leaf, SaysWhatItsVersionLacks) {
     }
     return std::string();
   };
-  EXPECT_EQ(said("D", {}), "'dry_matter' is missing: version D of PROSPECT needs it");
+  EXPECT_EQ(said("D", {}), "");
+  EXPECT_EQ(
+      said("PRO", {{"proteins", 0.001}}),
+      "'carbon' is missing: version PRO of PROSPECT needs 'proteins' and 'carbon', such as 0.001 and 0.008");
   EXPECT_EQ(said("PRO", {{"dry_matter", 0.01}, {"proteins", 0.001}, {"carbon", 0.009}}),
             "version PRO of PROSPECT has no 'dry_matter', but 'proteins' and 'carbon'");
   EXPECT_EQ(said("5", {{"dry_matter", 0.01}, {"carbon", 0.009}}),

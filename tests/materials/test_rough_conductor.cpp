@@ -212,11 +212,12 @@ TEST(RoughConductor, SaysWhatIsWrong) {
                 .find("there is no refractive index of 'gould'; "
                       "there are 'aluminium', "),
             std::string::npos);
-  EXPECT_EQ(error_of({{"n", Spectrum::constant(1.0)}, {"roughness", 0.1}}),
-            "'k' is missing: a refractive index is given by its name, 'index', or as 'n' and 'k'");
+  EXPECT_EQ(
+      error_of({{"n", Spectrum::constant(1.0)}, {"roughness", 0.1}}),
+      "'k' is missing: a refractive index is given by its name, 'index', or as 'n' and 'k', such as \"index\": \"water\"");
   EXPECT_EQ(
       error_of({{"roughness", 0.1}}),
-      "the refractive index is missing: a refractive index is given by its name, 'index', or as 'n' and 'k'");
+      "the refractive index is missing: a refractive index is given by its name, 'index', or as 'n' and 'k', such as \"index\": \"water\"");
   EXPECT_EQ(error_of({{"index", std::string("gold")}, {"k", Spectrum::constant(1.0)}, {"roughness", 0.1}}),
             "a refractive index is given either by its name, 'index', or as 'n' and 'k', not by both");
 }

@@ -35,12 +35,17 @@ struct OriginDocument {
 struct ScatteringDocument {
   std::string model = "lambertian";
   /// By key; angles in radians, lengths in metres.
-  std::vector<std::pair<std::string, std::variant<double, SpectrumDocument, std::string, DocumentFile, bool>>>
-      values;
+  using Value = std::variant<double, ParameterMap, SpectrumDocument, std::string, DocumentFile, bool>;
+  std::vector<std::pair<std::string, Value>> values;
 };
 
 struct MaterialDocument {
   std::string name;
+  /// The sides of a surface are of other materials; then all else but the position is as it was.
+  struct Sides {
+    DocumentName front, back;
+  };
+  std::optional<Sides> sides;
   bool is_emissivity = false;  ///< the spectrum is emissivity; else reflectance. Opaque: the two sum to 1.
   SpectrumDocument spectrum;
   std::optional<SpectrumDocument> transmittance;  ///< of a thin leaf; with reflectance only; absent: opaque

@@ -62,10 +62,11 @@ IndexSpectra refractive_index(const BsdfInputs& inputs) {
     return {found.n, found.k};
   }
   if (!inputs.has("n") || !inputs.has("k"))
-    throw InputError(format("{} missing: a refractive index is given by its name, 'index', or as 'n' and 'k'",
-                            !by_value         ? "the refractive index is"
-                            : inputs.has("n") ? "'k' is"
-                                              : "'n' is"));
+    throw InputError(format(
+        "{} missing: a refractive index is given by its name, 'index', or as 'n' and 'k', such as \"index\": \"water\"",
+        !by_value         ? "the refractive index is"
+        : inputs.has("n") ? "'k' is"
+                          : "'n' is"));
   return {inputs.spectrum("n"), inputs.spectrum("k")};
 }
 

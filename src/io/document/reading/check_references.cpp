@@ -33,6 +33,9 @@ class ReferenceCheck {
         channels_(names_of(document.sensor.channels)) {}
 
   void run() const {
+    for (const MaterialDocument& material : document_.scene.materials)
+      if (material.sides)
+        for (const DocumentName* side : {&material.sides->front, &material.sides->back}) check_side(*side);
     for (const ObjectDocument& object : document_.scene.objects) check(object);
     for (const PrototypeDocument& prototype : document_.scene.prototypes) {
       for (const ObjectDocument& object : prototype.objects) {
@@ -65,6 +68,14 @@ class ReferenceCheck {
         names.empty() ? "none is declared" : format("declared: {}", list_names(names, "and"));
     throw document_error(document_.sources, reference.position,
                          format("there is no {} '{}'{} ({})", what, reference.name, hint, list));
+  }
+
+  void check_side(const DocumentName& side) const {
+    require("material", side, materials_);
+    const auto found = std::ranges::find(document_.scene.materials, side.name, &MaterialDocument::name);
+    if (found->sides)
+      throw document_error(document_.sources, side.position,
+                           format("'{}' has a front and a back itself and cannot be a side", side.name));
   }
 
   void check(const ObjectDocument& object) const {

@@ -72,6 +72,26 @@ SchemaType<TemperatureMap> temperature_map_type() {
   return record.type();
 }
 
+SchemaType<ParameterMap> parameter_map_type(ParameterKind kind) {
+  const bool plain = kind == ParameterKind::number;
+  const std::string of = plain ? "numbers" : kind == ParameterKind::angle ? "angles" : "lengths";
+  Record<ParameterMap> record(
+      "map of " + of, "A parameter of a scattering model from a raster; a cell's value holds in all of it.");
+  const SchemaType<double> value = plain                          ? number()
+                                   : kind == ParameterKind::angle ? quantity(kAngle)
+                                                                  : quantity(kLength);
+  const char* zero = plain ? "0" : kind == ParameterKind::angle ? "\"0 deg\"" : "\"0 mm\"";
+  const char* one = plain ? "1" : kind == ParameterKind::angle ? "\"1 deg\"" : "\"1 mm\"";
+  add_raster_keys(record);
+  record
+      .with_default("band", &ParameterMap::band, integer(1, kMostBands), "1",
+                    "band of the raster, counted from 1")
+      .with_default("unit", &ParameterMap::unit, value, one,
+                    "what the number 1 of the raster adds: of an image of bytes 1/255 makes 0 to 1 of it")
+      .with_default("offset", &ParameterMap::offset, value, zero, "what the number 0 of the raster means");
+  return record.type();
+}
+
 SchemaType<TextureDocument> texture_type() {
   Record<TextureDocument> record(
       "texture",

@@ -7,6 +7,9 @@ namespace ifov::io {
 
 /// The tables of keys of what lies on surfaces.
 SchemaType<TemperatureMap> temperature_map_type();
+/// Of a parameter that is a number, an angle or a length.
+enum class ParameterKind { number, angle, length };
+SchemaType<ParameterMap> parameter_map_type(ParameterKind kind);
 SchemaType<TextureDocument> texture_type();
 SchemaType<ReliefDocument> relief_type();
 SchemaType<MaterialBinding> binding_type();

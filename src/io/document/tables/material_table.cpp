@@ -10,6 +10,21 @@ namespace {
 constexpr std::size_t kMostMaterials = 10000;
 constexpr std::size_t kMostCurves = 100000;
 
+SchemaType<MaterialDocument> sides_type() {
+  using Sides = MaterialDocument::Sides;
+  Record<MaterialDocument> record(
+      "sides of a material",
+      "A sheet whose sides are different materials, each with its temperature; what it covers that is solid shows its back within.");
+  const SchemaType<DocumentName> name = name_of("a material");
+  record
+      .required(
+          "front", path(&MaterialDocument::sides, &Sides::front), name,
+          "material of the front: of a mesh's face where its corners run counter-clockwise, of a solid the outside")
+      .required("back", path(&MaterialDocument::sides, &Sides::back), name,
+                "material of the back, which lets through what the front does");
+  return record.type();
+}
+
 }  // namespace
 
 SchemaType<TemperatureDocument> temperature_type() {
@@ -47,7 +62,8 @@ SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type
         [is_emissivity](const MaterialDocument& material) {
           std::vector<SpectrumDocument> values{material.spectrum};
           values.insert(values.end(), material.further_curves.begin(), material.further_curves.end());
-          return material.is_emissivity == is_emissivity ? std::optional(values) : std::nullopt;
+          return !material.sides && material.is_emissivity == is_emissivity ? std::optional(values)
+                                                                            : std::nullopt;
         });
   };
   Record<MaterialDocument> record(
@@ -79,7 +95,9 @@ SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type
           node.given("texture").fail_at_key(
               format("a texture picks among several curves; give a list of them as '{}'", key));
       });
-  return map_of(record.type(), "materials", kMostMaterials);
+  return map_of(tagged<MaterialDocument>(
+                    {{{"reflectance", "emissivity"}, record.type()}, {{"front", "back"}, sides_type()}}, 0),
+                "materials", kMostMaterials);
 }
 
 }  // namespace ifov::io

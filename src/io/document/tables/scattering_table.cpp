@@ -3,6 +3,7 @@
 #include "core/format.h"
 #include "io/document/scene_document.h"
 #include "io/document/schema/record.h"
+#include "io/document/tables/map_tables.h"
 #include "io/document/tables/tables.h"
 #include "materials/bsdf/bsdf_model.h"
 
@@ -12,9 +13,22 @@ namespace {
 using materials::BsdfModel;
 using materials::BsdfParameter;
 
+/// Adds the key of a parameter whose value is stored as it is read.
+template <class V, class Place>
+void add_key(Record<ScatteringDocument>& record, const BsdfParameter& parameter, const SchemaType<V>& type,
+             const Place& place) {
+  const std::string key(parameter.key), doc(parameter.doc), fallback(parameter.default_json);
+  if (parameter.optional)
+    record.optional(key, place, type, doc);
+  else if (fallback.empty())
+    record.required(key, place, type, doc);
+  else
+    record.with_default(key, place, type, fallback, doc);
+}
+
 template <class V>
 void add(Record<ScatteringDocument>& record, const BsdfParameter& parameter, const SchemaType<V>& type) {
-  const std::string key(parameter.key), doc(parameter.doc), fallback(parameter.default_json);
+  const std::string key(parameter.key);
   const auto place = via(
       [key](ScatteringDocument& to, V value) {
         std::erase_if(to.values, [&](const auto& known) { return known.first == key; });
@@ -25,25 +39,62 @@ void add(Record<ScatteringDocument>& record, const BsdfParameter& parameter, con
           if (known == key) return std::get_if<V>(&value);
         return nullptr;
       });
-  if (parameter.optional)
-    record.optional(key, place, type, doc);
-  else if (fallback.empty())
-    record.required(key, place, type, doc);
-  else
-    record.with_default(key, place, type, fallback, doc);
+  const auto read = [key, given = type.read](const DocumentNode& node) {
+    if (node.type() == DocumentNode::Type::object && node.find("map") != nullptr)
+      node.find("map")->fail_at_key(
+          format("'{}' cannot be a map: of a model's parameters numbers, angles and lengths can", key));
+    return given(node);
+  };
+  add_key(record, parameter, SchemaType<V>{type.description, read, type.write}, place);
+}
+
+/// A parameter that is one number everywhere, or a map.
+void add_scalar(Record<ScatteringDocument>& record, const BsdfParameter& parameter,
+                const SchemaType<double>& plain, ParameterKind kind) {
+  using Value = ScatteringDocument::Value;
+  const std::string key(parameter.key);
+  const auto place = via(
+      [key](ScatteringDocument& to, Value value) {
+        std::erase_if(to.values, [&](const auto& known) { return known.first == key; });
+        to.values.emplace_back(key, std::move(value));
+      },
+      [key](const ScatteringDocument& from) -> const Value* {
+        for (const auto& [known, value] : from.values)
+          if (known == key) return &value;
+        return nullptr;
+      });
+  const SchemaType<ParameterMap> map = parameter_map_type(kind);
+  const std::string what = kind == ParameterKind::number  ? "number"
+                           : kind == ParameterKind::angle ? "angle"
+                                                          : "length";
+  Record<Value> mapped(what + " by a map", "A parameter that differs from place to place.");
+  mapped.required("map",
+                  via([](Value& to, ParameterMap value) { to = std::move(value); },
+                      [](const Value& from) { return std::get_if<ParameterMap>(&from); }),
+                  map, "the raster");
+  const auto number = converted<Value>(
+      plain, [](double value) { return Value(value); },
+      [](const Value& value) {
+        const double* one = std::get_if<double>(&value);
+        return one ? std::optional(*one) : std::nullopt;
+      });
+  add_key(record, parameter, either(number, mapped.type()), place);
 }
 
 SchemaType<ScatteringDocument> parameters_type(const BsdfModel& model) {
   Record<ScatteringDocument> record(std::string(model.key), std::string(model.doc) + ".");
   for (const BsdfParameter& parameter : model.parameters) switch (parameter.form) {
       case BsdfParameter::Form::number:
-        add(record, parameter, number(Range::between(parameter.low, parameter.high)));
+        add_scalar(record, parameter, number(Range::between(parameter.low, parameter.high)),
+                   ParameterKind::number);
         break;
       case BsdfParameter::Form::angle:
-        add(record, parameter, quantity(kAngle, Range::between(parameter.low, parameter.high, "deg")));
+        add_scalar(record, parameter, quantity(kAngle, Range::between(parameter.low, parameter.high, "deg")),
+                   ParameterKind::angle);
         break;
       case BsdfParameter::Form::length:
-        add(record, parameter, quantity(kLength, Range::between(parameter.low, parameter.high, "mm")));
+        add_scalar(record, parameter, quantity(kLength, Range::between(parameter.low, parameter.high, "mm")),
+                   ParameterKind::length);
         break;
       case BsdfParameter::Form::spectrum:
         add(record, parameter,
@@ -62,6 +113,15 @@ SchemaType<ScatteringDocument> parameters_type(const BsdfModel& model) {
   return record.type();
 }
 
+/// "\"k\": ..., \"asymmetry\": ...".
+std::string needed_keys(const BsdfModel& model) {
+  std::string keys;
+  for (const BsdfParameter& parameter : model.parameters)
+    if (parameter.default_json.empty() && !parameter.optional)
+      keys += format("{}\"{}\": ...", keys.empty() ? "" : ", ", parameter.key);
+  return keys;
+}
+
 /// A model by its name alone: none of its parameters has to be given, or is written where all are what they are then.
 SchemaType<ScatteringDocument> named_type() {
   std::vector<std::pair<std::string, std::string>> words;
@@ -75,8 +135,8 @@ SchemaType<ScatteringDocument> named_type() {
   const auto read = [named, parameters](const DocumentNode& node) {
     for (const BsdfModel* model : materials::bsdf_models())
       if (model->needs_parameters() && node.type() == DocumentNode::Type::text && node.text() == model->key)
-        node.fail(format("{} is '{}', which needs its parameters: {{\"{}\": {{\"{}\": ...}}}}", node.title(),
-                         model->key, model->key, model->first_needed()->key));
+        node.fail(format("{} is '{}', which needs its parameters: {{\"{}\": {{{}}}}}", node.title(),
+                         model->key, model->key, needed_keys(*model)));
     const std::string name = named.read(node);
     const DocumentTree nothing = parse_json("{}", "no parameters");
     return ScatteringDocument{name, parameters.at(name).read(*nothing.root).values};

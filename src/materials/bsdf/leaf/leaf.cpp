@@ -33,10 +33,14 @@ void check_contents(const BsdfInputs& inputs, ProspectVersion version) {
   const bool pro = version == ProspectVersion::pro;
   for (const std::string_view key : {kMatter, kProteins, kCarbon}) {
     const bool wanted = (key == kMatter) != pro;
-    if (inputs.has(key) == wanted) continue;
-    throw InputError(wanted ? format("'{}' is missing: version {} of PROSPECT needs it", key, word)
-                            : format("version {} of PROSPECT has no '{}', but {}", word, key,
-                                     pro ? "'proteins' and 'carbon'" : "'dry_matter'"));
+    if (inputs.has(key) == wanted || (wanted && key == kMatter)) continue;
+    throw InputError(
+        wanted
+            ? format(
+                  "'{}' is missing: version {} of PROSPECT needs 'proteins' and 'carbon', such as 0.001 and 0.008",
+                  key, word)
+            : format("version {} of PROSPECT has no '{}', but {}", word, key,
+                     pro ? "'proteins' and 'carbon'" : "'dry_matter'"));
   }
   if (version == ProspectVersion::five && inputs.number("anthocyanins") > 0.0)
     throw InputError("version 5 of PROSPECT has no 'anthocyanins'; version D does");
@@ -50,7 +54,9 @@ LeafContents contents_of(const BsdfInputs& inputs) {
   leaf.anthocyanins = inputs.number("anthocyanins");
   leaf.brown = inputs.number("brown");
   leaf.water = inputs.number("water");
-  if (inputs.has(kMatter)) leaf.dry_matter = inputs.number(kMatter);
+  // As the other defaults, those of the example of PROSAIL 5B.
+  constexpr double kUsualMatter = 0.009;
+  leaf.dry_matter = inputs.has(kMatter) ? inputs.number(kMatter) : kUsualMatter;
   if (inputs.has(kProteins)) leaf.proteins = inputs.number(kProteins);
   if (inputs.has(kCarbon)) leaf.carbon = inputs.number(kCarbon);
   return leaf;
@@ -130,7 +136,13 @@ const BsdfModel Leaf::kModel{
      {"anthocyanins", "ug/cm2", Form::number, 0.0, 60.0, "0"},
      {"brown", "brown pigments, arbitrary units", Form::number, 0.0, 8.0, "0"},
      {"water", "equivalent thickness, cm", Form::number, 0.0, 0.2, "0.01"},
-     {kMatter, "dry matter, g/cm2; of versions D and 5", Form::number, 0.0, 0.1, {}, true},
+     {kMatter,
+      "dry matter, g/cm2; of versions D and 5, 0.009 unless given",
+      Form::number,
+      0.0,
+      0.1,
+      {},
+      true},
      {kProteins, "g/cm2; of version PRO", Form::number, 0.0, 0.02, {}, true},
      {kCarbon,
       "carbon-based constituents that are no proteins, g/cm2; of version PRO",

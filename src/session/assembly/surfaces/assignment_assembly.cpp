@@ -4,12 +4,13 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <numeric>
 
 #include "core/overloaded.h"
 #include "io/raster/fill_unknown.h"
-#include "io/spectra/brdf_table.h"
-#include "materials/bsdf/bsdf_model.h"
+#include "materials/bsdf/bsdf.h"
 #include "materials/bsdf/hemisphere.h"
+#include "scene/level_pattern.h"
 #include "scene/map_patterns.h"
 #include "scene/scene.h"
 #include "session/assembly/shared/spectrum_assembly.h"
@@ -17,20 +18,6 @@
 
 namespace ifov::session {
 namespace {
-
-/// Whether a spectrum keeps to what its parameter may be, in all wavelengths.
-void check_range(const io::DocumentSources& sources, const io::SpectrumDocument& source,
-                 const radiometry::Spectrum& spectrum, const materials::BsdfParameter& parameter) {
-  const double low = spectrum.minimum(), high = spectrum.maximum();
-  if (low >= parameter.low && high <= parameter.high) return;
-  const bool is_low = low < parameter.low;
-  const double limit = is_low ? parameter.low : parameter.high, value = is_low ? low : high;
-  with_position(sources, source.position, [&] {
-    throw InputError(format("'{}' is {:g}{}, {} {:g}: it lies between {:g} and {:g}", parameter.key, value,
-                            spectrum.is_constant() ? "" : " at some wavelength", is_low ? "below" : "above",
-                            limit, parameter.low, parameter.high));
-  });
-}
 
 /// What is seen otherwise from behind is smooth and of one kind.
 void check_two_sided(const io::MaterialDocument& source) {
@@ -41,6 +28,12 @@ void check_two_sided(const io::MaterialDocument& source) {
   };
   if (!source.further_curves.empty()) refuse("a texture");
   if (source.relief) refuse("a relief");
+  if (ScatteringAssembly::map_count(source) > 0) refuse("a map of a parameter");
+}
+
+/// How many constituents a material may make of one, as parts of a texture and levels of its parameters.
+std::size_t parts_of(const io::MaterialDocument& source) {
+  return (source.texture ? 2u : 1u) << ScatteringAssembly::map_count(source);
 }
 
 }  // namespace
@@ -52,51 +45,9 @@ AssignmentAssembly::AssignmentAssembly(const io::DocumentSources& sources,
       written_(materials),
       scene_(scene),
       log_(log),
-      textures_(sources, materials, seed, frame, log) {
+      textures_(sources, materials, seed, frame, log),
+      scattering_(sources, textures_, log) {
   add_materials();
-}
-
-void AssignmentAssembly::assemble_scattering(const io::MaterialDocument& source,
-                                             materials::Material& material) const {
-  const materials::BsdfModel& model = materials::bsdf_model(source.scattering.model);
-  const auto parameter = [&](const std::string& key) -> const materials::BsdfParameter& {
-    return *std::find_if(model.parameters.begin(), model.parameters.end(),
-                         [&](const materials::BsdfParameter& p) { return p.key == key; });
-  };
-  materials::BsdfInputs inputs{material.reflectance, {}, [&](const std::string& change) {
-                                 if (log_ != nullptr)
-                                   log_->warn(format("material '{}': {}", source.name, change));
-                               }};
-  for (const auto& [key, value] : source.scattering.values) {
-    std::visit(Overloaded{[&](double number) { inputs.values.emplace_back(key, number); },
-                          [&](const std::string& word) { inputs.values.emplace_back(key, word); },
-                          [&](const io::SpectrumDocument& spectrum) {
-                            const radiometry::Spectrum values =
-                                assemble_spectrum(sources_, spectrum, format("{} of {}", key, source.name));
-                            check_range(sources_, spectrum, values, parameter(key));
-                            inputs.values.emplace_back(key, values);
-                          },
-                          [&](const io::DocumentFile& file) {
-                            with_position(sources_, file.position, [&] {
-                              inputs.values.emplace_back(key, io::read_brdf_table(file.path));
-                            });
-                          },
-                          [&](bool flag) { inputs.values.emplace_back(key, flag ? 1.0 : 0.0); }},
-               value);
-  }
-  material.bsdf = model.make(inputs);
-  const bool directional = !material.bsdf->is_separable(),
-             transmits = directional && material.bsdf->may_transmit();
-  if (transmits && source.transmittance)
-    throw InputError(format("material '{}': '{}' says itself what it transmits; leave 'transmittance' out",
-                            source.name, model.key));
-  if (transmits) material.transmittance.reset();
-  materials::check(material);
-  const auto whole = [&](materials::Side side) {
-    return materials::directional_hemispherical(*material.bsdf, side, materials::kBihemispherical);
-  };
-  if (directional) material.reflectance = whole(materials::Side::reflected);
-  if (transmits) material.transmittance = whole(materials::Side::transmitted);
 }
 
 void AssignmentAssembly::add_materials() {
@@ -105,6 +56,15 @@ void AssignmentAssembly::add_materials() {
   for (const io::MaterialDocument& source : written_) {
     materials::Material material;
     material.name = source.name;
+    if (source.sides) {
+      // Holds the place of the document's material; surfaces are of its sides.
+      material.reflectance = radiometry::Spectrum::constant(0.0);
+      material.curve_of = material_index(source.sides->front.name);
+      first_further_.push_back(first + static_cast<std::uint32_t>(further.size()));
+      behind_.push_back(static_cast<std::uint32_t>(scene_.materials.size()));
+      scene_.materials.push_back(std::move(material));
+      continue;
+    }
     if (source.transmittance)
       material.transmittance =
           assemble_spectrum(sources_, *source.transmittance, format("transmittance of {}", source.name));
@@ -115,17 +75,19 @@ void AssignmentAssembly::add_materials() {
       const radiometry::Spectrum spectrum =
           assemble_spectrum(sources_, curve, format("{}{}", what, source.name));
       material.reflectance = source.is_emissivity ? spectrum.complement() : spectrum;
-      with_position(sources_, source.position, [&] { assemble_scattering(source, material); });
+      if (ScatteringAssembly::map_count(source) > 0)
+        unscattered_[scene_.materials.size()].push_back(material);
+      with_position(sources_, source.position, [&] { scattering_.assemble(source, material); });
     };
     take(source.spectrum, source.further_curves.empty() ? "" : "curve 1 of ");
     scene_.materials.push_back(material);
+    const auto own = static_cast<std::uint32_t>(scene_.materials.size() - 1);
     first_further_.push_back(first + static_cast<std::uint32_t>(further.size()));
-    material.curve_of = static_cast<std::uint32_t>(scene_.materials.size() - 1);
+    material.curve_of = own;
     for (std::size_t k = 0; k < source.further_curves.size(); ++k) {
       take(source.further_curves[k], format("curve {} of ", k + 2));
       further.push_back(material);
     }
-    const auto own = static_cast<std::uint32_t>(scene_.materials.size() - 1);
     behind_.push_back(own);
     if (const std::shared_ptr<const materials::Bsdf> behind = scene_.materials[own].bsdf->behind()) {
       with_position(sources_, source.position, [&] { check_two_sided(source); });
@@ -139,6 +101,46 @@ void AssignmentAssembly::add_materials() {
     }
   }
   scene_.materials.insert(scene_.materials.end(), further.begin(), further.end());
+  for (const io::MaterialDocument& source : written_)
+    if (source.sides)
+      with_position(sources_, source.sides->back.position, [&] { check_sides(*source.sides); });
+}
+
+void AssignmentAssembly::check_sides(const io::MaterialDocument::Sides& sides) const {
+  const std::uint32_t front = material_index(sides.front.name), back = material_index(sides.back.name);
+  for (const std::uint32_t side : {front, back})
+    if (behind_[side] != side)
+      throw InputError(format(
+          "'{}' is seen otherwise from behind itself ('{}') and cannot be a side: give it to objects alone",
+          scene_.materials[side].name, written_[side].scattering.model));
+  const auto lets_through = [&](std::uint32_t m, double um) {
+    const auto& transmittance = scene_.materials[m].transmittance;
+    return transmittance ? transmittance->at(um) : 0.0;
+  };
+  const bool through_front = scene_.materials[front].transmittance.has_value(),
+             through_back = scene_.materials[back].transmittance.has_value();
+  if (through_front != through_back)
+    throw InputError(
+        format("light comes through '{}' and not through '{}': the sides of a sheet let through the same",
+               through_front ? sides.front.name : sides.back.name,
+               through_front ? sides.back.name : sides.front.name));
+  if (!through_front) return;
+  if (scene_.materials[front].bsdf->passage() != scene_.materials[back].bsdf->passage())
+    throw InputError(format("light goes straight through one of '{}' and '{}' and is spread by the other",
+                            sides.front.name, sides.back.name));
+  constexpr double kSame = 1e-3;
+  const radiometry::Spectrum* both[] = {&*scene_.materials[front].transmittance,
+                                        &*scene_.materials[back].transmittance};
+  std::vector<double> um = radiometry::common_wavelengths(both).um;
+  if (um.empty()) um.push_back(1.0);
+  for (const double at : um) {
+    const double of_front = lets_through(front, at), of_back = lets_through(back, at);
+    if (std::abs(of_front - of_back) > kSame)
+      throw InputError(format(
+          "'{}' lets through {:.4g}{} and '{}' {:.4g}: through a sheet as much goes one way as the other (reciprocity)",
+          sides.front.name, of_front, um.size() > 1 ? format(" at {:g} um", at) : "", sides.back.name,
+          of_back));
+  }
 }
 
 std::uint32_t AssignmentAssembly::assignment(const io::MaterialBinding& binding, const std::string& slot_name,
@@ -179,7 +181,10 @@ std::uint32_t AssignmentAssembly::assignment(const io::MaterialBinding& binding,
       assignment.states.push_back(surface.state);
       assignment.temperatures.push_back(surface.temperature);
     }
-  with_position(sources_, binding.position, [&] { check_one_sided(binding, surfaces); });
+  with_position(sources_, binding.position, [&] {
+    check_one_sided(binding, surfaces);
+    check_room(binding, surfaces);
+  });
   add_backs(assignment, surfaces);
   add_patterns(assignment, surfaces);
   return add(std::move(assignment));
@@ -188,18 +193,32 @@ std::uint32_t AssignmentAssembly::assignment(const io::MaterialBinding& binding,
 void AssignmentAssembly::add_backs(scene::SurfaceAssignment& assignment,
                                    const std::vector<Surface>& surfaces) {
   const bool any = std::any_of(surfaces.begin(), surfaces.end(), [&](const Surface& surface) {
-    return behind_[surface.material] != surface.material;
+    return surface.back || behind_[surface.material] != surface.material;
   });
   if (!any || assignment.states.size() != surfaces.size()) return;
-  for (const Surface& surface : surfaces)
-    assignment.back_states.push_back(state({behind_[surface.material], surface.fixed_k}));
+  bool mapped = false;
+  for (const Surface& surface : surfaces) {
+    const Surface back = seen_from_behind(surface);
+    assignment.back_states.push_back(back.state);
+    assignment.back_temperatures.push_back(back.temperature);
+    mapped = mapped || back.temperature != surface.temperature;
+  }
+  if (!mapped) assignment.back_temperatures.clear();
+}
+
+AssignmentAssembly::Surface AssignmentAssembly::seen_from_behind(const Surface& surface) {
+  if (surface.back) return *surface.back;
+  Surface back = surface;
+  back.material = behind_[surface.material];
+  back.state = state({back.material, surface.fixed_k});
+  return back;
 }
 
 void AssignmentAssembly::check_one_sided(const io::MaterialBinding& binding,
                                          const std::vector<Surface>& surfaces) const {
   if (!std::holds_alternative<io::MixtureDocument>(binding.value)) return;
   for (const Surface& surface : surfaces)
-    if (behind_[surface.material] != surface.material)
+    if (surface.back || behind_[surface.material] != surface.material)
       throw InputError(format(
           "a mixture cannot hold '{}', which is seen otherwise from its inner side; a map of classes can",
           scene_.materials[surface.material].name));
@@ -249,8 +268,11 @@ std::uint32_t AssignmentAssembly::assignment(scene::SurfaceState surface) {
 }
 
 void AssignmentAssembly::add_patterns(scene::SurfaceAssignment& assignment,
-                                      const std::vector<Surface>& surfaces) {
-  std::vector<Pattern> reliefs, textures;
+                                      const std::vector<Surface>& fronts) {
+  std::vector<Surface> surfaces = fronts;
+  for (const Surface& surface : fronts)
+    if (surface.back) surfaces.push_back(*surface.back);
+  std::vector<Pattern> reliefs, textures, levels;
   const auto append = [](std::vector<Pattern>& list, const Pattern& pattern) {
     if (std::find(list.begin(), list.end(), pattern) == list.end()) list.push_back(pattern);
   };
@@ -279,10 +301,77 @@ void AssignmentAssembly::add_patterns(scene::SurfaceAssignment& assignment,
       }
       append(textures, texture);
     }
+    for (const Pattern& pattern : level_patterns(surface)) append(levels, pattern);
   }
   // Relief goes by the document's material, which a texture replaces by the curve that it picks.
   assignment.patterns.insert(assignment.patterns.end(), reliefs.begin(), reliefs.end());
   assignment.patterns.insert(assignment.patterns.end(), textures.begin(), textures.end());
+  assignment.patterns.insert(assignment.patterns.end(), levels.begin(), levels.end());
+}
+
+std::vector<AssignmentAssembly::Pattern> AssignmentAssembly::level_patterns(const Surface& surface) {
+  std::vector<Pattern> patterns;
+  const io::MaterialDocument& source = written_[surface.material];
+  if (ScatteringAssembly::map_count(source) == 0) return patterns;
+  const auto known = levels_.find(surface.material);
+  Levels& levels = known != levels_.end() ? known->second : levels_[surface.material];
+  if (levels.axes.empty()) {
+    std::vector<materials::Material> curves = unscattered_.at(surface.material);
+    for (materials::Material& curve : curves) curve.curve_of = surface.material;
+    ScatteringAssembly::Levels made =
+        with_position(sources_, source.position, [&] { return scattering_.levels(source, curves); });
+    levels.axes = std::move(made.axes);
+    for (std::vector<materials::Material>& members : made.members) {
+      levels.first.push_back(static_cast<std::uint32_t>(scene_.materials.size()));
+      std::move(members.begin(), members.end(), std::back_inserter(scene_.materials));
+    }
+  }
+  std::size_t count = 1;
+  for (const scene::LevelPattern::Axis& axis : levels.axes) count *= axis.levels.size();
+  for (std::size_t curve = 0; curve < levels.first.size(); ++curve) {
+    const std::uint32_t material =
+        curve == 0 ? surface.material
+                   : first_further_[surface.material] + static_cast<std::uint32_t>(curve - 1);
+    const std::uint32_t replaced = state({material, surface.fixed_k});
+    Pattern& pattern = patterns_[format("levels {}", replaced)];
+    if (!pattern) {
+      std::vector<scene::LevelPattern::Member> members;
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::uint32_t member = levels.first[curve] + static_cast<std::uint32_t>(k);
+        members.push_back({state({member, surface.fixed_k}), member});
+      }
+      pattern =
+          std::make_shared<scene::LevelPattern>(replaced, surface.state, levels.axes, std::move(members));
+    }
+    patterns.push_back(pattern);
+  }
+  return patterns;
+}
+
+void AssignmentAssembly::check_room(const io::MaterialBinding& binding,
+                                    const std::vector<Surface>& surfaces) const {
+  const bool mixture = std::holds_alternative<io::MixtureDocument>(binding.value);
+  std::vector<std::size_t> parts;
+  std::uint32_t mapped = 0;
+  std::vector<Surface> all = surfaces;
+  for (const Surface& surface : surfaces)
+    if (surface.back) all.push_back(*surface.back);
+  for (const Surface& surface : all) {
+    const io::MaterialDocument& source = written_[surface.material];
+    if (ScatteringAssembly::map_count(source) == 0 && !mixture) continue;
+    parts.push_back(parts_of(source));
+    if (ScatteringAssembly::map_count(source) > 0) mapped = surface.material + 1;
+  }
+  if (mapped == 0) return;
+  std::sort(parts.rbegin(), parts.rend());
+  if (parts.size() > scene::ResolvedSurface::kMost) parts.resize(scene::ResolvedSurface::kMost);
+  const std::size_t most =
+      mixture ? std::accumulate(parts.begin(), parts.end(), std::size_t{0}) : parts.front();
+  if (most > scene::ResolvedSurface::kMost)
+    throw InputError(format(
+        "there is no room for '{}' with its maps of parameters: levels of these, curves of a texture and parts of a "
+        "mixture stand side by side, {} of them at most, and here there may be {}",
+        written_[mapped - 1].name, scene::ResolvedSurface::kMost, most));
 }
 
 std::shared_ptr<const materials::ClassMap> AssignmentAssembly::class_map(const io::MaterialMap& map) {
@@ -355,8 +444,19 @@ AssignmentAssembly::Pattern AssignmentAssembly::mixture(const io::MixtureDocumen
 
 AssignmentAssembly::Surface AssignmentAssembly::surface_of(
     const io::DocumentName& material, const std::optional<io::TemperatureDocument>& temperature) {
+  const std::uint32_t index = material_index(material.name);
+  const std::optional<io::MaterialDocument::Sides>& sides = written_[index].sides;
+  if (!sides) return plain_surface(index, temperature);
+  Surface surface = plain_surface(material_index(sides->front.name), temperature);
+  surface.back =
+      std::make_shared<const Surface>(plain_surface(material_index(sides->back.name), temperature));
+  return surface;
+}
+
+AssignmentAssembly::Surface AssignmentAssembly::plain_surface(
+    std::uint32_t material, const std::optional<io::TemperatureDocument>& temperature) {
   Surface surface;
-  surface.material = material_index(material.name);
+  surface.material = material;
   const std::optional<io::TemperatureDocument>& source =
       temperature ? temperature : written_[surface.material].temperature;
   if (source) {

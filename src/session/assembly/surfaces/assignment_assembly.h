@@ -12,6 +12,7 @@
 #include "io/document/scene_document.h"
 #include "session/assembly/shared/map_scale.h"
 #include "session/assembly/shared/raster_assembly.h"
+#include "session/assembly/surfaces/scattering_assembly.h"
 #include "session/assembly/surfaces/texture_assembly.h"
 
 namespace ifov::io {
@@ -20,7 +21,6 @@ struct DocumentSources;
 namespace ifov::materials {
 class ClassMap;
 class MixtureMap;
-struct Material;
 class TemperatureMap;
 }  // namespace ifov::materials
 namespace ifov::scene {
@@ -66,20 +66,29 @@ class AssignmentAssembly {
     std::uint32_t state = 0, material = 0;
     double fixed_k = 0.0;
     std::shared_ptr<const materials::TemperatureMap> temperature;
+    std::shared_ptr<const Surface> back;  ///< of a material with two sides; null: as `behind_` says
   };
   using Pattern = std::shared_ptr<const scene::Pattern>;
 
   void add_materials();
-  /// The model of a material whose reflectance is known.
-  void assemble_scattering(const io::MaterialDocument& source, materials::Material& material) const;
   std::uint32_t material_index(const std::string& name) const;
   Surface surface_of(const io::DocumentName& material,
                      const std::optional<io::TemperatureDocument>& temperature);
+  /// Of a material that has no sides of its own.
+  Surface plain_surface(std::uint32_t material, const std::optional<io::TemperatureDocument>& temperature);
+  /// Throws where two materials cannot be the sides of one sheet.
+  void check_sides(const io::MaterialDocument::Sides& sides) const;
+  /// How a surface looks from its inner side.
+  Surface seen_from_behind(const Surface& surface);
   std::shared_ptr<const materials::TemperatureMap> temperature_map(const io::TemperatureMap& map);
   std::uint32_t state(scene::SurfaceState wanted);
   std::shared_ptr<const materials::ClassMap> class_map(const io::MaterialMap& map);
   Pattern mixture(const io::MixtureDocument& source, const std::vector<Surface>& surfaces);
   void add_patterns(scene::SurfaceAssignment& assignment, const std::vector<Surface>& surfaces);
+  /// What puts levels of parameters in the place of a surface, and of its curves; empty where no map gives any.
+  std::vector<Pattern> level_patterns(const Surface& surface);
+  /// Throws where more constituents may stand side by side than a surface holds.
+  void check_room(const io::MaterialBinding& binding, const std::vector<Surface>& surfaces) const;
   /// How the inner side looks of surfaces that look otherwise there.
   void add_backs(scene::SurfaceAssignment& assignment, const std::vector<Surface>& surfaces);
   /// Throws where a material that is seen otherwise from behind stands for what it cannot.
@@ -92,6 +101,14 @@ class AssignmentAssembly {
   scene::Scene& scene_;
   LogSink* log_;
   TextureAssembly textures_;
+  ScatteringAssembly scattering_;
+  /// By material of the document with maps of parameters: its curves before they had a model.
+  std::map<std::size_t, std::vector<materials::Material>> unscattered_;
+  struct Levels {
+    std::vector<scene::LevelPattern::Axis> axes;
+    std::vector<std::uint32_t> first;  ///< by curve: its first member among the scene's materials
+  };
+  std::map<std::uint32_t, Levels> levels_;
   /// By material of the document: the first of its further curves.
   std::vector<std::uint32_t> first_further_;
   /// By material of the document: how it is seen from behind; itself where that is the same.

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "materials/map_grid.h"
+
+namespace ifov::materials {
+
+/// A parameter of a scattering model by place: the value of a place is that of the cell that holds it.
+class ParameterMap {
+ public:
+  /// `values` row by row from the north-west corner, in the parameter's SI unit; throws InputError unless there are width x
+  /// height of them and the cells have a size.
+  ParameterMap(MapGrid grid, std::vector<float> values);
+  double at(const MapPosition& position) const {
+    return static_cast<double>(values_[grid_.cell_at(position)]);
+  }
+
+ private:
+  MapGrid grid_;
+  std::vector<float> values_;
+};
+
+}  // namespace ifov::materials
