@@ -31,6 +31,7 @@ UnsampledLight::UnsampledLight(const RenderJob& job, int threads, const CancelTo
         std::make_unique<const Highlights>(job.scene, job.camera, margin_px, job.seed, job.polarimetry);
     transport_.highlights = transport::TransportOptions::Highlights::left_out;
     transport_.large_lobes = &highlights_->large();
+    transport_.unsure_lobes = &highlights_->unsure();
   }
   if (transport_.maximum_scatterings != 0) unseen_emitters_ = UnseenEmitters::find(job.scene, job.camera);
 }

@@ -32,6 +32,8 @@ struct PathTracer::Way {
   bool from_sensor = true;
   bool flat = true;     // all of them have a facing
   bool unseen = false;  // sunlight by this way is found by random paths alone
+  bool by_lobe =
+      false;  // it began at a surface whose lobe is too narrow for what is sent to what throws light
   // Of panes and media that the path came through.
   bool passed = false;     // any
   bool in_medium = false;  // the path is within one
@@ -66,6 +68,8 @@ struct PathTracer::SurfaceEvent {  // a path that scatters at this depth
   // Probability that one was sought for what is reflected; below 0: none was sought.
   double seek_reflected = -1.0;
   Way next_chain;
+  float rare_sun =
+      0.0f;  // of the Sun's irradiance, 1/sr: may come to the sensor where its shadow ray is free
   SeparateImages::Mirror next_mirror = SeparateImages::kNone;
   bool next_direct = false;
   std::uint8_t next_forks = 0;
@@ -112,7 +116,13 @@ struct PathTracer::MirrorRay : MirrorPath {
   PathRecord::Mirrored light;
 };
 
-/// A ray towards mirrors by way of which no sunlight is sought.
+/// A sphere about what throws sunlight that is not sought.
+struct PathTracer::Thrower {
+  math::Point3 centre_m;
+  double radius_m = 0.0;
+};
+
+/// A ray towards such things.
 struct PathTracer::UnseenRay {
   std::uint32_t event = 0;
   float weight = 0.0f;

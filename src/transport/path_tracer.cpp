@@ -6,6 +6,7 @@
 #include "math/vec3.h"
 #include "scene/scene.h"
 #include "transport/mirrors/emitter_mirrors.h"
+#include "transport/mirrors/sun_lobes.h"
 #include "transport/path_parts.h"
 #include "transport/sky/sky_dome.h"
 #include "transport/spectral_scene.h"
@@ -27,6 +28,12 @@ PathTracer::PathTracer(const SpectralScene& scene, TransportOptions options)
     mirror_tracer_ =
         std::make_unique<MirrorTracer>(scene.scene(), *mirrors_, images_, scene.materials().any_pane());
   }
+  if (scene.sun_lobes() != nullptr && scene.sun_lobes()->any_throws_rarely()) {
+    rare_lobes_ = scene.sun_lobes();
+    for (const auto& ball : rare_lobes_->throwers()) throwers_.push_back({ball.centre_m, ball.radius_m});
+  }
+  if (mirrors_ != nullptr)
+    for (const auto& ball : mirrors_->groups()) throwers_.push_back({ball.centre_m, ball.radius_m});
   passages_ = scene.materials().any_pane() || scene.materials().any_medium();
 }
 
@@ -114,7 +121,8 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
   record_.directions.insert(record_.directions.end(), directions_.begin(), directions_.end());
   for (SurfaceEvent& event : events_) {
     const Path& path = paths_[event.path];
-    if (event.shadow == kNone || blocked_[event.shadow] != 0) event.vertex.sun_weight = 0.0f;
+    if (event.shadow == kNone || blocked_[event.shadow] != 0) event.vertex.sun_weight = event.rare_sun = 0.0f;
+    record_.paths[event.number].unseen += event.rare_sun;
     record_.add(event.number, event.vertex);
     if (event.vertex.continuation_weight > 0.0f)
       next_paths_.push_back({event.next, path.key, event.number, event.next_sees_sun, event.left,

@@ -21,6 +21,7 @@ class Emitters;
 class MirrorTracer;
 class SkySampler;
 class SpectralScene;
+class SunLobes;
 class SunMirrors;
 
 /// The random numbers of a path: element `index` of the scrambled sequence `sequence`.
@@ -65,6 +66,7 @@ class PathTracer {
   struct SunRay;
   struct MirrorRay;
   struct UnseenRay;
+  struct Thrower;
   struct PassingRay;
   /// Which side of a boundary a path goes on to: by chance, or, at a fork, each.
   enum class Branch : std::uint8_t { by_chance, reflected, transmitted };
@@ -90,11 +92,23 @@ class PathTracer {
              const scene::ResolvedSurface& surface) const;
   /// Another path of the record that has come the same way, and brings nothing from there.
   std::uint32_t fork(std::uint32_t number);
-  void send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, int depth,
-                   sampling::Point2 u, SurfaceEvent& event);
+  void send_to_sun(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
+                   const geometry::SurfacePoint& hit, int depth, sampling::Point2 u, SurfaceEvent& event);
   /// Share of sunlight from a direction that belongs to these paths (TransportOptions::highlights).
   double sunlight_share(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
                         int depth, math::Vec3 direction, bool transmitted) const;
+  /// What a lobe that throws_rarely() makes of sunlight from a direction, where paths come to it so seldom that they do not know how
+  /// seldom: on other surfaces than the first, and where it bends.
+  struct RareSunlight {
+    double share = 0.0;    ///< of the event's sunlight that is left out of images
+    double widened = 0.0;  ///< the lobe so wide that paths find it, 1/sr
+  };
+  RareSunlight rare_sunlight(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
+                             const geometry::SurfacePoint& hit, int depth, math::Vec3 direction,
+                             bool transmitted, bool by_mirror) const;
+  /// The same of sunlight by way of a mirror: leaves its share out and marks the path.
+  void leave_rare(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
+                  const geometry::SurfacePoint& hit, int depth, SunRay& light);
   /// `towards_sun` the middle of the disc, or of an image of it.
   SunRay sun_ray(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
                  math::Vec3 towards_sun, sampling::Point2 u) const;
@@ -139,6 +153,9 @@ class PathTracer {
   /// The medium that a path is in after a surface; kNone: none.
   std::uint32_t medium_after(std::uint32_t before, const SurfaceLobe& lobe,
                              const scene::ResolvedSurface& surface);
+  /// What the narrow lobes of a surface throw back along a ray of the Sun's irradiance, 1/sr, widened.
+  double thrown_by_lobes(const scene::ResolvedSurface& surface, const math::Ray& ray,
+                         const geometry::SurfacePoint& hit) const;
   void trace_unseen_rays(sampling::RayCounts& counts);
   /// Direction, side and weight of the continued path, before any roulette; false where it ends.
   bool continue_path(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
@@ -206,13 +223,15 @@ class PathTracer {
   std::vector<Seek> seeks_;
   std::vector<math::Ray> seek_rays_;
   std::vector<geometry::SurfacePoint> seek_hits_;
-  const SunMirrors* mirrors_ = nullptr;  // null: there are none, or no Sun
+  const SunMirrors* mirrors_ = nullptr;   // null: there are none, or no Sun
+  const SunLobes* rare_lobes_ = nullptr;  // null: none throws_rarely()
+  std::vector<Thrower> throwers_;
   SunImages images_;
   std::unique_ptr<MirrorTracer> mirror_tracer_;
   const EmitterMirrors* emitter_mirrors_ = nullptr;  // null where nothing is sought by way of mirrors
   std::vector<MirrorSeek> mirror_seeks_;
   std::vector<MirrorRay> mirror_rays_;
-  std::vector<UnseenRay> unseen_rays_;
+  std::vector<UnseenRay> unseen_rays_, next_unseen_rays_;
   bool passages_ = false;  // some surface lets light pass
   std::vector<PassingRay> passing_rays_, next_passing_;
   std::vector<PathRecord::Mirrored> sunken_;  // light of rays from within media, by PassingRay::light

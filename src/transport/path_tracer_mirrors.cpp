@@ -8,6 +8,7 @@
 #include "scene/scene.h"
 #include "transport/delta_events.h"
 #include "transport/mirrors/emitter_mirrors.h"
+#include "transport/mirrors/sun_lobes.h"
 #include "transport/path_parts.h"
 #include "transport/path_sides.h"
 #include "transport/path_tracer.h"
@@ -61,8 +62,10 @@ void PathTracer::send_to_images(const Path& path, const scene::ResolvedSurface& 
     }
     MirrorRay way;
     way.image = seen_images_[picked];
-    send_by_mirrors(way, sun_ray(lobe, sides, hit, images[way.image].direction, u),
-                    static_cast<double>(seen) / static_cast<double>(rays), surface, lobe, sides);
+    SunRay light = sun_ray(lobe, sides, hit, images[way.image].direction, u);
+    const double weight = static_cast<double>(seen) / static_cast<double>(rays);
+    if (rare_lobes_ != nullptr) leave_rare(path, lobe, sides, hit, depth, light);
+    send_by_mirrors(way, light, weight, surface, lobe, sides);
   }
 }
 
@@ -93,8 +96,9 @@ void PathTracer::send_to_rounds(const Path& path, const scene::ResolvedSurface& 
     way.object = round.object();
     way.at = image->at;
     way.towards_sun = towards_sun;
-    send_by_mirrors(way, light_ray(lobe, sides, hit, image->direction, cosine * weight / image->spread()),
-                    1.0 / pick.expected, surface, lobe, sides);
+    SunRay light = light_ray(lobe, sides, hit, image->direction, cosine * weight / image->spread());
+    if (rare_lobes_ != nullptr) leave_rare(path, lobe, sides, hit, depth, light);
+    send_by_mirrors(way, light, 1.0 / pick.expected, surface, lobe, sides);
   });
 }
 
@@ -146,6 +150,7 @@ void PathTracer::note_chain(const Path& path, const SurfaceLobe& lobe, const Sid
   if (!lobe.bsdf->is_delta()) {
     way = {};
     way.from_sensor = false;
+    way.by_lobe = rare_lobes_ != nullptr && lobe.directional && materials::throws_rarely(*lobe.bsdf);
     way.in_medium = event.next_medium != kNone;
   } else if (event.vertex.continuation_transmitted) {
     note_passage(path, lobe, sides, hit, event);
@@ -172,7 +177,7 @@ void PathTracer::note_chain(const Path& path, const SurfaceLobe& lobe, const Sid
                : way.reflections == 1 && options_.mirror_reflections > 0 && mirrors_->rounds().sought(hit));
       event.next_sees_sun = !sought && !options_.sought_only;
       // What bends and is met first is looked for by send_to_unseen.
-      way.unseen = !sought && (way.unseen || way.flat || way.reflections > 1);
+      way.unseen = !sought && (way.unseen || way.flat || way.reflections > 1 || way.by_lobe);
     }
   }
   record_.paths[event.number].brightest *=
@@ -181,9 +186,10 @@ void PathTracer::note_chain(const Path& path, const SurfaceLobe& lobe, const Sid
 
 void PathTracer::send_to_unseen(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
                                 const geometry::SurfacePoint& hit, int depth) {
-  const std::span<const geometry::SurfaceSurvey::Ball> groups = mirrors_->groups();
-  if (groups.empty()) return;
-  std::array<double, SunMirrors::kMostGroups> probability{};
+  const std::span<const Thrower> groups = throwers_;
+  std::array<double, 2 * SunMirrors::kMostGroups> probability{};
+  // A narrow lobe's own light is left to the path that goes on in it.
+  const bool narrow = rare_lobes_ != nullptr && lobe.directional && materials::throws_rarely(*lobe.bsdf);
   double all = 0.0;
   for (std::size_t k = 0; k < groups.size(); ++k) {
     const double apart = math::length(groups[k].centre_m - hit.position_m), radius = groups[k].radius_m;
@@ -211,15 +217,33 @@ void PathTracer::send_to_unseen(const Path& path, const SurfaceLobe& lobe, const
     const double cosine = math::dot(normal, direction);
     if (highest <= 0.0 || cosine <= 0.0) continue;
     const materials::BsdfEvent seen = sides.event(lobe, transmitted, direction);
-    const double weight = lobe.bsdf->shape(seen) * lobe.grey(seen) * cosine * cone.solid_angle_sr() * all /
-                          probability[picked] * highest *
-                          static_cast<double>(record_.paths[path.number].brightest) /
-                          static_cast<double>(rays);
+    double weight = lobe.bsdf->shape(seen) * lobe.grey(seen) * cosine * cone.solid_angle_sr() * all /
+                    probability[picked] * highest *
+                    static_cast<double>(record_.paths[path.number].brightest) / static_cast<double>(rays);
+    if (narrow) weight *= 1.0 - lobe.bsdf->lobe_share(seen);
     if (!(weight > kNegligible)) continue;
     const math::Vec3 outward = transmitted ? -sides.outward : sides.outward;
     unseen_rays_.push_back({static_cast<std::uint32_t>(events_.size() - 1), static_cast<float>(weight),
                             sides.leaving(hit.position_m + hit.offset_m * outward, direction)});
   }
+}
+
+double PathTracer::thrown_by_lobes(const scene::ResolvedSurface& surface, const math::Ray& ray,
+                                   const geometry::SurfacePoint& hit) const {
+  const Sides sides(ray, hit, surface.shading_normal);
+  const math::Vec3 sun = scene_.scene().sun->direction;
+  const double cosine = math::dot(sides.shading.as_vector(), sun);
+  if (cosine <= 0.0 || math::dot(sides.outward, sun) <= 0.0) return 0.0;
+  double thrown = 0.0;
+  for (const scene::Constituent& part : surface) {
+    const materials::Bsdf& bsdf = *scene_.scene().materials[part.material].bsdf;
+    if (!materials::throws_rarely(bsdf)) continue;
+    const materials::BsdfEvent event{sides.outgoing, sun, sides.shading, sides.tangent(),
+                                     materials::Side::reflected};
+    thrown +=
+        part.weight * scene_.brightest(part.material) * bsdf.widened_lobe(event, SunLobes::kWidenedSlope);
+  }
+  return thrown * cosine;
 }
 
 void PathTracer::trace_unseen_rays(sampling::RayCounts& counts) {
@@ -228,13 +252,23 @@ void PathTracer::trace_unseen_rays(sampling::RayCounts& counts) {
   for (std::size_t k = 0; k < unseen_rays_.size(); ++k) rays_[k] = unseen_rays_[k].ray;
   scene_.scene().world->intersect(rays_, hits_);
   counts.shadow += rays_.size();
-  std::size_t kept = 0;
   rays_.clear();
+  next_unseen_rays_.clear();
   for (std::size_t k = 0; k < unseen_rays_.size(); ++k) {
     UnseenRay& unseen = unseen_rays_[k];
     const geometry::SurfacePoint& hit = hits_[k];
     if (!hit.hit()) continue;
     const scene::ResolvedSurface surface = scene_.scene().resolve(hit);
+    const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
+    const math::Ray to_sun =
+        unseen.ray.onward(hit.position_m + hit.offset_m * outward, scene_.scene().sun->direction);
+    const double thrown = rare_lobes_ != nullptr ? thrown_by_lobes(surface, unseen.ray, hit) : 0.0;
+    if (thrown > 0.0) {
+      next_unseen_rays_.push_back(unseen);
+      next_unseen_rays_.back().weight *= static_cast<float>(thrown);
+      rays_.push_back(to_sun);
+    }
+    if (mirrors_ == nullptr) continue;
     if (scene_.materials().any_medium())
       record_.paths[paths_[events_[unseen.event].path].number].unseen +=
           unseen.weight * refracted_light(unseen.ray, hit, counts);
@@ -245,18 +279,17 @@ void PathTracer::trace_unseen_rays(sampling::RayCounts& counts) {
     if (highest <= 0.0 || mirrors_->facing_of(hit, normal) != SunMirrors::kNone ||
         mirrors_->rounds().sought(hit))
       continue;
-    const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
     const float arrives = WideSun::radiance(scene_.scene(), mirrored(unseen.ray.direction, normal));
     if (arrives <= 0.0f) continue;
-    rays_.push_back(
-        unseen.ray.onward(hit.position_m + hit.offset_m * outward, scene_.scene().sun->direction));
+    rays_.push_back(to_sun);
     unseen.weight *= static_cast<float>(highest) * arrives;
-    unseen_rays_[kept++] = unseen;
+    next_unseen_rays_.push_back(unseen);
   }
+  unseen_rays_.swap(next_unseen_rays_);
   hidden_.resize(rays_.size());
   if (!rays_.empty()) scene_.scene().world->occluded(rays_, hidden_);
   counts.shadow += rays_.size();
-  for (std::size_t k = 0; k < kept; ++k)
+  for (std::size_t k = 0; k < unseen_rays_.size(); ++k)
     if (hidden_[k] == 0)
       record_.paths[paths_[events_[unseen_rays_[k].event].path].number].unseen += unseen_rays_[k].weight;
 }

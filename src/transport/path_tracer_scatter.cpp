@@ -131,11 +131,11 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
   const std::uint32_t pair = 1u + 2u * static_cast<std::uint32_t>(depth);
   if (scene_.scene().sun && !lobe.bsdf->is_delta()) {
     const sampling::Point2 u = sampling::sequence_point(path.key.sequence, path.key.index, pair);
-    send_to_sun(lobe, sides, hit, depth, u, event);
+    send_to_sun(path, lobe, sides, hit, depth, u, event);
+    if (!throwers_.empty()) send_to_unseen(path, lobe, sides, hit, depth);
     if (mirrors_ != nullptr) {
       send_to_images(path, surface, lobe, sides, hit, depth, u);
       send_to_rounds(path, surface, lobe, sides, hit, depth, u);
-      send_to_unseen(path, lobe, sides, hit, depth);
       if (path.medium != kNone) send_from_medium(path, lobe, sides, hit, depth, surface, u);
     }
   }
@@ -196,7 +196,8 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
   if (options_.separate_images != nullptr && depth == 0 && lobe.bsdf->is_delta() &&
       !vertex.continuation_transmitted)
     event.next_mirror = options_.separate_images->mirror_of(hit, surface.shading_normal.as_vector());
-  if (mirrors_ != nullptr && vertex.continuation_weight > 0.0f) note_chain(path, lobe, sides, hit, event);
+  if ((mirrors_ != nullptr || rare_lobes_ != nullptr) && vertex.continuation_weight > 0.0f)
+    note_chain(path, lobe, sides, hit, event);
   if (vertex.mixed != PathVertex::kNone) return;
   const std::uint32_t material = surface.constituents[0].material;
   const auto factor = [&](bool transmitted) {
@@ -221,12 +222,55 @@ double PathTracer::sunlight_share(const SurfaceLobe& lobe, const Sides& sides,
   return options_.highlights == Highlights::alone ? highlight : 1.0 - highlight;
 }
 
-void PathTracer::send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
-                             int depth, sampling::Point2 u, SurfaceEvent& event) {
+PathTracer::RareSunlight PathTracer::rare_sunlight(const Path& path, const SurfaceLobe& lobe,
+                                                   const Sides& sides, const geometry::SurfacePoint& hit,
+                                                   int depth, math::Vec3 direction, bool transmitted,
+                                                   bool by_mirror) const {
+  if (rare_lobes_ == nullptr || transmitted || !lobe.directional || !materials::throws_rarely(*lobe.bsdf))
+    return {};
+  const bool bends = rare_lobes_->bends(hit);
+  if (depth == 0 && !by_mirror) {
+    // Pixels resolve what is flat, shapes are searched for what is not; reliefs keep what paths find.
+    if (!bends) return {};
+    const std::vector<std::uint32_t>* unsure = options_.unsure_lobes;
+    if (options_.highlights != TransportOptions::Highlights::found && rare_lobes_->by_shape(hit) &&
+        (unsure == nullptr || !std::binary_search(unsure->begin(), unsure->end(), hit.instance)))
+      return {};
+  } else if (!bends && mirrors_ != nullptr && path.way.from_sensor && path.way.flat) {
+    return {};
+  }
+  const materials::BsdfEvent event = sides.event(lobe, transmitted, direction);
+  RareSunlight rare;
+  if (options_.sought_only && (depth > 0 || by_mirror)) rare.share = SunLobes::share(*lobe.bsdf, event);
+  // What is sent to what throws light tells of the first surface that is met from one without a narrow lobe.
+  if (by_mirror || path.way.from_sensor || path.way.by_lobe || path.way.passed || path.way.reflections > 0)
+    rare.widened = lobe.bsdf->widened_lobe(event, SunLobes::kWidenedSlope);
+  return rare;
+}
+
+void PathTracer::leave_rare(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
+                            const geometry::SurfacePoint& hit, int depth, SunRay& light) {
+  if (light.weight <= 0.0) return;
+  const RareSunlight rare =
+      rare_sunlight(path, lobe, sides, hit, depth, light.ray.direction, light.transmitted, true);
+  record_.paths[path.number].unseen +=
+      static_cast<float>(light.weight * rare.widened * lobe.highest_reflectance) *
+      record_.paths[path.number].brightest;
+  light.weight *= 1.0 - rare.share;
+}
+
+void PathTracer::send_to_sun(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
+                             const geometry::SurfacePoint& hit, int depth, sampling::Point2 u,
+                             SurfaceEvent& event) {
   SunRay light = sun_ray(lobe, sides, hit, scene_.scene().sun->direction, u);
   if (light.weight <= 0.0) return;
-  light.weight *= sunlight_share(lobe, sides, hit, depth, light.ray.direction, light.transmitted);
-  if (light.weight <= 0.0) return;
+  const RareSunlight rare =
+      rare_sunlight(path, lobe, sides, hit, depth, light.ray.direction, light.transmitted, false);
+  event.rare_sun = static_cast<float>(light.weight * rare.widened * lobe.highest_reflectance) *
+                   record_.paths[event.number].brightest;
+  light.weight *=
+      sunlight_share(lobe, sides, hit, depth, light.ray.direction, light.transmitted) * (1.0 - rare.share);
+  if (light.weight <= 0.0 && event.rare_sun <= 0.0f) return;
   if (PathRecord::Events* events = events_of(event.vertex))
     events->sun = arriving(lobe, sides, light.ray.direction, light.transmitted);
   event.vertex.sun_weight = static_cast<float>(light.weight);

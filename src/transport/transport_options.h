@@ -25,6 +25,8 @@ struct TransportOptions {
   Highlights highlights = Highlights::found;
   /// Objects whose highlights are not left out all the same, sorted; null: none.
   const std::vector<std::uint32_t>* large_lobes = nullptr;
+  /// Of these the ones whose highlights may be smaller than a pixel, sorted; null: none.
+  const std::vector<std::uint32_t>* unsure_lobes = nullptr;
   /// Images in mirrors that are added separately: paths see through what they show; null: none.
   const SeparateImages* separate_images = nullptr;
 };

@@ -57,6 +57,7 @@ struct SurfaceSurvey {
   std::vector<Round> rounds;
   std::vector<Smooth> smooths;
   /// About what is neither flat nor known as a mirror: other round shapes, smooth triangles, height fields, flats too many.
+  /// Where facets were asked for, about flat faces of shapes and planes too, which no other list has.
   std::vector<Ball> balls;
   bool all_flats = true;   ///< false: there are more than kMostFlats normals
   bool all_facets = true;  ///< false: there are more than kMostFacets

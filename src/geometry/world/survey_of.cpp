@@ -195,9 +195,12 @@ class Surveyor {
     for (const BodyFlat& flat : known->second.flats)
       if (wanted(piece.materials, flat.slot)) add_flat(flat, piece.scene_from_body);
     for (const UnitPrimitive& shape : body.analytic) {
-      if (shape.kind->round_faces == 0 || !wanted(piece.materials, shape.slot)) continue;
+      const bool flat_too = facets_ && shape.kind->visit_flats != nullptr;
+      if ((shape.kind->round_faces == 0 && !flat_too) || !wanted(piece.materials, shape.slot)) continue;
       const Transform scene_from_unit = piece.scene_from_body * shape.unit_from_object.inverse();
       const SurfaceSurvey::Ball ball = ball_about(unit_bounds(shape.kind, scene_from_unit));
+      if (flat_too) survey_.balls.push_back(ball);
+      if (shape.kind->round_faces == 0) continue;
       if (shape.kind->known_as_mirror)
         survey_.rounds.push_back({shape.kind, scene_from_unit, piece.object, ball});
       else
@@ -222,12 +225,16 @@ class Surveyor {
 
   void add(const Run& run) {
     const Template& one = content_.templates[run.what.of];
-    if (facets_ || one.has_body() || !wanted(run.materials, 0)) return;
+    if (one.has_body() || !wanted(run.materials, 0)) return;
     if (one.field) {
       add_ball(image_of(one.field->bounds(), run.what.whole_from_list));
       return;
     }
     const double z = run.what.whole_from_list(Point3{0.0, 0.0, one.plane->z_m}).z;
+    if (facets_) {
+      survey_.balls.push_back({{0.0, 0.0, z}, kEndless_m});
+      return;
+    }
     BodyFlat endless;
     endless.normal = {0.0, 0.0, 1.0};
     endless.box.include({-kEndless_m, -kEndless_m, z}, {kEndless_m, kEndless_m, z});

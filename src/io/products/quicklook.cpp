@@ -65,7 +65,7 @@ Picture three_channels(const RasterView& radiance, const RunRecord& record, cons
   for (const Range& r : ranges)
     limits += format("{}{:.3g} to {:.3g}", limits.empty() ? "" : ", ", r.low, r.high);
   p.caption = {all_visible(centre_um)
-                   ? format("Parts of sunlight, up to the {} percentile of luminance:", kHighName)
+                   ? format("White as in sunlight, up to the {} percentile of luminance:", kHighName)
                    : format("Each channel from its {} to its {} percentile:", kLowName, kHighName),
                format("{} {}", limits, shown_unit(record.image.radiance_unit))};
   p.width = layers[0].width;

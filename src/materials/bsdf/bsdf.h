@@ -82,6 +82,9 @@ class Bsdf {
   virtual LobeSlopes lobe_slopes() const { return {}; }
   /// Share of grey() that its lobe makes, 0 to 1.
   virtual double lobe_share(const BsdfEvent&) const { return 0.0; }
+  /// What that lobe would be if its facets leant by `slope` at least, 1/sr: light that it throws somewhere, spread so far that random
+  /// paths find it. Every model whose lobe may throw_rarely() has it.
+  virtual double widened_lobe(const BsdfEvent&, double /*slope*/) const { return 0.0; }
 
   /// What evaluate() needs in the wavelengths of its spectrum; none of a separable model.
   virtual std::span<const radiometry::Spectrum> spectra() const { return {}; }
@@ -107,6 +110,15 @@ inline bool has_narrow_lobe(const Bsdf& bsdf) {
   constexpr double kWide = 0.3;  // a tenth of a ball shows a highlight of this slope
   const double least = bsdf.lobe_slopes().least;
   return least > 0.0 && least < kWide;
+}
+
+/// Paths find what a lobe of this slope throws on other surfaces, not what a narrower one does.
+inline constexpr double kLeastFoundSlope = 0.1;
+
+/// Whether sunlight that a lobe throws on other surfaces is met so seldom that paths do not know how seldom.
+inline bool throws_rarely(const Bsdf& bsdf) {
+  const double least = bsdf.lobe_slopes().least;
+  return least > 0.0 && least < kLeastFoundSlope;
 }
 
 }  // namespace ifov::materials

@@ -16,15 +16,15 @@ FacetShape facet_shape(const BsdfInputs& inputs) {
   return inputs.word("distribution") == "ggx" ? FacetShape::ggx : FacetShape::beckmann;
 }
 
-double facet_width(const BsdfInputs& inputs, std::string_view key) {
-  // Narrower lobes throw sunlight on other surfaces that random paths find so seldom that they do not know how seldom.
-  constexpr double kLeast = 0.1;
-  const double width = inputs.number(key);
-  if (width < kLeast)
+double facet_width(const BsdfInputs& inputs, std::string_view key, bool widens) {
+  // What narrower lobes throw on other surfaces has to be marked, for which they are widened.
+  constexpr double kLeast = 0.01;
+  const double width = inputs.number(key), least = widens ? kLeast : kLeastFoundSlope;
+  if (width < least)
     throw InputError(format(
         "a '{}' of {:g} is below {:g}: what so narrow a lobe throws on other surfaces is not sought; a smooth surface is "
         "\"scattering\": \"mirror\"",
-        key, width, kLeast));
+        key, width, least));
   return width;
 }
 

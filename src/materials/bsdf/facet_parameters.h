@@ -14,8 +14,9 @@ namespace ifov::materials {
 std::span<const std::string_view> facet_shapes();
 FacetShape facet_shape(const BsdfInputs& inputs);
 
-/// A width of the distribution of facets. Throws InputError below the least, and points to the mirror.
-double facet_width(const BsdfInputs& inputs, std::string_view key);
+/// A width of the distribution of facets. Throws InputError below the least of a model whose lobe can be widened
+/// (Bsdf::widened_lobe), or of any other, and points to the mirror.
+double facet_width(const BsdfInputs& inputs, std::string_view key, bool widens = true);
 
 /// Keys of a distribution of two widths, beside 'roughness'.
 BsdfParameter across_parameter();

@@ -102,6 +102,10 @@ double RoughConductor::narrow_grey(const Directions& event) const {
   return FacetReflection(facets_, event.out, event.in).bsdf;
 }
 
+double RoughConductor::widened_grey(const Directions& event, double slope) const {
+  return FacetReflection(facets_.widened(slope), event.out, event.in).bsdf;
+}
+
 void RoughConductor::evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                               float* bsdf) const {
   const auto [out, in] = directions_of(event);

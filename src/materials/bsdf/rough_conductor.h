@@ -44,6 +44,7 @@ class RoughConductor final : public TwoLobes {
   sampling::Point2 undraw(Lobe lobe, const Directions& event) const override;
   double grey_bsdf(const Directions& event) const override;
   double narrow_grey(const Directions& event) const override;
+  double widened_grey(const Directions& event, double slope) const override;
 
   FacetDistribution facets_;
   std::shared_ptr<const FacetAlbedo> albedo_;

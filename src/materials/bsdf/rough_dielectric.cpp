@@ -157,8 +157,14 @@ sampling::Point2 RoughDielectric::undraw(Lobe lobe, const Directions& event) con
 
 Bsdf::LobeSlopes RoughDielectric::lobe_slopes() const { return {facets_.width_x(), facets_.width_x()}; }
 
-double RoughDielectric::narrow_grey(const Directions& event) const {
-  const FacetReflection once(facets_, event.out, event.in);
+double RoughDielectric::narrow_grey(const Directions& event) const { return reflected(facets_, event); }
+
+double RoughDielectric::widened_grey(const Directions& event, double slope) const {
+  return reflected(facets_.widened(slope), event);
+}
+
+double RoughDielectric::reflected(const FacetDistribution& facets, const Directions& event) const {
+  const FacetReflection once(facets, event.out, event.in);
   const RowWeights rows = FresnelRows::at(once.cosine);
   double fresnel = 0.0;
   for (std::size_t i = 0; i < 4; ++i) fresnel += rows.weight[i] * grey_[rows.first + i];

@@ -51,6 +51,9 @@ class RoughDielectric final : public TwoLobes {
   sampling::Point2 undraw(Lobe lobe, const Directions& event) const override;
   double grey_bsdf(const Directions& event) const override;
   double narrow_grey(const Directions& event) const override;
+  double widened_grey(const Directions& event, double slope) const override;
+  /// What facets reflect once, grey, 1/sr.
+  double reflected(const FacetDistribution& facets, const Directions& event) const;
   static RowWeights passed_at(double cosine);
   void add_spectra(const radiometry::Spectrum& n, const radiometry::Spectrum& base);
   double grey_passed(double cosine) const;

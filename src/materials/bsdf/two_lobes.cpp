@@ -69,4 +69,9 @@ double TwoLobes::lobe_share(const BsdfEvent& event) const {
   return all > 0.0 ? narrow_grey(directions) / all : 0.0;
 }
 
+double TwoLobes::widened_lobe(const BsdfEvent& event, double slope) const {
+  const Directions directions = directions_of(event);
+  return directions.are_above() ? widened_grey(directions, slope) : 0.0;
+}
+
 }  // namespace ifov::materials

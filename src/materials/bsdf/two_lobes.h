@@ -16,6 +16,7 @@ class TwoLobes : public Bsdf {
   double seam(const BsdfEvent& view) const final;
   double grey(const BsdfEvent& event) const final;
   double lobe_share(const BsdfEvent& event) const final;
+  double widened_lobe(const BsdfEvent& event, double slope) const final;
 
  protected:
   enum class Lobe { broad, narrow };
@@ -38,6 +39,8 @@ class TwoLobes : public Bsdf {
   virtual double grey_bsdf(const Directions& event) const = 0;
   /// Of that, the narrow lobe's.
   virtual double narrow_grey(const Directions& event) const = 0;
+  /// As widened_lobe().
+  virtual double widened_grey(const Directions&, double /*slope*/) const { return 0.0; }
 
  private:
   double mixed_density(const Directions& event) const;

@@ -38,10 +38,11 @@ Ward::Ward(radiometry::Spectrum diffuse, radiometry::Spectrum specular, double w
 }
 
 /// 1/sr: exp(-slope^2) |h|^2 / (pi width width (h.n)^4) with h = out + in.
-double Ward::lobe(const Directions& event) const {
+double Ward::lobe(const Directions& event, double least_width) const {
+  const double width_x = std::max(width_x_, least_width), width_y = std::max(width_y_, least_width);
   const Vec3 h = event.out + event.in;
-  const double x = h.x / width_x_, y = h.y / width_y_, z2 = h.z * h.z;
-  return std::exp(-(x * x + y * y) / z2) * math::dot(h, h) / (pi * width_x_ * width_y_ * z2 * z2);
+  const double x = h.x / width_x, y = h.y / width_y, z2 = h.z * h.z;
+  return std::exp(-(x * x + y * y) / z2) * math::dot(h, h) / (pi * width_x * width_y * z2 * z2);
 }
 
 double Ward::broad_share(Vec3) const { return broad_; }
@@ -70,6 +71,10 @@ sampling::Point2 Ward::undraw(Lobe lobe, const Directions& event) const {
 }
 
 double Ward::narrow_grey(const Directions& event) const { return (1.0 - broad_) * lobe(event); }
+
+double Ward::widened_grey(const Directions& event, double slope) const {
+  return (1.0 - broad_) * lobe(event, slope);
+}
 
 double Ward::grey_bsdf(const Directions& event) const { return broad_ / pi + narrow_grey(event); }
 

@@ -30,7 +30,8 @@ class Ward final : public TwoLobes {
   sampling::Point2 undraw(Lobe lobe, const Directions& event) const override;
   double grey_bsdf(const Directions& event) const override;
   double narrow_grey(const Directions& event) const override;
-  double lobe(const Directions& event) const;
+  double widened_grey(const Directions& event, double slope) const override;
+  double lobe(const Directions& event, double least_width = 0.0) const;
 
   std::array<radiometry::Spectrum, 2> spectra_;
   double width_x_, width_y_;

@@ -98,8 +98,24 @@ void Highlights::find(std::uint64_t seed, double margin_px) {
     if (!search.broken_off()) continue;
     lights_.keep(before);
     large_.push_back(object);
+    const auto ball = !thing.rounds.empty() ? survey.rounds[thing.rounds.front()].ball
+                                            : survey.smooths[thing.smooths.front()].ball;
+    if (!thing.smooths.empty() || radius_px(ball) * lobes.slopes().least < 1.0) unsure_.push_back(object);
   }
   std::sort(large_.begin(), large_.end());
+  std::sort(unsure_.begin(), unsure_.end());
+}
+
+double Highlights::radius_px(const geometry::SurfaceSurvey::Ball& ball) const {
+  double least = HUGE_VAL;
+  sampling::FocalPoint middle, rim;
+  for (const math::Vec3 step : {math::Vec3{1.0, 0.0, 0.0}, math::Vec3{0.0, 1.0, 0.0}}) {
+    if (!camera_.project(ball.centre_m, middle) ||
+        !camera_.project(ball.centre_m + ball.radius_m * step, rim))
+      return 0.0;
+    least = std::min(least, std::hypot(rim.x_px - middle.x_px, rim.y_px - middle.y_px));
+  }
+  return least;
 }
 
 Highlights::~Highlights() = default;

@@ -40,18 +40,22 @@ class Highlights {
   /// Objects of so many pixels that their highlights are left to paths, sorted: there is room for some 250,000 triangles of the
   /// focal plane, taken by the smallest things first.
   const std::vector<std::uint32_t>& large() const { return large_; }
+  /// Of these the ones in which a lobe that throws_rarely() may show highlights smaller than a pixel.
+  const std::vector<std::uint32_t>& unsure() const { return unsure_; }
 
  private:
   void trace(std::vector<GlintPoint>& points);
   void add(const GlintPoint& point, const float* channels);
   void find(std::uint64_t seed, double margin_px);
+  /// Of a thing's image; 0 where it has none.
+  double radius_px(const geometry::SurfaceSurvey::Ball& ball) const;
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
   std::uint64_t seed_, traced_ = 0;
   transport::PathTracer tracer_;
   const std::unique_ptr<SceneLight> light_;
-  std::vector<std::uint32_t> large_;
+  std::vector<std::uint32_t> large_, unsure_;
   FocalLights lights_;           // radiance over that of their spectra at the sensor
   std::vector<float> spectrum_;  // the last one that was kept
   std::uint32_t spectrum_number_ = 0;

@@ -5,13 +5,16 @@
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/unseen/widen_unseen.h"
 #include "sampling/tile.h"
+#include "transport/mirrors/sun_lobes.h"
 #include "transport/mirrors/sun_mirrors.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {
 
 UnseenLight::UnseenLight(const transport::SpectralScene& scene, int column) : column_(column) {
-  if (scene.sun_mirrors() == nullptr || !scene.sun_mirrors()->may_hide()) return;
+  const bool by_mirrors = scene.sun_mirrors() != nullptr && scene.sun_mirrors()->may_hide(),
+             by_lobes = scene.sun_lobes() != nullptr && scene.sun_lobes()->any_throws_rarely();
+  if (!by_mirrors && !by_lobes) return;
   count_ = 1;
   const radiometry::SpectralNodes& nodes = scene.nodes();
   sunlight_.assign(nodes.channel_count(), 0.0);

@@ -1,7 +1,9 @@
 #include "session/plausibility/plausibility.h"
 
+#include "core/error.h"
 #include "core/format.h"
 #include "geometry/world/surface_survey.h"
+#include "scene/scene.h"
 #include "session/loaded/parts.h"
 #include "session/plausibility/light_warnings.h"
 #include "session/plausibility/location_lines.h"
@@ -42,6 +44,17 @@ void tell_of_highlights(const transport::SpectralScene& scene, LogSink& log) {
         "meshes with glossy materials have more than {} triangles: the Sun's highlights on them are found by random "
         "paths alone, and pixels whose highlights are smaller than they may be less sure than they say",
         geometry::SurfaceSurvey::kMostFacets));
+}
+
+void refuse_rare_lobes(const transport::SpectralScene& scene) {
+  const transport::Emitters* emitters = scene.emitters();
+  if (emitters == nullptr || (emitters->count() == 0 && !emitters->leaves_some())) return;
+  for (const materials::Material& material : scene.scene().materials)
+    if (materials::throws_rarely(*material.bsdf))
+      throw InputError(format(
+          "material '{}' has a lobe of roughness {:g}; where lamps or hot things outshine the scene it has to be {:g} or more: "
+          "what a narrower one throws of their light is found so seldom that pixels would not know it",
+          material.name, material.bsdf->lobe_slopes().least, materials::kLeastFoundSlope));
 }
 
 void check_plausibility(Parts& parts, LogSink& log) {

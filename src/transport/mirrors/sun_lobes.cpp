@@ -5,12 +5,14 @@
 
 #include "geometry/world/surface_survey.h"
 #include "scene/scene.h"
+#include "transport/mirrors/sun_mirrors.h"
 
 namespace ifov::transport {
 
 SunLobes::SunLobes(const scene::Scene& scene, const geometry::SurfaceSurvey& survey) : survey_(survey) {
   for (const scene::SurfaceAssignment& assignment : scene.assignments)
-    flat_.push_back(!scene.world->period() && !assignment.bends_normals());
+    tilted_.push_back(assignment.bends_normals());
+  for (const bool tilted : tilted_) flat_.push_back(!scene.world->period() && !tilted);
   for (const auto& round : survey.rounds) rounds_.push_back(round.object);
   std::sort(rounds_.begin(), rounds_.end());
   for (const materials::Material& material : scene.materials) {
@@ -18,7 +20,12 @@ SunLobes::SunLobes(const scene::Scene& scene, const geometry::SurfaceSurvey& sur
     const materials::Bsdf::LobeSlopes slopes = material.bsdf->lobe_slopes();
     slopes_.least = slopes_.least > 0.0 ? std::min(slopes_.least, slopes.least) : slopes.least;
     slopes_.most = std::max(slopes_.most, slopes.most);
+    any_throws_rarely_ = any_throws_rarely_ || materials::throws_rarely(*material.bsdf);
   }
+  if (!any_throws_rarely_) return;
+  std::vector<geometry::SurfaceSurvey::Ball> balls = survey.balls;
+  for (const auto& round : survey.rounds) balls.push_back(round.ball);
+  throwers_ = SunMirrors::grouped(std::move(balls));
 }
 
 bool SunLobes::by_shape(const geometry::SurfacePoint& hit) const {

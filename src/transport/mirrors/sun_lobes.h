@@ -1,14 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/surface_point.h"
+#include "geometry/world/surface_survey.h"
 #include "materials/bsdf/bsdf.h"
 
-namespace ifov::geometry {
-struct SurfaceSurvey;
-}
 namespace ifov::scene {
 struct Scene;
 }
@@ -28,6 +27,17 @@ class SunLobes {
 
   /// Whether the highlight on a point that the sensor sees directly is found by its shape.
   bool by_shape(const geometry::SurfacePoint& hit) const;
+  /// Whether a lobe's highlights on a surface are as small as it is narrow: it bends, or its normals do.
+  bool bends(const geometry::SurfacePoint& hit) const {
+    return hit.bend != geometry::Bend::none || tilted_[hit.material];
+  }
+  /// Slope that a lobe is widened to (Bsdf::widened_lobe) where paths have to find what it throws.
+  static constexpr double kWidenedSlope = 0.3;
+  /// Spheres about surfaces some of whose lobes throw_rarely(), and maybe about more; none where there is no such lobe.
+  std::span<const geometry::SurfaceSurvey::Ball> throwers() const { return throwers_; }
+  /// Whether there is such a lobe.
+  bool any_throws_rarely() const { return any_throws_rarely_; }
+
   /// Share of the sunlight of such an event that is, 0 to 1: of what the lobe makes of it, all but the tail.
   static double share(const materials::Bsdf& bsdf, const materials::BsdfEvent& event);
 
@@ -38,7 +48,10 @@ class SunLobes {
  private:
   const geometry::SurfaceSurvey& survey_;
   materials::Bsdf::LobeSlopes slopes_;
-  std::vector<bool> flat_;             // by surface assignment: no relief tilts its normals
+  std::vector<bool> flat_;    // by surface assignment: no relief tilts its normals, and no world repeats
+  std::vector<bool> tilted_;  // by surface assignment: a relief does
+  bool any_throws_rarely_ = false;
+  std::vector<geometry::SurfaceSurvey::Ball> throwers_;
   std::vector<std::uint32_t> rounds_;  // objects, sorted
 };
 

@@ -90,7 +90,13 @@ SunMirrors::SunMirrors(const scene::Scene& scene, const SurfaceSurvey& survey)
   });
   if (refracts_)
     for (const SurfaceSurvey::Round& round : survey.rounds) balls.push_back(round.ball);
-  group(balls, kMostGroups, groups_);
+  groups_ = grouped(std::move(balls));
+}
+
+std::vector<SurfaceSurvey::Ball> SunMirrors::grouped(std::vector<SurfaceSurvey::Ball> balls) {
+  std::vector<SurfaceSurvey::Ball> groups;
+  group(balls, kMostGroups, groups);
+  return groups;
 }
 
 std::uint32_t SunMirrors::facing_of(const geometry::SurfacePoint& hit, Vec3 normal) const {

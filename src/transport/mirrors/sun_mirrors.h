@@ -54,6 +54,8 @@ class SunMirrors {
   /// Spheres about all mirrors of which some light is not sought at its first reflection.
   std::span<const geometry::SurfaceSurvey::Ball> groups() const { return groups_; }
   const geometry::SurfaceSurvey& survey() const { return survey_; }
+  /// kMostGroups spheres about all of these, or fewer.
+  static std::vector<geometry::SurfaceSurvey::Ball> grouped(std::vector<geometry::SurfaceSurvey::Ball> balls);
 
  private:
   const geometry::SurfaceSurvey& survey_;

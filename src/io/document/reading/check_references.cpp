@@ -11,6 +11,7 @@
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
 #include "io/document/samplers/sampler_settings.h"
+#include "io/quantities/quantity.h"
 
 namespace ifov::io {
 namespace {
@@ -53,6 +54,7 @@ class ReferenceCheck {
       require("channel", *channel, channels_);
     for (const DocumentName& channel : document_.output.quicklook_channels)
       require("channel", channel, channels_);
+    check_products();
     check_direction(document_.light.sun, "Sun");
     check_moon();
     check_sky();
@@ -60,6 +62,22 @@ class ReferenceCheck {
   }
 
  private:
+  /// Whoever names products of polarization wants them; "all" are all that there can be.
+  void check_products() const {
+    if (document_.sensor.stokes || !document_.output.products ||
+        *document_.output.products == QuantitySet::all())
+      return;
+    std::vector<std::string> without;
+    for (const Quantity* quantity : *document_.output.products)
+      if (quantity->needs.stokes) without.emplace_back(quantity->name);
+    if (!without.empty())
+      throw document_error(
+          document_.sources, document_.output.position,
+          format(
+              "output.products has {}: that takes a sensor with \"stokes\": true, and sensor.stokes is not given or false",
+              list_names(without, "and")));
+  }
+
   void require(std::string_view what, const DocumentName& reference,
                const std::vector<std::string>& names) const {
     if (std::find(names.begin(), names.end(), reference.name) != names.end()) return;

@@ -117,7 +117,8 @@ std::shared_ptr<const Bsdf> leaf_of(const BsdfInputs& inputs) {
       return v[2] * std::max(0.0, v[0] - (less_surface ? v[1] : 0.0)) / (1.0 - v[1]);
     });
   };
-  return std::make_shared<WaxedLeaf>(inputs.spectrum("wax_index"), facet_width(inputs, "wax_roughness"),
+  return std::make_shared<WaxedLeaf>(inputs.spectrum("wax_index"),
+                                     facet_width(inputs, "wax_roughness", false),
                                      inner(leaf.reflectance, true), inner(leaf.transmittance, false));
 }
 

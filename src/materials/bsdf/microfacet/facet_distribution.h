@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "math/vec3.h"
@@ -21,6 +22,11 @@ class FacetDistribution {
 
   double width_x() const { return width_x_; }
   double width_y() const { return width_y_; }
+
+  /// Of the same shape, no narrower than `least`.
+  FacetDistribution widened(double least) const {
+    return {shape_, std::max(width_x_, least), std::max(width_y_, least)};
+  }
 
   /// D: area of facets by solid angle of their normals, over the mean surface's area, 1/sr.
   double density(math::Vec3 facet) const;

@@ -52,10 +52,9 @@ const BsdfParameter kOmega{"omega", "of the obscuration: how soon it sets in wit
 const BsdfParameter kVolumePart{
     "volume", "what volume scattering reflects: pi rho_V", Form::spectrum, 0.0, 1.0, "0"};
 
-/// A slope whose lobe is as wide as those of facet_width() have to be.
+/// A slope whose lobe is so wide that paths find what it throws.
 double slope_of(const BsdfInputs& inputs, double width_by_slope) {
-  constexpr double kLeastWidth = 0.1;
-  const double slope = inputs.number("slope"), least = kLeastWidth / width_by_slope;
+  const double slope = inputs.number("slope"), least = kLeastFoundSlope / width_by_slope;
   if (slope < least)
     throw InputError(format(
         "a 'slope' of {:g} is below {:.3g}: what so narrow a lobe throws on other surfaces is not sought; a smooth surface is "
