@@ -46,8 +46,8 @@ class NodeBsdf {
   radiometry::SpectrumBlock emissivity_;  // by angle
   radiometry::SpectrumBlock absorption_;
   bool has_absorption_ = false;
-  radiometry::SpectrumBlock emitted_q_;   // likewise; empty: unpolarized
-  double highest_[2] = {0.0, 0.0};        // by Side
+  radiometry::SpectrumBlock emitted_q_;  // likewise; empty: unpolarized
+  double highest_[2] = {0.0, 0.0};       // by Side
 };
 
 }  // namespace ifov::materials
