@@ -153,8 +153,8 @@ int main(int argc, char** argv) {
     }
     write_scene_files(work);
     std::vector<FigureRow> rows;
-    for (const char* scene :
-         {"penumbra", "leaf_crown", "wall_foot", "gable_roof", "texture", "mirror", "street_canyon"})
+    for (const char* scene : {"penumbra", "leaf_crown", "wall_foot", "gable_roof", "texture", "mirror",
+                              "street_canyon", "glossy_car", "waves", "glass_front", "wet_road"})
       for (const bool psf : {false, true}) {
         HonestyCase which{scene, psf, true, kReal, seeds, first_seed, {}};
         if (!only.empty() && only != scene && only != name_of(which)) continue;

@@ -17,7 +17,7 @@ void check_plausibility(Parts& parts, LogSink& log);
 /// What is sought of the light of what outshines the scene, and what is not.
 void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log);
 /// Throws InputError where a lobe is so narrow that what it throws of sought emitters' light is found too seldom.
-void refuse_rare_lobes(const transport::SpectralScene& scene);
+void refuse_rare_lobes(const Parts& parts);
 /// The same of the Sun's highlights on glossy meshes.
 void tell_of_highlights(const transport::SpectralScene& scene, LogSink& log);
 
