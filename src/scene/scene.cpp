@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "geometry/world.h"
 #include "materials/bsdf/bsdf.h"

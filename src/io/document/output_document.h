@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "io/document/document_values.h"
-#include "io/document/product_words.h"
 #include "io/quantities/quantity_set.h"
 
 namespace ifov::io {
+
+std::vector<std::string> usual_product_words();  // product_words.h
 
 struct OutputDocument {
   std::string folder;  ///< resolved against the document's folder; by default the document's name with ".out"
