@@ -8,7 +8,7 @@
 
 namespace ifov::atmosphere {
 
-class ImportedLight;
+struct ImportedLight;
 
 /// The light of another code's runs as one sensor's channels see it: the counterpart of SensorAtmosphere,
 /// under a uniform sky. A channel of the sensor that is one of the file's (same centre and width) has the

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "geometry/world.h"
 #include "materials/bsdf/bsdf.h"
@@ -43,11 +42,10 @@ namespace {
 /// By assignment, whether it may show a material of which `is` holds; empty where none does.
 template <class Is>
 std::vector<bool> assignments_showing(const Scene& scene, const Is& is) {
-  const auto& [assignments, states, materials] = std::tie(scene.assignments, scene.states, scene.materials);
   std::vector<bool> showing;
-  for (const SurfaceAssignment& assignment : assignments) {
+  for (const SurfaceAssignment& assignment : scene.assignments) {
     // Curves of a texture scatter as the material of the state does that they replace.
-    const auto shows = [&](std::uint32_t state) { return is(states[state].material); };
+    const auto shows = [&](std::uint32_t state) { return is(scene.states[state].material); };
     bool any = std::any_of(assignment.states.begin(), assignment.states.end(), shows) ||
                std::any_of(assignment.back_states.begin(), assignment.back_states.end(), shows);
     for (const auto& pattern : assignment.patterns) {
@@ -58,7 +56,7 @@ std::vector<bool> assignments_showing(const Scene& scene, const Is& is) {
         any = std::any_of(replacing.begin(), replacing.end(), shows);
       }
       if (pattern->mixes_materials() && brought.empty())
-        for (std::uint32_t m = 0; m < materials.size(); ++m) any = any || is(m);
+        for (std::uint32_t m = 0; m < scene.materials.size(); ++m) any = any || is(m);
     }
     showing.push_back(any);
   }

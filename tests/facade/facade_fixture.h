@@ -20,6 +20,16 @@ namespace fs = std::filesystem;
 
 constexpr int kWidth = 37, kHeight = 22;
 
+/// Whether this library draws figures: built with Cairo.
+inline bool draws_figures() {
+  const std::vector<ifov::Material> found = ifov::search_materials("grass, lawn");
+  try {
+    return !ifov::material_figure(found[0], ifov::curves_of(found[0], "1")).empty();
+  } catch (const ifov::SystemError&) {
+    return false;
+  }
+}
+
 /// Spheres on the ground under a black sky: loading warns of nothing.
 inline const std::string kScene = R"({"ifov": 1, "seed": 5,
   "scene": {"materials": {"ground": {"reflectance": 0.3, "temperature": "20 degC"},
@@ -32,7 +42,8 @@ inline const std::string kScene = R"({"ifov": 1, "seed": 5,
              "channels": [{"name": "red", "gaussian": {"center": "0.65 um", "fwhm": "40 nm"}},
                           {"name": "T", "top_hat": {"from": "10 um", "to": "11 um"}}]},
   "sampling": {"accuracy": {"error": "4 %"}, "tile": 16},
-  "output": {"formats": ["envi", "geotiff", "netcdf", "png"]}})";
+  "output": {"formats": ["envi", "geotiff", "netcdf")" +
+                                  std::string(draws_figures() ? ", \"png\"" : "") + "]}}";
 
 inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
   const std::size_t at = text.find(what);

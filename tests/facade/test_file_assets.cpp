@@ -52,6 +52,10 @@ class FileAssets : public testing::Test {
       all += std::to_string(static_cast<int>(message.severity)) + " " + message.text + "\n";
     return replaced_all(replaced_all(all, "asset:", ""), folder_.string() + "/", "");
   }
+  /// Of a raster whose driver this build left out (IFOV_GDAL_DRIVERS).
+  static bool not_read(const std::string& said) {
+    return said.find("not a raster of a kind that is read") != std::string::npos;
+  }
   static bool refuses(const ifov::Document& document) {
     return ifov::check(document).back().severity >= ifov::Severity::error;
   }
@@ -82,6 +86,7 @@ TEST_F(FileAssets, StandForEveryFileThatADocumentNames) {
     keys.erase({named.section, named.key});
     for (const auto& [name, bytes] : named.files) std::ofstream(folder_ / name, std::ios::binary) << bytes;
     const ifov::Document from_files = document(named, ""), from_memory = document(named, "asset:");
+    if (not_read(said(from_files))) continue;
     EXPECT_FALSE(refuses(from_files)) << said(from_files);
     EXPECT_EQ(said(with(from_memory, named.files)), said(from_files));
     EXPECT_EQ(values_of(with(from_memory, named.files)), values_of(from_files));
@@ -124,6 +129,9 @@ TEST_F(FileAssets, ErrorsAreThoseOfFilesAndTellWhatIsThere) {
 /// What stands beside a file counts in the checksums of a run, too.
 TEST_F(FileAssets, ARunTellsOfThemAndOfWhatIsBesideThem) {
   const Named normals = named(all_named(), "relief of normals");
+  const ifov::Document document_of_them = with(document(normals, "asset:"), normals.files);
+  if (not_read(said(document_of_them)))
+    GTEST_SKIP() << "built without GDAL's driver ENVI (IFOV_GDAL_DRIVERS)";
   ifov::Simulation::load(with(document(normals, "asset:"), normals.files))
       .render({.folder = folder_ / "out"});
   std::string notes;

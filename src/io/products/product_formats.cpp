@@ -59,9 +59,6 @@ ProductFormats product_formats(std::span<const std::string> words) {
   return formats;
 }
 
-ProductFormats usual_product_formats() {
-  if (!why_not_built("png").empty()) return {&kEnvi, &formats::kHtml};
-  return {&kEnvi, &formats::kPng, &formats::kHtml};
-}
+ProductFormats usual_product_formats() { return product_formats(usual_product_words()); }
 
 }  // namespace ifov::io

@@ -54,6 +54,14 @@ SchemaType<std::vector<std::string>> formats_type() {
           type.write};
 }
 
+/// "["envi", "png", "html"]"
+std::string usual_formats() {
+  std::string list;
+  for (const std::string& word : usual_product_words())
+    list += format("{}\"{}\"", list.empty() ? "[" : ", ", word);
+  return list + "]";
+}
+
 /// Only what is a good file name everywhere.
 SchemaType<std::string> name_type() {
   ValueDescription d;
@@ -127,7 +135,7 @@ SchemaType<OutputDocument> output_type() {
           "folder of the products, relative to the document; the document's name with '.out' if not given")
       .with_default("name", &OutputDocument::name, name_type(), "\"image\"",
                     "begins the name of every product")
-      .with_default("formats", &OutputDocument::formats, formats_type(), "[\"envi\", \"png\", \"html\"]",
+      .with_default("formats", &OutputDocument::formats, formats_type(), usual_formats(),
                     "kinds of products; the ENVI cubes and the run record are always written")
       .optional(
           "products", &OutputDocument::products, products_type(),
