@@ -80,7 +80,7 @@ MISTAKES = [
     ("a field that sends back more than arrives", changed(MATERIALS + ".wall", {"reflectance": 0.6, "scattering": {"rpv": {"k": 0.8, "asymmetry": -0.1}}}), ERROR,
      "material 'wall': of light that comes .* deg from the normal it sends back .* times as much"),
     ("a model of leaves without its weights", changed(MATERIALS + ".wall.scattering", {"ross_li": {"f_geo": 0.01}}), ERROR, "lacks the key 'f_vol'"),
-    ("a way to scatter that is not there", changed(MATERIALS + ".wall.scattering", "specular"), ERROR, "expected 'lambertian', 'mirror', 'hapke' or 'leaf'"),
+    ("a way to scatter that is not there", changed(MATERIALS + ".wall.scattering", "specular"), ERROR, "expected 'lambertian', 'mirror', 'hapke', 'smooth' or 'leaf'"),
     ("grains of snow as large as a hand", changed(MATERIALS + ".wall.scattering", {"snow": {"grain": "10 cm"}}), ERROR, "grain.*expected a length between 0.02 and 5 mm"),
     ("a measured BRDF that is not there", changed(MATERIALS + ".wall.scattering", {"table": {"file": "no.csv"}}), ERROR, "no.csv"),
     ("a measured BRDF that is not reciprocal", changed(MATERIALS + ".wall", {"reflectance": 1, "temperature": "30 degC", "scattering": {"table": {"file": "tile.csv"}}}), ERROR,
