@@ -82,7 +82,6 @@ class Pattern {
 
   /// The states that `apply` puts in the place of a state of the surface assignment, where these may emit or scatter otherwise.
   virtual std::vector<std::uint32_t> replacing(std::uint32_t) const { return {}; }
-
   /// Whether `apply` may tilt the shading normal.
   virtual bool bends_normals() const { return false; }
 
@@ -106,9 +105,7 @@ struct SurfaceAssignment {
 
   bool mixes_materials() const;  ///< by one of its patterns
   bool bends_normals() const;    ///< by one of its patterns
-
-  /// Of a state's outer side or, where it looks otherwise, its inner one; null: none.
-  const materials::TemperatureMap* temperature_map(std::size_t index, bool inner) const;
+  const materials::TemperatureMap* temperature_map(std::size_t index, bool inner) const;  ///< null: none
 };
 
 /// The immutable assembly of geometry, materials and light. Answers "what is at this point" and "what lights it";

@@ -148,7 +148,7 @@ io::BrdfReport survey_brdf(const io::Document& document, const std::string& name
   if (source.sides)
     throw io::document_error(document.sources, source.position,
                              format("'{}' has two sides: ask for '{}' or '{}'", name,
-                                    source.sides->front.name, source.sides->back.name));
+                                    source.sides->first.name, source.sides->second.name));
   const materials::Material material = assemble_material(document, source, question.curve);
   io::BrdfReport report;
   report.name = name;

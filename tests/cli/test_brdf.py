@@ -76,7 +76,7 @@ class Models(unittest.TestCase):
         self.assertEqual([key for key in listed if key in with_parameters], with_parameters)
         self.assertIn("mirror", listed)
         flat = re.sub(r"\s+", " ", done.stdout)
-        self.assertIn("slope angle between 0 and 60 deg, required: standard deviation of the facets' slope", flat)
+        self.assertIn("slope angle between 0 and 60 deg, or angle by a map, required: standard deviation of the facets' slope", flat)
         self.assertIn('hot_spot angle between 0 and 10 deg, default "0 deg": half width', flat)
         self.assertRegex(flat, r"rho_c number between 0 and 1,[^:]* optional: the lower")
 
@@ -220,7 +220,7 @@ class Materials(unittest.TestCase):
             (("field.json", "plaster", "--light", "1,2,3,4,5,6,7"), "--light has 7 angles; at most 6 are shown"),
             (("field.json", "plaster", "--reflectance", "0.3"), "--reflectance is of a model; a material has its own"),
             (("lambertan",), "there is no scattering model 'lambertan'; did you mean 'lambertian'? There are 'lambertian', 'mirror', 'oren_nayar'"),
-            (("oren_nayar",), "'oren_nayar' needs its parameters:\n  --set slope=...  angle between 0 and 60 deg: standard deviation"),
+            (("oren_nayar",), "'oren_nayar' needs its parameters:\n  --set slope=...  angle between 0 and 60 deg, or angle by a map: standard deviation"),
             (("oren_nayar", "--set", "slope=20"), "slope' is the number 20 without a unit, expected an angle between 0 and 60 deg"),
             (("oren_nayar", "--set", "slope=20 deg", "--set", "slop=1"), "unknown key 'slop' in 'scene.materials.oren_nayar.scattering.oren_nayar'; did you mean 'slope'?"),
             (("oren_nayar", "--set", "slope"), "--set slope: there is no '='"),

@@ -39,13 +39,6 @@ struct TemperatureDocument {
   SourcePosition position;
 };
 
-/// A parameter of a scattering model from place to place, in its SI unit: number in the raster x unit + offset.
-struct ParameterMap {
-  RasterDocument raster;
-  int band = 1;  ///< from 1
-  double unit = 1.0, offset = 0.0;
-};
-
 /// An image of a material in a spectral range.
 struct TextureImage {
   RasterDocument raster;

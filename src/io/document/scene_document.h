@@ -31,21 +31,19 @@ struct OriginDocument {
   SourcePosition position;
 };
 
+struct ParameterMap;
 /// A model of materials::bsdf_models() with its parameters.
 struct ScatteringDocument {
   std::string model = "lambertian";
   /// By key; angles in radians, lengths in metres.
-  using Value = std::variant<double, ParameterMap, SpectrumDocument, std::string, DocumentFile, bool>;
+  using Value = std::variant<double, std::shared_ptr<const ParameterMap>, SpectrumDocument, std::string,
+                             DocumentFile, bool>;
   std::vector<std::pair<std::string, Value>> values;
 };
 
 struct MaterialDocument {
   std::string name;
-  /// The sides of a surface are of other materials; then all else but the position is as it was.
-  struct Sides {
-    DocumentName front, back;
-  };
-  std::optional<Sides> sides;
+  std::optional<std::pair<DocumentName, DocumentName>> sides;  ///< front and back; then nothing else is given
   bool is_emissivity = false;  ///< the spectrum is emissivity; else reflectance. Opaque: the two sum to 1.
   SpectrumDocument spectrum;
   std::optional<SpectrumDocument> transmittance;  ///< of a thin leaf; with reflectance only; absent: opaque

@@ -36,7 +36,7 @@ class ReferenceCheck {
   void run() const {
     for (const MaterialDocument& material : document_.scene.materials)
       if (material.sides)
-        for (const DocumentName* side : {&material.sides->front, &material.sides->back}) check_side(*side);
+        for (const DocumentName* side : {&material.sides->first, &material.sides->second}) check_side(*side);
     for (const ObjectDocument& object : document_.scene.objects) check(object);
     for (const PrototypeDocument& prototype : document_.scene.prototypes) {
       for (const ObjectDocument& object : prototype.objects) {

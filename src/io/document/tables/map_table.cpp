@@ -3,6 +3,7 @@
 
 #include "core/format.h"
 #include "io/document/map_document.h"
+#include "io/document/parameter_map_document.h"
 #include "io/document/tables/map_tables.h"
 #include "io/document/tables/raster_keys.h"
 #include "io/document/tables/tables.h"

@@ -11,16 +11,16 @@ constexpr std::size_t kMostMaterials = 10000;
 constexpr std::size_t kMostCurves = 100000;
 
 SchemaType<MaterialDocument> sides_type() {
-  using Sides = MaterialDocument::Sides;
+  using Sides = std::pair<DocumentName, DocumentName>;
   Record<MaterialDocument> record(
       "sides of a material",
       "A sheet whose sides are different materials, each with its temperature; what it covers that is solid shows its back within.");
   const SchemaType<DocumentName> name = name_of("a material");
   record
       .required(
-          "front", path(&MaterialDocument::sides, &Sides::front), name,
+          "front", path(&MaterialDocument::sides, &Sides::first), name,
           "material of the front: of a mesh's face where its corners run counter-clockwise, of a solid the outside")
-      .required("back", path(&MaterialDocument::sides, &Sides::back), name,
+      .required("back", path(&MaterialDocument::sides, &Sides::second), name,
                 "material of the back, which lets through what the front does");
   return record.type();
 }

@@ -1,6 +1,7 @@
 #include <map>
 
 #include "core/format.h"
+#include "io/document/parameter_map_document.h"
 #include "io/document/scene_document.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/map_tables.h"
@@ -68,17 +69,26 @@ void add_scalar(Record<ScatteringDocument>& record, const BsdfParameter& paramet
                            : kind == ParameterKind::angle ? "angle"
                                                           : "length";
   Record<Value> mapped(what + " by a map", "A parameter that differs from place to place.");
-  mapped.required("map",
-                  via([](Value& to, ParameterMap value) { to = std::move(value); },
-                      [](const Value& from) { return std::get_if<ParameterMap>(&from); }),
-                  map, "the raster");
+  mapped.required(
+      "map",
+      via([](Value& to, ParameterMap value) { to = std::make_shared<const ParameterMap>(std::move(value)); },
+          [](const Value& from) {
+            const auto* shared = std::get_if<std::shared_ptr<const ParameterMap>>(&from);
+            return shared != nullptr ? shared->get() : nullptr;
+          }),
+      map, "the raster");
   const auto number = converted<Value>(
       plain, [](double value) { return Value(value); },
       [](const Value& value) {
         const double* one = std::get_if<double>(&value);
         return one ? std::optional(*one) : std::nullopt;
       });
-  add_key(record, parameter, either(number, mapped.type()), place);
+  const SchemaType<Value> mapped_type = mapped.type(), both = either(number, mapped_type);
+  // A number without its unit is told as that.
+  const auto read = [number, mapped_type](const DocumentNode& node) {
+    return node.type() == DocumentNode::Type::object ? mapped_type.read(node) : number.read(node);
+  };
+  add_key(record, parameter, SchemaType<Value>{both.description, read, both.write}, place);
 }
 
 SchemaType<ScatteringDocument> parameters_type(const BsdfModel& model) {

@@ -59,7 +59,7 @@ void AssignmentAssembly::add_materials() {
     if (source.sides) {
       // Holds the place of the document's material; surfaces are of its sides.
       material.reflectance = radiometry::Spectrum::constant(0.0);
-      material.curve_of = material_index(source.sides->front.name);
+      material.curve_of = material_index(source.sides->first.name);
       first_further_.push_back(first + static_cast<std::uint32_t>(further.size()));
       behind_.push_back(static_cast<std::uint32_t>(scene_.materials.size()));
       scene_.materials.push_back(std::move(material));
@@ -103,11 +103,13 @@ void AssignmentAssembly::add_materials() {
   scene_.materials.insert(scene_.materials.end(), further.begin(), further.end());
   for (const io::MaterialDocument& source : written_)
     if (source.sides)
-      with_position(sources_, source.sides->back.position, [&] { check_sides(*source.sides); });
+      with_position(sources_, source.sides->second.position,
+                    [&] { check_sides(source.sides->first, source.sides->second); });
 }
 
-void AssignmentAssembly::check_sides(const io::MaterialDocument::Sides& sides) const {
-  const std::uint32_t front = material_index(sides.front.name), back = material_index(sides.back.name);
+void AssignmentAssembly::check_sides(const io::DocumentName& front_name,
+                                     const io::DocumentName& back_name) const {
+  const std::uint32_t front = material_index(front_name.name), back = material_index(back_name.name);
   for (const std::uint32_t side : {front, back})
     if (behind_[side] != side)
       throw InputError(format(
@@ -120,14 +122,13 @@ void AssignmentAssembly::check_sides(const io::MaterialDocument::Sides& sides) c
   const bool through_front = scene_.materials[front].transmittance.has_value(),
              through_back = scene_.materials[back].transmittance.has_value();
   if (through_front != through_back)
-    throw InputError(
-        format("light comes through '{}' and not through '{}': the sides of a sheet let through the same",
-               through_front ? sides.front.name : sides.back.name,
-               through_front ? sides.back.name : sides.front.name));
+    throw InputError(format(
+        "light comes through '{}' and not through '{}': the sides of a sheet let through the same",
+        through_front ? front_name.name : back_name.name, through_front ? back_name.name : front_name.name));
   if (!through_front) return;
   if (scene_.materials[front].bsdf->passage() != scene_.materials[back].bsdf->passage())
     throw InputError(format("light goes straight through one of '{}' and '{}' and is spread by the other",
-                            sides.front.name, sides.back.name));
+                            front_name.name, back_name.name));
   constexpr double kSame = 1e-3;
   const radiometry::Spectrum* both[] = {&*scene_.materials[front].transmittance,
                                         &*scene_.materials[back].transmittance};
@@ -138,7 +139,7 @@ void AssignmentAssembly::check_sides(const io::MaterialDocument::Sides& sides) c
     if (std::abs(of_front - of_back) > kSame)
       throw InputError(format(
           "'{}' lets through {:.4g}{} and '{}' {:.4g}: through a sheet as much goes one way as the other (reciprocity)",
-          sides.front.name, of_front, um.size() > 1 ? format(" at {:g} um", at) : "", sides.back.name,
+          front_name.name, of_front, um.size() > 1 ? format(" at {:g} um", at) : "", back_name.name,
           of_back));
   }
 }
@@ -445,11 +446,11 @@ AssignmentAssembly::Pattern AssignmentAssembly::mixture(const io::MixtureDocumen
 AssignmentAssembly::Surface AssignmentAssembly::surface_of(
     const io::DocumentName& material, const std::optional<io::TemperatureDocument>& temperature) {
   const std::uint32_t index = material_index(material.name);
-  const std::optional<io::MaterialDocument::Sides>& sides = written_[index].sides;
+  const auto& sides = written_[index].sides;
   if (!sides) return plain_surface(index, temperature);
-  Surface surface = plain_surface(material_index(sides->front.name), temperature);
+  Surface surface = plain_surface(material_index(sides->first.name), temperature);
   surface.back =
-      std::make_shared<const Surface>(plain_surface(material_index(sides->back.name), temperature));
+      std::make_shared<const Surface>(plain_surface(material_index(sides->second.name), temperature));
   return surface;
 }
 

@@ -77,7 +77,7 @@ class AssignmentAssembly {
   /// Of a material that has no sides of its own.
   Surface plain_surface(std::uint32_t material, const std::optional<io::TemperatureDocument>& temperature);
   /// Throws where two materials cannot be the sides of one sheet.
-  void check_sides(const io::MaterialDocument::Sides& sides) const;
+  void check_sides(const io::DocumentName& front_name, const io::DocumentName& back_name) const;
   /// How a surface looks from its inner side.
   Surface seen_from_behind(const Surface& surface);
   std::shared_ptr<const materials::TemperatureMap> temperature_map(const io::TemperatureMap& map);

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/error.h"
-#include "io/document/map_document.h"
+#include "io/document/parameter_map_document.h"
 #include "io/raster/raster.h"
 #include "materials/bsdf/bsdf_model.h"
 #include "session/assembly/shared/raster_assembly.h"

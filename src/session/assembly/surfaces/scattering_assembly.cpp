@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/overloaded.h"
 #include "core/parallel.h"
+#include "io/document/parameter_map_document.h"
 #include "io/document/scene_document.h"
 #include "io/spectra/brdf_table.h"
 #include "materials/bsdf/bsdf_model.h"
@@ -60,7 +61,7 @@ materials::BsdfInputs ScatteringAssembly::inputs_of(const io::MaterialDocument& 
     };
   for (const auto& [key, value] : source.scattering.values) {
     std::visit(Overloaded{[&](double number) { inputs.values.emplace_back(key, number); },
-                          [&](const io::ParameterMap&) {},
+                          [&](const std::shared_ptr<const io::ParameterMap>&) {},
                           [&](const std::string& word) { inputs.values.emplace_back(key, word); },
                           [&](const io::SpectrumDocument& spectrum) {
                             const radiometry::Spectrum values =
@@ -97,17 +98,19 @@ void ScatteringAssembly::finish(const io::MaterialDocument& source, const materi
 }
 
 std::size_t ScatteringAssembly::map_count(const io::MaterialDocument& source) {
-  return static_cast<std::size_t>(std::count_if(
-      source.scattering.values.begin(), source.scattering.values.end(),
-      [](const auto& value) { return std::holds_alternative<io::ParameterMap>(value.second); }));
+  return static_cast<std::size_t>(
+      std::count_if(source.scattering.values.begin(), source.scattering.values.end(), [](const auto& value) {
+        return std::holds_alternative<std::shared_ptr<const io::ParameterMap>>(value.second);
+      }));
 }
 
 std::vector<ScatteringAssembly::Mapped> ScatteringAssembly::mapped(const io::MaterialDocument& source) {
   const materials::BsdfModel& model = materials::bsdf_model(source.scattering.model);
   std::vector<Mapped> all;
   for (const auto& [key, value] : source.scattering.values) {
-    const auto* map = std::get_if<io::ParameterMap>(&value);
-    if (map == nullptr) continue;
+    const auto* shared = std::get_if<std::shared_ptr<const io::ParameterMap>>(&value);
+    if (shared == nullptr) continue;
+    const io::ParameterMap* map = shared->get();
     const materials::BsdfParameter& parameter = parameter_of(model, key);
     with_position(sources_, map->raster.file.position, [&] {
       if (all.size() == kMostMaps)
