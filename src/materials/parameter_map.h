@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "materials/map_grid.h"
@@ -20,6 +21,12 @@ class ParameterMap {
  private:
   MapGrid grid_;
   std::vector<float> values_;
+};
+
+/// A parameter from a map, and the values at which its model is made.
+struct ParameterAxis {
+  std::shared_ptr<const ParameterMap> map;
+  std::vector<double> levels;  ///< rising, one or more
 };
 
 }  // namespace ifov::materials

@@ -29,8 +29,8 @@ Between between(const std::vector<double>& levels, double value) {
 
 }  // namespace
 
-LevelPattern::LevelPattern(std::uint32_t state, std::uint32_t states_of, std::vector<Axis> axes,
-                           std::vector<Member> members)
+LevelPattern::LevelPattern(std::uint32_t state, std::uint32_t states_of,
+                           std::vector<materials::ParameterAxis> axes, std::vector<Member> members)
     : state_(state), states_of_(states_of), axes_(std::move(axes)), members_(std::move(members)) {}
 
 std::vector<std::uint32_t> LevelPattern::replacing(std::uint32_t state) const {
@@ -53,7 +53,7 @@ void LevelPattern::apply(const geometry::SurfacePoint& point, ResolvedSurface& s
     };
     std::array<Part, 4> parts{};
     std::size_t count = 1;
-    for (const Axis& axis : axes_) {
+    for (const materials::ParameterAxis& axis : axes_) {
       const Between place = between(axis.levels, axis.map->at(position));
       const std::size_t known = count;
       for (std::size_t p = 0; p < known; ++p) {

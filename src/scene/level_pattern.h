@@ -13,23 +13,19 @@ namespace ifov::scene {
 /// parameter, four for two.
 class LevelPattern final : public Pattern {
  public:
-  struct Axis {
-    std::shared_ptr<const materials::ParameterMap> map;
-    std::vector<double> levels;  ///< rising, one or more
-  };
   struct Member {
     std::uint32_t state = 0, material = 0;
   };
   /// One axis or two; `members` by level, those of the last axis next to each other. `states_of`: whose place the members take in
   /// answers of replacing(), where `state` itself is brought in by another pattern.
-  LevelPattern(std::uint32_t state, std::uint32_t states_of, std::vector<Axis> axes,
+  LevelPattern(std::uint32_t state, std::uint32_t states_of, std::vector<materials::ParameterAxis> axes,
                std::vector<Member> members);
   void apply(const geometry::SurfacePoint& point, ResolvedSurface& surface) const override;
   std::vector<std::uint32_t> replacing(std::uint32_t state) const override;
 
  private:
   std::uint32_t state_, states_of_;
-  std::vector<Axis> axes_;
+  std::vector<materials::ParameterAxis> axes_;
   std::vector<Member> members_;
 };
 

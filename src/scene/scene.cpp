@@ -5,6 +5,7 @@
 
 #include "geometry/world.h"
 #include "materials/bsdf/bsdf.h"
+#include "materials/bsdf/narrow_lobes.h"
 #include "materials/draped_map.h"
 #include "scene/lamp.h"
 
@@ -51,7 +52,7 @@ std::vector<bool> assignments_showing(const Scene& scene, const Is& is) {
     for (const auto& pattern : assignment.patterns) {
       const std::vector<std::uint32_t> brought = pattern->mixed_materials();
       any = any || std::any_of(brought.begin(), brought.end(), is);
-      for (std::uint32_t s = 0; s < states.size() && !any; ++s) {
+      for (std::uint32_t s = 0; s < scene.states.size() && !any; ++s) {
         const std::vector<std::uint32_t> replacing = pattern->replacing(s);
         any = std::any_of(replacing.begin(), replacing.end(), shows);
       }

@@ -137,7 +137,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   p.info.footprint_px = sampling::response_area_px(*p.footprint);
   for (std::size_t c = 0; c < p.air.size(); ++c) p.info.channels[c].air = p.air[c];
   tell_of_emitters(*p.spectral_scene, *log);
-  refuse_rare_lobes(p);
+  refuse_rare_lobes(document.sources, document.scene, *p.spectral_scene);
   tell_of_highlights(*p.spectral_scene, *log);
   log->info(sensor_statement(p));
   phase("plausibility");

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "geometry/world.h"
+#include "materials/bsdf/narrow_lobes.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"
 #include "transport/delta_events.h"

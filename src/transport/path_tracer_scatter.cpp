@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "materials/bsdf/narrow_lobes.h"
 #include "math/vec3.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "materials/bsdf/narrow_lobes.h"
 #include "materials/bsdf/sea/sea.h"
 #include "materials/lobe_checks.h"
 #include "radiometry/fresnel.h"

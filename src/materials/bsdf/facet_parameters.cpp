@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/error.h"
+#include "materials/bsdf/narrow_lobes.h"
 #include "radiometry/refractive_index.h"
 
 namespace ifov::materials {

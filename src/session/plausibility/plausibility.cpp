@@ -2,8 +2,6 @@
 
 #include "core/format.h"
 #include "geometry/world/surface_survey.h"
-#include "io/document/document.h"
-#include "io/document/document_error.h"
 #include "scene/scene.h"
 #include "session/loaded/parts.h"
 #include "session/plausibility/light_warnings.h"
@@ -45,24 +43,6 @@ void tell_of_highlights(const transport::SpectralScene& scene, LogSink& log) {
         "meshes with glossy materials have more than {} triangles: the Sun's highlights on them are found by random "
         "paths alone, and pixels whose highlights are smaller than they may be less sure than they say",
         geometry::SurfaceSurvey::kMostFacets));
-}
-
-void refuse_rare_lobes(const Parts& parts) {
-  const transport::SpectralScene& scene = *parts.spectral_scene;
-  const transport::Emitters* emitters = scene.emitters();
-  if (emitters == nullptr || (emitters->count() == 0 && !emitters->leaves_some())) return;
-  for (const materials::Material& material : scene.scene().materials) {
-    if (!materials::throws_rarely(*material.bsdf)) continue;
-    SourcePosition position = parts.document.scene.origin.position;
-    for (const io::MaterialDocument& written : parts.document.scene.materials)
-      if (written.name == material.name) position = written.position;
-    throw io::document_error(
-        parts.document.sources, position,
-        format(
-            "material '{}' has a lobe of roughness {:g}; where lamps or hot things outshine the scene it has to be {:g} or more: "
-            "what a narrower one throws of their light is found so seldom that pixels would not know it",
-            material.name, material.bsdf->lobe_slopes().least, materials::kLeastFoundSlope));
-  }
 }
 
 void check_plausibility(Parts& parts, LogSink& log) {

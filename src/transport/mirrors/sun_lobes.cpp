@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/world/surface_survey.h"
+#include "materials/bsdf/narrow_lobes.h"
 #include "scene/scene.h"
 #include "transport/mirrors/sun_mirrors.h"
 

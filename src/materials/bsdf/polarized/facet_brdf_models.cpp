@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "materials/bsdf/facet_parameters.h"
+#include "materials/bsdf/narrow_lobes.h"
 #include "materials/bsdf/polarized/facet_brdf.h"
 #include "radiometry/refractive_index.h"
 

@@ -7,8 +7,11 @@
 
 #include "geometry/body.h"
 #include "geometry/placements.h"
-#include "io/instances/instance.h"
-#include "io/scene_cache/scene_cache.h"
+
+namespace ifov::io {
+struct Instance;
+class SceneCache;
+}  // namespace ifov::io
 
 namespace ifov::session {
 

@@ -328,7 +328,7 @@ std::vector<AssignmentAssembly::Pattern> AssignmentAssembly::level_patterns(cons
     }
   }
   std::size_t count = 1;
-  for (const scene::LevelPattern::Axis& axis : levels.axes) count *= axis.levels.size();
+  for (const materials::ParameterAxis& axis : levels.axes) count *= axis.levels.size();
   for (std::size_t curve = 0; curve < levels.first.size(); ++curve) {
     const std::uint32_t material =
         curve == 0 ? surface.material

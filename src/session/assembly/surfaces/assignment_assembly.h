@@ -105,7 +105,7 @@ class AssignmentAssembly {
   /// By material of the document with maps of parameters: its curves before they had a model.
   std::map<std::size_t, std::vector<materials::Material>> unscattered_;
   struct Levels {
-    std::vector<scene::LevelPattern::Axis> axes;
+    std::vector<materials::ParameterAxis> axes;
     std::vector<std::uint32_t> first;  ///< by curve: its first member among the scene's materials
   };
   std::map<std::uint32_t, Levels> levels_;

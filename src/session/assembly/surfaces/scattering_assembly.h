@@ -10,7 +10,7 @@
 
 #include "core/run_control.h"
 #include "materials/material.h"
-#include "scene/level_pattern.h"
+#include "materials/parameter_map.h"
 
 namespace ifov::io {
 struct DocumentSources;
@@ -42,8 +42,8 @@ class ScatteringAssembly {
   static std::size_t map_count(const io::MaterialDocument& source);
 
   struct Levels {
-    std::vector<scene::LevelPattern::Axis> axes;
-    std::vector<std::vector<materials::Material>> members;  ///< by curve, in the order of LevelPattern
+    std::vector<materials::ParameterAxis> axes;
+    std::vector<std::vector<materials::Material>> members;  ///< by curve, in the order of scene::LevelPattern
   };
   /// Of a material with such parameters; `curves` are its reflectances, in materials that assemble() has not seen yet. Says how many
   /// levels there are, and warns where what lies between them is off by more than materials::kLevelTolerance.
