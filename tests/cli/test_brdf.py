@@ -77,7 +77,7 @@ class Models(unittest.TestCase):
         self.assertIn("mirror", listed)
         flat = re.sub(r"\s+", " ", done.stdout)
         self.assertIn("slope angle between 0 and 60 deg, or angle by a map, required: standard deviation of the facets' slope", flat)
-        self.assertIn('hot_spot angle between 0 and 10 deg, default "0 deg": half width', flat)
+        self.assertIn('hot_spot angle between 0 and 10 deg, or angle by a map, default "0 deg": half width', flat)
         self.assertRegex(flat, r"rho_c number between 0 and 1,[^:]* optional: the lower")
 
     def test_the_guide_has_them_as_they_are(self):

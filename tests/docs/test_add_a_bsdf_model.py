@@ -29,7 +29,7 @@ class AddAModel(PageTest):
     def test_two_new_files_and_one_row(self):
         folder, run = self.folder, self.run_it
         page = run("schema", "--markdown").stdout
-        self.assertIn("| `darkening` | number between 1 and 2 | `1` | exponent; 1 is Lambert's law |", page)
+        self.assertIn("| `darkening` | number between 1 and 2, or [number by a map](#number-by-a-map) | `1` | exponent; 1 is Lambert's law |", page)
         document = {"ifov": 1, "scene": {"materials": {"dust": {"reflectance": 0.3, "scattering": {"minnaert": {"darkening": 1.5}}}},
                                          "objects": [{"plane": {}, "material": "dust"}]},
                     "light": {"sun": {"point": {"zenith": "60 deg", "azimuth": "90 deg"}}},

@@ -186,7 +186,7 @@ TEST_F(Values, OfScattering) {
       std::find_if(models.begin(), models.end(), [](const auto& m) { return m.key == "oren_nayar"; });
   ASSERT_NE(rough, models.end());
   ASSERT_EQ(rough->parameters.size(), 1u);
-  EXPECT_EQ(rough->parameters[0].value, "angle between 0 and 60 deg");
+  EXPECT_EQ(rough->parameters[0].value, "angle between 0 and 60 deg, or angle by a map");
   EXPECT_TRUE(rough->parameters[0].required);
   EXPECT_EQ(ifov::scattering_models_list(), said("brdf --list"));
   EXPECT_EQ(ifov::scattering_models_reference(), said("brdf --list --markdown"));

@@ -3,6 +3,7 @@ reads back as the same: each key and value that it gives stands in what is writt
 written the same again."""
 
 import datetime
+import functools
 import json
 import math
 import os
@@ -120,6 +121,13 @@ def differences(given, written, path=""):
     return [] if same else [f"{path}: {given} became {written}"]
 
 
+@functools.cache
+def former_names():
+    """By a key's earlier name the one that is written."""
+    schema = subprocess.run([PROGRAM, "schema"], capture_output=True, text=True, check=True).stdout
+    return dict(re.findall(r'"(\w+)":\s*\{[^{}]*"description":\s*"former name of \'(\w+)\'"', schema))
+
+
 def member_differences(key, given, value, written, path):
     if path in ("$schema", "output.folder"):
         return []
@@ -131,6 +139,8 @@ def member_differences(key, given, value, written, path):
         return []  # its number
     if key == "axis" and "height" in written:
         return differences(value, ["0 m", "0 m", written["height"]], path)
+    if key not in written and former_names().get(key) in written:
+        return differences(value, written[former_names()[key]], path)
     if key not in written:
         return [] if is_nothing(value) else [f"{path}: is not written"]
     return differences(value, written[key], path)

@@ -283,9 +283,9 @@ TEST_F(MappedParameters, MistakesAreToldAtTheirPlace) {
   expect_said("has no band 2; it has 1", with(R"({"file": "wear.asc", "band": 2})"));
   write_map("wear.asc", [](int column, int row) { return column == 3 && row == 0 ? "-9999" : "0.4"; });
   expect_said("no number at row 1, column 4 of", with(R"({"file": "wear.asc"})"));
-  write_map("wear.asc", [](int column, int) { return column < 2 ? "0.05" : "0.4"; });
-  expect_said("below 0.1", with(R"({"file": "wear.asc"})"));
-  expect_said("(where 'roughness' is 0.05)", with(R"({"file": "wear.asc"})"));
+  write_map("wear.asc", [](int column, int) { return column < 2 ? "0.005" : "0.4"; });
+  expect_said("below 0.01", with(R"({"file": "wear.asc"})"));
+  expect_said("(where 'roughness' is 0.005)", with(R"({"file": "wear.asc"})"));
   write_map("wear.asc", 0.4);
   expect_said(
       "'index' cannot be a map: of a model's parameters numbers, angles and lengths can",

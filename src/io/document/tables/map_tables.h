@@ -5,6 +5,8 @@
 
 namespace ifov::io {
 
+struct ParameterMap;
+
 /// The tables of keys of what lies on surfaces.
 SchemaType<TemperatureMap> temperature_map_type();
 /// Of a parameter that is a number, an angle or a length.
