@@ -133,7 +133,7 @@ std::vector<Named> named_by_materials() {
       {"map of numbers",
        "file",
        reflectance(
-           R"(0.3, "scattering": {"rpv": {"k": {"map": {"file": "FILEa.asc", "unit": 0.05, "offset": 0.65}}, "asymmetry": -0.1}})"),
+           R"(0.3, "scattering": {"rpv": {"k": {"map": {"file": "FILEa.asc", "unit": 0.02, "offset": 0.8}}, "asymmetry": 0}})"),
        {{"a.asc", grid()}}},
       {"map of angles",
        "file",
