@@ -190,7 +190,7 @@ TEST(FacetBrdf, SendBackNoMoreThanArrives) {
     }
 }
 
-TEST(Maignan, IsEquation21) {
+TEST(Maignan, IsItsFormulaWithFresnelsMatrix) {
   const Maignan model(Spectrum::constant(0.2), 6.0, 0.5, Spectrum::constant(1.5));
   for (const double out_deg : {0.0, 50.0, 70.0}) {
     BsdfEvent event = test::view_of(at(out_deg * kDegree, 0.3));

@@ -8,7 +8,7 @@
 namespace ifov::materials {
 
 /// Soil and vegetation with the light that their surfaces polarize (Maignan, Breon, Fedele and Bouvier 2009,
-/// Polarized reflectances of natural surfaces, Remote Sens. Environ. 113, 2642, equation 21):
+/// Polarized reflectances of natural surfaces, Remote Sens. Environ. 113, 2642):
 ///   pi f = reflectance + C exp(-tan c) exp(-NDVI) F(c) / (4 (cos out + cos in)),
 /// with F Fresnel's matrix at the angle of incidence c, half of that between the directions. Light of the
 /// reflectance is unpolarized.
