@@ -31,6 +31,8 @@ struct ParameterLevels {
 
 /// What levels may be off.
 inline constexpr LevelError kLevelTolerance{1e-3, 1e-3};
+/// What they may be off where there is no room for more of them: half-widths do not hold it.
+inline constexpr LevelError kLevelLimit{5e-3, 5e-3};
 
 /// Levels among the values that occur (`values`: one or more, rising, without repetition), first and last among them: the one in the
 /// middle between two levels is added, where the error there is largest first, until it is everywhere within kLevelTolerance or there

@@ -299,6 +299,15 @@ TEST_F(MappedParameters, MistakesAreToldAtTheirPlace) {
       "'lobe' is one map too many: of the parameters of a material 2 may come from maps",
       said(
           R"("m": {"reflectance": 0.3, "scattering": {"hapke": {"b0": {"map": {"file": "wear.asc"}}, "h": {"map": {"file": "wear.asc"}}, "lobe": {"map": {"file": "wear.asc"}}}}})"));
+  // Fringes of a film are finer than 64 levels tell.
+  std::ofstream wedge(folder_ / "wedge.asc");
+  wedge << "ncols 800\nnrows 1\nxllcorner -400\nyllcorner -0.5\ncellsize 1\n";
+  for (int column = 0; column < 800; ++column) wedge << 100 + column << " ";
+  wedge.close();
+  expect_said(
+      "more than 0.5 %; give the map a narrower range or fewer values",
+      said(
+          R"("m": {"reflectance": 1, "scattering": {"film": {"n": 1.38, "k": 0, "thickness": {"map": {"file": "wedge.asc", "unit": "1 nm"}}, "substrate_n": 1.9, "substrate_k": 0}}})"));
 }
 
 class SidesOfASheet : public MappedParameters {

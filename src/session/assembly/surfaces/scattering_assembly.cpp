@@ -197,6 +197,10 @@ ScatteringAssembly::Levels ScatteringAssembly::levels(const io::MaterialDocument
           "the light leaves in another direction",
           source.name, key, placed.values.size(), 100.0 * placed.worst.reflectance,
           100.0 * placed.worst.direction);
+      if (placed.worst.reflectance > materials::kLevelLimit.reflectance ||
+          placed.worst.direction > materials::kLevelLimit.direction)
+        throw InputError(format("{}: more than {:g} %; give the map a narrower range or fewer values", text,
+                                100.0 * materials::kLevelLimit.reflectance));
       if (log_ != nullptr && rough)
         log_->warn(text);
       else if (log_ != nullptr)
