@@ -24,6 +24,7 @@ float* PathLight::radiance(const PathRecord& record, std::size_t k) {
   float* whole = spectrum(kWhole);
   std::memcpy(whole, spectrum(kSum), n_ * sizeof(float));
   for (; also != PathVertex::kNone; also = record.paths[also].also) {
+    if (record.paths[also].empty()) continue;
     one(record, also);
     spectra::add_scaled(whole, spectrum(kSum), 1.0f, n_);
   }

@@ -54,6 +54,9 @@ struct PathTracer::Path {
   std::uint8_t forks = 0;        // at which it took one side and another path the other
   float share = 1.0f;            // of light that it brings to the sensor, at most; kept while it is direct
   std::uint32_t medium = kNone;  // that its ray is in: index into media_
+  // Of the sunlight on a lobe that is sought (SunLobes::sought), if that is what it meets: the rest was sought from where it comes from.
+  float sunlight = 1.0f;
+  bool to_lobe = false;  // it was sent for that sunlight, and for nothing else
 };
 
 struct PathTracer::SurfaceEvent {  // a path that scatters at this depth
@@ -75,6 +78,9 @@ struct PathTracer::SurfaceEvent {  // a path that scatters at this depth
   std::uint8_t next_forks = 0;
   float next_share = 0.0f;
   std::uint32_t next_medium = kNone;
+  float sunlight = 1.0f;       // share of sunlight that counts here
+  float next_sunlight = 1.0f;  // of the path that goes on
+  bool next_to_lobe = false;
 };
 
 /// A ray towards light on its way through what may let it pass.

@@ -57,6 +57,9 @@ struct PathRecord {
     float brightest = 1.0f;
     /// Of the Sun's irradiance, 1/sr: what may come by ways that are not sought (WideSun).
     float unseen = 0.0f;
+
+    /// Whether it brings nothing.
+    bool empty() const { return first == PathVertex::kNone && !escaped; }
   };
   /// A surface whose spectra are not kept: materials side by side, a temperature from a map, or a model that depends on
   /// direction.

@@ -6,6 +6,7 @@
 #include "math/vec3.h"
 #include "scene/scene.h"
 #include "transport/mirrors/emitter_mirrors.h"
+#include "transport/mirrors/lobe_targets.h"
 #include "transport/mirrors/sun_lobes.h"
 #include "transport/path_parts.h"
 #include "transport/sky/sky_dome.h"
@@ -32,6 +33,9 @@ PathTracer::PathTracer(const SpectralScene& scene, TransportOptions options)
     rare_lobes_ = scene.sun_lobes();
     for (const auto& ball : rare_lobes_->throwers()) throwers_.push_back({ball.centre_m, ball.radius_m});
   }
+  if (scene.sun_lobes() != nullptr && options.seek_lobes && !scene.sun_lobes()->targets().empty() &&
+      options.highlights != TransportOptions::Highlights::alone)
+    lobes_ = scene.sun_lobes(), lobe_view_ = std::make_unique<LobeView>();
   if (mirrors_ != nullptr)
     for (const auto& ball : mirrors_->groups()) throwers_.push_back({ball.centre_m, ball.radius_m});
   passages_ = scene.materials().any_pane() || scene.materials().any_medium();
@@ -89,7 +93,9 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
   passing_rays_.clear();
   sunken_.clear();
   for (std::size_t k = 0; k < paths_.size(); ++k) {
-    if (passes(paths_[k], hits_[k])) {
+    if (paths_[k].to_lobe) {
+      meet_lobe(paths_[k], static_cast<std::uint32_t>(k), depth);
+    } else if (passes(paths_[k], hits_[k])) {
       pass(paths_[k], hits_[k]);
     } else if (hits_[k].hit()) {
       const scene::ResolvedSurface surface = scene_.scene().resolve(hits_[k]);
@@ -127,7 +133,7 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
     if (event.vertex.continuation_weight > 0.0f)
       next_paths_.push_back({event.next, path.key, event.number, event.next_sees_sun, event.left,
                              event.next_chain, event.next_mirror, event.next_direct, event.next_forks,
-                             event.next_share, event.next_medium});
+                             event.next_share, event.next_medium, event.next_sunlight, event.next_to_lobe});
   }
   paths_.swap(next_paths_);
 }

@@ -17,6 +17,7 @@
 namespace ifov::transport {
 
 class EmitterMirrors;
+class LobeView;
 class Emitters;
 class MirrorTracer;
 class SkySampler;
@@ -80,10 +81,14 @@ class PathTracer {
   /// Index of a surface whose spectra are not kept.
   std::uint32_t add_mixed(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
                           math::Vec3 outgoing);
+  /// The factors of a vertex whose spectra are kept.
+  void take_factors(const scene::ResolvedSurface& surface, PathVertex& vertex) const;
   /// Where a vertex keeps its events; null where its lobe is separable.
   PathRecord::Events* events_of(const PathVertex& vertex);
   /// Bsdf::grey() of how a path goes on, which its weight is multiplied by; 1 of a separable lobe, whose weight holds it.
   double continuation_grey(const SurfaceLobe& lobe, const PathVertex& vertex);
+  /// The random number that picks one of unlike models at a surface.
+  static double shape_choice(const PathKey& key, const scene::ResolvedSurface& surface, int depth);
   /// What becomes of a path at a surface: an event is added, of no weights where it ends there without sunlight.
   void scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface, int depth,
                Branch branch, std::uint32_t number);
@@ -123,6 +128,20 @@ class PathTracer {
                       const Sides& sides, const geometry::SurfacePoint& hit, int depth, sampling::Point2 u);
   void send_by_mirrors(MirrorRay way, const SunRay& light, double weight,
                        const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, const Sides& sides);
+  // To narrow lobes that throw sunlight (path_tracer_lobes.cpp).
+  /// Whether a surface sends rays there, by lobe_view_, which is filled then.
+  bool look_for_lobes(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
+                      const geometry::SurfacePoint& hit, int depth);
+  /// Adds an event that goes on with such a ray, of a path of its own. Invalidates events.
+  void send_to_lobes(const Path& path, std::uint32_t number, const scene::ResolvedSurface& surface,
+                     const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
+                     int depth, std::uint32_t path_index);
+  /// Share of sunlight that a scattered ray finds there, and rays that are sent do not.
+  double found_by_chance(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction,
+                         bool transmitted) const;
+  /// What such a ray met.
+  void meet_lobe(const Path& path, std::uint32_t path_index, int depth);
+  void drop(const Path& path);
   void send_to_unseen(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
                       const geometry::SurfacePoint& hit, int depth);
   /// Along which mirrors the path goes on, and whether it may meet the Sun there.
@@ -225,6 +244,8 @@ class PathTracer {
   std::vector<geometry::SurfacePoint> seek_hits_;
   const SunMirrors* mirrors_ = nullptr;   // null: there are none, or no Sun
   const SunLobes* rare_lobes_ = nullptr;  // null: none throws_rarely()
+  const SunLobes* lobes_ = nullptr;       // null: no ray is sent to narrow lobes
+  std::unique_ptr<LobeView> lobe_view_;   // from the surface at hand
   std::vector<Thrower> throwers_;
   SunImages images_;
   std::unique_ptr<MirrorTracer> mirror_tracer_;

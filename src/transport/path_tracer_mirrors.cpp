@@ -106,10 +106,10 @@ void PathTracer::send_to_rounds(const Path& path, const scene::ResolvedSurface& 
 void PathTracer::send_by_mirrors(MirrorRay way, const SunRay& light, double weight,
                                  const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
                                  const Sides& sides) {
-  if (light.weight <= 0.0) return;
+  if (light.weight <= 0.0 || events_.back().sunlight <= 0.0f) return;
   way.event = static_cast<std::uint32_t>(events_.size() - 1);
   way.ray = light.ray;
-  way.light.weight = static_cast<float>(light.weight * weight);
+  way.light.weight = static_cast<float>(light.weight * weight) * events_.back().sunlight;
   way.light.transmitted = light.transmitted;
   way.light.surface = surface_factor(
       surface, events_.back().vertex,

@@ -92,17 +92,20 @@ std::uint32_t PathTracer::fork(std::uint32_t number) {
     vertex.segment_shines = false;
     vertex.mirrored = PathVertex::kNone;
     record_.add(twin, vertex);
+    if (scene_.polarized()) record_.directions.push_back(PathRecord::Directions(record_.directions[v]));
   }
   return twin;
 }
 
+double PathTracer::shape_choice(const PathKey& key, const scene::ResolvedSurface& surface, int depth) {
+  return surface.count > 1
+             ? sampling::unit_double(sampling::hash(key.sequence, key.index, depth, kShapeChoice))
+             : 0.0;
+}
+
 void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface,
                          int depth, Branch branch, std::uint32_t number) {
-  const double choice =
-      surface.count > 1
-          ? sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth, kShapeChoice))
-          : 0.0;
-  SurfaceLobe lobe = surface_lobe(scene_, surface, choice);
+  SurfaceLobe lobe = surface_lobe(scene_, surface, shape_choice(path.key, surface, depth));
   const geometry::SurfacePoint& hit = hits_[path_index];
   SurfaceEvent& event = events_.emplace_back();
   event.path = path_index;
@@ -129,6 +132,8 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
     directions_.back().normal = sides.shading.as_vector();
     if (lobe.bsdf->polarizes()) directions_.back().polarizing = lobe.bsdf;
   }
+  if (path.sunlight < 1.0f && lobes_->sought(*lobe.bsdf)) event.sunlight = path.sunlight;
+  const bool to_lobes = lobes_ != nullptr && look_for_lobes(path, lobe, sides, hit, depth);
   const std::uint32_t pair = 1u + 2u * static_cast<std::uint32_t>(depth);
   if (scene_.scene().sun && !lobe.bsdf->is_delta()) {
     const sampling::Point2 u = sampling::sequence_point(path.key.sequence, path.key.index, pair);
@@ -162,6 +167,9 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
     vertex.continuation_weight =
         survives ? static_cast<float>(vertex.continuation_weight / probability) : 0.0f;
   }
+  if (to_lobes && vertex.continuation_weight > 0.0f)
+    event.next_sunlight = static_cast<float>(
+        found_by_chance(lobe, sides, event.next.direction, vertex.continuation_transmitted));
   if (passages_ && vertex.continuation_weight > 0.0f) {
     const bool delta = lobe.bsdf->is_delta(), transmitted = vertex.continuation_transmitted;
     event.next_medium = transmitted ? medium_after(path.medium, lobe, surface) : path.medium;
@@ -199,6 +207,11 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
     event.next_mirror = options_.separate_images->mirror_of(hit, surface.shading_normal.as_vector());
   if ((mirrors_ != nullptr || rare_lobes_ != nullptr) && vertex.continuation_weight > 0.0f)
     note_chain(path, lobe, sides, hit, event);
+  take_factors(surface, vertex);
+  if (to_lobes) send_to_lobes(path, number, surface, lobe, sides, hit, depth, path_index);
+}
+
+void PathTracer::take_factors(const scene::ResolvedSurface& surface, PathVertex& vertex) const {
   if (vertex.mixed != PathVertex::kNone) return;
   const std::uint32_t material = surface.constituents[0].material;
   const auto factor = [&](bool transmitted) {
@@ -274,7 +287,7 @@ void PathTracer::send_to_sun(const Path& path, const SurfaceLobe& lobe, const Si
   if (light.weight <= 0.0 && event.rare_sun <= 0.0f) return;
   if (PathRecord::Events* events = events_of(event.vertex))
     events->sun = arriving(lobe, sides, light.ray.direction, light.transmitted);
-  event.vertex.sun_weight = static_cast<float>(light.weight);
+  event.vertex.sun_weight = static_cast<float>(light.weight) * event.sunlight;
   event.vertex.sun_transmitted = light.transmitted;
   event.shadow = static_cast<std::uint32_t>(shadow_rays_.size());
   shadow_rays_.push_back(light.ray);

@@ -13,6 +13,8 @@ struct TransportOptions {
   int maximum_scatterings = -1;
   /// Whether light is sought from the scene's emitters, if it has any; the mean is the same without.
   bool seek_emitters = true;
+  /// Whether rays are sent to narrow lobes for the sunlight that they throw on others; the mean is the same without.
+  bool seek_lobes = true;
   /// Sunlight is sought by way of so many flat mirrors in turn, at most SunImages::kMostReflections; 0: none.
   int mirror_reflections = 8;
   /// Two kinds of sunlight are left out that paths otherwise find by chance, seldom and bright: glints on curved mirrors

@@ -57,8 +57,14 @@ struct SurfaceSurvey {
   std::vector<Round> rounds;
   std::vector<Smooth> smooths;
   /// About what is neither flat nor known as a mirror: other round shapes, smooth triangles, height fields, flats too many.
-  /// Where facets were asked for, about flat faces of shapes and planes too, which no other list has.
   std::vector<Ball> balls;
+  /// Where facets were asked for, the flat faces of shapes, and planes: no other list has them.
+  struct Face {
+    math::Vec3 normal;  ///< unit
+    Ball ball;          ///< about it
+    double area_m2 = 0.0;
+  };
+  std::vector<Face> faces;
   bool all_flats = true;   ///< false: there are more than kMostFlats normals
   bool all_facets = true;  ///< false: there are more than kMostFacets
 };

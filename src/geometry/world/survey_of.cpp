@@ -199,7 +199,7 @@ class Surveyor {
       if ((shape.kind->round_faces == 0 && !flat_too) || !wanted(piece.materials, shape.slot)) continue;
       const Transform scene_from_unit = piece.scene_from_body * shape.unit_from_object.inverse();
       const SurfaceSurvey::Ball ball = ball_about(unit_bounds(shape.kind, scene_from_unit));
-      if (flat_too) survey_.balls.push_back(ball);
+      if (flat_too) add_faces(shape.kind, scene_from_unit);
       if (shape.kind->round_faces == 0) continue;
       if (shape.kind->known_as_mirror)
         survey_.rounds.push_back({shape.kind, scene_from_unit, piece.object, ball});
@@ -232,7 +232,7 @@ class Surveyor {
     }
     const double z = run.what.whole_from_list(Point3{0.0, 0.0, one.plane->z_m}).z;
     if (facets_) {
-      survey_.balls.push_back({{0.0, 0.0, z}, kEndless_m});
+      survey_.faces.push_back({{0.0, 0.0, 1.0}, {{0.0, 0.0, z}, kEndless_m}, kEndless_m * kEndless_m});
       return;
     }
     BodyFlat endless;
@@ -247,6 +247,15 @@ class Surveyor {
   SurfaceSurvey take() && { return std::move(survey_); }
 
  private:
+  void add_faces(UnitKind kind, const Transform& scene_from_unit) {
+    kind->visit_flats([&](Vec3 normal, Point3 centre, Vec3 first, Vec3 second) {
+      const Vec3 a = scene_from_unit(first), b = scene_from_unit(second);
+      survey_.faces.push_back({scene_from_unit(math::as_normal(normal)).as_vector(),
+                               {scene_from_unit(centre), std::max(length(a + b), length(a - b))},
+                               4.0 * length(cross(a, b))});
+    });
+  }
+
   bool room_for(std::size_t facets) {
     listed_ += facets;
     if (listed_ > SurfaceSurvey::kMostFacets && survey_.all_facets) {

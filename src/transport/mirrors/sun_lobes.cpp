@@ -6,11 +6,29 @@
 #include "geometry/world/surface_survey.h"
 #include "materials/bsdf/narrow_lobes.h"
 #include "scene/scene.h"
+#include "transport/mirrors/lobe_targets.h"
 #include "transport/mirrors/sun_mirrors.h"
 
 namespace ifov::transport {
 
-SunLobes::SunLobes(const scene::Scene& scene, const geometry::SurfaceSurvey& survey) : survey_(survey) {
+namespace {
+
+/// Between the widest and the narrowest of what is found.
+double middle_slope(const scene::Scene& scene) {
+  double least = 1.0, most = materials::kLeastFoundSlope;
+  for (const materials::Material& material : scene.materials) {
+    if (!materials::has_narrow_lobe(*material.bsdf)) continue;
+    least = std::min(least, material.bsdf->lobe_slopes().least);
+    most = std::max(most, material.bsdf->lobe_slopes().most);
+  }
+  return std::sqrt(std::max(least, materials::kLeastFoundSlope) * most);
+}
+
+}  // namespace
+
+SunLobes::SunLobes(const scene::Scene& scene, const geometry::SurfaceSurvey& survey)
+    : survey_(survey),
+      targets_(std::make_unique<const LobeTargets>(survey, scene.sun->direction, middle_slope(scene))) {
   for (const scene::SurfaceAssignment& assignment : scene.assignments)
     tilted_.push_back(assignment.bends_normals());
   for (const bool tilted : tilted_) flat_.push_back(!scene.world->period() && !tilted);
@@ -25,15 +43,22 @@ SunLobes::SunLobes(const scene::Scene& scene, const geometry::SurfaceSurvey& sur
   }
   if (!any_throws_rarely_) return;
   std::vector<geometry::SurfaceSurvey::Ball> balls = survey.balls;
+  for (const auto& face : survey.faces) balls.push_back(face.ball);
   for (const auto& round : survey.rounds) balls.push_back(round.ball);
   throwers_ = SunMirrors::grouped(std::move(balls));
 }
+
+SunLobes::~SunLobes() = default;
 
 bool SunLobes::by_shape(const geometry::SurfacePoint& hit) const {
   if (!flat_[hit.material]) return false;
   if (hit.bend == geometry::Bend::round)
     return std::binary_search(rounds_.begin(), rounds_.end(), hit.instance);
   return survey_.all_facets && (hit.bend == geometry::Bend::smooth || hit.bend == geometry::Bend::facet);
+}
+
+bool SunLobes::sought(const materials::Bsdf& bsdf) const {
+  return !targets_->empty() && materials::has_narrow_lobe(bsdf);
 }
 
 double SunLobes::share(const materials::Bsdf& bsdf, const materials::BsdfEvent& event) {

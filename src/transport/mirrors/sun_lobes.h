@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct Scene;
 
 namespace ifov::transport {
 
+class LobeTargets;
+
 /// Surfaces with narrow lobes under the Sun: on what bends, a lobe's highlight is as small against the thing as its
 /// micro-facets' slopes are against 1, and as bright as it is small. Rays would meet it seldom, so that it is looked for by
 /// the surfaces' shapes, as glints on mirrors are.
@@ -24,6 +27,7 @@ class SunLobes {
   static constexpr double kFirstSlopes = 10.0, kLastSlopes = 20.0;
 
   SunLobes(const scene::Scene& scene, const geometry::SurfaceSurvey& survey);
+  ~SunLobes();
 
   /// Whether the highlight on a point that the sensor sees directly is found by its shape.
   bool by_shape(const geometry::SurfacePoint& hit) const;
@@ -41,6 +45,10 @@ class SunLobes {
   /// Share of the sunlight of such an event that is, 0 to 1: of what the lobe makes of it, all but the tail.
   static double share(const materials::Bsdf& bsdf, const materials::BsdfEvent& event);
 
+  /// Whether rays are sent to a lobe for the sunlight that it throws on others: to targets().
+  bool sought(const materials::Bsdf& bsdf) const;
+  const LobeTargets& targets() const { return *targets_; }
+
   const geometry::SurfaceSurvey& survey() const { return survey_; }
   /// Of the materials with narrow lobes.
   materials::Bsdf::LobeSlopes slopes() const { return slopes_; }
@@ -53,6 +61,7 @@ class SunLobes {
   bool any_throws_rarely_ = false;
   std::vector<geometry::SurfaceSurvey::Ball> throwers_;
   std::vector<std::uint32_t> rounds_;  // objects, sorted
+  std::unique_ptr<const LobeTargets> targets_;
 };
 
 }  // namespace ifov::transport

@@ -62,6 +62,20 @@ StokesRows PolarizedPathLight::about(Beam& beam, const PolarizationFrame& frame)
 
 StokesRows PolarizedPathLight::light(const PathRecord& record, std::size_t k,
                                      const PolarizationFrame& frame) {
+  std::uint32_t also = record.paths[k].also;
+  const StokesRows first = one(record, k, frame);
+  if (also == PathVertex::kNone) return first;
+  const StokesRows whole = rows_from(kWhole);
+  for (std::size_t c = 0; c < 4; ++c) std::copy_n(first[c], n_, whole[c]);
+  for (; also != PathVertex::kNone; also = record.paths[also].also) {
+    if (record.paths[also].empty()) continue;
+    const StokesRows more = one(record, also, frame);
+    for (std::size_t c = 0; c < 4; ++c) spectra::add_scaled(whole[c], more[c], 1.0f, n_);
+  }
+  return whole;
+}
+
+StokesRows PolarizedPathLight::one(const PathRecord& record, std::size_t k, const PolarizationFrame& frame) {
   const PathRecord::Path& path = record.paths[k];
   vertices_.clear();
   for (std::uint32_t v = path.first; v != PathVertex::kNone; v = record.vertices[v].next)

@@ -45,7 +45,8 @@ class PolarizedPathLight {
     kWork,
     kMoreWork,
     kSun,
-    kSpectra
+    kWhole,
+    kSpectra = kWhole + 4
   };
   /// Light on its way, of which Q, U and V mean nothing where it is not polarized.
   struct Beam {
@@ -61,6 +62,8 @@ class PolarizedPathLight {
   void clear(Beam& beam, bool polarized);
   void polarize(Beam& beam);
 
+  /// Of one path of those that are added up.
+  StokesRows one(const PathRecord& record, std::size_t k, const radiometry::PolarizationFrame& frame);
   void start_at_sky(const PathRecord::Path& path, const radiometry::PolarizationFrame* frame);
   /// What leaves a vertex; `arriving_` is what its continuation brings.
   void leave(const PathRecord& record, const PathVertex& vertex, const Directions& directions);
