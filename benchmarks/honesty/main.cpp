@@ -26,7 +26,16 @@ using namespace ifov::benchmarks;
 
 constexpr auto kReal = make_sampler<ifov::sampling::AccuracySampler>;
 
-std::string name_of(const HonestyCase& which) { return which.scene + (which.psf ? "_psf" : ""); }
+std::string name_of(const HonestyCase& which) {
+  return which.scene + (which.stokes ? "_stokes" : which.psf ? "_psf" : "");
+}
+
+/// Scenes that are judged with the polarization of their light as well.
+bool polarizes(const std::string& scene) {
+  for (const char* one : {"glossy_car", "waves", "glass_front", "wet_road"})
+    if (scene == one) return true;
+  return false;
+}
 
 std::string faults_of(const HonestyOutcome& outcome) {
   std::string text;
@@ -155,8 +164,12 @@ int main(int argc, char** argv) {
     std::vector<FigureRow> rows;
     for (const char* scene : {"penumbra", "leaf_crown", "wall_foot", "gable_roof", "texture", "mirror",
                               "street_canyon", "glossy_car", "waves", "glass_front", "wet_road"})
-      for (const bool psf : {false, true}) {
-        HonestyCase which{scene, psf, true, kReal, seeds, first_seed, {}};
+      for (const char* kind : {"", "psf", "stokes"}) {
+        HonestyCase which;
+        which.scene = scene;
+        which.psf = kind == std::string("psf"), which.stokes = kind == std::string("stokes");
+        which.seeds = seeds, which.first_seed = first_seed;
+        if (which.stokes && !polarizes(scene)) continue;
         if (!only.empty() && only != scene && only != name_of(which)) continue;
         if (!rows_folder.empty()) which.rows = std::filesystem::path(rows_folder) / (name_of(which) + ".csv");
         const HonestyOutcome outcome = run_case(which, work);

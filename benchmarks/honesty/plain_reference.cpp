@@ -62,14 +62,15 @@ struct Sums {
 
 }  // namespace
 
-PlainMeans plain_means(const FieldFactory& make_field, const sampling::PixelFootprint& footprint,
-                       std::span<const PixelIndex> pixels, std::span<const double> wanted_error,
-                       std::int64_t least_paths, std::int64_t most_paths, std::uint64_t seed, int threads) {
+PlainMeans plain_means(const FieldFactory& make_field, int first_columns,
+                       const sampling::PixelFootprint& footprint, std::span<const PixelIndex> pixels,
+                       std::span<const double> wanted_error, std::int64_t least_paths,
+                       std::int64_t most_paths, std::uint64_t seed, int threads) {
   constexpr std::int64_t kBatch = 2048;
   const double bound = density_bound(footprint);
-  const auto columns = static_cast<std::size_t>(make_field()->columns());
+  const auto columns = static_cast<std::size_t>(first_columns);
   PlainMeans result;
-  result.columns = static_cast<int>(columns);
+  result.columns = first_columns;
   for (auto* values : {&result.mean, &result.standard_error, &result.spread})
     values->resize(pixels.size() * columns);
 

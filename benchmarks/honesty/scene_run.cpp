@@ -13,6 +13,7 @@
 #include "honesty/single_tile.h"
 #include "io/document/document.h"
 #include "render/image_renderer.h"
+#include "render/polarized/stokes_columns.h"
 #include "render/scene_field.h"
 #include "sampling/tile.h"
 #include "scene/forest.h"
@@ -36,7 +37,36 @@ session::Session load(const HonestyCase& which, const std::filesystem::path& wor
   text << file.rdbuf();
   io::Document document = io::parse_document(text.str(), (work / name).string());
   if (which.psf) document.sensor.psf = io::GaussianPsf{kPsfSigma_px};
+  document.sensor.stokes = which.stokes;
   return session::Session::load(document, nullptr);
+}
+
+/// A tile with Q and U behind the channels, whose errors are taken to be of paths.
+sampling::TileResult with_stokes(const sampling::TileResult& tile) {
+  const auto find = [&](const char* name) {
+    for (const sampling::TileLayer& layer : tile.layers)
+      if (layer.name == name) return layer.values<float>();
+    throw std::runtime_error(format("a tile without '{}'", name));
+  };
+  const std::span<const float> mean = find(render::StokesLayers::kMean),
+                               error = find(render::StokesLayers::kStandardError),
+                               half_width = find(render::StokesLayers::kHalfWidth);
+  const auto channels = static_cast<std::size_t>(tile.columns), columns = 3 * channels;
+  sampling::TileResult result = tile;
+  result.columns = static_cast<int>(columns);
+  const std::size_t pixels = tile.samples.size();
+  for (auto* values : {&result.mean, &result.half_width, &result.variance_geometry, &result.variance_path})
+    values->assign(pixels * columns, 0.0f);
+  for (std::size_t p = 0; p < pixels; ++p)
+    for (std::size_t c = 0; c < columns; ++c) {
+      const std::size_t to = p * columns + c, i = p * channels + c, after = p * columns + c - channels;
+      const float sigma = error[p * 4 * channels + c];
+      result.mean[to] = c < channels ? tile.mean[i] : mean[after];
+      result.half_width[to] = c < channels ? tile.half_width[i] : half_width[after];
+      result.variance_geometry[to] = c < channels ? tile.variance_geometry[i] : 0.0f;
+      result.variance_path[to] = c < channels ? tile.variance_path[i] : sigma * sigma;
+    }
+  return result;
 }
 
 /// A scene with the sampler that is judged, which may have a planted fault.
@@ -58,17 +88,22 @@ class Trial {
     job.tile_px = plan.tile_px;
     job.pilot_rays = plan.pilot_rays;
     job.steering_channels = plan.steering_channels;
-    return render_tile(job);
+    job.polarimetry = plan.polarimetry;
+    const sampling::TileResult tile = render_tile(job);
+    return which_.stokes ? with_stokes(tile) : tile;
   }
+
+  int channels() const { return static_cast<int>(parts().channels.size()); }
 
   PlainMeans plain(std::span<const PixelIndex> pixels, std::span<const double> wanted, std::int64_t least,
                    std::int64_t most, std::uint64_t seed) const {
     const session::Session::Parts& p = parts();
     const FieldFactory make_field = [&p] {
       return std::make_unique<render::SceneField>(*p.spectral_scene, *p.camera, p.job().transport,
-                                                  render::LabelDetail::material);
+                                                  render::LabelDetail::material, p.job().polarimetry);
     };
-    return plain_means(make_field, *p.footprint, pixels, wanted, least, most, seed, 0);
+    return plain_means(make_field, channels() * (which_.stokes ? 3 : 1), *p.footprint, pixels, wanted, least,
+                       most, seed, 0);
   }
 
  private:
@@ -88,10 +123,13 @@ std::vector<PixelIndex> mixed_pixels(const Trial& trial) {
   for (int y = 0; y < trial.parts().camera->height_px(); ++y)
     for (int x = 0; x < trial.parts().camera->width_px(); ++x) all.push_back({x, y});
   const PlainMeans pilot = trial.plain(all, {}, 512, 512, 20240229);
-  const auto columns = static_cast<std::size_t>(pilot.columns);
+  const auto columns = static_cast<std::size_t>(pilot.columns),
+             channels = static_cast<std::size_t>(trial.channels());
   std::vector<double> spread(all.size());
-  for (std::size_t k = 0; k < all.size() * columns; ++k)
-    spread[k / columns] = std::max(spread[k / columns], pilot.spread[k] / pilot.mean[k]);
+  for (std::size_t k = 0; k < all.size() * channels; ++k) {
+    const std::size_t i = k / channels * columns + k % channels;
+    spread[k / channels] = std::max(spread[k / channels], pilot.spread[i] / pilot.mean[i]);
+  }
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -168,8 +206,10 @@ HonestyOutcome run_case(const HonestyCase& which, const std::filesystem::path& w
   outcome.paths_per_pixel /= count;
   outcome.pixels = pixels.size();
   outcome.honesty = statistics.summary();
-  for (const render::ChannelInfo& channel : trial.parts().info.channels)
-    outcome.channels.push_back(channel.name);
+  for (const char* component : {"", " Q", " U"})
+    for (const render::ChannelInfo& channel : trial.parts().info.channels)
+      if (outcome.channels.size() < outcome.honesty.size())
+        outcome.channels.push_back(channel.name + component);
   return outcome;
 }
 

@@ -27,11 +27,12 @@ struct HonestyCase {
   int seeds = 24;
   std::uint64_t first_seed = 5000;
   std::filesystem::path rows;  ///< file that takes every judged pixel, seed and channel as CSV; empty: none
+  bool stokes = false;         ///< I, Q and U are judged
 };
 
 struct HonestyOutcome {
   std::vector<std::string> channels;
-  std::vector<ChannelHonesty> honesty;  ///< by channel
+  std::vector<ChannelHonesty> honesty;  ///< by channel; with Stokes by those of I, of Q and of U
   std::size_t pixels = 0;               ///< judged
   double samples_per_pixel = 0.0;
   double paths_per_pixel = 0.0;
