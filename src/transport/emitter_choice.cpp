@@ -34,6 +34,7 @@ EmitterChoice::EmitterChoice(const SpectralScene& scene, double contrast, bool s
     : scene_(scene),
       wanted_(scene.scene().assignments.size(), false),
       mapped_(scene.scene().assignments.size(), false),
+      declined_(scene.scene().assignments.size(), false),
       brightest_(scene.scene().assignments.size(), 0.0),
       contrast_(scene.scene().assignments.size(), 0.0),
       unit_(scene.nodes().channel_count(), 0.0) {
@@ -57,6 +58,7 @@ void EmitterChoice::list_surfaces() {
                        const float* lamp = nullptr, bool patterned = false) {
     Surface surface;
     surface.assignment = assignment;
+    surface.said = scene.materials[material].emitter;
     surface.events = scene_.brightest(material) > 0.0 && !scene.materials[material].bsdf->is_delta();
     const auto emitted = [&](double temperature_k, const float* light) {
       std::fill(spectrum.begin(), spectrum.end(), 0.0f);
@@ -144,6 +146,14 @@ void EmitterChoice::find_contrasts(double contrast, bool shown) {
       contrast_[s.assignment] =
           std::max(contrast_[s.assignment], usual > 0.0 ? s.hottest[c] / usual : kEndless);
     }
+  }
+  for (const Surface& s : surfaces_) {
+    if (s.said == false) declined_[s.assignment] = wanted_[s.assignment];
+    if (!shown || s.said != true || wanted_[s.assignment] ||
+        std::none_of(s.hottest.begin(), s.hottest.end(), [](double radiance) { return radiance > 0.0; }))
+      continue;
+    wanted_[s.assignment] = any_ = true;
+    contrast_[s.assignment] = std::max(contrast_[s.assignment], 1.0);
   }
   for (const Surface& s : surfaces_) {
     double mean = 0.0;

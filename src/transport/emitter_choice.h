@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "geometry/surface_piece.h"
@@ -11,7 +12,8 @@ class SpectralScene;
 /// Which surface assignments of a scene emit so much more than the rest of it, in some channel, that scattered paths alone would find
 /// their light by luck. A surface assignment is sought where it may be brighter than `kContrast` times both the light that falls on
 /// the scene (a white surface under Sun and sky) and the emission of the median surface, by area; and where some surface
-/// that scatters would show at least `kShown` of its own radiance and that light more if it saw nothing else.
+/// that scatters would show at least `kShown` of its own radiance and that light more if it saw nothing else; or where its material
+/// says so and it emits at all.
 struct EmitterChoice {
   static constexpr double kContrast = 20.0;
   static constexpr double kShown = 0.1;
@@ -26,6 +28,8 @@ struct EmitterChoice {
       : EmitterChoice(scene, mirrors.contrast, false) {}
 
   bool any() const { return any_; }
+  /// Whether a surface assignment is wanted, but a material of it says that its light be left to chance.
+  bool declined(std::uint32_t assignment) const { return declined_[assignment]; }
   const geometry::WantedMaterials& wanted() const { return wanted_; }  ///< by surface assignment
   /// Whether what a surface assignment emits changes from point to point.
   bool mapped(std::uint32_t assignment) const { return mapped_[assignment]; }
@@ -48,13 +52,14 @@ struct EmitterChoice {
   /// What a surface assignment may be somewhere.
   struct Surface {
     std::uint32_t assignment = 0;
+    std::optional<bool> said;                      // materials::Material::emitter
     std::vector<double> hottest, coldest, albedo;  // by channel
     bool events = false;
   };
   const SpectralScene& scene_;
   bool any_ = false;
   geometry::WantedMaterials wanted_;
-  std::vector<bool> mapped_;
+  std::vector<bool> mapped_, declined_;
   std::vector<double> brightest_, contrast_;  // by surface assignment
   std::vector<Surface> surfaces_;
   std::vector<double> unit_;  // radiance of brightness 1, by channel

@@ -132,6 +132,9 @@ std::unique_ptr<const Emitters> Emitters::find(const SpectralScene& scene) {
 void Emitters::take(const SpectralScene& scene, const EmitterChoice& choice) {
   const geometry::World& world = *scene.scene().world;
   wanted_ = choice.wanted();
+  geometry::WantedMaterials declined(wanted_.size(), false);
+  for (std::uint32_t a = 0; a < wanted_.size(); ++a)
+    if (choice.declined(a)) wanted_[a] = false, declined[a] = declines_some_ = true;
   patterns_.assign(wanted_.size(), nullptr);
   for (std::size_t a = 0; a < wanted_.size(); ++a)
     if (const scene::SurfaceAssignment& assignment = scene.scene().assignments[a];
@@ -141,6 +144,7 @@ void Emitters::take(const SpectralScene& scene, const EmitterChoice& choice) {
     repeats_ = true;
     period_ = *period;
   }
+  if (declines_some_) leave_out(world, declined);
   std::vector<SurfacePiece> pieces;
   std::vector<double> area(wanted_.size(), 0.0);
   bool too_many = false;
@@ -156,11 +160,11 @@ void Emitters::take(const SpectralScene& scene, const EmitterChoice& choice) {
   });
   const std::vector<double> whole = world.surface_areas_m2(wanted_.size());
   for (std::size_t c = 0; c < wanted_.size(); ++c)
-    leaves_some_ = leaves_some_ || (wanted_[c] && area[c] < 0.99 * whole[c]);
+    passes_over_ = passes_over_ || (wanted_[c] && area[c] < 0.99 * whole[c]);
   if (too_many) {
     pieces.clear();
-    leaves_some_ = true;
-    leave_out(world);
+    passes_over_ = true;
+    leave_out(world, wanted_);
   }
   for (std::size_t first = 0; first < pieces.size();) {
     std::size_t last = first;
@@ -176,7 +180,7 @@ void Emitters::take(const SpectralScene& scene, const EmitterChoice& choice) {
   }
 }
 
-void Emitters::leave_out(const geometry::World& world) {
+void Emitters::leave_out(const geometry::World& world, const geometry::WantedMaterials& what) {
   constexpr double kCells = 8.0;  // along a side of the scene
   const geometry::World::Bounds bounds = world.bounds();
   const Vec3 sides = bounds.high_m - bounds.low_m;
@@ -186,7 +190,7 @@ void Emitters::leave_out(const geometry::World& world) {
     double area_m2 = 0.0;
   };
   std::map<std::array<std::int64_t, 4>, Box> boxes;
-  world.visit_surfaces(wanted_, [&](const SurfacePiece& piece) {
+  world.visit_surfaces(what, [&](const SurfacePiece& piece) {
     const EmitterShape shape(piece, false);
     const Point3 c = shape.centre_m();
     const double r = shape.radius_m();

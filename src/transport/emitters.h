@@ -30,10 +30,14 @@ class Emitters {
 
   /// 0 where all that there is is left out.
   std::size_t count() const { return emitters_.size(); }
-  /// Whether some of what ought to be sought is not: on planes and height fields, or of too many pieces.
-  bool leaves_some() const { return leaves_some_; }
+  /// Whether some of what ought to be sought is not: on planes and height fields, of too many pieces, or because its material says so.
+  bool leaves_some() const { return passes_over_ || declines_some_; }
+  /// Whether some because its material says so.
+  bool declines_some() const { return declines_some_; }
+  /// Whether some for another reason.
+  bool passes_over() const { return passes_over_; }
 
-  /// What is not sought because there are too many pieces, of one surface assignment and near each other; of a world that repeats
+  /// What is not sought because there are too many pieces or its material says so, of one surface assignment and near each other; of a world that repeats
   /// those of the first cell and the eight around it.
   struct LeftOut {
     geometry::SurfaceSurvey::Ball ball;
@@ -69,7 +73,7 @@ class Emitters {
   double point_density(const Receiver& receiver, const geometry::SurfacePoint& hit) const;
 
   /// Whether all that a surface assignment emits is sought.
-  bool seeks_all_of(std::uint32_t assignment) const { return !leaves_some_ && wanted_[assignment]; }
+  bool seeks_all_of(std::uint32_t assignment) const { return !leaves_some() && wanted_[assignment]; }
 
   /// About what emitters send to a receiver, in a unit of its own.
   double reach(const Receiver& receiver) const;
@@ -88,14 +92,14 @@ class Emitters {
   void take(const SpectralScene& scene, const EmitterChoice& choice);
   void add(const geometry::SurfacePiece& piece, bool closed, double radiance);
   /// Puts together by place what is not sought.
-  void leave_out(const geometry::World& world);
+  void leave_out(const geometry::World& world, const geometry::WantedMaterials& what);
   void finish();
   /// The emitter that a ray met; none where that is not sought.
   std::optional<std::uint32_t> emitter_of(const Home& home, const geometry::SurfacePoint& hit) const;
   Home at_home(const Receiver& receiver) const;
 
   geometry::World::Period period_;
-  bool repeats_ = false, leaves_some_ = false;
+  bool repeats_ = false, passes_over_ = false, declines_some_ = false;
   geometry::WantedMaterials wanted_;
   std::vector<const scene::RadiationPattern*> patterns_;  // of lamps, by surface assignment
   std::vector<Emitter> emitters_;

@@ -13,6 +13,7 @@
 #include "session/loaded/parts.h"
 #include "session/session.h"
 #include "transport/emitters.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::session {
 namespace {
@@ -28,18 +29,19 @@ constexpr int kPixels = 6;
 constexpr double kRadius_m = 0.15, kHeight_m = 6.0, kEast_m = 4.0;
 
 /// Ground at 285 K and what is hot, in 3.5 to 4.1 um.
-Session load(const std::string& hot, LogSink* log = nullptr) {
+Session load(const std::string& hot, LogSink* log = nullptr, const std::string& more = {},
+             double hot_k = 1300.0) {
   return Session::load(
       io::parse_document(
           format(
               R"({{"ifov": 1, "scene": {{"materials": {{"soil": {{"emissivity": 0.9, "temperature": "285 K"}},
-                                                     "hot": {{"emissivity": 1, "temperature": "1300 K"}},
+                                                     "hot": {{"emissivity": 1, "temperature": "{} K"{}}},
                                                      "glass": {{"reflectance": 0.9, "scattering": "mirror", "temperature": "285 K"}}}},
                      "objects": [{{"plane": {{}}, "material": "soil"}}, {}]}},
                      "sensor": {{"camera": {{"orthographic": {{"gsd": "1 m", "pixels": [{}, {}], "center": ["{} m", "0 m"]}}}},
                        "channels": [{{"name": "c", "top_hat": {{"from": "3.5 um", "to": "4.1 um"}}}}]}},
                      "sampling": {{"accuracy": {{"error": "1 %", "max_samples": 500}}}}}})",
-              hot, kPixels, kPixels, kEast_m),
+              hot_k, more, hot, kPixels, kPixels, kEast_m),
           "hot.json"),
       log);
 }
@@ -85,7 +87,7 @@ sampling::TileResult render_with(const Session& session, std::uint64_t seed, boo
 }
 
 /// Mean over a pixel: what the ground emits, and 0.1 of the sphere's light by its view factor cos(theta) R^2 / d^2.
-double expected(const Session& session, int x, int y) {
+double expected(const Session& session, int x, int y, double hot_k = 1300.0) {
   double seen = 0.0;
   constexpr int kGrid = 32;
   for (int k = 0; k < kGrid * kGrid; ++k) {
@@ -96,7 +98,7 @@ double expected(const Session& session, int x, int y) {
   }
   std::vector<double> ground(1), hot(1);
   session.parts().nodes->planck_channels(285.0, ground);
-  session.parts().nodes->planck_channels(1300.0, hot);
+  session.parts().nodes->planck_channels(hot_k, hot);
   return 0.9 * ground[0] + 0.1 * hot[0] * seen / (kGrid * kGrid);
 }
 
@@ -135,6 +137,37 @@ TEST(SoughtEmitters, PlantedFaultNothingSoughtIsWrongAndSure) {
   const Session session = load(kSphere);
   const Judged judged = judge(session, false);
   EXPECT_GT(judged.outside, judged.pixels / 14);
+}
+
+TEST(SoughtEmitters, AMaterialMayDeclineAndItsLightIsMarked) {
+  Messages messages;
+  const Session session = load(kSphere, &messages, R"(, "emitter": false)");
+  ASSERT_NE(session.parts().spectral_scene->emitters(), nullptr);
+  EXPECT_EQ(session.parts().spectral_scene->emitters()->count(), 0u);
+  EXPECT_NE(
+      messages.text.find(
+          "warning: light of materials with \"emitter\": false that outshine the scene is found by random "
+          "paths alone: pixels are marked that they may light\n"),
+      std::string::npos)
+      << messages.text;
+  const Judged judged = judge(session, true);
+  EXPECT_EQ(judged.outside, 0);
+  EXPECT_LT(judged.converged, judged.pixels / 4);
+}
+
+TEST(SoughtEmitters, AMaterialMayInsist) {
+  // 330 K beside 285 K is not bright enough to be sought by itself.
+  const Session usual = load(kSphere, nullptr, {}, 330.0),
+                asked = load(kSphere, nullptr, R"(, "emitter": true)", 330.0);
+  EXPECT_EQ(usual.parts().spectral_scene->emitters(), nullptr);
+  ASSERT_NE(asked.parts().spectral_scene->emitters(), nullptr);
+  EXPECT_EQ(asked.parts().spectral_scene->emitters()->count(), 1u);
+  const sampling::TileResult sought = render_with(asked, 3, true);
+  for (int k = 0; k < kPixels * kPixels; ++k) {
+    const auto p = static_cast<std::size_t>(k);
+    const double wanted = expected(asked, k % kPixels, k / kPixels, 330.0);
+    EXPECT_NEAR(sought.mean[p], wanted, static_cast<double>(sought.half_width[p]) + 1e-5 * wanted);
+  }
 }
 
 TEST(SoughtEmitters, AreToldOf) {

@@ -20,7 +20,11 @@ void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log) {
   if (emitters->count() > 0)
     log.info(
         format("emitters: faces that outshine the scene and whose light is sought: {}", emitters->count()));
-  if (emitters->leaves_some())
+  if (emitters->declines_some())
+    log.warn(
+        "light of materials with \"emitter\": false that outshine the scene is found by random paths alone: pixels are marked "
+        "that they may light");
+  if (emitters->passes_over())
     log.warn(format(
         "light of some surfaces that outshine the scene is found by random paths alone: it is not sought from planes and "
         "terrain, nor from more than {} faces; of those beyond that number, pixels are marked that they may light",

@@ -44,6 +44,7 @@ void AssignmentAssembly::add_materials() {
   for (const io::MaterialDocument& source : written_) {
     materials::Material material;
     material.name = source.name;
+    material.emitter = source.emitter;
     if (source.sides) {
       // Holds the place of the document's material; surfaces are of its sides.
       material.reflectance = radiometry::Spectrum::constant(0.0);
