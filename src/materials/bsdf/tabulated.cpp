@@ -25,7 +25,8 @@ const BsdfModel Tabulated::kModel{
       for (const std::string& change : table->changes())
         if (inputs.say) inputs.say(change);
       return std::make_shared<Tabulated>(inputs.reflectance, std::move(table));
-    }};
+    },
+    true};
 
 Tabulated::Tabulated(const radiometry::Spectrum& reflectance, std::shared_ptr<const BsdfTable> table)
     : table_(std::move(table)), spectra_{reflectance} {
