@@ -75,6 +75,7 @@ struct PathTracer::SurfaceEvent {  // a path that scatters at this depth
   std::uint8_t next_forks = 0;
   float next_share = 0.0f;
   std::uint32_t next_medium = kNone;
+  bool sun_outside = false;  // its shadow ray leaves the path's medium
 };
 
 /// A ray towards light on its way through what may let it pass.

@@ -162,6 +162,29 @@ TEST(MeasuredSheets, AzimuthsAreSeenFromTheSideOfTheLight) {
             0.003);
 }
 
+TEST(MeasuredSheets, NarrowPeaksAreTold) {
+  // Lambert and Ward of a slope of 0.3 have none; of 0.06 it is 4 pi slope^2 or so wide, or as wide as a cell.
+  EXPECT_GT(table(constant(0.1))->narrowest_peak_sr(), 1.0);
+  const auto ward = [](double width) {
+    const auto bsdf =
+        std::make_shared<Ward>(Spectrum::constant(0.2), Spectrum::constant(0.2), width, width, 0.0);
+    MeasuredBrdf from;
+    for (double zenith = 0.0; zenith < 80.0; zenith += 3.0) from.zenith_in_rad.push_back(zenith * kDegree);
+    from.zenith_out_rad = from.zenith_in_rad;
+    for (double azimuth = 0.0; azimuth <= 180.0; azimuth += 4.5)
+      from.azimuth_rad.push_back(azimuth * kDegree);
+    from.wavelength_um = {1.0};
+    for (const double in : from.zenith_in_rad)
+      for (const double out : from.zenith_out_rad)
+        for (const double azimuth : from.azimuth_rad)
+          from.brdf.push_back(brdf_at(*bsdf, event_at(in / kDegree, 0.0, out / kDegree, azimuth / kDegree)));
+    return table(from)->narrowest_peak_sr();
+  };
+  EXPECT_GT(ward(0.3), 0.126);
+  EXPECT_LT(ward(0.06), 0.126);
+  EXPECT_GT(ward(0.06), 0.01);
+}
+
 TEST(MeasuredSheets, TablesThatCannotBeAreTold) {
   const auto both = [](double back, double through, bool repair) {
     BsdfTable r(constant(back / pi), repair), t(constant(through / pi), repair, kThrough);

@@ -86,6 +86,12 @@ class Bsdf {
   /// paths find it. Every model whose lobe may throw_rarely() has it.
   virtual double widened_lobe(const BsdfEvent&, double /*slope*/) const { return 0.0; }
 
+  /// About how far from one direction light is thrown that comes through in a lobe, rad. 0: none comes, or not in a lobe that may be narrow.
+  virtual double passed_spread() const { return 0.0; }
+
+  /// How often a path goes on to the side that light comes through from, of a view; below 0: by the highest factors of both sides.
+  virtual double through_share(const BsdfEvent& /*view*/) const { return -1.0; }
+
   /// What evaluate() needs in the wavelengths of its spectrum; none of a separable model.
   virtual std::span<const radiometry::Spectrum> spectra() const { return {}; }
   /// BSDF, 1/sr, in `count` wavelengths, for an event whose directions are on their sides. `parameters` are the spectra of

@@ -233,6 +233,38 @@ std::vector<double> BsdfTable::directional_hemispherical(std::size_t index) cons
   return sum;
 }
 
+double BsdfTable::narrowest_peak_sr() const {
+  constexpr double kLeastPart = 0.02;  // of what leaves
+  constexpr std::size_t kMostAsked = 48;
+  constexpr int kZeniths = 180, kAzimuths = 120;
+  const std::size_t count = wavelength_um_.size();
+  const auto largest = std::max_element(brdf_.begin(), brdf_.end());
+  const auto n = static_cast<std::size_t>(largest - brdf_.begin()) % count;
+  double narrowest = kRound;
+  const std::size_t step = std::max<std::size_t>(1, direction_count() / kMostAsked);
+  for (std::size_t d = 0; d < direction_count(); d += step) {
+    const double mean = directional_hemispherical(d)[n] / pi;
+    if (!(mean > 0.0)) continue;
+    double peak = 0.0, held = 0.0;
+    for (int i = 0; i < kZeniths; ++i) {
+      const double theta = 0.5 * pi * (i + 0.5) / kZeniths;
+      const double ring = std::sin(theta) * std::cos(theta) * 0.5 * pi / kZeniths * kRound / kAzimuths;
+      for (int j = 0; j < kAzimuths; ++j) {
+        const double azimuth = kRound * (j + 0.5) / kAzimuths;
+        const Corners at = corners({theta, azimuth}, direction(d), azimuth < pi ? azimuth : kRound - azimuth);
+        double f = 0.0;
+        for (std::size_t k = 0; k < at.count; ++k) f += at.weight[k] * brdf_[at.row[k] * count + n];
+        const double more = f - 2.0 * mean;
+        if (more <= 0.0) continue;
+        peak = std::max(peak, more);
+        held += ring * more;
+      }
+    }
+    if (held > kLeastPart * pi * mean) narrowest = std::min(narrowest, held / peak);
+  }
+  return narrowest;
+}
+
 std::vector<std::vector<double>> BsdfTable::all_hemispherical() const {
   std::vector<std::vector<double>> all;
   for (std::size_t k = 0; k < direction_count(); ++k) all.push_back(directional_hemispherical(k));

@@ -73,6 +73,10 @@ class BsdfTable {
     return (high * (high + 1) / 2 + low) * azimuth_rad_.size() + azimuth;
   }
 
+  /// Solid angle of its narrowest peak that holds a part of the light worth telling, projected: what exceeds twice the mean over its largest
+  /// value. 2 pi: it has none.
+  double narrowest_peak_sr() const;
+
   /// A direction on its side: azimuths of a table that is not isotropic are counterclockwise as seen from that side.
   struct Direction {
     double zenith_rad = 0.0, azimuth_rad = 0.0;

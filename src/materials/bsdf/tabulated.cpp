@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <string>
 #include <utility>
 
 #include "core/error.h"
 #include "materials/bsdf/microfacet/facet_frame.h"
+#include "materials/bsdf/narrow_lobes.h"
 #include "materials/bsdf/reflection_angles.h"
 
 namespace ifov::materials {
@@ -31,6 +34,15 @@ std::shared_ptr<const Bsdf> table_of(const BsdfInputs& inputs) {
     BsdfTable::limit_sum(*reflected, *transmitted, repair);
   }
   changes.insert(changes.begin(), reflected->changes().begin(), reflected->changes().end());
+  // As narrow as what facets of the least slope that paths find reflect: 1 over the peak of D / 4.
+  constexpr double kNarrow_sr = 4.0 * std::numbers::pi * kLeastFoundSlope * kLeastFoundSlope;
+  double peak_sr = reflected->narrowest_peak_sr();
+  if (transmitted) peak_sr = std::min(peak_sr, transmitted->narrowest_peak_sr());
+  if (peak_sr < kNarrow_sr)
+    changes.push_back(format(
+        "its table has a peak of {:.2g} sr: directions are drawn without knowing it, and sunlight that it "
+        "throws on other surfaces is found so seldom, below {:.2g} sr, that error bars may not hold it",
+        peak_sr, kNarrow_sr));
   const bool isotropic = reflected->is_isotropic() && (!transmitted || transmitted->is_isotropic());
   if (isotropic && inputs.number("direction") != 0.0)
     throw InputError("'direction' is of tables with azimuths of light and view; this one has none");
