@@ -49,7 +49,7 @@ SmallScene::Estimate warm_room(const std::shared_ptr<const Bsdf>& ball, Vec3 tow
 TEST(RoughBoundaries, WarmRoomReturnsPlanck) {
   for (const double width : {0.02, 1.0}) {
     const auto found = warm_room(rough(width, 1e-6), {0.2, 0.1, -1.0});
-    EXPECT_LT(found.standard_error, 1e-2 * planck());
+    EXPECT_LT(found.standard_error, 1.5e-2 * planck());
     EXPECT_NEAR(found.mean, planck(), 3.0 * found.standard_error + 1e-3 * planck()) << width;
   }
 }
@@ -91,10 +91,10 @@ TEST(RoughBoundaries, PlantedFaultOfTheSquareOfTheIndexIsSeen) {
 }
 
 TEST(RoughBoundaries, ColdBallInAWarmOneLooksAsWarm) {
-  for (const double width : {0.05, 0.5}) {
+  for (const double width : {0.02, 0.5}) {
     const auto found = cold_ball(rough(width));
     EXPECT_NEAR(found.mean, planck(), 3.0 * found.standard_error + 1e-3 * planck()) << width;
-    EXPECT_LT(found.standard_error, 0.01 * planck());
+    EXPECT_LT(found.standard_error, 0.03 * planck());
   }
 }
 
@@ -147,7 +147,7 @@ TEST(RoughBoundaries, SunsOfAllDirectionsAreASky) {
   }
   const auto sky = bed(1.0, 0.0, 1.0, 1 << 13, glass);
   const double error = std::hypot(std::sqrt(variance), sky.standard_error);
-  EXPECT_LT(error, 0.02 * sky.mean);
+  EXPECT_LT(error, 0.035 * sky.mean);
   EXPECT_NEAR(suns, sky.mean, 3.0 * error + 0.01 * sky.mean);
 }
 

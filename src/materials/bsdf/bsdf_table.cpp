@@ -234,7 +234,8 @@ std::vector<double> BsdfTable::directional_hemispherical(std::size_t index) cons
 }
 
 double BsdfTable::narrowest_peak_sr() const {
-  constexpr double kLeastPart = 0.02;  // of what leaves
+  constexpr double kLeastPart = 0.02;    // of what leaves
+  constexpr double kSteepest_rad = 0.9;  // slanting light makes any lobe narrow
   constexpr std::size_t kMostAsked = 48;
   constexpr int kZeniths = 180, kAzimuths = 120;
   const std::size_t count = wavelength_um_.size();
@@ -243,6 +244,7 @@ double BsdfTable::narrowest_peak_sr() const {
   double narrowest = kRound;
   const std::size_t step = std::max<std::size_t>(1, direction_count() / kMostAsked);
   for (std::size_t d = 0; d < direction_count(); d += step) {
+    if (direction(d).zenith_rad > kSteepest_rad) continue;
     const double mean = directional_hemispherical(d)[n] / pi;
     if (!(mean > 0.0)) continue;
     double peak = 0.0, held = 0.0;

@@ -17,11 +17,22 @@ namespace ifov::materials {
 using math::Vec3;
 using Tables = RoughBoundaryTables;
 
+namespace {
+
+/// Keys of an index that bends light.
+std::vector<BsdfParameter> with_bending(std::vector<BsdfParameter> others) {
+  std::vector<BsdfParameter> all = with_numbers(std::move(others));
+  all.front().low = 1.01;
+  return all;
+}
+
+}  // namespace
+
 const BsdfModel RoughBoundary::kModel{
     "rough_boundary",
     "a rough boundary of glass, ice or water with an inside, which reflects and refracts (Walter et al. 2007): ground glass, a ruffled pool. The "
     "reflectance is a factor on what is reflected, 1 where the surface is clean",
-    with_numbers({{"roughness", "width of the distribution of the surface's slopes",
+    with_bending({{"roughness", "width of the distribution of the surface's slopes",
                    BsdfParameter::Form::number, 0.0, 1.0},
                   {"distribution", "of the slopes: `ggx`, with long tails, or `beckmann`, Gaussian",
                    BsdfParameter::Form::word, 0.0, 0.0, "\"ggx\"", false, facet_shapes}}),
@@ -123,6 +134,10 @@ double RoughBoundary::seam(const BsdfEvent& view) const {
   return broad_share(view.side == Side::transmitted, view.outgoing_cosine());
 }
 
+double RoughBoundary::from_there() const {
+  return from_within_ ? 1.0 / (tables_->index * tables_->index) : 1.0;
+}
+
 double RoughBoundary::grey_once(const FacetDistribution& facets, const Local& event) const {
   const Once found = once(facets, event);
   const RowWeights rows = FresnelRows::at(found.outside);
@@ -142,8 +157,9 @@ double RoughBoundary::grey(const BsdfEvent& event) const {
     out += there.weight[i] * tables_->grey[Tables::kLost + own * Tables::kAngles + there.first + i];
     in += back.weight[i] * tables_->grey[Tables::kLost + other * Tables::kAngles + back.first + i];
   }
-  const std::size_t again = (at.through ? Tables::kAgainThrough : Tables::kAgainReflected) + own;
-  return grey_once(tables_->facets, at) + std::max(0.0, out) * std::max(0.0, in) * tables_->grey[again];
+  const double again = at.through ? tables_->grey[Tables::kAgainThrough] * from_there()
+                                  : tables_->grey[Tables::kAgainReflected + own];
+  return grey_once(tables_->facets, at) + std::max(0.0, out) * std::max(0.0, in) * again;
 }
 
 Bsdf::LobeSlopes RoughBoundary::lobe_slopes() const {
@@ -191,12 +207,13 @@ void RoughBoundary::evaluate(const BsdfEvent& event, ParameterSpectra parameters
   const float* const* p = &parameters[Tables::kLost + own * Tables::kAngles + there.first];
   const float* const* q = &parameters[Tables::kLost + other * Tables::kAngles + back.first];
   const float* __restrict again =
-      parameters[(at.through ? Tables::kAgainThrough : Tables::kAgainReflected) + own];
+      parameters[at.through ? Tables::kAgainThrough : Tables::kAgainReflected + own];
+  const float scale = at.through ? static_cast<float>(from_there()) : 1.0f;
   for (std::size_t n = 0; n < count; ++n) {
     const float single = f[0] * r[0][n] + f[1] * r[1][n] + f[2] * r[2][n] + f[3] * r[3][n];
     const float out = a[0] * p[0][n] + a[1] * p[1][n] + a[2] * p[2][n] + a[3] * p[3][n];
     const float in = b[0] * q[0][n] + b[1] * q[1][n] + b[2] * q[2][n] + b[3] * q[3][n];
-    bsdf[n] = std::max(0.0f, single) + std::max(0.0f, out) * std::max(0.0f, in) * again[n];
+    bsdf[n] = std::max(0.0f, single) + std::max(0.0f, out) * std::max(0.0f, in) * again[n] * scale;
   }
 }
 

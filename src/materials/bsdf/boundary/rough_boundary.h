@@ -71,6 +71,8 @@ class RoughBoundary final : public Bsdf {
     double bsdf = 0.0, density = 0.0, outside = 0.0;
   };
   Once once(const FacetDistribution& facets, const Local& event) const;
+  /// Of basic radiance that comes through, from within over from outside.
+  double from_there() const;
   const CosineLobe& diffuse(bool through) const;
   double broad_share(bool through, double cosine) const;
   double density(const Local& event, double broad) const;

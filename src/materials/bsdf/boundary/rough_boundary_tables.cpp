@@ -120,13 +120,14 @@ RoughBoundaryTables::RoughBoundaryTables(const Spectrum& n, const Spectrum& k, c
     std::array<std::vector<double>, 2> goes_on;
     for (const std::size_t through : {0u, 1u}) {
       std::vector<double>& share = broad[within][through];
-      const std::size_t again = (through ? kAgainThrough : kAgainReflected) + within;
+      const double again =
+          through ? grey[kAgainThrough] / (within ? index * index : 1.0) : grey[kAgainReflected + within];
       const std::size_t beyond = through ? 1 - within : within;
       const std::array<double, kAngles> weights = mean_of_angles();
       double mean = 0.0;
       for (std::size_t a = 0; a < kAngles; ++a) mean += weights[a] * grey[kLost + beyond * kAngles + a];
       for (std::size_t a = 0; a < kAngles; ++a) {
-        const double again_light = std::numbers::pi * grey[again] * mean * grey[kLost + within * kAngles + a];
+        const double again_light = std::numbers::pi * again * mean * grey[kLost + within * kAngles + a];
         goes_on[through].push_back(std::max(1e-9, share_at_once_[within][through][a] + again_light));
         share.push_back(std::clamp(again_light / goes_on[through].back(), 1e-5, 0.98));
       }
@@ -203,14 +204,9 @@ void RoughBoundaryTables::add_lost(const Spectrum& factor) {
                  return v.back() * (1.0 - m.through * m.outside / (index * index * m.within)) /
                         (kPi * m.within);
                }),
-      combined(all,
-               [&](std::span<const double> v) {
-                 const Means m = means(v);
-                 return m.through / (kPi * m.within);
-               }),
       combined(all, [&](std::span<const double> v) {
         const Means m = means(v);
-        return m.through / (index * index * kPi * m.within);
+        return m.through / (kPi * m.within);
       })};
   spectra.insert(spectra.end(), again.begin(), again.end());
 }

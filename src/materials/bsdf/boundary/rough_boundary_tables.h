@@ -14,7 +14,7 @@ namespace ifov::materials {
 struct RoughBoundaryTables {
   static constexpr std::size_t kAngles = 65;  // of what is lost
   // Places in spectra: reflected by facets (times the factor) and let through, by FresnelRows; what facets send to others, by angle, from
-  // outside and from within; what becomes of that (over pi L_mean): reflected, from outside and from within; through, likewise.
+  // outside and from within; what becomes of that (over pi L_mean): reflected, from outside and from within; through from outside, n^2 times as much as from within.
   static constexpr std::size_t kReflected = 0, kThrough = FresnelRows::kCount,
                                kLost = 2 * FresnelRows::kCount, kAgainReflected = kLost + 2 * kAngles,
                                kAgainThrough = kAgainReflected + 2;
