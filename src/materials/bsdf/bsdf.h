@@ -85,12 +85,8 @@ class Bsdf {
   /// What that lobe would be if its facets leant by `slope` at least, 1/sr: light that it throws somewhere, spread so far that random
   /// paths find it. Every model whose lobe may throw_rarely() has it.
   virtual double widened_lobe(const BsdfEvent&, double /*slope*/) const { return 0.0; }
-
-  /// About how far from one direction light is thrown that comes through in a lobe, rad. 0: none comes, or not in a lobe that may be narrow.
-  virtual double passed_spread() const { return 0.0; }
-
-  /// How often a path goes on to the side that light comes through from, of a view; below 0: by the highest factors of both sides.
-  virtual double through_share(const BsdfEvent& /*view*/) const { return -1.0; }
+  virtual double passed_spread() const { return 0.0; }  ///< rad, of a lobe that comes through; 0: wide
+  virtual double through_share(const BsdfEvent&) const { return -1.0; }  ///< of paths; < 0: by factors
 
   /// What evaluate() needs in the wavelengths of its spectrum; none of a separable model.
   virtual std::span<const radiometry::Spectrum> spectra() const { return {}; }

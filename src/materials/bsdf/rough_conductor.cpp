@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "materials/bsdf/boundary/index_parameters.h"
 #include "materials/bsdf/facet_parameters.h"
 #include "materials/bsdf/microfacet/facet_mueller.h"
 #include "materials/bsdf/microfacet/facet_reflection.h"

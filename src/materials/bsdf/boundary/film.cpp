@@ -10,6 +10,7 @@
 #include "materials/bsdf/boundary/index_parameters.h"
 #include "materials/bsdf/boundary/pane_shares.h"
 #include "materials/bsdf/facet_parameters.h"
+#include "radiometry/refractive_index.h"
 
 namespace ifov::materials::film {
 namespace {

@@ -52,7 +52,9 @@ class RoughBoundary final : public Bsdf {
   LobeSlopes lobe_slopes() const override;
   double lobe_share(const BsdfEvent& event) const override;
   double widened_lobe(const BsdfEvent& event, double slope) const override;
+  /// Facets that lean by an angle turn what comes through by n - 1 times that, about.
   double passed_spread() const override;
+  /// As much of it as comes through, at this angle.
   double through_share(const BsdfEvent& view) const override;
   std::span<const radiometry::Spectrum> spectra() const override;
   void evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,

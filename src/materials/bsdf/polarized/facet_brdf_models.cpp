@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "materials/bsdf/boundary/index_parameters.h"
 #include "materials/bsdf/facet_parameters.h"
 #include "materials/bsdf/narrow_lobes.h"
 #include "materials/bsdf/polarized/facet_brdf.h"
