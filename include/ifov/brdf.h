@@ -19,6 +19,8 @@ struct ScatteringModel {
     bool required = false;
   };
   std::string key, doc;
+  std::string
+      usual_reflectance;  ///< "1" where it is a factor on what the model reflects by itself, else "0.3"
   std::vector<Parameter> parameters;
 };
 
@@ -84,9 +86,9 @@ IFOV_API BrdfReport survey_brdf(const Document& document, const std::string& mat
                                 const BrdfQuestion& question = {});
 
 /// Of a model by itself. `set`: its parameters as documents write them, "slope=25 deg"; `reflectance`: likewise, a number
-/// or a spectrum in JSON. Throws InputError as above, and as documents do for what they write.
+/// or a spectrum in JSON; empty: the model's usual one. Throws InputError as above, and as documents do for what they write.
 IFOV_API BrdfReport survey_model(const std::string& model, const std::vector<std::string>& set,
-                                 const std::string& reflectance = "0.3", const BrdfQuestion& question = {});
+                                 const std::string& reflectance = {}, const BrdfQuestion& question = {});
 
 /// One line for each model and for each of its parameters.
 IFOV_API std::string scattering_models_list();

@@ -35,11 +35,21 @@ IFOV_API std::vector<Material> search_materials(const std::string& text = {});
 /// such.
 IFOV_API std::vector<std::size_t> curves_of(const Material& material, const std::string& curve = {});
 
+/// A measured complex refractive index n + ik relative to vacuum, k >= 0 where it absorbs: scattering models take it by name.
+struct RefractiveIndex {
+  std::string name, about, source;          ///< what was measured, and its publication
+  std::vector<double> wavelength_um, n, k;  ///< as many
+};
+/// The built-in table.
+IFOV_API std::vector<RefractiveIndex> refractive_indices();
+
 // What `ifov materials` prints and draws.
 
 /// One line for each, under the names of their groups.
 IFOV_API std::string materials_list(const std::vector<Material>& materials);
 IFOV_API std::string material_text(const Material& material, const std::vector<std::size_t>& curves);
+/// Name, range, what was measured and its source.
+IFOV_API std::string refractive_indices_list(const std::vector<RefractiveIndex>& indices);
 /// A table which the document's `csv` reads.
 IFOV_API std::string material_csv(const Material& material, const std::vector<std::size_t>& curves);
 /// PNG. Throws SystemError where it cannot be drawn.

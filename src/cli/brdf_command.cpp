@@ -52,8 +52,7 @@ BrdfReport ask(const BrdfArguments& arguments) {
       throw InputError("ifov: --reflectance is of a model; a material has its own");
     return survey_brdf(Document::read(arguments.subject, arguments.set), arguments.material, question);
   }
-  return survey_model(arguments.subject, arguments.set,
-                      arguments.reflectance.empty() ? "0.3" : arguments.reflectance, question);
+  return survey_model(arguments.subject, arguments.set, arguments.reflectance, question);
 }
 
 ExitCode run_brdf(const BrdfArguments& arguments) {
@@ -100,7 +99,7 @@ Command add_brdf_command(CLI::App& app) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   parser
       ->add_option("--reflectance", arguments->reflectance,
-                   "Of a model: a number, or a spectrum in JSON (default: 0.3)")
+                   "Of a model: a number, or a spectrum in JSON (default: 0.3, or 1 where it is a factor)")
       ->type_name("VALUE");
   parser->add_option("--at", arguments->at, "At which wavelength, where spectra differ: 0.55um, \"550 nm\"")
       ->type_name("WAVELENGTH");

@@ -12,10 +12,16 @@ namespace {
 
 struct Options {
   std::string words, curve, plot;
-  bool csv = false;
+  bool csv = false, indices = false;
 };
 
 ExitCode run_materials(const Options& options) {
+  if (options.indices) {
+    if (!options.words.empty() || !options.curve.empty() || !options.plot.empty() || options.csv)
+      throw InputError("ifov: --indices lists all refractive indices and stands alone");
+    say(refractive_indices_list(refractive_indices()));
+    return ExitCode::ok;
+  }
   const bool one = !options.curve.empty() || !options.plot.empty() || options.csv;
   const std::vector<Material> found = search_materials(options.words);
   if (found.size() > 1) {
@@ -50,10 +56,13 @@ Command add_materials_command(CLI::App& app) {
   parser->add_option("--curve", options->curve, "One curve alone, by its number or name");
   parser->add_option("--plot", options->plot, "Draw the curves into this file (PNG)");
   parser->add_flag("--csv", options->csv, "Print the figures as a table");
+  parser->add_flag("--indices", options->indices,
+                   "List the complex refractive indices that scattering models know by name");
   parser->footer(
       "Examples:\n"
       "  ifov materials\n"
       "  ifov materials asphalt\n"
+      "  ifov materials --indices\n"
       "  ifov materials \"grass, lawn\" --plot lawn.png\n"
       "  ifov materials \"leaf, aspen\" --csv > aspen.csv");
   return {parser, [options] { return run_materials(*options); }};

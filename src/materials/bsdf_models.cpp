@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "materials/bsdf/boundary/film.h"
+#include "materials/bsdf/boundary/rough_boundary.h"
 #include "materials/bsdf/boundary/slab.h"
 #include "materials/bsdf/boundary/smooth.h"
 #include "materials/bsdf/bsdf_model.h"
@@ -40,6 +41,7 @@ constexpr std::array kModels{&Lambertian::kModel,
                              &RoughDielectric::kModel,
                              &Ward::kModel,
                              &smooth::kModel,
+                             &RoughBoundary::kModel,
                              &slab::kModel,
                              &film::kModel,
                              &Sea::kModel,

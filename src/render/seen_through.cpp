@@ -28,7 +28,7 @@ bool SeenThrough::turn(math::Ray& ray, const geometry::SurfacePoint& hit, bool o
   for (const scene::Constituent& part : surface) {
     const materials::NodeBsdf* model = scene_.materials().directional(part.material);
     const materials::Bsdf& bsdf = *scene_.scene().materials[part.material].bsdf;
-    if (model == nullptr || bsdf.passage() == materials::Passage::none) continue;
+    if (model == nullptr || bsdf.passage() == materials::Passage::none || !bsdf.is_delta()) continue;
     if (only_straight && bsdf.passage() != materials::Passage::straight) continue;
     if (!(part.weight * model->highest_share(view, view.side) > kFaint)) continue;
     const materials::BsdfSample sample = bsdf.sample(view, 0.5, 0.5);

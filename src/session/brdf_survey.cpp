@@ -192,11 +192,12 @@ io::Document document_of_model(const std::string& key, const std::vector<std::st
   const io::ScatteringModelText model = io::scattering_model(key);
   const std::string named = format("\"{}\"", key);
   const std::string text = format(
-      "{{\"ifov\": 1, \"scene\": {{\"materials\": {{{}: {{\"reflectance\": 0.3, \"scattering\": {}}}}}, "
+      "{{\"ifov\": 1, \"scene\": {{\"materials\": {{{}: {{\"reflectance\": {}, \"scattering\": {}}}}}, "
       "\"objects\": [{{\"plane\": {{}}, \"material\": {}}}]}}, "
       "\"sensor\": {{\"camera\": {{\"orthographic\": {{\"gsd\": \"1 m\", \"pixels\": [1, 1]}}}}, "
       "\"channels\": [{{\"name\": \"one\", \"monochromatic\": {{\"at\": \"1 um\"}}}}]}}}}",
-      named, model.parameters.empty() ? named : format("{{{}: {{}}}}", named), named);
+      named, model.usual_reflectance, model.parameters.empty() ? named : format("{{{}: {{}}}}", named),
+      named);
 
   using Step = io::DocumentOverride::Step;
   const std::vector<Step> material{{"scene"}, {"materials"}, {key}};
@@ -207,7 +208,7 @@ io::Document document_of_model(const std::string& key, const std::vector<std::st
     override.steps.insert(override.steps.begin(), steps.begin(), steps.end());
     overrides.push_back(std::move(override));
   };
-  put({{{"reflectance"}}, "reflectance", reflectance}, {});
+  if (!reflectance.empty()) put({{{"reflectance"}}, "reflectance", reflectance}, {});
   std::vector<std::string> given;
   for (const std::string& written : set) {
     io::DocumentOverride override = io::read_override(written);

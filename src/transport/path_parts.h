@@ -81,6 +81,7 @@ struct PathTracer::SurfaceEvent {  // a path that scatters at this depth
   float sunlight = 1.0f;       // share of sunlight that counts here
   float next_sunlight = 1.0f;  // of the path that goes on
   bool next_to_lobe = false;
+  bool sun_outside = false;  // its shadow ray leaves the path's medium
 };
 
 /// A ray towards light on its way through what may let it pass.

@@ -154,9 +154,14 @@ class PathTracer {
   void note_passage(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
                     const geometry::SurfacePoint& hit, SurfaceEvent& event);
   /// Sunlight that reaches a surface in a medium through the flat boundaries of it.
+  /// `which` of a surface's sides lie in the medium.
+  enum class MediumSides : std::uint8_t { before, behind, both };
   void send_from_medium(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
                         const geometry::SurfacePoint& hit, int depth, const scene::ResolvedSurface& surface,
-                        sampling::Point2 u);
+                        sampling::Point2 u, std::uint32_t medium, MediumSides which);
+  void send_from_media(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
+                       const geometry::SurfacePoint& hit, int depth, const scene::ResolvedSurface& surface,
+                       sampling::Point2 u);
   /// Follows rays to the Sun that panes and parallel faces let pass.
   void pass_shadow_rays(sampling::RayCounts& counts);
   void trace_passing(sampling::RayCounts& counts);
@@ -176,6 +181,8 @@ class PathTracer {
   double thrown_by_lobes(const scene::ResolvedSurface& surface, const math::Ray& ray,
                          const geometry::SurfacePoint& hit) const;
   void trace_unseen_rays(sampling::RayCounts& counts);
+  /// Of a lobe that may transmit, with which a path goes on by one side, chosen at random.
+  static double side_probability(const SurfaceLobe& lobe, const Sides& sides, bool transmitted);
   /// Direction, side and weight of the continued path, before any roulette; false where it ends.
   bool continue_path(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
                      sampling::Point2 u, Branch branch, SurfaceEvent& event);

@@ -18,13 +18,6 @@ constexpr int kSendingSurfaces = 2;
 /// Dimension pairs begin here, beyond those of any path's own and of the choice of emitters.
 constexpr std::uint32_t kLobePairs = 1u << 17;
 
-/// Of a lobe that transmits as well, the probability with which a path goes on by one side.
-double side_probability(const SurfaceLobe& lobe, bool transmitted) {
-  if (lobe.highest_transmittance <= 0.0) return transmitted ? 0.0 : 1.0;
-  const double reflected = lobe.highest_reflectance / (lobe.highest_reflectance + lobe.highest_transmittance);
-  return transmitted ? 1.0 - reflected : reflected;
-}
-
 }  // namespace
 
 bool PathTracer::look_for_lobes(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
@@ -42,7 +35,7 @@ double PathTracer::found_by_chance(const SurfaceLobe& lobe, const Sides& sides, 
   const double sent = lobe_view_->density(direction);
   if (sent <= 0.0) return 1.0;
   const double found =
-      side_probability(lobe, transmitted) * continuation_density(lobe, sides, direction, transmitted);
+      side_probability(lobe, sides, transmitted) * continuation_density(lobe, sides, direction, transmitted);
   return found / (found + sent);
 }
 
@@ -58,7 +51,7 @@ void PathTracer::send_to_lobes(const Path& path, std::uint32_t number, const sce
   if (transmitted && lobe.bsdf->passage() != materials::Passage::none) return;
   const double sent = lobe_view_->density(direction);
   const double found =
-      side_probability(lobe, transmitted) * continuation_density(lobe, sides, direction, transmitted);
+      side_probability(lobe, sides, transmitted) * continuation_density(lobe, sides, direction, transmitted);
   const double weight = scattered(lobe, sides, direction, transmitted) / (sent + found);
   if (!(weight > 0.0)) return;
   const std::uint32_t twin = fork(number);

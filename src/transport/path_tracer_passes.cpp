@@ -115,7 +115,7 @@ void PathTracer::pass_shadow_rays(sampling::RayCounts& counts) {
     way.event = e;
     way.ray = shadow_rays_[event.shadow];
     way.towards = way.ray.direction;
-    way.medium = paths_[event.path].medium;
+    way.medium = event.sun_outside ? kNone : paths_[event.path].medium;
     passing_rays_.push_back(way);
   }
   if (!passing_rays_.empty()) trace_passing(counts);
@@ -199,11 +199,26 @@ void PathTracer::trace_passing(sampling::RayCounts& counts) {
   passing_rays_.clear();
 }
 
+void PathTracer::send_from_media(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
+                                 const geometry::SurfacePoint& hit, int depth,
+                                 const scene::ResolvedSurface& surface, sampling::Point2 u) {
+  const Passage passage = lobe.bsdf->passage();
+  const auto send = [&](std::uint32_t medium, MediumSides which) {
+    send_from_medium(path, lobe, sides, hit, depth, surface, u, medium, which);
+  };
+  // A rough boundary has its medium on one side alone.
+  if (passage == Passage::into)
+    send(medium_after(path.medium, lobe, surface), MediumSides::behind);
+  else if (path.medium != kNone)
+    send(path.medium, passage == Passage::out_of ? MediumSides::before : MediumSides::both);
+}
+
 /// A flat boundary of normal N shows the Sun from within at d = s_t / n + N sqrt(1 - s_t^2 / n^2), s_t what of its direction lies
 /// along the boundary (Snell); light that fills dw outside fills dw cos / (n^2 cos') within, where radiance is basic radiance.
 void PathTracer::send_from_medium(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
                                   const geometry::SurfacePoint& hit, int depth,
-                                  const scene::ResolvedSurface& surface, sampling::Point2 u) {
+                                  const scene::ResolvedSurface& surface, sampling::Point2 u,
+                                  std::uint32_t medium, MediumSides which) {
   if (options_.maximum_scatterings >= 0 && depth + 1 >= options_.maximum_scatterings) return;
   const scene::Sun& sun = *scene_.scene().sun;
   math::Vec3 towards_sun = sun.direction;
@@ -214,7 +229,7 @@ void PathTracer::send_from_medium(const Path& path, const SurfaceLobe& lobe, con
     towards_sun = disc.sample(sun.direction, u);
     weight = disc.solid_angle_sr() / (std::numbers::pi * sine * sine);
   }
-  const double index = scene_.scene().materials[media_[path.medium].material].bsdf->bending_index();
+  const double index = scene_.scene().materials[media_[medium].material].bsdf->bending_index();
   struct Face {
     math::Vec3 direction;
     double spread;  // of solid angle
@@ -230,6 +245,8 @@ void PathTracer::send_from_medium(const Path& path, const SurfaceLobe& lobe, con
     if (!(within_square > 0.0) || !(outside > 0.0)) continue;
     const double within = std::sqrt(within_square);
     const math::Vec3 direction = math::normalized(flat + within * normal);
+    const bool is_behind = math::dot(sides.outward, direction) < 0.0;
+    if (which != MediumSides::both && is_behind != (which == MediumSides::behind)) continue;
     if (!may_meet(facing.bounds, hit.position_m, direction, slope)) continue;
     faces.push_back({direction, outside / (index * index * within)});
   }
@@ -253,7 +270,7 @@ void PathTracer::send_from_medium(const Path& path, const SurfaceLobe& lobe, con
     way.event = static_cast<std::uint32_t>(events_.size() - 1);
     way.ray = light.ray;
     way.towards = towards_sun;
-    way.medium = path.medium;
+    way.medium = medium;
     way.light = static_cast<std::uint32_t>(sunken_.size());
     PathRecord::Mirrored& sunken = sunken_.emplace_back();
     sunken.weight =

@@ -142,7 +142,7 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
     if (mirrors_ != nullptr) {
       send_to_images(path, surface, lobe, sides, hit, depth, u);
       send_to_rounds(path, surface, lobe, sides, hit, depth, u);
-      if (path.medium != kNone) send_from_medium(path, lobe, sides, hit, depth, surface, u);
+      send_from_media(path, lobe, sides, hit, depth, surface, u);
     }
   }
   PathVertex& vertex = event.vertex;
@@ -289,6 +289,7 @@ void PathTracer::send_to_sun(const Path& path, const SurfaceLobe& lobe, const Si
     events->sun = arriving(lobe, sides, light.ray.direction, light.transmitted);
   event.vertex.sun_weight = static_cast<float>(light.weight) * event.sunlight;
   event.vertex.sun_transmitted = light.transmitted;
+  event.sun_outside = light.transmitted && lobe.bsdf->passage() == materials::Passage::out_of;
   event.shadow = static_cast<std::uint32_t>(shadow_rays_.size());
   shadow_rays_.push_back(light.ray);
 }
@@ -298,6 +299,8 @@ PathTracer::SunRay PathTracer::sun_ray(const SurfaceLobe& lobe, const Sides& sid
                                        sampling::Point2 u) const {
   const bool transmits = lobe.highest_transmittance > 0.0;
   const bool behind = transmits && math::dot(sides.outward, towards_sun) < 0.0;
+  // In a medium sunlight comes bent.
+  if (behind && lobe.bsdf->passage() == materials::Passage::into) return {};
   const math::Vec3 lit_side = behind ? -sides.shading.as_vector() : sides.shading.as_vector();
   const sampling::LightSample light = sample_sun(towards_sun, lit_side, transmits && !sides.perturbed, u);
   return light_ray(lobe, sides, hit, light.direction, light.weight_sr);
@@ -343,6 +346,15 @@ LobeEvent PathTracer::scattering(const SurfaceLobe& lobe, const Sides& sides, ma
   return event;
 }
 
+double PathTracer::side_probability(const SurfaceLobe& lobe, const Sides& sides, bool transmitted) {
+  if (lobe.highest_transmittance <= 0.0) return transmitted ? 0.0 : 1.0;
+  const double through = lobe.bsdf->through_share(sides.view(lobe, false));
+  const double reflected =
+      through >= 0.0 ? 1.0 - through
+                     : lobe.highest_reflectance / (lobe.highest_reflectance + lobe.highest_transmittance);
+  return transmitted ? 1.0 - reflected : reflected;
+}
+
 bool PathTracer::continue_path(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
                                sampling::Point2 u, Branch branch, SurfaceEvent& event) {
   // The side is chosen so that no node's weight outgrows the sum of the two highest factors.
@@ -351,7 +363,7 @@ bool PathTracer::continue_path(const SurfaceLobe& lobe, const Sides& sides, cons
   if (branch != Branch::by_chance) {
     transmitted = branch == Branch::transmitted;
   } else if (lobe.highest_transmittance > 0.0) {
-    probability = lobe.highest_reflectance / (lobe.highest_reflectance + lobe.highest_transmittance);
+    probability = side_probability(lobe, sides, false);
     transmitted = !(u.x < probability);
     u.x = transmitted ? (u.x - probability) / (1.0 - probability) : u.x / probability;
     if (transmitted) probability = 1.0 - probability;

@@ -58,13 +58,12 @@ void PathTracer::seek(const SurfaceLobe& lobe, const Sides& sides, const geometr
     const math::Vec3 outward = transmitted ? -sides.outward : sides.outward;
     return Receiver{hit.position_m + hit.offset_m * outward, outward};
   };
-  double reflected = 1.0, scattered_back = 1.0;
+  double reflected = 1.0;
   if (lobe.highest_transmittance > 0.0) {
     const double front = lobe.highest_reflectance * emitters_->reach(on_side(false));
     const double behind = lobe.highest_transmittance * emitters_->reach(on_side(true));
     if (!(front + behind > 0.0)) return;
     reflected = front / (front + behind);
-    scattered_back = lobe.highest_reflectance / (lobe.highest_reflectance + lobe.highest_transmittance);
   }
   event.seek_reflected = reflected;
   const bool transmitted =
@@ -74,7 +73,7 @@ void PathTracer::seek(const SurfaceLobe& lobe, const Sides& sides, const geometr
   seek.aim = emitters_->aim(receiver, u);
   if (!(seek.aim.density > 0.0) || !(math::dot(seek.aim.direction, receiver.normal) > 0.0)) return;
   const double density = seek.aim.density * (transmitted ? 1.0 - reflected : reflected);
-  const double found = (transmitted ? 1.0 - scattered_back : scattered_back) *
+  const double found = side_probability(lobe, sides, transmitted) *
                        continuation_density(lobe, sides, seek.aim.direction, transmitted);
   if (!(density > found)) return;
   seek.weight = scattered(lobe, sides, seek.aim.direction, transmitted) / density;

@@ -65,6 +65,18 @@ def shares(text):
 
 
 class Models(unittest.TestCase):
+    def test_a_factor_is_one_where_none_is_given(self):
+        pane = ("brdf", "slab", "--set", "n=1.5", "--set", "k=0", "--set", "thickness=4 mm")
+        done = run(*pane)
+        self.assertIn("\n  reflectance 1, ", done.stdout)
+        reflectance, transmittance, emissivity = shares(done.stdout)[0]
+        self.assertAlmostEqual(reflectance, 2 * 0.04 / 1.04, 4)  # both faces: 2 R / (1 + R)
+        self.assertAlmostEqual(transmittance, 0.96 / 1.04, 4)
+        self.assertAlmostEqual(emissivity, 0, 4)
+        soiled = shares(run(*pane, "--reflectance", "0.3").stdout)[0]
+        self.assertAlmostEqual(soiled[0], 0.3 * reflectance, 4)
+        self.assertIn("\n  reflectance 0.3", run("brdf", "lambertian").stdout)
+
     def test_lists_them_with_their_parameters(self):
         done = run("brdf", "--list")
         self.assertEqual((done.returncode, done.stderr), (0, ""))

@@ -53,6 +53,18 @@ class Materials(unittest.TestCase):
         self.assertRegex(done.stdout, "not measured: +8.00. to 14 um: from SLUM A006")
         self.assertIn('{"library": "asphalt, street", "curve": 3}', done.stdout)
 
+    def test_lists_refractive_indices(self):
+        done = run("materials", "--indices")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, r"\n  copper +0.2066 to 24.8 um\n    metal\n    source: H.-J. Hagemann")
+        table = re.findall(r"^  (\S.*?)  +[\d.]+ to [\d.]+ um$", done.stdout, re.MULTILINE)
+        self.assertEqual(len(table), 26)
+        self.assertEqual(done.stdout.count("    source: "), 26)
+        self.assertLessEqual(max(map(len, done.stdout.splitlines())), 110)
+        mixed = run("materials", "--indices", "asphalt")
+        self.assertEqual(mixed.returncode, 1)
+        self.assertIn("--indices lists all refractive indices and stands alone", mixed.stderr)
+
     def test_draws_a_figure(self):
         with Folder() as folder:
             done = run("materials", "tree crown, broadleaf", "--plot", "crowns.png", cwd=folder)

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/format.h"
 #include "io/spectra/brdf_table.h"
 
 namespace ifov::io {
@@ -35,9 +36,38 @@ TEST(BrdfTable, RowsMayStandInAnyOrder) {
   ASSERT_EQ(table.azimuth_rad.size(), 2u);
   EXPECT_NEAR(table.azimuth_rad[1], std::numbers::pi, 1e-12);
   ASSERT_EQ(table.brdf.size(), 4u);
-  EXPECT_EQ(table.at(1, 0, 0, 0), 0.11);
-  EXPECT_EQ(table.at(1, 0, 1, 0), 0.12);
-  EXPECT_EQ(table.at(0, 0, 1, 0), 0.10);
+  EXPECT_EQ(table.at(1, 0, 0, 0, 0), 0.11);
+  EXPECT_EQ(table.at(1, 0, 0, 1, 0), 0.12);
+  EXPECT_EQ(table.at(0, 0, 0, 1, 0), 0.10);
+}
+
+TEST(BrdfTable, SixColumnsAreNotIsotropic) {
+  std::string text = "light, azimuth, view, azimuth, wavelength, BRDF\n";
+  for (const int light : {0, 30})
+    for (const int azimuth : {270, 0, 90, 180})
+      for (const int view : {10, 60, 80})
+        for (const int other : {0, 180})
+          text += format("{}, {}, {}, {}, 0.5, {:g}\n", light, azimuth, view, other,
+                         1e-3 * (light + azimuth + view) + other);
+  const materials::MeasuredBrdf table = parse_brdf_table(TextFile("cloth.csv", text));
+  EXPECT_FALSE(table.is_isotropic());
+  EXPECT_EQ(table.zenith_out_rad.size(), 3u);
+  ASSERT_EQ(table.azimuth_in_rad.size(), 4u);
+  EXPECT_NEAR(table.azimuth_in_rad[1], 0.5 * std::numbers::pi, 1e-12);
+  EXPECT_EQ(table.azimuth_out_rad.size(), 2u);
+  EXPECT_NEAR(table.at(1, 3, 2, 1, 0), 1e-3 * (30 + 270 + 80) + 180, 1e-9);
+  EXPECT_NE(
+      complaint(text + "30, 0, 10, 0.5, 0.1\n").find("found 5 columns; expected 6 as in the rows before"),
+      std::string::npos);
+  EXPECT_NE(complaint(text + "30, 360, 10, 0, 0.5, 0.1\n")
+                .find("expected azimuth of the light in deg, 0 to below 360"),
+            std::string::npos);
+  EXPECT_NE(
+      complaint(text + "30, 90, 10, 90, 0.5, 0.1\n")
+          .find(
+              "no row for light 0 deg in azimuth 0 deg, view 10 deg in azimuth 90 deg, 0.5 um: 49 rows, where every "
+              "combination of 2 and 3 zenith angles, 4 and 3 azimuths and 1 wavelengths makes 72"),
+      std::string::npos);
 }
 
 TEST(BrdfTable, MistakesAreLocated) {

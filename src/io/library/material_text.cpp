@@ -87,6 +87,19 @@ std::string list_materials(std::span<const LibraryMaterial* const> materials) {
   return text;
 }
 
+std::string list_indices(std::span<const IndexText> indices) {
+  std::size_t width = 0;
+  for (const IndexText& index : indices) width = std::max(width, index.name.size());
+  std::string text = "complex refractive indices n + ik\n";
+  for (const IndexText& index : indices) {
+    text += format("  {:<{}}  {:g} to {:g} um\n", index.name, width, index.first_um, index.last_um);
+    text += wrapped(index.about, "    ", "    ");
+    text += wrapped(index.source, "    source:", "      ");
+  }
+  return text +
+         "\n  in a document: \"scattering\": {\"rough_conductor\": {\"index\": \"copper\", \"roughness\": 0.2}}\n";
+}
+
 std::string describe_material(const LibraryMaterial& material, std::span<const std::size_t> curves) {
   const auto grid = material.curves.front().reflectance.wavelength_um();
   std::string text = format("{}\n", material.name) + wrapped(material.about, "  ", "  ");

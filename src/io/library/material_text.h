@@ -19,4 +19,12 @@ std::string describe_material(const LibraryMaterial& material, std::span<const s
 /// where it has one; comment lines name the samples. The document's `csv` key reads it.
 std::string material_csv(const LibraryMaterial& material, std::span<const std::size_t> curves);
 
+/// A refractive index that scattering models take by name.
+struct IndexText {
+  std::string name, about, source;
+  double first_um = 0.0, last_um = 0.0;
+};
+/// Three lines for each: name and range, what was measured, publication.
+std::string list_indices(std::span<const IndexText> indices);
+
 }  // namespace ifov::io

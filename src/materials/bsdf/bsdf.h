@@ -85,6 +85,8 @@ class Bsdf {
   /// What that lobe would be if its facets leant by `slope` at least, 1/sr: light that it throws somewhere, spread so far that random
   /// paths find it. Every model whose lobe may throw_rarely() has it.
   virtual double widened_lobe(const BsdfEvent&, double /*slope*/) const { return 0.0; }
+  virtual double passed_spread() const { return 0.0; }  ///< rad, of a lobe that comes through; 0: wide
+  virtual double through_share(const BsdfEvent&) const { return -1.0; }  ///< of paths; < 0: by factors
 
   /// What evaluate() needs in the wavelengths of its spectrum; none of a separable model.
   virtual std::span<const radiometry::Spectrum> spectra() const { return {}; }

@@ -58,6 +58,8 @@ struct BsdfModel {
   std::vector<BsdfParameter> parameters;
   /// Throws InputError where the inputs contradict each other.
   std::shared_ptr<const Bsdf> (*make)(const BsdfInputs& inputs);
+  /// The material's reflectance is a factor on what the model reflects by itself: 1 changes nothing.
+  bool reflectance_is_factor = false;
 
   /// Whether its name alone does not say all: a parameter has to be given.
   bool needs_parameters() const { return first_needed() != nullptr; }

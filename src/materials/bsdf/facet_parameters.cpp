@@ -1,6 +1,7 @@
 #include "materials/bsdf/facet_parameters.h"
 
 #include <array>
+#include <utility>
 
 #include "core/error.h"
 #include "materials/bsdf/narrow_lobes.h"
@@ -51,6 +52,29 @@ BsdfParameter direction_parameter() {
 FacetWidths facet_widths(const BsdfInputs& inputs) {
   const double along = facet_width(inputs, "roughness");
   return {along, inputs.has("across") ? facet_width(inputs, "across") : along};
+}
+
+std::vector<BsdfParameter> with_index(std::vector<BsdfParameter> others) {
+  constexpr double kLeast = 0.01, kMost = 1000.0;
+  std::vector<BsdfParameter> all{
+      {"index",
+       "name of a refractive index of the built-in table",
+       BsdfParameter::Form::word,
+       0.0,
+       0.0,
+       {},
+       true,
+       radiometry::refractive_index_names},
+      {"n",
+       "real part of the refractive index, in place of a name",
+       BsdfParameter::Form::spectrum,
+       kLeast,
+       kMost,
+       {},
+       true},
+      {"k", "imaginary part: absorption", BsdfParameter::Form::spectrum, 0.0, kMost, {}, true}};
+  for (BsdfParameter& other : others) all.push_back(std::move(other));
+  return all;
 }
 
 IndexSpectra refractive_index(const BsdfInputs& inputs) {

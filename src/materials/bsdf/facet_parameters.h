@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "materials/bsdf/bsdf_model.h"
 #include "materials/bsdf/microfacet/facet_distribution.h"
@@ -25,6 +26,9 @@ struct FacetWidths {
   double along = 0.0, across = 0.0;  ///< the direction
 };
 FacetWidths facet_widths(const BsdfInputs& inputs);
+
+/// The keys of a complex index, 'index' or 'n' and 'k', before others of a model; refractive_index() reads them.
+std::vector<BsdfParameter> with_index(std::vector<BsdfParameter> others);
 
 struct IndexSpectra {
   radiometry::Spectrum n, k;

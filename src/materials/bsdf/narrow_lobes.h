@@ -20,4 +20,11 @@ inline bool throws_rarely(const Bsdf& bsdf) {
   return least > 0.0 && least < kLeastFoundSlope;
 }
 
+/// Whether sunlight that comes through is thrown in a lobe so narrow that paths meet it too seldom to know how seldom: a lobe that facets of
+/// kLeastFoundSlope reflect is twice as wide as their slope.
+inline bool passes_rarely(const Bsdf& bsdf) {
+  const double spread = bsdf.passed_spread();
+  return spread > 0.0 && spread < 2.0 * kLeastFoundSlope;
+}
+
 }  // namespace ifov::materials

@@ -15,8 +15,9 @@ ReflectionAngles::ReflectionAngles(const BsdfEvent& event) {
                out = std::clamp(event.outgoing_cosine(), 0.0, 1.0);
   // Where one of them stands upright the azimuth does not matter.
   const double sines = sine(in) * sine(out);
+  const double upright = event.side == Side::reflected ? in * out : -in * out;
   cos_azimuth = sines > 1e-12
-                    ? std::clamp((math::dot(event.incoming, event.outgoing) - in * out) / sines, -1.0, 1.0)
+                    ? std::clamp((math::dot(event.incoming, event.outgoing) - upright) / sines, -1.0, 1.0)
                     : 0.0;
   cos_in = std::max(in, kLeastCosine);
   cos_out = std::max(out, kLeastCosine);

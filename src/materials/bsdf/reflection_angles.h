@@ -14,7 +14,7 @@ struct ReflectionAngles {
 
   double cos_in, cos_out;
   double tan_in, tan_out;
-  double cos_azimuth;  ///< between the two; 1 where light comes from the side of the viewer
+  double cos_azimuth;  ///< between the two along the surface; 1 where light comes from the side of the viewer
   double cos_phase;    ///< of the angle between the two directions; 1 in the hot spot
 
   /// sqrt(tan^2 in + tan^2 out - 2 tan in tan out cos azimuth): how far apart the two shadows of a stem of unit height end.

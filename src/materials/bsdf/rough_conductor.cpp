@@ -8,7 +8,6 @@
 #include "materials/bsdf/microfacet/facet_mueller.h"
 #include "materials/bsdf/microfacet/facet_reflection.h"
 #include "materials/bsdf/microfacet/fresnel_rows.h"
-#include "radiometry/refractive_index.h"
 
 namespace ifov::materials {
 
@@ -19,34 +18,20 @@ const BsdfModel RoughConductor::kModel{
     "rough_conductor",
     "metal, water, ice, minerals: facets of a complex refractive index (Cook and Torrance 1982; Heitz 2014), which absorb what "
     "they do not reflect; the reflectance is a factor on all of it, 1 where the surface is clean",
-    {{"index",
-      "name of a refractive index of the built-in table",
-      BsdfParameter::Form::word,
-      0.0,
-      0.0,
-      {},
-      true,
-      radiometry::refractive_index_names},
-     {"n",
-      "real part of the refractive index, in place of a name",
-      BsdfParameter::Form::spectrum,
-      0.01,
-      1000.0,
-      {},
-      true},
-     {"k", "imaginary part: absorption", BsdfParameter::Form::spectrum, 0.0, 1000.0, {}, true},
-     {"roughness", "width of the distribution of the facets' slopes", BsdfParameter::Form::number, 0.0, 1.0},
-     across_parameter(),
-     direction_parameter(),
-     {"distribution", "of the facets' slopes: `ggx`, with long tails, or `beckmann`, Gaussian",
-      BsdfParameter::Form::word, 0.0, 0.0, "\"ggx\"", false, facet_shapes}},
+    with_index({{"roughness", "width of the distribution of the facets' slopes", BsdfParameter::Form::number,
+                 0.0, 1.0},
+                across_parameter(),
+                direction_parameter(),
+                {"distribution", "of the facets' slopes: `ggx`, with long tails, or `beckmann`, Gaussian",
+                 BsdfParameter::Form::word, 0.0, 0.0, "\"ggx\"", false, facet_shapes}}),
     [](const BsdfInputs& inputs) -> std::shared_ptr<const Bsdf> {
       const IndexSpectra index = refractive_index(inputs);
       const FacetWidths widths = facet_widths(inputs);
       return std::make_shared<RoughConductor>(
           index.n, index.k, inputs.reflectance,
           Facets{facet_shape(inputs), widths.along, widths.across, inputs.number("direction")});
-    }};
+    },
+    true};
 
 RoughConductor::RoughConductor(const Spectrum& n, const Spectrum& k, const Spectrum& factor, Facets facets)
     : TwoLobes(facets.direction_rad),

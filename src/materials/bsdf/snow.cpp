@@ -98,7 +98,8 @@ const BsdfModel Snow::kModel{
      {"soot", "mass of soot, ng in a gram of snow", BsdfParameter::Form::number, 0.0, 1e5, "0"}},
     [](const BsdfInputs& inputs) -> std::shared_ptr<const Bsdf> {
       return std::make_shared<Snow>(inputs.reflectance, inputs.number("grain"), 1e-9 * inputs.number("soot"));
-    }};
+    },
+    true};
 
 Snow::Snow(radiometry::Spectrum reflectance, double grain_m, double soot)
     : spectra_{std::move(reflectance), snow_albedo(grain_m, soot)} {}

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -8,21 +10,35 @@
 
 namespace ifov::materials {
 
-/// A BRDF as measured, linear between the angles of its table and between its wavelengths. The material's reflectance is a
-/// factor: 1 for the surface as it was measured.
+/// A BRDF as measured, and a BTDF beside it if there is one, linear between the angles of their tables and between wavelengths. The
+/// material's reflectance is a factor on both: 1 for the surface as it was measured.
 class Tabulated final : public Bsdf {
  public:
   static const BsdfModel kModel;
-  Tabulated(const radiometry::Spectrum& reflectance, std::shared_ptr<const BsdfTable> table);
+  /// `transmitted` may be null: opaque. `direction_rad`: of azimuth 0 of tables that are not isotropic, from the tangent, counterclockwise as
+  /// seen from the front.
+  Tabulated(const radiometry::Spectrum& reflectance, std::shared_ptr<const BsdfTable> reflected,
+            std::shared_ptr<const BsdfTable> transmitted = nullptr, double direction_rad = 0.0);
 
+  bool is_isotropic() const override;
+  /// As seen from there the direction of the tables lies on the other side of the tangent.
+  std::shared_ptr<const Bsdf> behind() const override;
+  bool may_transmit() const override { return sides_[1].table != nullptr; }
   std::span<const radiometry::Spectrum> spectra() const override { return spectra_; }
   void evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                 float* bsdf) const override;
 
  private:
-  std::shared_ptr<const BsdfTable> table_;
-  std::vector<radiometry::Spectrum> spectra_;  // the factor; then the table's rows over `largest_`
-  double largest_ = 0.0;                       // 1/sr
+  struct OfSide {
+    std::shared_ptr<const BsdfTable> table;
+    std::size_t first = 0;  // of its rows in spectra_, each over `largest`
+    double largest = 0.0;   // 1/sr
+  };
+  void add(std::shared_ptr<const BsdfTable> table, OfSide& side);
+
+  std::array<OfSide, 2> sides_;                // reflected, transmitted
+  std::vector<radiometry::Spectrum> spectra_;  // the factor; then rows
+  double direction_rad_;
 };
 
 }  // namespace ifov::materials

@@ -46,6 +46,7 @@ std::vector<ScatteringModel> scattering_models() {
     ScatteringModel& model = models.emplace_back();
     model.key = source.key;
     model.doc = source.doc;
+    model.usual_reflectance = source.usual_reflectance;
     for (const auto& parameter : source.parameters)
       model.parameters.push_back(
           {parameter.key, parameter.doc, parameter.value, parameter.default_json, parameter.required});

@@ -7,6 +7,7 @@
 #include "io/figures/material_plot.h"
 #include "io/library/material_library.h"
 #include "io/library/material_text.h"
+#include "radiometry/refractive_index.h"
 
 namespace ifov {
 namespace {
@@ -61,6 +62,27 @@ std::vector<std::size_t> curves_of(const Material& material, const std::string& 
   if (curve.size() < 4 && curve.find_first_not_of("0123456789") == std::string::npos)
     return {entry.curve_numbered(std::stoi(curve))};
   return {entry.curve_named(curve)};
+}
+
+std::vector<RefractiveIndex> refractive_indices() {
+  std::vector<RefractiveIndex> indices;
+  for (const radiometry::RefractiveIndex& source : radiometry::refractive_indices()) {
+    const auto grid = source.n.wavelength_um();
+    indices.push_back({std::string(source.name),
+                       std::string(source.about),
+                       std::string(source.source),
+                       {grid.begin(), grid.end()},
+                       values_at(source.n, grid),
+                       values_at(source.k, grid)});
+  }
+  return indices;
+}
+
+std::string refractive_indices_list(const std::vector<RefractiveIndex>& indices) {
+  std::vector<io::IndexText> texts;
+  for (const RefractiveIndex& one : indices)
+    texts.push_back({one.name, one.about, one.source, one.wavelength_um.front(), one.wavelength_um.back()});
+  return io::list_indices(texts);
 }
 
 std::string materials_list(const std::vector<Material>& materials) {

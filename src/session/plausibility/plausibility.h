@@ -20,7 +20,7 @@ void check_plausibility(Parts& parts, LogSink& log);
 
 /// What is sought of the light of what outshines the scene, and what is not.
 void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log);
-/// Throws InputError where a lobe is so narrow that what it throws of sought emitters' light is found too seldom.
+/// Throws InputError where a lobe is so narrow that what it throws of sought emitters' light, or lets through of the Sun's, is found too seldom.
 void refuse_rare_lobes(const io::DocumentSources& sources, const io::SceneDocument& written,
                        const transport::SpectralScene& scene);
 /// The same of the Sun's highlights on glossy meshes.

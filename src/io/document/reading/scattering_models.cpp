@@ -62,6 +62,7 @@ std::vector<ScatteringModelText> scattering_models() {
     ScatteringModelText& text = models.emplace_back();
     text.key = model->key;
     text.doc = model->doc;
+    text.usual_reflectance = model->reflectance_is_factor ? "1" : "0.3";
     if (const ValueDescription* record = parameters_of(*scattering, model->key))
       for (const FieldDescription& field : record->fields)
         text.parameters.push_back(

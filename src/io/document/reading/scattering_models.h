@@ -17,6 +17,8 @@ struct ScatteringModelText {
     bool required = false;
   };
   std::string key, doc;
+  std::string
+      usual_reflectance;  ///< of a surface by this model when nothing is said of it, as documents write it
   std::vector<Parameter> parameters;
 };
 

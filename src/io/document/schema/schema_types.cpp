@@ -13,8 +13,22 @@ using Type = DocumentNode::Type;
 
 constexpr double kSmallest = 1e-15, kLargest = 1e15;  // of plain numbers
 
+/// "0.1 nm", "10 m": millimetres in a unit in which they are no long number.
+std::string length_text(double mm) {
+  struct Length {
+    std::string_view unit;
+    double mm;
+  };
+  for (const Length& length : {Length{"m", 1e3}, {"mm", 1.0}, {"um", 1e-3}})
+    if (mm >= length.mm) return format("{:.6g} {}", mm / length.mm, length.unit);
+  return format("{:.6g} nm", mm * 1e6);
+}
+
 /// " above 0 m", " between -90 and 90 deg", or nothing.
 std::string range_text(const Range& range) {
+  if (range.unit == "mm" && range.minimum && range.maximum &&
+      (*range.minimum < 0.01 || *range.maximum > 1000.0))
+    return format(" between {} and {}", length_text(*range.minimum), length_text(*range.maximum));
   const std::string unit = range.unit.empty() ? "" : format(" {}", range.unit);
   if (range.minimum && range.maximum) {
     const std::string_view low = range.above_minimum ? " (excluded)" : "";

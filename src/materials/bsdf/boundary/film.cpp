@@ -10,6 +10,7 @@
 #include "materials/bsdf/boundary/index_parameters.h"
 #include "materials/bsdf/boundary/pane_shares.h"
 #include "materials/bsdf/facet_parameters.h"
+#include "radiometry/refractive_index.h"
 
 namespace ifov::materials::film {
 namespace {
@@ -81,7 +82,8 @@ const BsdfModel kModel{
       return make({index.n, index.k, inputs.number("thickness")}, substrate.n, substrate.k,
                   inputs.has("pane") ? std::optional(inputs.number("pane")) : std::nullopt,
                   inputs.reflectance);
-    }};
+    },
+    true};
 
 std::shared_ptr<const Bsdf> make(const Layer& film, const Spectrum& substrate_n, const Spectrum& substrate_k,
                                  std::optional<double> pane_m, const Spectrum& factor) {

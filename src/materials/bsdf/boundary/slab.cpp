@@ -18,7 +18,8 @@ const BsdfModel kModel{
     with_numbers({{"thickness", "of the pane", BsdfParameter::Form::length, 1e-3, 1e4}}),
     [](const BsdfInputs& inputs) {
       return make(inputs.spectrum("n"), inputs.spectrum("k"), inputs.number("thickness"), inputs.reflectance);
-    }};
+    },
+    true};
 
 std::shared_ptr<const Bsdf> make(const Spectrum& n, const Spectrum& k, double thickness_m,
                                  const Spectrum& factor) {

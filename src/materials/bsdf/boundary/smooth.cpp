@@ -48,7 +48,8 @@ const BsdfModel kModel{
           inputs.has("over") ? inputs.word("over") == "medium" : !medium_of(index.n, index.k).is_opaque;
       if (medium) refuse_name(inputs, "index", "n", "k");
       return make(index.n, index.k, inputs.reflectance, medium);
-    }};
+    },
+    true};
 
 Medium medium_of(const Spectrum& n, const Spectrum& k) {
   constexpr double kOpaque = 1e4;  // 1/m

@@ -162,7 +162,8 @@ const BsdfModel Leaf::kModel{
      {"wax_index", "its refractive index", Form::spectrum, 1.0, 10.0, "1.45"},
      {kBeyondBack, "of the leaf where PROSPECT knows none", Form::spectrum, 0.0, 1.0, {}, true},
      {kBeyondThrough, "of the leaf where PROSPECT knows none", Form::spectrum, 0.0, 1.0, {}, true}},
-    leaf_of};
+    leaf_of,
+    true};
 
 Leaf::Leaf(Spectrum reflectance, Spectrum transmittance)
     : spectra_{std::move(reflectance), std::move(transmittance)} {}

@@ -7,7 +7,6 @@
 #include "materials/bsdf/facet_parameters.h"
 #include "materials/bsdf/narrow_lobes.h"
 #include "materials/bsdf/polarized/facet_brdf.h"
-#include "radiometry/refractive_index.h"
 
 namespace ifov::materials {
 
@@ -24,25 +23,9 @@ std::span<const std::string_view> masking_words() {
 
 /// Keys of the facets' refractive index, and of their slope.
 std::vector<BsdfParameter> with_facets(std::vector<BsdfParameter> more, std::string_view slope_doc) {
-  std::vector<BsdfParameter> all{{"index",
-                                  "name of a refractive index of the built-in table",
-                                  Form::word,
-                                  0.0,
-                                  0.0,
-                                  {},
-                                  true,
-                                  radiometry::refractive_index_names},
-                                 {"n",
-                                  "real part of the facets' refractive index, in place of a name",
-                                  Form::spectrum,
-                                  0.01,
-                                  1000.0,
-                                  {},
-                                  true},
-                                 {"k", "imaginary part: absorption", Form::spectrum, 0.0, 1000.0, {}, true},
-                                 {"slope", slope_doc, Form::number, 0.0, 1.0}};
+  std::vector<BsdfParameter> all{{"slope", slope_doc, Form::number, 0.0, 1.0}};
   all.insert(all.end(), more.begin(), more.end());
-  return all;
+  return with_index(std::move(all));
 }
 
 const BsdfParameter kTau{"tau",

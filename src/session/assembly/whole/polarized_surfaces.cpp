@@ -15,8 +15,8 @@ void check_polarized(const io::DocumentSources& sources, const io::SceneDocument
                      const scene::Scene& scene) {
   for (const io::MaterialDocument& material : written.materials) {
     const auto assembled = std::ranges::find(scene.materials, material.name, &materials::Material::name);
-    if (assembled == scene.materials.end() || !assembled->bsdf->is_delta() || assembled->bsdf->polarizes())
-      continue;
+    if (assembled == scene.materials.end() || assembled->bsdf->polarizes()) continue;
+    if (!assembled->bsdf->is_delta() && assembled->bsdf->passage() == materials::Passage::none) continue;
     throw io::document_error(
         sources, material.position,
         format("material '{}': how a '{}' surface polarizes light is not worked out; give it another "
