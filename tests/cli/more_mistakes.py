@@ -215,6 +215,8 @@ MISTAKES = [
     ("a document that includes itself", changed("include", "scene.json"), ERROR, "include"),
     ("polarization of a sensor that does not tell it", changed("output.products", ["quality", "dolp", "aop"]), ERROR,
      r"json:\d+:\d+: .*output.products has 'dolp' and 'aop': that takes a sensor with \"stokes\": true, and sensor.stokes is not given or false"),
+    ("an error of polarization of a sensor that does not tell it", changed("sampling", {"accuracy": {"error": "0.5 % DoLP"}}), ERROR,
+     r"json:\d+:\d+: .*an error of 0.5 % DoLP is asked for, and the sensor does not tell polarization: give it \"stokes\": true, or the error in K"),
     ("a picture in a channel that is not there", changed("output.quicklook", {"channels": ["nir"]}), ERROR, "there is no channel 'nir'"),
     ("a key twice", TEXT.replace('"ifov": 1,', '"ifov": 1, "ifov": 1,'), ERROR, "twice"),
     ("a brace that is missing", TEXT[:-2], ERROR, "scene.json:\\d+:\\d+"),

@@ -11,6 +11,7 @@
 #include "render/image_renderer.h"
 #include "render/polarized/stokes_columns.h"
 #include "render/tile_sink.h"
+#include "render/tolerance/degree_limits.h"
 #include "sampling/tile.h"
 #include "session/loaded/parts.h"
 #include "session/messages.h"
@@ -161,6 +162,56 @@ TEST(Polarization, IntervalsOfQAndUHoldTheTruth) {
   }
   EXPECT_GT(inside, 0.95 * count) << inside << " of " << count;
   EXPECT_LT(inside_half, 0.8 * count) << "intervals of a tenth of that hold it too: nothing was tested";
+}
+
+/// Of a pixel's degree of linear polarization in the one channel of a tile.
+struct Degree {
+  double value, half_width;
+};
+Degree degree(const sampling::TileResult& tile, std::size_t p) {
+  const auto widths = tile.layer(render::StokesLayers::kHalfWidth)->values<float>();
+  const double i = stokes_of(tile, p, 0), q = stokes_of(tile, p, 1), u = stokes_of(tile, p, 2);
+  return {std::hypot(q, u) / i, render::degree_half_width(i, q, u, static_cast<double>(tile.half_width[p]),
+                                                          static_cast<double>(widths[3 * p]),
+                                                          static_cast<double>(widths[3 * p + 1]))};
+}
+
+// What is asked of the degree of polarization is reached, and its intervals hold what a finer run finds.
+TEST(Polarization, AnErrorOfTheDegreeIsReachedAndItsIntervalsHoldTheTruth) {
+  const auto asking = [](const char* error) {
+    return glossy(R"("stokes": true,)", kGreen, format(R"({{"accuracy": {{"error": "{}"}}}})", error));
+  };
+  constexpr double kAsked = 0.04;
+  const sampling::TileResult truth = rendered_once(asking("0.8 % DoLP"), 1000);
+  const Session session = Session::load(io::parse_document(asking("4 % DoLP"), "polarized.json"), nullptr);
+  int inside = 0, inside_tenth = 0, count = 0;
+  double widest = 0.0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    render::RenderJob job = session.parts().job();
+    job.seed = seed;
+    render::RenderControl control;
+    control.threads = 1;
+    TheTile tile;
+    render::render_image(job, control, tile);
+    for (std::size_t p = 0; p < 36; ++p) {
+      EXPECT_TRUE(tile.result.converged(p)) << p;
+      const Degree found = degree(tile.result, p), exact = degree(truth, p);
+      EXPECT_LE(found.half_width, kAsked * 1.001) << p;
+      widest = std::max(widest, found.half_width);
+      const double off = std::abs(found.value - exact.value);
+      EXPECT_LE(off, 2.0 * kAsked) << p;
+      inside += off <= found.half_width + exact.half_width, ++count;
+      inside_tenth += off <= 0.1 * found.half_width;
+    }
+  }
+  EXPECT_GT(inside, 0.95 * count) << inside << " of " << count;
+  EXPECT_LT(inside_tenth, 0.9 * count) << "intervals of a tenth of that hold it too: nothing was tested";
+  EXPECT_GT(widest, 0.3 * kAsked) << "far more rays than were asked for";
+  // Planted fault: Q and U within a tenth of I, as a looser error of the radiance leaves them, tell less of the degree.
+  const sampling::TileResult other = rendered_once(asking("10 %"), 1);
+  double of_other = 0.0;
+  for (std::size_t p = 0; p < 36; ++p) of_other = std::max(of_other, degree(other, p).half_width);
+  EXPECT_GT(of_other, 1.1 * kAsked);
 }
 
 TEST(Polarization, PolarizersPassWhatTheStokesVectorSays) {
