@@ -17,7 +17,6 @@
 #include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/whole/light_assembly.h"
-#include "session/assembly/whole/polarized_surfaces.h"
 #include "session/assembly/whole/scene_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
 #include "session/assembly/whole/surroundings_assembly.h"
@@ -99,7 +98,6 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   if (document.weather) p.weather = assemble_weather(document.sources, *document.weather, document.time);
   p.channels = assemble_channels(document.sources, document.sensor.channels);
   p.polarimetry = assemble_polarimetry(document.sensor);
-  if (p.polarimetry) check_polarized(document.sources, document.scene, p.scene);
   p.camera = assemble_camera(document.sources, document.sensor.camera, document.scene.origin, *p.scene.world);
   p.plan = assemble_sampling(document.sources, document.sampling, document.sensor.channels, p.channels);
   p.assumed_surroundings =

@@ -92,6 +92,7 @@ std::uint32_t PathTracer::fork(std::uint32_t number) {
     vertex.segment_shines = false;
     vertex.mirrored = PathVertex::kNone;
     record_.add(twin, vertex);
+    if (scene_.polarized()) record_.directions.push_back(PathRecord::Directions(record_.directions[v]));
   }
   return twin;
 }

@@ -130,8 +130,6 @@ MISTAKES = [
      ERROR, "'leaf' says itself what it transmits; leave 'transmittance' out"),
     ("paint without an index", changed(MATERIALS + ".wall.scattering", {"priest_germer": {"slope": 0.2}}), ERROR,
      "a refractive index is given by its name, 'index', or as 'n' and 'k'"),
-    ("polarized light by a pane", several((MATERIALS + ".wall.scattering", {"slab": {"n": 1.5, "k": 0, "thickness": "4 mm"}}), ("sensor.stokes", True)), ERROR,
-     "scene.json:\\d+:\\d+: material 'wall': how a 'slab' surface polarizes light is not worked out; give it another 'scattering', or the sensor neither"),
     ("paint that is too smooth", changed(MATERIALS + ".wall.scattering", {"priest_germer": {"n": 1.4, "k": 0, "slope": 0.05}}), ERROR,
      "a 'slope' of 0.05 is below 0.0707"),
     ("a target without its obscuration", changed(MATERIALS + ".wall.scattering", {"maxwell_beard": {"n": 1.4, "k": 0, "slope": 0.2, "omega": "8 deg"}}),
