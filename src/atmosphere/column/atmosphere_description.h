@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "atmosphere/gas/gas_model.h"
 #include "atmosphere/particles/aerosol_description.h"
 #include "atmosphere/profile/profile_description.h"
@@ -11,6 +13,8 @@ struct AtmosphereDescription {
   ProfileDescription air;
   AerosolDescription aerosol;
   GasModel gas_model = GasModel::standard;
+  /// Of light that molecules scatter; none: that of air. No document says it: tables of pure dipoles are checked with it.
+  std::optional<double> depolarization = std::nullopt;
 };
 
 }  // namespace ifov::atmosphere
