@@ -211,6 +211,32 @@ TEST(Polarization, PolarizersPassWhatTheStokesVectorSays) {
   EXPECT_GT(turned_wrong, 0.01) << "an axis turned the other way passes";
 }
 
+// Light from the sky that a crossed polarizer leaves little of is as unsure as all of it: Q and U may be off by 2 % of I.
+TEST(Polarization, CrossedPolarizersLeaveTheAirsErrorOfAllLight) {
+  const auto at = [](double angle_deg) {
+    std::string document =
+        nadir(R"({"reflectance": 1, "scattering": "mirror"})", R"(, "sensor_altitude": "10 m")");
+    const std::string plain = "[" + std::string(kBlue) + "]";
+    document.replace(
+        document.find(plain), plain.size(),
+        format(
+            R"([{}, {{"name": "c", "monochromatic": {{"at": "0.37 um"}}, "polarizer": {{"angle": "{} deg", "extinction": 1e6}}}}])",
+            kBlue, angle_deg));
+    document.replace(document.find(R"({"grid": {"elements": [1, 1]}})"), 30,
+                     R"({"accuracy": {"error": "1 %"}})");
+    return rendered_once(document);
+  };
+  const sampling::TileResult crossed = at(30.0), along = at(120.0);
+  const double i = static_cast<double>(crossed.mean[0]), rest = static_cast<double>(crossed.mean[1]);
+  EXPECT_NEAR(rest / i, 0.5 * (1.0 - std::hypot(stokes_of(crossed, 0, 1), stokes_of(crossed, 0, 2)) / i),
+              0.01);
+  EXPECT_LT(rest, 0.22 * i);
+  EXPECT_GT(static_cast<double>(crossed.half_width[1]), 0.5 * 0.02 * 0.95 * i);
+  // Planted fault: as much of what is left, as if that were half of all.
+  EXPECT_GT(0.5 * 0.02 * 0.95 * i, 1.5 * 0.02 * rest);
+  EXPECT_GT(along.mean[1], 3.0f * crossed.mean[1]);
+}
+
 double degree_of(const sampling::TileResult& tile) {
   return std::hypot(stokes_of(tile, 0, 1), stokes_of(tile, 0, 2)) / stokes_of(tile, 0, 0);
 }
