@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "atmosphere/gas/gas_model.h"
 #include "atmosphere/particles/aerosol_description.h"
 #include "atmosphere/profile/profile_description.h"
@@ -13,8 +11,7 @@ struct AtmosphereDescription {
   ProfileDescription air;
   AerosolDescription aerosol;
   GasModel gas_model = GasModel::standard;
-  /// Of light that molecules scatter; none: that of air. No document says it: tables of pure dipoles are checked with it.
-  std::optional<double> depolarization = std::nullopt;
+  std::optional<double> depolarization = {};  ///< of light that molecules scatter; none: that of air
 };
 
 }  // namespace ifov::atmosphere

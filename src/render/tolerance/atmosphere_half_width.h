@@ -28,11 +28,10 @@ struct AtmosphereHalfWidth {
   /// What polarizers leave of unpolarized light; all else here is of light before them. 0: there are none.
   double passed = 0.0;
 
-  /// Of radiance as the channel has it; behind polarizers with what Q and U err by, taken of all light `before` them. Where that is
-  /// not known (0), and at least, it is as much unpolarized light as leaves so much.
+  /// Of radiance as the channel has it; behind polarizers with what Q and U err by, of all light `before` them (0: not known).
   double of(double radiance, double before = 0.0) const {
     if (!(passed > 0.0)) return sum(path, surface, sky, radiance);
-    const double all = std::max(radiance / passed, before);
+    const double all = std::max(radiance / passed, before);  // at least what would leave so much, unpolarized
     return passed * (sum(path, surface, sky, all) + of_polarization_alone(all));
   }
   /// The nodes' part of it.
