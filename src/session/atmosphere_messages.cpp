@@ -16,6 +16,7 @@ std::string in_units(const render::AccuracyRequest& request, double error) {
     case render::ErrorUnit::percent: return format("{:.2g} %", 100.0 * error);
     case render::ErrorUnit::reflectance: return format("{:.2g} reflectance", error);
     case render::ErrorUnit::noise: return format("{:.2g} of the sensor's noise", error);
+    case render::ErrorUnit::polarization: return format("{:.2g} % DoLP", 100.0 * error);
   }
   return {};
 }

@@ -71,7 +71,8 @@ std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals,
 std::vector<std::string> notes(const Parts& parts) {
   std::vector<std::string> lines;
   if (parts.tolerance && (parts.plan.request->unit == render::ErrorUnit::percent ||
-                          parts.plan.request->unit == render::ErrorUnit::kelvin)) {
+                          parts.plan.request->unit == render::ErrorUnit::kelvin ||
+                          parts.plan.request->unit == render::ErrorUnit::polarization)) {
     double low = 1e300, high = 0.0;
     for (std::size_t c = 0; c < parts.channels.size(); ++c) {
       const double floor = parts.tolerance->floor_w_m2_sr_um(static_cast<int>(c));

@@ -86,12 +86,13 @@ struct PathRecord {
       std::uint32_t mixed = PathVertex::kNone;
       std::uint32_t event = PathVertex::kNone;  ///< index into PathRecord::way_events
     };
-    Factor surface;  ///< of the vertex
-    std::array<Factor, kMost> mirrors;
-    std::uint32_t passes = PathVertex::kNone;  ///< index into PathRecord::passes
-    double height_m = 0.0;                     ///< of the mirror that sees the Sun
-    bool emitted = false;                      ///< not sunlight, but:
-    const float* emission = nullptr;           ///< null: of `emission_mixed`
+    Factor surface;                                ///< of the vertex
+    std::array<Factor, kMost> mirrors;             ///< the surface's next one first
+    std::array<std::uint32_t, kMost> passes_at{};  ///< of each: the passes between the surface and it
+    std::uint32_t passes = PathVertex::kNone;      ///< index into PathRecord::passes
+    double height_m = 0.0;                         ///< of the mirror that sees the Sun
+    bool emitted = false;                          ///< not sunlight, but:
+    const float* emission = nullptr;               ///< null: of `emission_mixed`
     std::uint32_t emission_mixed = PathVertex::kNone;
   };
   /// A way through a medium.
@@ -99,7 +100,7 @@ struct PathRecord {
     scene::Constituent medium;
     double length_m = 0.0;
   };
-  /// What light comes through on its way to a surface, nearest first: a pane or boundary, or a segment of a medium.
+  /// What light comes through on its way to a surface, farthest first: a pane or boundary, or a segment of a medium.
   struct Pass {
     Mirrored::Factor factor;
     std::uint32_t segment = PathVertex::kNone;

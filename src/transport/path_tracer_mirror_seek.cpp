@@ -154,6 +154,7 @@ void PathTracer::trace_mirror_seeks(sampling::RayCounts& counts) {
     if (!hit.hit()) continue;
     const scene::ResolvedSurface surface = scene_.scene().resolve(hit);
     if (!shows_mirror(surface) || !reflects(seek, hit, surface)) continue;
+    seek.light.passes_at[seek.light.count] = seek.light.passes;
     seek.light.mirrors[seek.light.count++] = mirror_factor(surface, seek.ray.direction, hit);
     mirror_seeks_[kept++] = seek;
   }
@@ -211,7 +212,8 @@ bool PathTracer::shows_mirror(const scene::ResolvedSurface& surface) const {
 PathRecord::Mirrored::Factor PathTracer::mirror_factor(const scene::ResolvedSurface& surface, math::Vec3 away,
                                                        const geometry::SurfacePoint& hit) {
   PathRecord::Mirrored::Factor factor;
-  if (surface.count == 1 && scene_.materials().directional(surface.constituents[0].material) == nullptr) {
+  if (surface.count == 1 && !scene_.polarized() &&
+      scene_.materials().directional(surface.constituents[0].material) == nullptr) {
     factor.spectrum = scene_.materials().reflectance(surface.constituents[0].material);
     return factor;
   }

@@ -122,6 +122,7 @@ void PathTracer::trace_mirror_rays(sampling::RayCounts& counts) {
   mirror_tracer_->trace(
       mirror_rays_, counts,
       [&](MirrorRay& way, const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface) {
+        way.light.passes_at[way.light.count] = way.light.passes;
         way.light.mirrors[way.light.count++] = mirror_factor(surface, way.ray.direction, hit);
         way.light.height_m = hit.position_m.z;
       },
@@ -181,8 +182,12 @@ void PathTracer::note_chain(const Path& path, const SurfaceLobe& lobe, const Sid
       way.unseen = !sought && (way.unseen || way.flat || way.reflections > 1 || way.by_lobe);
     }
   }
+  // What one boundary polarized another may send on up to twice as much of as of unpolarized light.
+  const bool again = scene_.polarized() && lobe.bsdf->is_delta() && !lobe.bsdf->is_separable() &&
+                     (path.way.reflections > 0 || path.way.passed);
   record_.paths[event.number].brightest *=
-      static_cast<float>(highest * continuation_grey(lobe, event.vertex)) * event.vertex.continuation_weight;
+      static_cast<float>(highest * continuation_grey(lobe, event.vertex) * (again ? 2.0 : 1.0)) *
+      event.vertex.continuation_weight;
 }
 
 void PathTracer::send_to_unseen(const Path& path, const SurfaceLobe& lobe, const Sides& sides,

@@ -20,16 +20,6 @@ void describe(const SpectralScene& scene, std::uint32_t material, SurfaceLobe& l
   lobe.isotropic = !lobe.directional || lobe.bsdf->is_isotropic();
 }
 
-bool belongs(const SpectralScene& scene, const SurfaceLobe& lobe, const scene::Constituent& constituent) {
-  const materials::Bsdf* bsdf = bsdf_of(scene, constituent);
-  switch (lobe.deltas) {
-    case SurfaceLobe::Deltas::none: return bsdf == lobe.bsdf;
-    case SurfaceLobe::Deltas::mirrors: return bsdf->is_delta();
-    case SurfaceLobe::Deltas::panes: return bsdf->passage() == materials::Passage::straight;
-  }
-  return false;
-}
-
 /// The model of the constituent that the choice falls on, and the probability of all constituents of that model.
 void choose_model(const SpectralScene& scene, const scene::ResolvedSurface& surface, double whole,
                   double choice, SurfaceLobe& lobe) {
@@ -73,6 +63,16 @@ const float* directional_row(const materials::NodeBsdf& model, const LobeEvent& 
 }
 
 }  // namespace
+
+bool belongs(const SpectralScene& scene, const SurfaceLobe& lobe, const scene::Constituent& constituent) {
+  const materials::Bsdf* bsdf = bsdf_of(scene, constituent);
+  switch (lobe.deltas) {
+    case SurfaceLobe::Deltas::none: return bsdf == lobe.bsdf;
+    case SurfaceLobe::Deltas::mirrors: return bsdf->is_delta();
+    case SurfaceLobe::Deltas::panes: return bsdf->passage() == materials::Passage::straight;
+  }
+  return false;
+}
 
 SurfaceLobe surface_lobe(const SpectralScene& scene, const scene::ResolvedSurface& surface, double choice) {
   const materials::SpectralMaterials& materials = scene.materials();

@@ -24,6 +24,9 @@ struct SurfaceLobe {
   Deltas deltas = Deltas::none;
 };
 
+/// Whether a constituent is one of those that a lobe adds up.
+bool belongs(const SpectralScene& scene, const SurfaceLobe& lobe, const scene::Constituent& constituent);
+
 /// Of a lobe that is a delta and not separable, whose factors depend on the angle: puts its highest factors at this view in place of
 /// those at any.
 void narrow_to_angle(const SpectralScene& scene, const scene::ResolvedSurface& surface,

@@ -71,9 +71,9 @@ TEST(DocumentMessages, Units) {
       message_with("\"0.1 K\"", "\"0.1 degC\""),
       "folder/a.json:41:38: 'sampling.accuracy.error' is the text \"0.1 degC\", expected a size above "
       "0 with its "
-      "unit, such as \"0.1 K\", \"1 %\", \"12 W m-2 sr-1 um-1\", \"0.002 reflectance\", \"0.5 noise\" (units: K, mK, "
+      "unit, such as \"0.1 K\", \"1 %\", \"12 W m-2 sr-1 um-1\", \"0.002 reflectance\", \"0.5 noise\", \"0.5 % DoLP\" (units: K, mK, "
       "%, W m-2 sr-1 "
-      "um-1, W m-2 sr-1 nm-1, mW m-2 sr-1 nm-1, uW cm-2 sr-1 nm-1, reflectance, noise)\n"
+      "um-1, W m-2 sr-1 nm-1, mW m-2 sr-1 nm-1, uW cm-2 sr-1 nm-1, reflectance, noise, % DoLP)\n"
       "   41 |   \"sampling\": {\"accuracy\": {\"error\": \"0.1 degC\", \"channel\": \"8.5 um\"}},\n"
       "      |                                      ^");
 }
@@ -208,7 +208,7 @@ TEST(DocumentMessages, ProductsHavePlainNames) {
       "folder/a.json:42:41: 'output.products[1]' is the text \"radiances\", expected 'radiance', "
       "'standard_error', 'half_width', 'air_half_width', 'samples', 'quality', 'reasons', 'quality_class', 'abundance', "
       "'abundance_half_width', 'location', 'view_angles', 'stokes', 'stokes_standard_error', 'stokes_half_width', "
-      "'dolp', 'dolp_standard_error', 'dolp_bias', 'aop', 'aop_standard_error' or 'all'; did you mean 'radiance'?");
+      "'dolp', 'dolp_standard_error', 'dolp_half_width', 'dolp_bias', 'aop', 'aop_standard_error' or 'all'; did you mean 'radiance'?");
 }
 
 TEST(DocumentMessages, NamesThatAreNotDeclared) {

@@ -263,7 +263,8 @@ TEST(PolarizingModels, EmissionOffsetsWhatARoomOfOneTemperatureSends) {
 TEST(PolarizingModels, EmissionIsAcrossWhatReflects) {
   const auto glass = metal(1.5, 0.05, 0.1, FacetShape::beckmann);
   float whole = 0.0f, reflected = 0.0f;
-  polarized_hemispherical(*glass, OneWavelength(*glass).pointers, 1, 0.5, &whole, &reflected);
+  polarized_hemispherical(*glass, Side::reflected, OneWavelength(*glass).pointers, 1, 0.5, &whole,
+                          &reflected);
   // Smooth glass at 60 degrees: (R_s - R_p) / 2; facets of 0.1 are near it.
   const double smooth = -radiometry::fresnel_reflection({1.5, 0.05}, 0.5)(1, 0);
   EXPECT_NEAR(-static_cast<double>(reflected), smooth, 0.03 * smooth);

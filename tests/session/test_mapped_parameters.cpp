@@ -14,6 +14,7 @@
 #include "core/format.h"
 #include "io/document/document.h"
 #include "render/image_renderer.h"
+#include "render/polarized/stokes_columns.h"
 #include "render/tile_sink.h"
 #include "sampling/tile.h"
 #include "scene/scene.h"
@@ -61,9 +62,9 @@ class MappedParameters : public testing::Test {
         io::parse_document(
             format(
                 "{{\"ifov\": 1, \"scene\": {{\"materials\": {{{}}},\n \"objects\": [{}]}},\n \"light\": {{{}}},\n"
-                " \"sensor\": {{\"camera\": {{\"orthographic\": {{\"gsd\": \"1 m\", \"pixels\": [{}, {}]}}}},\n"
+                " \"sensor\": {{\"camera\": {{\"orthographic\": {{\"gsd\": \"1 m\", \"pixels\": [{}, {}]{}}}}}, {}\n"
                 "  \"channels\": [{{\"name\": \"c\", \"monochromatic\": {{\"at\": \"{} um\"}}}}]}},\n \"sampling\": {}}}",
-                materials, object, light, kSide, kSide, um, sampling),
+                materials, object, light, kSide, kSide, camera_, sensor_, um, sampling),
             (folder_ / "scene.json").string()),
         nullptr);
   }
@@ -95,7 +96,50 @@ class MappedParameters : public testing::Test {
   static constexpr const char* kSun =
       R"("sun": {"point": {"zenith": "30 deg", "azimuth": "180 deg"}}, "sky": {"none": {}})";
   std::filesystem::path folder_;
+  std::string camera_, sensor_;  // more keys
 };
+
+// The same of a sensor that tells polarization: halves of two roughnesses have the Stokes vectors of either, and with any map the
+// radiance is that of a sensor that tells nothing else.
+TEST_F(MappedParameters, ArePolarizedAsPlainNumbersAre) {
+  camera_ = R"(, "view_zenith": "45 deg", "view_azimuth": "20 deg")";
+  const auto told = [&](const std::string& roughness) {
+    sensor_ = R"("stokes": true,)";
+    return rendered(load(gloss(roughness), kSun));
+  };
+  const auto stokes = [](const sampling::TileResult& tile, std::size_t pixel, std::size_t component) {
+    return static_cast<double>(
+        component == 0 ? tile.mean[pixel]
+                       : tile.layer(render::StokesLayers::kMean)->values<float>()[3 * pixel + component - 1]);
+  };
+  write_map("wear.asc", [](int column, int) { return column < kSide / 2 ? "0.3" : "0.45"; });
+  const std::string by_map = R"({"map": {"file": "wear.asc"}})";
+  const sampling::TileResult halves = told(by_map), smooth = told("0.3"), rough = told("0.45");
+  // Seen aslant from the side the halves are not columns any more: each pixel is one of both, and there are such of either.
+  int of_smooth = 0, of_rough = 0;
+  for (std::size_t p = 0; p < kSide * kSide; ++p) {
+    const double i = stokes(halves, p, 0);
+    const auto off = [&](const sampling::TileResult& plain) {
+      double most = 0.0;
+      for (std::size_t c = 0; c < 4; ++c)
+        most = std::max(most, std::abs(stokes(halves, p, c) - stokes(plain, p, c)));
+      return most;
+    };
+    of_smooth += off(smooth) < 1e-5 * i, of_rough += off(rough) < 1e-5 * i;
+  }
+  EXPECT_EQ(of_smooth + of_rough, kSide * kSide);
+  EXPECT_GE(std::min(of_smooth, of_rough), kSide);
+  const double i = stokes(smooth, 0, 0);
+  EXPECT_GT(std::hypot(stokes(smooth, 0, 1), stokes(smooth, 0, 2)), 0.02 * i);
+  EXPECT_GT(std::abs(stokes(smooth, 0, 1) - stokes(rough, 0, 1)), 1e-3 * i) << "nothing was told apart";
+
+  write_map("wear.asc", [](int column, int row) { return format("{}", 0.2 + 0.02 * column + 0.05 * row); });
+  const sampling::TileResult graded = told(by_map);
+  sensor_ = "";
+  const sampling::TileResult plain = rendered(load(gloss(by_map), kSun));
+  for (std::size_t p = 0; p < kSide * kSide; ++p)
+    EXPECT_NEAR(graded.mean[p], plain.mean[p], 1e-5f * plain.mean[p]) << p;
+}
 
 TEST_F(MappedParameters, AMapOfOneValueIsThePlainNumber) {
   write_map("wear.asc", 0.25);

@@ -11,41 +11,19 @@
 #include "render/image_renderer.h"
 #include "render/polarized/stokes_columns.h"
 #include "render/tile_sink.h"
+#include "render/tolerance/degree_limits.h"
 #include "sampling/tile.h"
 #include "session/loaded/parts.h"
 #include "session/messages.h"
+#include "session/polarized_run.h"
 #include "session/session.h"
 
 namespace ifov::session {
 namespace {
 
-class TheTile final : public render::TileSink {
- public:
-  void begin(const render::ImageInfo&) override {}
-  void write(const sampling::TileResult& tile) override { result = tile; }
-  sampling::TileResult result;
-};
-
-sampling::TileResult rendered_once(const std::string& document, std::uint64_t seed = 1) {
-  const Session session = Session::load(io::parse_document(document, "polarized.json"), nullptr);
-  render::RenderJob job = session.parts().job();
-  job.seed = seed;
-  render::RenderControl control;
-  control.threads = 1;
-  TheTile tile;
-  render::render_image(job, control, tile);
-  return tile.result;
-}
-
-/// I, Q or U of a tile that has Stokes layers.
-double stokes_of(const sampling::TileResult& tile, std::size_t pixel, int component,
-                 std::size_t channel = 0) {
-  const std::size_t channels = static_cast<std::size_t>(tile.columns);
-  if (component == 0) return static_cast<double>(tile.mean[pixel * channels + channel]);
-  return static_cast<double>(
-      tile.layer(render::StokesLayers::kMean)
-          ->values<float>()[(3 * pixel + static_cast<std::size_t>(component) - 1) * channels + channel]);
-}
+using test::rendered_once;
+using test::stokes_of;
+using test::TheTile;
 
 constexpr const char* kBlue = R"({"name": "blue", "monochromatic": {"at": "0.37 um"}})";
 
@@ -163,6 +141,56 @@ TEST(Polarization, IntervalsOfQAndUHoldTheTruth) {
   EXPECT_LT(inside_half, 0.8 * count) << "intervals of a tenth of that hold it too: nothing was tested";
 }
 
+/// Of a pixel's degree of linear polarization in the one channel of a tile.
+struct Degree {
+  double value, half_width;
+};
+Degree degree(const sampling::TileResult& tile, std::size_t p) {
+  const auto widths = tile.layer(render::StokesLayers::kHalfWidth)->values<float>();
+  const double i = stokes_of(tile, p, 0), q = stokes_of(tile, p, 1), u = stokes_of(tile, p, 2);
+  return {std::hypot(q, u) / i, render::degree_half_width(i, q, u, static_cast<double>(tile.half_width[p]),
+                                                          static_cast<double>(widths[3 * p]),
+                                                          static_cast<double>(widths[3 * p + 1]))};
+}
+
+// What is asked of the degree of polarization is reached, and its intervals hold what a finer run finds.
+TEST(Polarization, AnErrorOfTheDegreeIsReachedAndItsIntervalsHoldTheTruth) {
+  const auto asking = [](const char* error) {
+    return glossy(R"("stokes": true,)", kGreen, format(R"({{"accuracy": {{"error": "{}"}}}})", error));
+  };
+  constexpr double kAsked = 0.04;
+  const sampling::TileResult truth = rendered_once(asking("0.8 % DoLP"), 1000);
+  const Session session = Session::load(io::parse_document(asking("4 % DoLP"), "polarized.json"), nullptr);
+  int inside = 0, inside_tenth = 0, count = 0;
+  double widest = 0.0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    render::RenderJob job = session.parts().job();
+    job.seed = seed;
+    render::RenderControl control;
+    control.threads = 1;
+    TheTile tile;
+    render::render_image(job, control, tile);
+    for (std::size_t p = 0; p < 36; ++p) {
+      EXPECT_TRUE(tile.result.converged(p)) << p;
+      const Degree found = degree(tile.result, p), exact = degree(truth, p);
+      EXPECT_LE(found.half_width, kAsked * 1.001) << p;
+      widest = std::max(widest, found.half_width);
+      const double off = std::abs(found.value - exact.value);
+      EXPECT_LE(off, 2.0 * kAsked) << p;
+      inside += off <= found.half_width + exact.half_width, ++count;
+      inside_tenth += off <= 0.1 * found.half_width;
+    }
+  }
+  EXPECT_GT(inside, 0.95 * count) << inside << " of " << count;
+  EXPECT_LT(inside_tenth, 0.9 * count) << "intervals of a tenth of that hold it too: nothing was tested";
+  EXPECT_GT(widest, 0.3 * kAsked) << "far more rays than were asked for";
+  // Planted fault: Q and U within a tenth of I, as a looser error of the radiance leaves them, tell less of the degree.
+  const sampling::TileResult other = rendered_once(asking("10 %"), 1);
+  double of_other = 0.0;
+  for (std::size_t p = 0; p < 36; ++p) of_other = std::max(of_other, degree(other, p).half_width);
+  EXPECT_GT(of_other, 1.1 * kAsked);
+}
+
 TEST(Polarization, PolarizersPassWhatTheStokesVectorSays) {
   const std::string polarized = format(
       R"({}, {{"name": "a", "monochromatic": {{"at": "0.55 um"}}, "polarizer": {{"angle": "0 deg", "extinction": 1e9}}}},
@@ -181,6 +209,32 @@ TEST(Polarization, PolarizersPassWhatTheStokesVectorSays) {
         std::max(turned_wrong, std::abs(static_cast<double>(tile.mean[4 * p + 2]) - 0.5 * (i - u)) / i);
   }
   EXPECT_GT(turned_wrong, 0.01) << "an axis turned the other way passes";
+}
+
+// Light from the sky that a crossed polarizer leaves little of is as unsure as all of it: Q and U may be off by 2 % of I.
+TEST(Polarization, CrossedPolarizersLeaveTheAirsErrorOfAllLight) {
+  const auto at = [](double angle_deg) {
+    std::string document =
+        nadir(R"({"reflectance": 1, "scattering": "mirror"})", R"(, "sensor_altitude": "10 m")");
+    const std::string plain = "[" + std::string(kBlue) + "]";
+    document.replace(
+        document.find(plain), plain.size(),
+        format(
+            R"([{}, {{"name": "c", "monochromatic": {{"at": "0.37 um"}}, "polarizer": {{"angle": "{} deg", "extinction": 1e6}}}}])",
+            kBlue, angle_deg));
+    document.replace(document.find(R"({"grid": {"elements": [1, 1]}})"), 30,
+                     R"({"accuracy": {"error": "1 %"}})");
+    return rendered_once(document);
+  };
+  const sampling::TileResult crossed = at(30.0), along = at(120.0);
+  const double i = static_cast<double>(crossed.mean[0]), rest = static_cast<double>(crossed.mean[1]);
+  EXPECT_NEAR(rest / i, 0.5 * (1.0 - std::hypot(stokes_of(crossed, 0, 1), stokes_of(crossed, 0, 2)) / i),
+              0.01);
+  EXPECT_LT(rest, 0.22 * i);
+  EXPECT_GT(static_cast<double>(crossed.half_width[1]), 0.5 * 0.02 * 0.95 * i);
+  // Planted fault: as much of what is left, as if that were half of all.
+  EXPECT_GT(0.5 * 0.02 * 0.95 * i, 1.5 * 0.02 * rest);
+  EXPECT_GT(along.mean[1], 3.0f * crossed.mean[1]);
 }
 
 double degree_of(const sampling::TileResult& tile) {

@@ -75,7 +75,8 @@ ColumnOptics AtmosphereColumn::at(double wavenumber_cm1) const {
   const double co2_ppm = built_.profile.of(Gas::co2).front();
   const double cross_section = rayleigh_cross_section_cm2(optics.wavelength_um, co2_ppm);
   LayerOptics& layers = optics.scattering;
-  layers.depolarization = rayleigh_depolarization(optics.wavelength_um, co2_ppm);
+  layers.depolarization =
+      description_.depolarization.value_or(rayleigh_depolarization(optics.wavelength_um, co2_ppm));
   std::array<AerosolProperties, AerosolColumn::kRegions> properties;
   for (std::size_t r = 0; r < properties.size() && !aerosol_.empty(); ++r)
     properties[r] = aerosol_.properties(r, optics.wavelength_um);

@@ -11,6 +11,7 @@ struct AtmosphereDescription {
   ProfileDescription air;
   AerosolDescription aerosol;
   GasModel gas_model = GasModel::standard;
+  std::optional<double> depolarization = {};  ///< of light that molecules scatter; none: that of air
 };
 
 }  // namespace ifov::atmosphere

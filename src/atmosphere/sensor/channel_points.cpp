@@ -10,9 +10,10 @@
 namespace ifov::atmosphere {
 namespace {
 
-/// Length of the sunbeam within each layer over the layer's thickness, on a spherical Earth.
-std::vector<double> sun_slants(const std::vector<double>& altitude_km, double zenith_rad) {
+/// Length of the sunbeam within each layer over the layer's thickness, on a spherical Earth or in flat layers.
+std::vector<double> sun_slants(const std::vector<double>& altitude_km, double zenith_rad, bool spherical) {
   const double ground = altitude_km.front(), mu = std::cos(zenith_rad);
+  if (!spherical) return std::vector<double>(altitude_km.size() - 1, 1.0 / mu);
   std::vector<double> slants;
   for (std::size_t i = 0; i + 1 < altitude_km.size(); ++i)
     slants.push_back((length_to_shell_km(ground, mu, altitude_km[i + 1]) -
@@ -56,7 +57,8 @@ ChannelPoints::ChannelPoints(const AtmosphereColumn& column, const std::vector<C
                              const BinOptics& optics, const SensorGeometry& geometry) {
   const std::vector<double>& altitude_km = column.levels().altitude_km;
   const std::vector<double> up = view_slants(altitude_km, geometry.own_sight());
-  const std::vector<double> down = sun_slants(altitude_km, geometry.sun_zenith_rad.value_or(0.0));
+  const std::vector<double> down =
+      sun_slants(altitude_km, geometry.sun_zenith_rad.value_or(0.0), geometry.spherical_earth);
   std::vector<std::vector<double>> lines_of_sight, suns;
   for (const LineOfSight& line : geometry.lines_of_sight)
     lines_of_sight.push_back(view_slants(altitude_km, line));

@@ -32,6 +32,7 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
     : geometry_(inputs.geometry),
       directions_(inputs.sky.value_or(SkyDirections::standard(inputs.geometry.sun_zenith_rad))),
       lines_of_sight_(inputs.lines_of_sight.value_or(LineOfSightGrid(geometry_.own_sight()))) {
+  geometry_.spherical_earth = inputs.scattering.spherical_earth;
   if (inputs.polarized && !inputs.scattering.polarized)
     throw std::invalid_argument("polarized tables of the air need the polarized solver");
   if (!lines_of_sight_.trivial()) {

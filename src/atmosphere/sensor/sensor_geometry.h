@@ -22,6 +22,7 @@ struct SensorGeometry {
   /// the ground.
   std::vector<LineOfSight> lines_of_sight = {};
   std::vector<double> heights_km = {};
+  bool spherical_earth = true;  ///< of sunlight, as ScatteringOptions of the same inputs have it
 
   /// The Sun for a solution of which only what comes from the ground is wanted.
   double any_sun_zenith_rad() const { return sun_zenith_rad.value_or(0.7); }

@@ -8,6 +8,7 @@
 
 #include "render/polarized/stokes_columns.h"
 #include "render/tile_sink.h"
+#include "render/tolerance/degree_limits.h"
 
 namespace ifov::io::quantities {
 
@@ -70,6 +71,23 @@ void put_each(const FinishedTile& of, ValueSink& sink, double (StokesEstimate::*
                                  error(1),
                                  error(2)};
       if (std::isfinite(light.i)) values[p * channels + c] = static_cast<float>((light.*value)());
+    }
+  sink.put(values);
+}
+
+void put_dolp_half_width(const FinishedTile& of, ValueSink& sink) {
+  const std::size_t channels = of.image.channels.size(), pixels = of.tile.samples.size();
+  const std::span<const float> others = floats(of, render::StokesLayers::kMean),
+                               widths = floats(of, render::StokesLayers::kHalfWidth);
+  std::vector<float> values(channels * pixels, kGap);
+  for (std::size_t p = 0; p < pixels && !others.empty() && !widths.empty(); ++p)
+    for (std::size_t c = 0; c < channels; ++c) {
+      const std::size_t i = p * channels + c, q = 3 * p * channels + c, u = q + channels;
+      const auto number = [](float value) { return static_cast<double>(value); };
+      if (std::isfinite(of.tile.mean[i]))
+        values[i] = static_cast<float>(
+            render::degree_half_width(number(of.tile.mean[i]), number(others[q]), number(others[u]),
+                                      number(of.tile.half_width[i]), number(widths[q]), number(widths[u])));
     }
   sink.put(values);
 }
@@ -145,6 +163,9 @@ constinit const Quantity kDolpStandardError = by_channel(
     "dolp_standard_error", "standard error of the degree of linear polarization, at most", "1",
     Quantity::Role::error, Quantity::Statistic::standard_error, true,
     [](const FinishedTile& of, ValueSink& sink) { put_each(of, sink, &StokesEstimate::dolp_error); });
+constinit const Quantity kDolpHalfWidth =
+    by_channel("dolp_half_width", "half-width of the interval of the degree of linear polarization", "1",
+               Quantity::Role::error, Quantity::Statistic::half_width, true, put_dolp_half_width);
 constinit const Quantity kDolpBias = by_channel(
     "dolp_bias", "by how much noise makes the degree of linear polarization too high", "1",
     Quantity::Role::error, Quantity::Statistic::standard_error, true,

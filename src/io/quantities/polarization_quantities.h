@@ -6,8 +6,8 @@ namespace ifov::io::quantities {
 
 /// Of sensors that tell the Stokes vector ("stokes": true): I, Q, U and V by channel about the focal plane's axes, in the radiance unit.
 extern const Quantity kStokes, kStokesStandardError, kStokesHalfWidth;
-/// Degree of linear polarization by channel, its standard error, and by how much it is likely to be too high.
-extern const Quantity kDolp, kDolpStandardError, kDolpBias;
+/// Degree of linear polarization by channel, its standard error, the half-width of its interval, and by how much it is likely to be too high.
+extern const Quantity kDolp, kDolpStandardError, kDolpHalfWidth, kDolpBias;
 /// Angle of linear polarization by channel, degrees, and its standard error.
 extern const Quantity kAop, kAopStandardError;
 

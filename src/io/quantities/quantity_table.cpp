@@ -27,6 +27,7 @@ constexpr std::array kQuantities{&quantities::kRadiance,
                                  &quantities::kStokesHalfWidth,
                                  &quantities::kDolp,
                                  &quantities::kDolpStandardError,
+                                 &quantities::kDolpHalfWidth,
                                  &quantities::kDolpBias,
                                  &quantities::kAop,
                                  &quantities::kAopStandardError};

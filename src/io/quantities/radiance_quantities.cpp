@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "render/polarized/stokes_columns.h"
 #include "render/tile_sink.h"
 
 namespace ifov::io::quantities {
@@ -21,10 +22,12 @@ void put_half_width(const FinishedTile& of, ValueSink& sink) { sink.put(of.tile.
 
 void put_atmosphere_half_width(const FinishedTile& of, ValueSink& sink) {
   const auto& channels = of.image.channels;
+  const sampling::TileLayer* const layer = of.tile.layer(render::StokesLayers::kBefore);
+  const std::span<const float> before = layer == nullptr ? std::span<const float>{} : layer->values<float>();
   std::vector<float> air(of.tile.mean.size(), 0.0f);
   for (std::size_t i = 0; i < air.size(); ++i)
     if (const auto& channel = channels[i % channels.size()]; channel.air)
-      air[i] = static_cast<float>(channel.air->of(of.tile.mean[i]));
+      air[i] = static_cast<float>(channel.air->of(of.tile.mean[i], before.empty() ? 0.0 : before[i]));
   sink.put(air);
 }
 

@@ -120,8 +120,8 @@ void add_up(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_
 
 }  // namespace
 
-void polarized_hemispherical(const Bsdf& bsdf, ParameterSpectra parameters, std::size_t count, double cosine,
-                             float* whole, float* q) {
+void polarized_hemispherical(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_t count,
+                             double cosine, float* whole, float* q) {
   std::vector<float> column(4 * count), both(2 * count);
   const MuellerRows rows{column.data(), count, false};
   add_up(
@@ -130,7 +130,7 @@ void polarized_hemispherical(const Bsdf& bsdf, ParameterSpectra parameters, std:
         bsdf.evaluate_mueller(event, parameters, count, rows);
         std::copy_n(rows.at(0, 0), 2 * count, values);
       },
-      Side::reflected, 2 * count, cosine, lobe_points(kAcrossLobe), both.data());
+      side, 2 * count, cosine, lobe_points(kAcrossLobe), both.data());
   std::copy_n(both.data(), count, whole);
   std::copy_n(both.data() + count, count, q);
 }

@@ -10,10 +10,10 @@ namespace ifov::materials {
 void directional_hemispherical(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_t count,
                                double cosine, float* spectrum);
 
-/// The same of a model that polarizes, on the side of reflection, with Q of what is reflected of unpolarized light of radiance 1 from
-/// all sides, in the plane of the direction and the normal (DHR_00 and DHR_10). `parameters` as Bsdf::evaluate_mueller.
-void polarized_hemispherical(const Bsdf& bsdf, ParameterSpectra parameters, std::size_t count, double cosine,
-                             float* whole, float* q);
+/// The same of a model that polarizes, with Q of what leaves of unpolarized light of radiance 1 from all directions of that side, in
+/// the plane of the direction and the normal (DHR_00 and DHR_10, or DHT). `parameters` as Bsdf::evaluate_mueller.
+void polarized_hemispherical(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_t count,
+                             double cosine, float* whole, float* q);
 
 /// In place of a cosine: of light and views from all sides alike.
 inline constexpr double kBihemispherical = -1.0;

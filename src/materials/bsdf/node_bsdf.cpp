@@ -34,9 +34,10 @@ NodeBsdf::NodeBsdf(std::shared_ptr<const Bsdf> bsdf, const radiometry::SpectralN
     absorption_.resize(1, nodes.node_count());
     nodes.average_surface(*bsdf_->absorption(), absorption_.values(0));
   }
-  const bool q_wanted = polarized && bsdf_->polarizes();
-  if (q_wanted) {
-    emitted_q_.resize(kAngles, nodes.node_count());
+  polarized_ = polarized && bsdf_->polarizes();
+  const bool q_wanted = polarized_ && !bsdf_->is_delta();
+  if (q_wanted) emitted_q_.resize(kAngles, nodes.node_count());
+  if (polarized_) {
     for (const radiometry::Spectrum& spectrum : bsdf_->polarization_spectra()) {
       nodes.average_surface(spectrum, parameters_.values(pointers_.size()));
       pointers_.push_back(parameters_.row(pointers_.size()));
@@ -47,14 +48,20 @@ NodeBsdf::NodeBsdf(std::shared_ptr<const Bsdf> bsdf, const radiometry::SpectralN
     const auto k = static_cast<std::size_t>(index);
     const double cosine = cosine_of(k);
     if (q_wanted)
-      polarized_hemispherical(*bsdf_, pointers_, nodes.node_count(), cosine, reflected.row(k),
-                              emitted_q_.row(k));
+      polarized_hemispherical(*bsdf_, Side::reflected, pointers_, nodes.node_count(), cosine,
+                              reflected.row(k), emitted_q_.row(k));
     else
       directional_hemispherical(*bsdf_, Side::reflected, pointers_, nodes.node_count(), cosine,
                                 reflected.row(k));
-    if (bsdf_->may_transmit())
+    if (bsdf_->may_transmit() && q_wanted) {
+      std::vector<float> q(nodes.node_count());
+      polarized_hemispherical(*bsdf_, Side::transmitted, pointers_, nodes.node_count(), cosine,
+                              transmitted.row(k), q.data());
+      for (std::size_t n = 0; n < q.size(); ++n) emitted_q_.row(k)[n] += q[n];
+    } else if (bsdf_->may_transmit()) {
       directional_hemispherical(*bsdf_, Side::transmitted, pointers_, nodes.node_count(), cosine,
                                 transmitted.row(k));
+    }
     if (q_wanted)
       for (std::size_t n = 0; n < nodes.node_count(); ++n) emitted_q_.row(k)[n] *= -1.0f;
     for (std::size_t n = 0; n < nodes.node_count(); ++n)
@@ -105,6 +112,26 @@ void NodeBsdf::emissivity(double cosine, float* spectrum, float* work) const {
 }
 
 bool NodeBsdf::polarized_emission(double cosine, float* spectrum) const {
+  if (polarized_ && bsdf_->is_delta() && !bsdf_->is_separable()) {
+    const std::size_t n = emissivity_.stride();
+    thread_local std::vector<float> column;
+    column.resize(4 * n);
+    const MuellerRows rows{column.data(), n, false};
+    BsdfEvent event;
+    event.outgoing = {std::sqrt(std::max(0.0, 1.0 - cosine * cosine)), 0.0, cosine};
+    event.normal = {0.0, 0.0, 1.0};
+    std::fill_n(spectrum, n, 0.0f);
+    for (const Side side : {Side::reflected, Side::transmitted}) {
+      if (side == Side::transmitted && !bsdf_->may_transmit()) continue;
+      event.side = side;
+      const BsdfSample only = bsdf_->sample(event, 0.5, 0.5);
+      if (!(only.weight > 0.0)) continue;
+      event.incoming = only.incoming;
+      evaluate_mueller(event, rows);
+      for (std::size_t k = 0; k < n; ++k) spectrum[k] -= rows.at(1, 0)[k];
+    }
+    return true;
+  }
   if (emitted_q_.rows() == 0) return false;
   between_angles(emitted_q_, cosine, spectrum);
   return true;

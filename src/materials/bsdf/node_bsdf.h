@@ -32,7 +32,7 @@ class NodeBsdf {
     bsdf_->evaluate_mueller(event, pointers_, parameters_.stride(), rows);
   }
   /// Q of what a black body's radiance would be 1 of, towards a direction of this cosine, in its plane with the normal
-  /// (radiometry::surface_frame): -DHR_10, as emissivity(); U of a mean over azimuths is 0. False: 0, nothing is written.
+  /// (radiometry::surface_frame): -DHR_10 - DHT_10, as emissivity(); U of a mean over azimuths is 0. False: 0, nothing is written.
   bool polarized_emission(double cosine, float* spectrum) const;
   /// Largest directional-hemispherical values in any node and at any of those angles.
   double highest_reflectance() const { return highest_[0]; }
@@ -46,6 +46,7 @@ class NodeBsdf {
   radiometry::SpectrumBlock emissivity_;  // by angle
   radiometry::SpectrumBlock absorption_;
   bool has_absorption_ = false;
+  bool polarized_ = false;
   radiometry::SpectrumBlock emitted_q_;  // likewise; empty: unpolarized
   double highest_[2] = {0.0, 0.0};       // by Side
 };

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "geometry/world.h"
+#include "radiometry/polarization_frame.h"
 #include "radiometry/spectrum_block.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
@@ -33,6 +34,7 @@ Glints::Glints(const transport::SpectralScene& scene, const sensor::Camera& came
     : scene_(scene),
       camera_(camera),
       mirrored_(scene),
+      polarized_(polarimetry != nullptr && polarimetry->any()),
       stokes_(polarimetry, scene.nodes()),
       lights_(stokes_.count()) {
   const geometry::SurfaceSurvey& survey = scene.sun_mirrors()->survey();
@@ -90,7 +92,7 @@ void Glints::trace(std::vector<GlintPoint>& points) {
       continue;
     const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
     if (!(math::dot(from, outward) > 0.0) || !(from.z > 0.0)) continue;
-    legs.push_back({k, row_of(hit, surface, rays[k])});
+    legs.push_back({k, row_of(hit, surface, rays[k], images[k].y_px)});
     to_sun.push_back(rays[k].onward(hit.position_m + hit.offset_m * outward, from));
   }
   std::vector<std::uint8_t> blocked(to_sun.size());
@@ -105,20 +107,30 @@ void Glints::trace(std::vector<GlintPoint>& points) {
 }
 
 std::uint32_t Glints::row_of(const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface,
-                             const math::Ray& seen) {
+                             const math::Ray& seen, double line_px) {
   // One surface of one material has one row: its glint is small. Where reflection depends on the angle, one for about one angle.
   constexpr double kSameCosine = 5e-4;
   const double cosine = std::abs(math::dot(surface.shading_normal.as_vector(), seen.direction));
-  const bool same_angle = scene_.materials().directional(surface.constituents[0].material) == nullptr ||
-                          std::abs(cosine - last_cosine_) < kSameCosine;
+  const math::Vec3 normal = surface.shading_normal.as_vector();
+  bool same_angle = scene_.materials().directional(surface.constituents[0].material) == nullptr;
+  // Polarization has the plane of incidence besides.
+  if (!same_angle)
+    same_angle = polarized_ ? math::length(normal - last_normal_) < kSameCosine
+                            : std::abs(cosine - last_cosine_) < kSameCosine;
   if (surface.count == 1 && surface.constituents[0].material == last_material_ && same_angle)
     return last_row_;
   last_cosine_ = cosine;
+  last_normal_ = normal;
   last_material_ = surface.count == 1 ? surface.constituents[0].material : ~0u;
   radiometry::SpectrumBlock work(1, scene_.node_count());
   const float* sun = scene_.sun_irradiance(hit.position_m.z, work.row(0));
   std::vector<float> columns(stokes_.count());
-  stokes_.write_unpolarized(mirrored_.channels(surface, hit.position_m.z, seen, sun), columns.data());
+  if (polarized_)
+    stokes_.write(mirrored_.polarized(surface, hit.position_m.z, seen, sun,
+                                      sensor::focal_frame(camera_, line_px, seen)),
+                  columns.data());
+  else
+    stokes_.write_unpolarized(mirrored_.channels(surface, hit.position_m.z, seen, sun), columns.data());
   last_row_ = lights_.add_spectrum(columns);
   return last_row_;
 }

@@ -46,15 +46,17 @@ class Glints {
  private:
   void trace(std::vector<GlintPoint>& points);
   std::uint32_t row_of(const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface,
-                       const math::Ray& seen);
+                       const math::Ray& seen, double line_px);
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
   MirroredSpectra mirrored_;
-  StokesColumns stokes_;  // a mirror leaves sunlight unpolarized
-  FocalLights lights_;    // radiance of the Sun's disc, reflected, at the sensor
+  bool polarized_;  // the sensor tells polarization
+  StokesColumns stokes_;
+  FocalLights lights_;  // radiance of the Sun's disc, reflected, at the sensor
   std::uint32_t last_material_ = ~0u, last_row_ = 0;
   double last_cosine_ = 0.0;
+  math::Vec3 last_normal_;
 };
 
 }  // namespace ifov::render

@@ -4,9 +4,13 @@
 #include <vector>
 
 #include "radiometry/spectrum_block.h"
+#include "transport/polarized/stokes_rows.h"
 
 namespace ifov::math {
 struct Ray;
+}
+namespace ifov::radiometry {
+struct PolarizationFrame;
 }
 namespace ifov::scene {
 struct ResolvedSurface;
@@ -26,11 +30,20 @@ class MirroredSpectra {
   /// share on the way back along `seen`, a ray from the sensor. By channel, until the next call.
   std::span<const float> channels(const scene::ResolvedSurface& surface, double height_m,
                                   const math::Ray& seen, const float* light);
+  /// The same of unpolarized light as Stokes vectors in nodes, about `frame` of the direction towards the sensor; of a scene that is
+  /// polarized().
+  transport::StokesRows polarized(const scene::ResolvedSurface& surface, double height_m,
+                                  const math::Ray& seen, const float* light,
+                                  const radiometry::PolarizationFrame& frame);
 
  private:
+  /// What the air leaves of light on its way to the sensor, by node.
+  void find_transmittance(double height_m, const math::Ray& seen);
+
   const transport::SpectralScene& scene_;
   radiometry::SpectrumBlock work_, by_angle_;
-  std::vector<double> share_;
+  radiometry::SpectrumBlock stokes_, matrix_;
+  std::vector<double> share_, transmittance_;
   std::vector<float> channels_;
 };
 

@@ -15,8 +15,10 @@ struct Polarimetry {
   std::vector<radiometry::MuellerMatrix> optics{};
 
   bool any() const { return stokes || !optics.empty(); }
-  /// Numbers that a sample has of so many channels: I of each, then Q, U and V of each where they are told.
-  std::size_t columns(std::size_t channels) const { return channels * (stokes ? 4 : 1); }
+  /// Numbers of a sample that are told of so many channels: I of each, then Q, U and V of each where they are.
+  std::size_t told(std::size_t channels) const { return channels * (stokes ? 4 : 1); }
+  /// Numbers that it has: behind them, where there are optics, I of each channel before them, which nobody judges.
+  std::size_t columns(std::size_t channels) const { return told(channels) + (optics.empty() ? 0 : channels); }
   /// What is left of unpolarized light.
   double passed(std::size_t channel) const { return optics.empty() ? 1.0 : optics[channel](0, 0); }
 };

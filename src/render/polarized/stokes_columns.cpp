@@ -41,6 +41,7 @@ void StokesColumns::pass(std::size_t channel, const radiometry::StokesVector& li
   const radiometry::StokesVector seen =
       polarimetry_.optics.empty() ? light : polarimetry_.optics[channel] * light;
   row[channel] = static_cast<float>(seen.i);
+  if (!polarimetry_.optics.empty()) row[polarimetry_.told(channels_) + channel] = static_cast<float>(light.i);
   if (!polarimetry_.stokes) return;
   row[channels_ + channel] = static_cast<float>(seen.q);
   row[2 * channels_ + channel] = static_cast<float>(seen.u);
@@ -64,7 +65,7 @@ void StokesColumns::write_unpolarized(std::span<const float> channels, float* ro
 }
 
 void StokesColumns::settle(sampling::TileResult& tile) const {
-  if (!told()) return;
+  if (count() == channels_) return;
   const std::size_t pixels = static_cast<std::size_t>(tile.tile.count()), columns = count();
   // Columns from `first` on, and what is left of an array without them.
   const auto part = [&](const std::vector<float>& values, std::size_t first, std::size_t last) {
@@ -75,15 +76,19 @@ void StokesColumns::settle(sampling::TileResult& tile) const {
                    values.begin() + static_cast<std::ptrdiff_t>(p * columns + last));
     return found;
   };
-  const std::size_t others = columns - channels_;
-  tile.layers.push_back(float_layer(StokesLayers::kMean, others, part(tile.mean, channels_, columns)));
-  if (tile.has_errors()) {
+  const std::size_t last = polarimetry_.told(channels_), others = last - channels_;
+  if (last < columns)
+    tile.layers.push_back(
+        float_layer(StokesLayers::kBefore, channels_, part(tile.mean, last, last + channels_)));
+  if (told())
+    tile.layers.push_back(float_layer(StokesLayers::kMean, others, part(tile.mean, channels_, last)));
+  if (told() && tile.has_errors()) {
     std::vector<float> error(tile.variance_path.size());
     for (std::size_t k = 0; k < error.size(); ++k)
       error[k] = std::sqrt(tile.variance_geometry[k] + tile.variance_path[k]);
-    tile.layers.push_back(float_layer(StokesLayers::kStandardError, columns, error));
+    tile.layers.push_back(float_layer(StokesLayers::kStandardError, last, part(error, 0, last)));
     tile.layers.push_back(
-        float_layer(StokesLayers::kHalfWidth, others, part(tile.half_width, channels_, columns)));
+        float_layer(StokesLayers::kHalfWidth, others, part(tile.half_width, channels_, last)));
   }
   for (std::vector<float>* values :
        {&tile.mean, &tile.variance_geometry, &tile.variance_path, &tile.half_width})

@@ -17,7 +17,7 @@ class SpectralNodes;
 namespace ifov::render {
 
 /// The columns of a sample that are light: the channels' radiance, and behind them Q, U and V of all channels where a sensor tells
-/// them. Samplers treat them all alike; when a tile is done Q, U and V leave its arrays for layers, so that
+/// them, and I before the channels' optics. Samplers treat them all alike; when a tile is done Q, U and V leave its arrays for layers, so that
 /// whoever takes tiles finds channels as always. An object serves one thread.
 class StokesColumns {
  public:
@@ -49,6 +49,7 @@ struct StokesLayers {
   static constexpr const char* kMean = "stokes";                  ///< Q, U, V
   static constexpr const char* kStandardError = "stokes_error";   ///< of I, Q, U, V
   static constexpr const char* kHalfWidth = "stokes_half_width";  ///< of Q, U, V
+  static constexpr const char* kBefore = "before_optics";         ///< I before polarizers; [pixel][channel]
 };
 
 }  // namespace ifov::render

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "render/tolerance/channel_brightness.h"
+#include "render/tolerance/degree_limits.h"
 
 namespace ifov::render {
 namespace {
@@ -43,6 +44,21 @@ AccuracyTolerance::AccuracyTolerance(AccuracyRequest request, const ChannelBrigh
         static_cast<double>(std::count(judged_.begin(), judged_.end(), 1)) * static_cast<double>(pixel_count);
     confidence_ = std::pow(request_.confidence, 1.0 / statements);  // Sidak 1967
   }
+}
+
+void AccuracyTolerance::ask_degree(std::size_t channel, std::span<const double> mean,
+                                   std::span<double> limit) const {
+  const std::size_t channels = white_.size();
+  const bool told = stokes_ && mean.size() >= 4 * channels;
+  const double passed = passed_.empty() ? 1.0 : passed_[channel];
+  const double radiance = std::max(std::abs(mean[channel]), passed * floor_[channel]);
+  const double degree =
+      told ? std::hypot(mean[channels + channel], mean[2 * channels + channel]) / radiance : 0.0;
+  const DegreeLimits asked = degree_limits(degree, request_.error);
+  limit[channel] = std::max(asked.i, kResolution) * radiance;
+  if (!told) return;
+  limit[channels + channel] = limit[2 * channels + channel] = std::max(asked.qu, kResolution) * radiance;
+  limit[3 * channels + channel] = std::numeric_limits<double>::infinity();
 }
 
 void AccuracyTolerance::leave_hidden_channels(const std::vector<double>& path_radiance) {
@@ -90,12 +106,17 @@ void AccuracyTolerance::asked(std::span<const double> mean, std::span<double> li
       case ErrorUnit::radiance: limit[c] = request_.error; break;
       case ErrorUnit::reflectance: limit[c] = request_.error * passed * white_[c]; break;
       case ErrorUnit::noise: limit[c] = request_.error * request_.noise_w_m2_sr_um[c]; break;
+      case ErrorUnit::polarization: limit[c] = 0.0; break;  // ask_degree(), below
     }
     limit[c] = std::max(limit[c], kResolution * radiance);
   }
-  if (stokes_)
+  if (request_.unit == ErrorUnit::polarization) {
+    for (std::size_t c = 0; c < std::min(white_.size(), mean.size()); ++c)
+      if (judged_[c]) ask_degree(c, mean, limit);
+  } else if (stokes_) {
     for (std::size_t c = white_.size(); c < judged_columns(mean.size()); ++c)
       limit[c] = limit[c % white_.size()];
+  }
 }
 
 }  // namespace ifov::render

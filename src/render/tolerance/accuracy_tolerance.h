@@ -20,7 +20,9 @@ class ChannelBrightness;
 /// channel. Percent: max(error * |L|, floor * W). Kelvin: error * dL/dT at the pixel's own brightness
 /// temperature, taken no colder than that of floor * W. Reflectance: error * the white Lambertian's reflected
 /// radiance; channels in which that is less than a hundredth of the path's are not judged, because the air hides
-/// the surface (unless all are such). Noise: error * the channel's noise. So dark channels and pixels finish. None
+/// the surface (unless all are such). Noise: error * the channel's noise. Polarization: limits of I, Q and U within which the
+/// degree of linear polarization is sure to err by no more than error (degree_limits()), of a pixel taken no darker than
+/// floor * W; V is not judged. So dark channels and pixels finish. None
 /// is below 1e-5 of |L|, which single precision can bear.
 class AccuracyTolerance final : public sampling::Tolerance {
  public:
@@ -65,6 +67,7 @@ class AccuracyTolerance final : public sampling::Tolerance {
   std::size_t judged_columns(std::size_t columns) const {
     return std::min(columns, stokes_ ? 4 * white_.size() : white_.size());
   }
+  void ask_degree(std::size_t channel, std::span<const double> mean, std::span<double> limit) const;
   void leave_hidden_channels(const std::vector<double>& path_radiance);
 
   AccuracyRequest request_;

@@ -64,12 +64,19 @@ void widen(std::span<const AtmosphereHalfWidth> air, const AccuracyTolerance* to
   if (air.empty() || !tile.has_errors()) return;
   const std::size_t columns = static_cast<std::size_t>(tile.columns);
   std::vector<double> mean(columns), limit(columns), more(columns);
-  const std::size_t channels = air.size();  // behind them Q, U and V
+  const std::size_t channels = air.size();  // behind them Q, U and V, and I before polarizers (Polarimetry)
+  const std::size_t kinds = columns / channels;
+  const bool optics = kinds == 2 || kinds == 5;
+  const std::size_t told = columns - (optics ? channels : 0);
   for (std::size_t p = 0; p < tile.samples.size(); ++p) {
     float* half_width = tile.half_width.data() + p * columns;
     for (std::size_t c = 0; c < columns; ++c) {
       mean[c] = tile.mean[p * columns + c];
-      more[c] = c < channels ? air[c].of(mean[c]) : air[c % channels].of_polarization(mean[c % channels]);
+      const std::size_t channel = c % channels;
+      const double before = optics ? static_cast<double>(tile.mean[p * columns + told + channel]) : 0.0;
+      if (c < told)
+        more[c] =
+            c < channels ? air[c].of(mean[c], before) : air[channel].of_polarization(mean[channel], before);
       half_width[c] += static_cast<float>(more[c]);
     }
     if (tolerance == nullptr) continue;

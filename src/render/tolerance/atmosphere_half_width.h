@@ -21,18 +21,18 @@ struct AtmosphereHalfWidth {
   /// radiance (docs/theory/polarization.md).
   double polarization_path = 0.0, polarization_sky = 0.0;
 
-  /// Of Q, U or V of light of this radiance.
-  double of_polarization(double radiance) const {
-    return passed > 0.0 ? of(radiance) : of(radiance) + of_polarization_alone(radiance);
+  /// Of Q, U or V of light of this radiance; `before` as below.
+  double of_polarization(double radiance, double before = 0.0) const {
+    return passed > 0.0 ? of(radiance, before) : of(radiance) + of_polarization_alone(radiance);
   }
   /// What polarizers leave of unpolarized light; all else here is of light before them. 0: there are none.
   double passed = 0.0;
 
-  /// Of radiance as the channel has it; behind polarizers with what Q and U err by, taken of as much unpolarized light.
-  double of(double radiance) const {
+  /// Of radiance as the channel has it; behind polarizers with what Q and U err by, of all light `before` them (0: not known).
+  double of(double radiance, double before = 0.0) const {
     if (!(passed > 0.0)) return sum(path, surface, sky, radiance);
-    const double before = radiance / passed;
-    return passed * (sum(path, surface, sky, before) + of_polarization_alone(before));
+    const double all = std::max(radiance / passed, before);  // at least what would leave so much, unpolarized
+    return passed * (sum(path, surface, sky, all) + of_polarization_alone(all));
   }
   /// The nodes' part of it.
   double of_nodes(double radiance) const {

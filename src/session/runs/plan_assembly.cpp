@@ -23,6 +23,7 @@ const char* name_of(render::ErrorUnit unit) {
     case render::ErrorUnit::radiance: return "radiance";
     case render::ErrorUnit::percent: return "%";
     case render::ErrorUnit::reflectance: return "reflectance";
+    case render::ErrorUnit::polarization: return "DoLP";
     case render::ErrorUnit::noise: break;
   }
   return "noise";

@@ -8,7 +8,7 @@ namespace ifov::transport {
 
 class SpectralScene;
 
-/// As lobe_factor(), the Mueller matrix of a lobe that is not separable and polarizes, for one of an event's directions. `work` has as
+/// As lobe_factor(), the Mueller matrix of a lobe that polarizes and is a delta or not separable, for one of an event's directions. `work` has as
 /// many rows as `rows`.
 void lobe_mueller(const SpectralScene& scene, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
                   const materials::BsdfEvent& event, const materials::MuellerRows& rows, float* work);

@@ -32,7 +32,8 @@ PolarizationFrame reflect(const PolarizationFrame& frame, Vec3 onward, const Sto
 
 }  // namespace
 
-PolarizedPathLight::PolarizedPathLight(const SpectralScene& scene) : scene_(scene), n_(scene.stride()) {
+PolarizedPathLight::PolarizedPathLight(const SpectralScene& scene)
+    : scene_(scene), n_(scene.stride()), way_(scene) {
   static_assert(kMoreWork == kWork + 1 && kEmissionPart == kEmission + 1 && kEmissionWork == kEmission + 2);
   spectra_.resize(kSpectra, scene.node_count());
   out_.rows = rows_from(kOut);
@@ -162,6 +163,8 @@ void PolarizedPathLight::leave(const PathRecord& record, const PathVertex& verte
   if (vertex.sought_weight > 0.0f) add_sought(record, vertex, directions);
   if (vertex.mirrored != PathVertex::kNone) add_mirrored(record, vertex, directions);
   if (vertex.continuation_weight > 0.0f && arriving_.any) add_continuation(record, vertex, directions);
+  if (vertex.segment != PathVertex::kNone)
+    way_.come_through(record.segments[vertex.segment], vertex.segment_shines, out_);
   out_.any = true;
 }
 
@@ -228,16 +231,22 @@ const PathRecord::Events* events_of(const PathRecord& record, std::uint32_t mixe
 void PolarizedPathLight::add_sun(const PathRecord& record, const PathVertex& vertex,
                                  const Directions& directions) {
   const float* sun = scene_.sun_irradiance(vertex.height_m, spectrum(kSun));
+  Beam light;
+  light.rows.row[0] = const_cast<float*>(sun);
+  if (vertex.sun_passes != PathVertex::kNone) {
+    light = source_;
+    light.polarized = false;
+    std::copy_n(sun, n_, light.rows[0]);
+    way_.come_through(record, vertex.sun_passes, light);
+  }
   const PathRecord::Events* events = events_of(record, vertex.mixed);
   if (directions.polarizing != nullptr && events != nullptr) {
-    Beam light;
-    light.rows.row[0] = const_cast<float*>(sun);
     add_scattered(record.mixed[vertex.mixed], events->sun, light, vertex.sun_weight);
     return;
   }
   add_unpolarized(factor(record, vertex.mixed, vertex.sun_factor, vertex.sun_transmitted,
                          events == nullptr ? nullptr : &events->sun),
-                  sun, vertex.sun_weight);
+                  light.rows[0], vertex.sun_weight);
 }
 
 void PolarizedPathLight::add_sought(const PathRecord& record, const PathVertex& vertex,
@@ -249,6 +258,13 @@ void PolarizedPathLight::add_sought(const PathRecord& record, const PathVertex& 
   } else {
     if (vertex.sought_emission == nullptr) return;
     light.rows.row[0] = const_cast<float*>(vertex.sought_emission);
+  }
+  if (vertex.sought_passes != PathVertex::kNone) {
+    if (light.rows[0] == vertex.sought_emission) {
+      light.rows = source_.rows;
+      std::copy_n(vertex.sought_emission, n_, light.rows[0]);
+    }
+    way_.come_through(record, vertex.sought_passes, light);
   }
   const PathRecord::Events* events = events_of(record, vertex.mixed);
   if (directions.polarizing != nullptr && events != nullptr) {
@@ -274,15 +290,10 @@ void PolarizedPathLight::add_mirrored(const PathRecord& record, const PathVertex
       if (way.emission == nullptr) continue;
       std::copy_n(way.emission, n_, light.rows[0]);
     }
-    for (std::size_t m = 0; m < way.count; ++m) {
-      const float* values = factor(record, way.mirrors[m].mixed, way.mirrors[m].spectrum, false, nullptr);
-      for (std::size_t c = 0; c < (light.polarized ? 4u : 1u); ++c) spectra::scale(light.rows[c], values, n_);
-    }
+    way_.come_by(record, way, light);
     const LobeEvent* event =
         way.surface.event == PathVertex::kNone ? nullptr : &record.way_events[way.surface.event];
     if (directions.polarizing != nullptr && event != nullptr) {
-      // Emission is sought by way of one mirror.
-      if (light.polarized) light.frame = reflect(light.frame, -event->event.incoming, light.rows, n_);
       add_scattered(record.mixed[way.surface.mixed], *event, light, way.weight);
       continue;
     }

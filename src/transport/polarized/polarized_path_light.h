@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "radiometry/polarization_frame.h"
 #include "radiometry/spectrum_block.h"
 #include "transport/path_record.h"
-#include "transport/polarized/stokes_rows.h"
+#include "transport/polarized/polarized_beam.h"
+#include "transport/polarized/polarized_way.h"
 
 namespace ifov::materials {
 struct MuellerRows;
@@ -48,22 +48,16 @@ class PolarizedPathLight {
     kWhole,
     kSpectra = kWhole + 4
   };
-  /// Light on its way, of which Q, U and V mean nothing where it is not polarized.
-  struct Beam {
-    StokesRows rows;
-    bool any = false, polarized = false;
-    radiometry::PolarizationFrame frame;
-  };
+  using Beam = PolarizedBeam;
   using Directions = PathRecord::Directions;
 
   float* spectrum(int w) { return spectra_.row(static_cast<std::size_t>(w)); }
   StokesRows rows_from(int w) { return {{spectrum(w), spectrum(w + 1), spectrum(w + 2), spectrum(w + 3)}}; }
+  StokesRows one(const PathRecord& record, std::size_t k, const radiometry::PolarizationFrame& frame);
   StokesRows about(Beam& beam, const radiometry::PolarizationFrame& frame);
   void clear(Beam& beam, bool polarized);
   void polarize(Beam& beam);
 
-  /// Of one path of those that are added up.
-  StokesRows one(const PathRecord& record, std::size_t k, const radiometry::PolarizationFrame& frame);
   void start_at_sky(const PathRecord::Path& path, const radiometry::PolarizationFrame* frame);
   /// What leaves a vertex; `arriving_` is what its continuation brings.
   void leave(const PathRecord& record, const PathVertex& vertex, const Directions& directions);
@@ -86,6 +80,7 @@ class PolarizedPathLight {
   std::size_t n_;
   radiometry::SpectrumBlock spectra_;
   Beam out_, arriving_, source_;
+  PolarizedWay way_;
   std::vector<std::uint32_t> vertices_;
 };
 

@@ -10,6 +10,7 @@
 #include "core/overloaded.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
+#include "io/document/samplers/accuracy_sampling.h"
 #include "io/document/samplers/sampler_settings.h"
 #include "io/quantities/quantity.h"
 
@@ -55,6 +56,7 @@ class ReferenceCheck {
     for (const DocumentName& channel : document_.output.quicklook_channels)
       require("channel", channel, channels_);
     check_products();
+    check_error();
     check_direction(document_.light.sun, "Sun");
     check_moon();
     check_sky();
@@ -76,6 +78,20 @@ class ReferenceCheck {
           format(
               "output.products has {}: that takes a sensor with \"stokes\": true, and sensor.stokes is not given or false",
               list_names(without, "and")));
+  }
+
+  /// Degrees of polarization are known where Q and U are told.
+  void check_error() const {
+    const auto* accuracy = sampler_as<AccuracySampling>(document_.sampling);
+    if (accuracy == nullptr || accuracy->error.unit != ErrorSize::Unit::polarization ||
+        document_.sensor.stokes)
+      return;
+    throw document_error(
+        document_.sources, accuracy->error.position,
+        format(
+            "an error of {} is asked for, and the sensor does not tell polarization: give it \"stokes\": true, or "
+            "the error in K, %, W m-2 sr-1 um-1, reflectance or noise",
+            text_of(accuracy->error)));
   }
 
   void require(std::string_view what, const DocumentName& reference,

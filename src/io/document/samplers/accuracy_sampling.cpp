@@ -20,10 +20,12 @@ SchemaType<std::shared_ptr<const SamplerSettings>> accuracy_type() {
                            {ErrorSize::Unit::fraction, &kPercent},
                            {ErrorSize::Unit::radiance, &kRadiance},
                            {ErrorSize::Unit::reflectance, &kReflectance},
-                           {ErrorSize::Unit::noise, &kNoise}}),
+                           {ErrorSize::Unit::noise, &kNoise},
+                           {ErrorSize::Unit::polarization, &kDegreeOfPolarization}}),
           "\"1 %\"",
           "allowed half-width of each pixel's interval: brightness temperature, share of the pixel's value, "
-          "radiance, apparent reflectance, or share of the noise that channels declare; never finer than "
+          "radiance, apparent reflectance, share of the noise that channels declare, or degree of linear "
+          "polarization in percentage points (of a sensor with 'stokes'); never finer than "
           "1e-5 of the value, the precision of the products; reflectance is not judged in channels where a white "
           "surface sends less than 1 % of what the air does")
       .with_default("confidence", &AccuracySampling::confidence, fraction({0.5, 1.0, false, true, {}}),
@@ -45,7 +47,7 @@ SchemaType<std::shared_ptr<const SamplerSettings>> accuracy_type() {
       .with_default("floor", &AccuracySampling::floor, fraction(Range::between(0.0, 1.0)), "\"0.1 %\"",
                     "share of a white surface's radiance W: in percent no half-width need be below floor x "
                     "W; in K a pixel is "
-                    "taken to be no colder than one of radiance floor x W")
+                    "taken to be no colder than one of radiance floor x W, in DoLP no darker")
       .with_default("clutter", &AccuracySampling::clutter, boolean(), "true",
                     "stratified samples instead of edges where there are too many edges");
   return sampler_type(record.type());

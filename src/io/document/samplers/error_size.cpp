@@ -12,6 +12,7 @@ std::string text_of(const ErrorSize& error) {
     case ErrorSize::Unit::fraction: return format("{:g} %", 100.0 * error.value);
     case ErrorSize::Unit::reflectance: return format("{:g} reflectance", error.value);
     case ErrorSize::Unit::noise: return format("{:g} of the sensor's noise", error.value);
+    case ErrorSize::Unit::polarization: return format("{:g} % DoLP", 100.0 * error.value);
   }
   return {};
 }
@@ -32,26 +33,26 @@ SchemaType<ErrorSize> error_size_type(const std::vector<ErrorUnit>& allowed) {
   d.expected = format("a size above 0 with its unit, such as {} (units: {})", examples, units);
   d.short_name = format("size in {}", units);
   auto description = std::make_shared<const ValueDescription>(std::move(d));
-  return {
-      description,
-      [description, allowed](const DocumentNode& node) {
-        if (node.type() == DocumentNode::Type::text) {
-          const std::optional<QuantityText> parts = split_quantity(node.text());
-          for (const ErrorUnit& one : allowed) {
-            if (!parts || one.dimension->find(parts->unit) == nullptr) continue;
-            const Range positive = Range::above(0.0, one.dimension->units[0].spelling);
-            return ErrorSize{read_quantity(node, *one.dimension, positive, description->expected), one.unit};
-          }
-        }
-        node.fail_expected(description->expected);
-      },
-      [allowed](const ErrorSize& error, Writing&) -> Written {
-        for (const ErrorUnit& one : allowed)
-          if (one.unit == error.unit)
-            return quantity_text(error.value, *one.dimension,
-                                 Range::above(0.0, one.dimension->units[0].spelling));
-        return std::nullopt;
-      }};
+  return {description,
+          [description, allowed](const DocumentNode& node) {
+            if (node.type() == DocumentNode::Type::text) {
+              const std::optional<QuantityText> parts = split_quantity(node.text());
+              for (const ErrorUnit& one : allowed) {
+                if (!parts || one.dimension->find(parts->unit) == nullptr) continue;
+                const Range positive = Range::above(0.0, one.dimension->units[0].spelling);
+                return ErrorSize{read_quantity(node, *one.dimension, positive, description->expected),
+                                 one.unit, node.position()};
+              }
+            }
+            node.fail_expected(description->expected);
+          },
+          [allowed](const ErrorSize& error, Writing&) -> Written {
+            for (const ErrorUnit& one : allowed)
+              if (one.unit == error.unit)
+                return quantity_text(error.value, *one.dimension,
+                                     Range::above(0.0, one.dimension->units[0].spelling));
+            return std::nullopt;
+          }};
 }
 
 }  // namespace ifov::io

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
+
 namespace ifov::io {
 
 struct Dimension;
@@ -12,14 +14,16 @@ struct SchemaType;
 /// A size of error or difference, in the unit the user thinks in.
 struct ErrorSize {
   enum class Unit {
-    kelvin,       ///< brightness temperature of a channel
-    radiance,     ///< W m-2 sr-1 um-1
-    fraction,     ///< of the pixel's own value (1 % is 0.01)
-    reflectance,  ///< apparent reflectance
-    noise,        ///< the noise that each channel of the sensor declares
+    kelvin,        ///< brightness temperature of a channel
+    radiance,      ///< W m-2 sr-1 um-1
+    fraction,      ///< of the pixel's own value (1 % is 0.01)
+    reflectance,   ///< apparent reflectance
+    noise,         ///< the noise that each channel of the sensor declares
+    polarization,  ///< degree of linear polarization (0.5 % DoLP is 0.005)
   };
   double value = 0.0;  ///< above zero
   Unit unit = Unit::fraction;
+  SourcePosition position{};
 };
 
 /// "0.1 K"

@@ -51,6 +51,7 @@ constexpr Unit kSpeedUnits[] = {
     {"m/s"}, {"m s-1", 1.0, 0.0, kAlias}, {"km/h", 1.0 / 3.6}, {"kn", 1852.0 / 3600.0}};
 constexpr Unit kReflectanceUnits[] = {{"reflectance"}};
 constexpr Unit kNoiseUnits[] = {{"noise"}};
+constexpr Unit kDegreeOfPolarizationUnits[] = {{"% DoLP", 1e-2}};
 constexpr Unit kRadianceUnits[] = {
     {"W m-2 sr-1 um-1"},
     {"W m-2 sr-1 nm-1", 1e3},
@@ -128,6 +129,8 @@ const Dimension kPixels{"a number of pixels", "0.6 px", kPixelUnits, 1e-6, 1e6};
 const Dimension kPercent{"a percentage", "1 %", kPercentUnits, 1e-12, 1e6};
 const Dimension kReflectance{"a reflectance", "0.002 reflectance", kReflectanceUnits, 1e-12, 1e6};
 const Dimension kNoise{"a share of the sensor's noise", "0.5 noise", kNoiseUnits, 1e-9, 1e6};
+const Dimension kDegreeOfPolarization{"a degree of linear polarization", "0.5 % DoLP",
+                                      kDegreeOfPolarizationUnits, 1e-12, 1e3};
 const Dimension kRadiance{"a spectral radiance", "12 W m-2 sr-1 um-1", kRadianceUnits};
 const Dimension kDensity{"a density", "300 ha-1", kDensityUnits, 1e-15, 1e9};
 const Dimension kIrradiance{"a spectral irradiance", "1800 W m-2 um-1", kIrradianceUnits};

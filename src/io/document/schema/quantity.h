@@ -38,6 +38,7 @@ extern const Dimension kPixels;                 ///< px
 extern const Dimension kPercent;                ///< fraction of 1
 extern const Dimension kReflectance;            ///< fraction of 1
 extern const Dimension kNoise;                  ///< of the sensor
+extern const Dimension kDegreeOfPolarization;   ///< linear, fraction of 1
 extern const Dimension kRadiance;               ///< W m-2 sr-1 um-1
 extern const Dimension kDensity;                ///< m-2, of things on the ground
 extern const Dimension kIrradiance;             ///< W m-2 um-1

@@ -27,6 +27,8 @@ inline constexpr std::size_t kRows = 33;
 
 /// Of a wavelength, um, and the cosine of the angle of incidence.
 using Shares = std::function<BoundaryShares(double um, double cosine)>;
+/// Any numbers of the two, as many as are tabulated.
+using Numbers = std::function<void(double um, double cosine, double* values)>;
 
 /// What it depends on, and how fast it may swing.
 struct Source {
@@ -39,6 +41,10 @@ struct Source {
 /// All reflected rows, then all transmitted ones: at the wavelengths of the spectra and as many more as are needed so that they
 /// are linear between them within 2e-4. Of constants that depend on the wavelength all the same: from 0.1 to 1000 um.
 std::vector<radiometry::Spectrum> tabulated(const Source& source, std::size_t rows, const Shares& shares);
+/// The same of `count` (at most kMostNumbers) numbers, all rows of the first before those of the second.
+inline constexpr std::size_t kMostNumbers = 8;
+std::vector<radiometry::Spectrum> tabulated(const Source& source, std::size_t rows, std::size_t count,
+                                            const Numbers& numbers);
 
 inline double cosine(std::size_t row, std::size_t rows) {
   const double t = static_cast<double>(row) / static_cast<double>(rows - 1);

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <utility>
 
-#include "materials/bsdf/boundary/boundary_rows.h"
+#include "materials/bsdf/boundary/boundary_polarization.h"
+#include "radiometry/fresnel.h"
 
 namespace ifov::materials {
 
@@ -31,16 +33,20 @@ BsdfSample DeltaBoundary::sample(const BsdfEvent& view, double, double) const {
   return {incoming, math::dot(incoming, incoming) > 0.0 ? 1.0 : 0.0, 0.0};
 }
 
+double DeltaBoundary::outside_cosine(const BsdfEvent& event, bool& total) const {
+  const double cosine = event.outgoing_cosine();
+  total = false;
+  if (properties_.passage != Passage::out_of) return cosine;
+  // A ray in the medium and the one that it becomes outside are reflected alike.
+  const double square = 1.0 - properties_.index * properties_.index * (1.0 - cosine * cosine);
+  total = !(square > 0.0);
+  return total ? 0.0 : std::sqrt(square);
+}
+
 void DeltaBoundary::evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                              float* share) const {
-  double cosine = event.outgoing_cosine();
   bool total = false;
-  if (properties_.passage == Passage::out_of) {
-    // A ray in the medium and the one that it becomes outside are reflected alike.
-    const double square = 1.0 - properties_.index * properties_.index * (1.0 - cosine * cosine);
-    total = !(square > 0.0);
-    cosine = total ? 0.0 : std::sqrt(square);
-  }
+  const double cosine = outside_cosine(event, total);
   const bool through = event.side == Side::transmitted;
   if (through && (total || !properties_.transmits)) {
     std::fill_n(share, count, 0.0f);
@@ -52,6 +58,77 @@ void DeltaBoundary::evaluate(const BsdfEvent& event, ParameterSpectra parameters
   for (std::size_t i = 0; i < 4; ++i) w[i] = static_cast<float>(rows.weight[i]);
   for (std::size_t n = 0; n < count; ++n)
     share[n] = std::clamp(w[0] * r[0][n] + w[1] * r[1][n] + w[2] * r[2][n] + w[3] * r[3][n], 0.0f, 1.0f);
+}
+
+std::span<const radiometry::Spectrum> DeltaBoundary::polarization_spectra() const {
+  std::call_once(made_, [&] {
+    if (properties_.polarization) polarization_ = properties_.polarization();
+  });
+  return polarization_;
+}
+
+void DeltaBoundary::evaluate_mueller(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
+                                     const MuellerRows& rows) const {
+  using boundary_polarization::kElements;
+  float* __restrict whole = rows.at(0, 0);
+  evaluate(event, parameters, count, whole);
+  for (std::size_t c = 0; c < rows.columns(); ++c)
+    for (std::size_t r = c == 0 ? 1 : 0; r < 4; ++r) std::fill_n(rows.at(r, c), count, 0.0f);
+  bool total = false;
+  const double cosine = outside_cosine(event, total);
+  const bool through = event.side == Side::transmitted;
+  if (through && (total || !properties_.transmits)) return;
+  const ParameterSpectra own = parameters.subspan(shares_.size());
+  if (total) return turn_totally(event, own.back(), count, rows);
+
+  const std::size_t beside = boundary_polarization::rows_beside(properties_.rows);
+  const RowWeights at = boundary_rows::at(cosine, beside);
+  float w[4];
+  for (std::size_t i = 0; i < 4; ++i) w[i] = static_cast<float>(at.weight[i]);
+  const auto element = [&](std::size_t k, std::size_t n) {
+    const float* const* r = &own[((through ? kElements : 0) + k) * beside + at.first];
+    return w[0] * r[0][n] + w[1] * r[1][n] + w[2] * r[2][n] + w[3] * r[3][n];
+  };
+  for (std::size_t n = 0; n < count; ++n) {
+    const float sum = element(0, n), scale = sum > 1e-12f ? whole[n] / sum : 0.0f;
+    // Between rows no more than a matrix can be: |M_01| <= M_00 and M_22^2 + M_23^2 <= M_00^2 - M_01^2.
+    const float difference = std::clamp(scale * element(1, n), -whole[n], whole[n]);
+    rows.at(1, 0)[n] = difference;
+    if (!rows.all) continue;
+    float real = scale * element(2, n), imaginary = scale * element(3, n);
+    const float most = whole[n] * whole[n] - difference * difference,
+                square = real * real + imaginary * imaginary;
+    if (square > most) {
+      const float less = std::sqrt(std::max(0.0f, most) / square);
+      real *= less, imaginary *= less;
+    }
+    rows.at(0, 1)[n] = difference;
+    rows.at(1, 1)[n] = whole[n];
+    rows.at(2, 2)[n] = rows.at(3, 3)[n] = real;
+    rows.at(2, 3)[n] = imaginary;
+    rows.at(3, 2)[n] = -imaginary;
+  }
+}
+
+/// All is reflected, p and s with phases of their own (Born and Wolf, section 1.5.4).
+void DeltaBoundary::turn_totally(const BsdfEvent& event, const float* index, std::size_t count,
+                                 const MuellerRows& rows) const {
+  if (!rows.all) return;
+  for (std::size_t n = 0; n < count; ++n) {
+    const float whole = rows.at(0, 0)[n];
+    const double inverse = index[n] > 0.0f ? 1.0 / static_cast<double>(index[n]) : 1.0;
+    const radiometry::FresnelAmplitudes r =
+        radiometry::fresnel_reflection_amplitudes(inverse, event.outgoing_cosine());
+    const std::complex<double> both = r.p * std::conj(r.s);
+    // Directions are bent by one index of all wavelengths: in others light may be at the limit of total reflection.
+    const double size = std::abs(both);
+    const std::complex<double> turn =
+        std::norm(r.s) > 1.0 - 1e-9 && size > 0.0 ? both / size : std::complex<double>(1.0);
+    rows.at(1, 1)[n] = whole;
+    rows.at(2, 2)[n] = rows.at(3, 3)[n] = whole * static_cast<float>(turn.real());
+    rows.at(2, 3)[n] = whole * static_cast<float>(turn.imag());
+    rows.at(3, 2)[n] = -rows.at(2, 3)[n];
+  }
 }
 
 }  // namespace ifov::materials

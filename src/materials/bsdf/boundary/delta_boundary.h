@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -21,6 +23,9 @@ class DeltaBoundary final : public Bsdf {
     double index = 1.0;
     std::optional<radiometry::Spectrum> absorption = std::nullopt;  ///< of the medium, 1/m
     std::shared_ptr<const Bsdf> behind = nullptr;
+    /// Elements of its Mueller matrices (boundary_polarization, rows_beside() of the rows), made when they are asked for; of `out_of`
+    /// with the index of the medium behind them, by which light that is reflected totally is retarded.
+    std::function<std::vector<radiometry::Spectrum>()> polarization = {};
   };
   DeltaBoundary(std::vector<radiometry::Spectrum> shares, Properties properties);
 
@@ -41,9 +46,20 @@ class DeltaBoundary final : public Bsdf {
   /// By `outgoing` and side alone.
   void evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                 float* share) const override;
+  bool polarizes() const override { return static_cast<bool>(properties_.polarization); }
+  std::span<const radiometry::Spectrum> polarization_spectra() const override;
+  void evaluate_mueller(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
+                        const MuellerRows& rows) const override;
 
  private:
+  /// The cosine outside by which shares are told; `total`: light is reflected totally within.
+  double outside_cosine(const BsdfEvent& event, bool& total) const;
+  void turn_totally(const BsdfEvent& event, const float* index, std::size_t count,
+                    const MuellerRows& rows) const;
+
   std::vector<radiometry::Spectrum> shares_;
+  mutable std::once_flag made_;
+  mutable std::vector<radiometry::Spectrum> polarization_;
   Properties properties_;
 };
 

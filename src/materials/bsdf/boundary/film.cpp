@@ -5,7 +5,7 @@
 #include <complex>
 
 #include "core/error.h"
-#include "materials/bsdf/boundary/boundary_rows.h"
+#include "materials/bsdf/boundary/boundary_polarization.h"
 #include "materials/bsdf/boundary/delta_boundary.h"
 #include "materials/bsdf/boundary/index_parameters.h"
 #include "materials/bsdf/boundary/pane_shares.h"
@@ -85,40 +85,92 @@ const BsdfModel kModel{
     },
     true};
 
+namespace {
+
+/// What a film on a substrate does with light of either polarization.
+struct Coated {
+  Layer film;
+  Spectrum substrate_n, substrate_k;
+  std::optional<double> pane_m;
+
+  double film_um() const { return 1e6 * film.thickness_m; }
+  Complex substrate(double um) const { return {substrate_n.at(um), substrate_k.at(um)}; }
+  boundary_rows::Source source() const {
+    return {
+        {&film.n, &film.k, &substrate_n, &substrate_k}, film_um() * std::max(1.0, film.n.maximum()), true};
+  }
+  radiometry::FilmStack outside(double um) const {
+    return {1.0, Complex(film.n.at(um), film.k.at(um)), substrate(um), film_um() / um};
+  }
+  /// Within the pane light is told apart from what absorbs it: the pane absorbs little where it lets light through.
+  radiometry::FilmStack within(double um) const {
+    return {substrate(um).real(), Complex(film.n.at(um), film.k.at(um)), 1.0, film_um() / um};
+  }
+
+  PaneFace face(double um, double cosine) const {
+    const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+    const bool grazes = !(cosine > 0.0);
+    PaneFace face{radiometry::film_shares(outside(um), sine), {}};
+    if (grazes) face.outside = {1.0, 1.0, 0.0, 0.0};
+    if (!pane_m) return face;
+    face.within = radiometry::film_shares(within(um), sine);
+    if (grazes) face.within = {1.0, 1.0, 0.0, 0.0};
+    return face;
+  }
+  PaneCross cross(double um, double cosine) const {
+    const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+    const CrossShares grazing{1.0, 0.0};
+    const bool grazes = !(cosine > 0.0);
+    PaneCross both{grazes ? grazing : film_cross(outside(um), sine), {}};
+    if (pane_m) both.within = grazes ? grazing : film_cross(within(um), sine);
+    return both;
+  }
+  double passes(double um, double cosine) const {
+    return passes_once(substrate(um), cosine, 1e6 * *pane_m, um);
+  }
+
+  radiometry::PowerShares seen(double um, double cosine, bool from_behind) const {
+    const PaneFace front = face(um, cosine);
+    if (!pane_m) return front.outside;
+    const PaneFace back = bare_face(substrate(um), cosine);
+    return from_behind ? pane_shares(back, front, passes(um, cosine))
+                       : pane_shares(front, back, passes(um, cosine));
+  }
+  CrossShares cross_seen(double um, double cosine, bool from_behind) const {
+    const PaneCross front = cross(um, cosine);
+    if (!pane_m) return front.outside;
+    const PaneCross back = bare_cross(substrate(um), cosine);
+    return from_behind ? pane_cross(back, front, passes(um, cosine))
+                       : pane_cross(front, back, passes(um, cosine));
+  }
+};
+
+}  // namespace
+
 std::shared_ptr<const Bsdf> make(const Layer& film, const Spectrum& substrate_n, const Spectrum& substrate_k,
                                  std::optional<double> pane_m, const Spectrum& factor) {
-  const double film_um = 1e6 * film.thickness_m, pane_um = 1e6 * pane_m.value_or(0.0);
   const std::size_t rows = rows_for(film);
-  const double optical_um = film_um * std::max(1.0, film.n.maximum());
-  const boundary_rows::Source source{{&film.n, &film.k, &substrate_n, &substrate_k}, optical_um, true};
-  const auto coated = [&](double um, double cosine) {
-    const Complex layer(film.n.at(um), film.k.at(um)), substrate(substrate_n.at(um), substrate_k.at(um));
-    const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine)), waves = film_um / um;
-    PaneFace face{radiometry::film_shares({1.0, layer, substrate, waves}, sine), {}};
-    if (!(cosine > 0.0)) face.outside = {1.0, 1.0, 0.0, 0.0};
-    if (!pane_m) return face;
-    // Within the pane light is told apart from what absorbs it: the pane absorbs little where it lets light through.
-    face.within = radiometry::film_shares({substrate.real(), layer, 1.0, waves}, sine);
-    if (!(cosine > 0.0)) face.within = {1.0, 1.0, 0.0, 0.0};
-    return face;
-  };
-  const auto seen = [&](bool from_behind) {
-    std::vector<Spectrum> shares = boundary_rows::tabulated(source, rows, [&](double um, double cosine) {
-      const PaneFace front = coated(um, cosine);
-      if (!pane_m) return BoundaryShares(front.outside);
-      const Complex substrate(substrate_n.at(um), substrate_k.at(um));
-      const PaneFace back = bare_face(substrate, cosine);
-      const double passes = passes_once(substrate, cosine, pane_um, um);
-      return BoundaryShares(from_behind ? pane_shares(back, front, passes)
-                                        : pane_shares(front, back, passes));
-    });
+  const auto coated = std::make_shared<const Coated>(Coated{film, substrate_n, substrate_k, pane_m});
+  const auto boundary = [&](bool from_behind, std::shared_ptr<const Bsdf> behind) {
+    std::vector<Spectrum> shares = boundary_rows::tabulated(
+        coated->source(), rows,
+        [&](double um, double cosine) { return BoundaryShares(coated->seen(um, cosine, from_behind)); });
     apply_factor(factor, rows, shares);
-    return shares;
+    DeltaBoundary::Properties properties{rows};
+    if (pane_m) properties.transmits = true, properties.passage = Passage::straight;
+    properties.behind = std::move(behind);
+    properties.polarization = [coated, rows, from_behind] {
+      return boundary_polarization::tabulated(coated->source(), boundary_polarization::rows_beside(rows),
+                                              coated->pane_m.has_value(), [&](double um, double cosine) {
+                                                return boundary_polarization::Polarized{
+                                                    coated->seen(um, cosine, from_behind),
+                                                    coated->cross_seen(um, cosine, from_behind)};
+                                              });
+    };
+    return std::make_shared<DeltaBoundary>(std::move(shares), std::move(properties));
   };
-  if (!pane_m) return std::make_shared<DeltaBoundary>(seen(false), DeltaBoundary::Properties{rows});
-  DeltaBoundary::Properties properties{rows, true, Passage::straight};
-  properties.behind = std::make_shared<DeltaBoundary>(seen(true), properties);
-  return std::make_shared<DeltaBoundary>(seen(false), properties);
+  if (!pane_m) return boundary(false, nullptr);
+  return boundary(false, boundary(true, nullptr));
 }
 
 }  // namespace ifov::materials::film

@@ -2,7 +2,7 @@
 
 #include <complex>
 
-#include "materials/bsdf/boundary/boundary_rows.h"
+#include "materials/bsdf/boundary/boundary_polarization.h"
 #include "materials/bsdf/boundary/delta_boundary.h"
 #include "materials/bsdf/boundary/index_parameters.h"
 #include "materials/bsdf/boundary/pane_shares.h"
@@ -33,8 +33,20 @@ std::shared_ptr<const Bsdf> make(const Spectrum& n, const Spectrum& k, double th
     return BoundaryShares(pane_shares(face, face, passes_once(index, cosine, thickness_um, um)));
   });
   apply_factor(factor, kRows, shares);
-  return std::make_shared<DeltaBoundary>(std::move(shares),
-                                         DeltaBoundary::Properties{kRows, true, Passage::straight});
+  DeltaBoundary::Properties properties{kRows, true, Passage::straight};
+  properties.polarization = [n, k, thickness_um, absorbs] {
+    return boundary_polarization::tabulated(
+        {{&n, &k}, absorbs ? thickness_um : 0.0}, boundary_polarization::rows_beside(kRows), true,
+        [&](double um, double cosine) {
+          const std::complex<double> index(n.at(um), k.at(um));
+          const PaneFace face = bare_face(index, cosine);
+          const PaneCross cross = bare_cross(index, cosine);
+          const double passes = passes_once(index, cosine, thickness_um, um);
+          return boundary_polarization::Polarized{pane_shares(face, face, passes),
+                                                  pane_cross(cross, cross, passes)};
+        });
+  };
+  return std::make_shared<DeltaBoundary>(std::move(shares), std::move(properties));
 }
 
 }  // namespace ifov::materials::slab

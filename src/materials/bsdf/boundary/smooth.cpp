@@ -8,9 +8,10 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "materials/bsdf/boundary/boundary_rows.h"
+#include "materials/bsdf/boundary/boundary_polarization.h"
 #include "materials/bsdf/boundary/delta_boundary.h"
 #include "materials/bsdf/boundary/index_parameters.h"
+#include "materials/bsdf/boundary/pane_shares.h"
 #include "materials/bsdf/facet_parameters.h"
 #include "materials/bsdf/microfacet/fresnel_rows.h"
 
@@ -97,15 +98,33 @@ std::shared_ptr<const Bsdf> make(const Spectrum& n, const Spectrum& k, const Spe
     return BoundaryShares({p, s, 1.0 - p, 1.0 - s});
   });
   apply_factor(factor, kRows, shares);
-  if (!over_medium) return std::make_shared<DeltaBoundary>(shares, DeltaBoundary::Properties{kRows});
+  const auto polarization = [n, k](bool transmits) {
+    return boundary_polarization::tabulated(
+        {{&n, &k}}, boundary_polarization::rows_beside(kRows), transmits, [&](double um, double cosine) {
+          const std::complex<double> index(n.at(um), k.at(um));
+          return boundary_polarization::Polarized{bare_face(index, cosine).outside,
+                                                  bare_cross(index, cosine).outside};
+        });
+  };
+  if (!over_medium) {
+    DeltaBoundary::Properties alone{kRows};
+    alone.polarization = [polarization] { return polarization(false); };
+    return std::make_shared<DeltaBoundary>(shares, std::move(alone));
+  }
   const Medium medium = medium_of(n, k);
   DeltaBoundary::Properties within{kRows, true, Passage::out_of, medium.index};
+  within.polarization = [polarization, n] {
+    std::vector<Spectrum> all = polarization(true);
+    all.push_back(n);
+    return all;
+  };
   DeltaBoundary::Properties outside{kRows,
                                     true,
                                     Passage::into,
                                     medium.index,
                                     medium.absorption,
                                     std::make_shared<DeltaBoundary>(shares, within)};
+  outside.polarization = [polarization] { return polarization(true); };
   if (outside.absorption->maximum() <= 0.0) outside.absorption.reset();
   return std::make_shared<DeltaBoundary>(std::move(shares), outside);
 }

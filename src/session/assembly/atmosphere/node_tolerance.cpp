@@ -24,6 +24,7 @@ double relative(const scene::Scene& scene, const radiometry::Channel& channel,
   const double white = sunlit / std::numbers::pi + warm;
   switch (request.unit) {
     case render::ErrorUnit::percent:
+    case render::ErrorUnit::polarization:
     case render::ErrorUnit::reflectance: return request.error;
     case render::ErrorUnit::kelvin:
       return request.error * radiometry::channel_planck_slope_w_m2_sr_um_k(channel, hottest_k) / warm;

@@ -10,8 +10,8 @@ struct Scene;
 
 namespace ifov::session {
 
-/// Throws an error at the first material with a smooth boundary, pane or film, where the sensor tells polarizations
-/// apart: they polarize light more than anything else, and how is not worked out. `scene` is assembled from `written`.
+/// Throws an error at the first material that mirrors or refracts, where the sensor tells polarizations apart and its model does not: such
+/// surfaces polarize light more than any other. `scene` is assembled from `written`.
 void check_polarized(const io::DocumentSources& sources, const io::SceneDocument& written,
                      const scene::Scene& scene);
 

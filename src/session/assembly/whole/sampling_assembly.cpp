@@ -20,6 +20,7 @@ render::ErrorUnit unit_of(io::ErrorSize::Unit unit) {
     case io::ErrorSize::Unit::radiance: return render::ErrorUnit::radiance;
     case io::ErrorSize::Unit::reflectance: return render::ErrorUnit::reflectance;
     case io::ErrorSize::Unit::noise: return render::ErrorUnit::noise;
+    case io::ErrorSize::Unit::polarization: return render::ErrorUnit::polarization;
     case io::ErrorSize::Unit::fraction: break;
   }
   return render::ErrorUnit::percent;
