@@ -53,7 +53,7 @@ ColourLattice::Mix ColourLattice::mix(std::uint32_t rgba) const {
   if (steps[0].share < steps[1].share) std::swap(steps[0], steps[1]);
   if (steps[1].share < steps[2].share) std::swap(steps[1], steps[2]);
   if (steps[0].share < steps[1].share) std::swap(steps[0], steps[1]);
-  std::uint32_t corner = (red.level * kLevels + green.level) * kLevels + blue.level;
+  auto corner = static_cast<std::uint32_t>((red.level * kLevels + green.level) * kLevels + blue.level);
   Mix mix;
   double above = 1.0;
   for (std::size_t k = 0; k <= 3; ++k) {

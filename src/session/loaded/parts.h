@@ -14,6 +14,7 @@
 #include "sampling/pixel_footprint.h"
 #include "scene/scene.h"
 #include "session/assembly/geometry/placed_objects.h"
+#include "session/assembly/shared/colour_guess.h"
 #include "session/assembly/shared/map_scale.h"
 #include "session/assembly/whole/sampling_assembly.h"
 
@@ -51,6 +52,7 @@ struct Parts {
   const io::Document& document;
   scene::Scene scene;
   std::vector<MapScale> map_scales;
+  std::vector<ColourGuess> colour_guesses;
   PlacedObjects placed;
   math::Vec3 map_offset_m;                 ///< map coordinates of the scene's origin
   std::vector<io::FileStamp> known_files;  ///< files whose bytes the scene cache vouches for
