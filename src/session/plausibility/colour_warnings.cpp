@@ -32,7 +32,8 @@ bool reaches_beyond(const radiometry::Channel& channel) {
 void warn_of_colours(const Parts& parts, LogSink& log) {
   std::vector<std::string> beyond, thermal;
   for (const radiometry::Channel& channel : parts.channels)
-    if (reaches_beyond(channel)) (channel.centre_um < kFarFromColours_um ? beyond : thermal).push_back(channel.name);
+    if (reaches_beyond(channel))
+      (channel.centre_um < kFarFromColours_um ? beyond : thermal).push_back(channel.name);
   for (const ColourGuess& guess : parts.colour_guesses) {
     const std::string of = format("{} of '{}'", quoted(guess.slots), guess.file);
     log.warn(format(
