@@ -221,7 +221,7 @@ MISTAKES = [
     ("colours of a mesh without a library", coloured("bare.obj"), ERROR, "bare.obj: the file names no material library .mtllib."),
     ("a picture that is not there", coloured("hut.obj"), ERROR, "hut.mtl:4:8: there is no image '.*gone.png'"),
     ("a picture that is a table", coloured("sheet.obj"), ERROR, "sheet.mtl:2:8: .*empty.csv: not an image of a kind that is read"),
-    ("a colour brighter than white", coloured("glow.obj"), ERROR, "glow.mtl:2:8: expected a number from 0 to 1, found '1.5'"),
+    ("a colour brighter than white", coloured("glow.obj"), ERROR, "glow.mtl:2:6: expected a number from 0 to 1, found '1.5'"),
     ("a slot of which the library says nothing", coloured("gate.obj"), ERROR, "'flat.mtl' says no colour of the slot 'door' of the mesh .it has 'paint'."),
     ("colours of a sphere", changed(OBJECTS + "[1].material", {"from_file": {}}), ERROR, "only a mesh has materials 'from_file'"),
     ("a colour of sRGB beyond bytes", coloured("flat.obj", {"colours": [{"srgb": [300, 0, 0], "material": "wall"}]}), ERROR, "between 0 and 255"),

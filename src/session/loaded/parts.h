@@ -14,8 +14,6 @@
 #include "sampling/pixel_footprint.h"
 #include "scene/scene.h"
 #include "session/assembly/geometry/placed_objects.h"
-#include "session/assembly/shared/colour_guess.h"
-#include "session/assembly/shared/map_scale.h"
 #include "session/assembly/whole/sampling_assembly.h"
 
 namespace ifov::atmosphere {
@@ -35,6 +33,7 @@ struct Polarimetry;
 struct RenderJob;
 }  // namespace ifov::render
 namespace ifov::sensor {
+class Camera;
 class PsfWings;
 }
 namespace ifov::transport {
@@ -42,6 +41,9 @@ class SpectralScene;
 }
 
 namespace ifov::session {
+
+struct ColourGuess;
+struct MapScale;
 
 /// What a loaded document consists of. Immutable once loaded; members refer to those above them.
 struct Parts {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/format.h"
+#include "session/assembly/shared/colour_guess.h"
 #include "session/loaded/parts.h"
 #include "session/plausibility/plausibility_warnings.h"
 

@@ -93,7 +93,7 @@ std::string said_of_alpha(const io::FileMaterial& material) {
   }
   if (hidden == 0.0) return {};
   return format(
-      "{:.2g} % of it is {} in the file and opaque here, in the colours that the picture has there: shapes that it "
+      "{:.3g} % of it is {} in the file and opaque here, in the colours that the picture has there: shapes that it "
       "cuts out are not cut out",
       100.0 * hidden, mask ? "cut away (MASK)" : "transparent (BLEND)");
 }
@@ -287,7 +287,7 @@ std::shared_ptr<const materials::ClassMap> FileColours::classes(const io::FileMa
   std::string more;
   if (far > 0)
     more = format(
-        "{:.2g} % of its cells look unlike every colour that is given (by more than 10 in CIELAB, up to {:.0f}); "
+        "{:.3g} % of its cells look unlike every colour that is given (by more than 10 in CIELAB, up to {:.0f}); "
         "they take the nearest, which is a guess",
         100.0 * static_cast<double>(far) / static_cast<double>(numbers.size()), farthest);
   say(slot, written, more);
