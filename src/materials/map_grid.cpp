@@ -39,7 +39,7 @@ InCells in_cells(const MapGrid& grid, const MapPosition& position) {
 
 std::size_t MapGrid::cell_at(const MapPosition& position) const {
   const InCells at = in_cells(*this, position);
-  return static_cast<std::size_t>(tiled(std::floor(at.row), height, tiling)) *
+  return static_cast<std::size_t>(tiled(std::floor(at.row), height, tiling_down.value_or(tiling))) *
              static_cast<std::size_t>(width) +
          static_cast<std::size_t>(tiled(std::floor(at.column), width, tiling));
 }
@@ -51,9 +51,9 @@ MapGrid::Corners MapGrid::corners_at(const MapPosition& position) const {
   Corners corners{};
   for (int k = 0; k < 4; ++k) {
     const int east = k % 2, south = k / 2;
-    corners.cell[k] =
-        static_cast<std::size_t>(tiled(row + south, height, tiling)) * static_cast<std::size_t>(width) +
-        static_cast<std::size_t>(tiled(column + east, width, tiling));
+    corners.cell[k] = static_cast<std::size_t>(tiled(row + south, height, tiling_down.value_or(tiling))) *
+                          static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(tiled(column + east, width, tiling));
     corners.share[k] = (east != 0 ? across : 1.0 - across) * (south != 0 ? down : 1.0 - down);
   }
   return corners;

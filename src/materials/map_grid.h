@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace ifov::materials {
@@ -33,6 +34,7 @@ struct MapGrid {
   int width = 0, height = 0;
   Tiling tiling = Tiling::edge;
   MapBy by = MapBy::position;
+  std::optional<Tiling> tiling_down = std::nullopt;  ///< of rows, where it is another than of columns
 
   /// Index of the cell that holds a place.
   std::size_t cell_at(const MapPosition& position) const;

@@ -88,6 +88,30 @@ Spectrum Spectrum::complement() const {
   return mapped([](double value) { return 1.0 - value; });
 }
 
+Spectrum continued(const Spectrum& within, const Spectrum& beyond) {
+  constexpr double kNext_um = 1e-6;
+  const double first = within.first_um() - kNext_um, last = within.last_um() + kNext_um;
+  std::vector<double> um, values;
+  const auto add = [&](double at) {
+    um.push_back(at);
+    values.push_back(beyond.at(at));
+  };
+  const auto knows = [&](double at) {
+    return beyond.is_constant() || beyond.outside() != radiometry::OutsideRange::error ||
+           (beyond.first_um() <= at && at <= beyond.last_um());
+  };
+  for (const double at : beyond.wavelength_um())
+    if (at < first) add(at);
+  if (knows(first)) add(first);
+  um.insert(um.end(), within.wavelength_um().begin(), within.wavelength_um().end());
+  values.insert(values.end(), within.values().begin(), within.values().end());
+  if (knows(last)) add(last);
+  for (const double at : beyond.wavelength_um())
+    if (at > last) add(at);
+  return {std::move(um), std::move(values),
+          beyond.is_constant() ? radiometry::OutsideRange::extend : beyond.outside(), within.name()};
+}
+
 Spectrum sum(const Spectrum& a, const Spectrum& b) {
   if (a.is_constant()) return b.mapped([&](double value) { return value + a.values().front(); });
   if (b.is_constant()) return sum(b, a);

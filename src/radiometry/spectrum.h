@@ -52,6 +52,9 @@ class Spectrum {
   std::string name_;
 };
 
+/// `within`, a table, where it is known, and `beyond` on either side of that.
+Spectrum continued(const Spectrum& within, const Spectrum& beyond);
+
 /// Of both, where both can be asked; linear between the points of either. The first alone where there is no such wavelength.
 Spectrum sum(const Spectrum& a, const Spectrum& b);
 

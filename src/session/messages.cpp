@@ -11,6 +11,7 @@
 #include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "session/assembly/atmosphere/weather_assembly.h"
+#include "session/assembly/shared/map_scale.h"
 #include "session/atmosphere_messages.h"
 #include "session/loaded/parts.h"
 

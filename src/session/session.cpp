@@ -94,6 +94,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
       assembled.scene);
   log->info(scene_statement(*assembled.scene.world));
   p.scene = std::move(assembled.scene), p.map_scales = std::move(assembled.map_scales);
+  p.colour_guesses = std::move(assembled.colour_guesses);
   p.placed = std::move(assembled.placed), p.map_offset_m = assembled.map_offset_m;
   if (cache) p.known_files = cache->known_files();
   if (document.weather) p.weather = assemble_weather(document.sources, *document.weather, document.time);

@@ -13,6 +13,13 @@ def town(material="wall", **city):
     return changed(OBJECTS + "[1]", {"city": {"file": "town.json", **city}, "material": material})
 
 
+def coloured(file, keys=None):
+    return changed(OBJECTS + "[+]", {"mesh": {"file": file}, "material": {"from_file": keys or {}}, "temperature": "20 degC"})
+
+
+FACE = "v 6 0 0\nv 7 0 0\nv 7 0 1\n"
+
+
 def terrain(**keys):
     return changed(OBJECTS + "[0]", {"terrain": {"file": "dem.asc", **keys}, "material": "lawn"})
 
@@ -217,6 +224,15 @@ MISTAKES = [
     ("a class without a material", classes({"1": "lawn"}), ERROR, "class 2 at row 1, column 2 of '.*classes.asc' has no material; the classes given are 1"),
     ("names for class numbers", classes({"grass": "lawn"}), ERROR, "the key 'grass' is not a class number"),
     ("fractions for classes", classes({"0": "lawn", "1": "wall"}, "fractions.asc"), ERROR, "class 0.2 at row 1, column 1 of '.*fractions.asc' has no material"),
+    ("colours of a mesh without a library", coloured("bare.obj"), ERROR, "bare.obj: the file names no material library .mtllib."),
+    ("a picture that is not there", coloured("hut.obj"), ERROR, "hut.mtl:4:8: there is no image '.*gone.png'"),
+    ("a picture that is a table", coloured("sheet.obj"), ERROR, "sheet.mtl:2:8: .*empty.csv: not an image of a kind that is read"),
+    ("a colour brighter than white", coloured("glow.obj"), ERROR, "glow.mtl:2:6: expected a number from 0 to 1, found '1.5'"),
+    ("a slot of which the library says nothing", coloured("gate.obj"), ERROR, "'flat.mtl' says no colour of the slot 'door' of the mesh .it has 'paint'."),
+    ("colours of a sphere", changed(OBJECTS + "[1].material", {"from_file": {}}), ERROR, "only a mesh has materials 'from_file'"),
+    ("a colour of sRGB beyond bytes", coloured("flat.obj", {"colours": [{"srgb": [300, 0, 0], "material": "wall"}]}), ERROR, "between 0 and 255"),
+    ("a colour of a mesh seen in the thermal infrared", coloured("flat.obj"), WARNING, "EMISSIVITY FROM A COLOUR: in .* 'paint' of 'flat.obj'"),
+    ("a colour taken for a reflectance", coloured("flat.obj"), WARNING, "the reflectance of 'paint' of 'flat.obj' is a guess: made of colours"),
     ("an included document that is not there", changed("include", "gone.json"), ERROR, "gone.json"),
     ("a document that includes itself", changed("include", "scene.json"), ERROR, "include"),
     ("polarization of a sensor that does not tell it", changed("output.products", ["quality", "dolp", "aop"]), ERROR,
@@ -261,5 +277,15 @@ FILES = {
     "tile.csv": measured_brdf(),
     "white.csv": "light,view,azimuth,wavelength,BRDF\n" + "".join(f"{i},{o},{a},{um},0.2\n" for i in (0, 60) for o in (0, 60) for a in (0, 180) for um in (0.5, 12)),
     "hole.csv": measured_brdf().rsplit("\n", 2)[0] + "\n",
+    "bare.obj": FACE + "usemtl paint\nf 1 2 3\n",
+    "hut.obj": "mtllib hut.mtl\n" + FACE + "usemtl roof\nf 1 2 3\nusemtl door\nf 1 3 2\n",
+    "hut.mtl": "newmtl roof\nKd 0.5 0.2 0.1\n# a picture\nmap_Kd gone.png\n",
+    "sheet.obj": "mtllib sheet.mtl\n" + FACE + "usemtl paint\nf 1 2 3\n",
+    "sheet.mtl": "newmtl paint\nmap_Kd empty.csv\n",
+    "glow.obj": "mtllib glow.mtl\n" + FACE + "usemtl paint\nf 1 2 3\n",
+    "glow.mtl": "newmtl paint\nKd 1 1.5 1\n",
+    "flat.obj": "mtllib flat.mtl\n" + FACE + "usemtl paint\nf 1 2 3\n",
+    "gate.obj": "mtllib flat.mtl\n" + FACE + "usemtl door\nf 1 2 3\n",
+    "flat.mtl": "newmtl paint\nKd 0.5 0.2 0.1\n",
     "fractions.asc": ascii_grid([[0.2, 0.5, 0.7, 1.0]] * 4),
 }

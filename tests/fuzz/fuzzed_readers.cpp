@@ -17,6 +17,7 @@
 #include "io/instances/instance_csv.h"
 #include "io/instances/instance_file.h"
 #include "io/mesh/gltf_reader.h"
+#include "io/mesh/mesh_materials.h"
 #include "io/mesh/obj_reader.h"
 #include "io/mesh/ply_reader.h"
 #include "io/products/envi_reader.h"
@@ -32,6 +33,7 @@
 #include "io/spectra/ems.h"
 #include "io/spectra/envi_library.h"
 #include "io/spectra/usgs.h"
+#include "support/small_pictures.h"
 
 namespace ifov::fuzz {
 namespace {
@@ -107,6 +109,24 @@ void read_scene_cache(const std::filesystem::path& path) {
   if (log.said.find("is not used") != std::string::npos) throw InputError(log.said);
 }
 
+/// A glTF file with a picture of its own.
+std::vector<std::string> gltf_material_seeds() {
+  std::string text = gltf_seeds().front();
+  const std::size_t end = text.rfind('}');
+  const std::string picture(test::kPictureWithHole);
+  text.insert(end, R"(,"images":[{"uri":"data:image/png;base64,)" + picture +
+                       R"("}],"textures":[{"source":0}],"samplers":[{"wrapS":33071,"wrapT":33648}])");
+  const std::string base =
+      R"("pbrMetallicRoughness":{"baseColorFactor":[0.5,1,1,1],"baseColorTexture":{"index":0,"extensions":{"KHR_texture_transform":{"offset":[0.5,0],"rotation":1}}}})";
+  const std::string key = "\"materials\":[{";
+  const std::size_t at = text.find(key);
+  if (at == std::string::npos)
+    text.insert(text.rfind('}'), ",\"materials\":[{" + base + "}]");
+  else
+    text.insert(at + key.size(), base + (text[at + key.size()] == '}' ? "" : ","));
+  return {text};
+}
+
 }  // namespace
 
 std::vector<FuzzedReader> fuzzed_readers() {
@@ -128,6 +148,15 @@ std::vector<FuzzedReader> fuzzed_readers() {
        {"\"byteStride\":", "\"sparse\":{", "\"children\":[0]", "\"extras\":", "[[", "\"normalized\":true",
         "\"mode\":5"},
        [](const auto& path) { io::read_gltf(path); }},
+      {"gltf_materials",
+       "a.gltf",
+       gltf_material_seeds(),
+       {"\"KHR_texture_transform\":{", "\"texCoord\":1", "\"bufferView\":0", "\"sampler\":0", "\"wrapS\":1",
+        "\"alphaMode\":\"MASK\"", "[1,1,1,1]"},
+       [](const auto& path) {
+         io::read_mesh_materials(path);
+         io::read_gltf(path, nullptr, io::MeshUse::with_materials);
+       }},
       {"glb",
        "a.glb",
        glb_seeds(),

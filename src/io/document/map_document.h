@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -84,8 +85,11 @@ struct MaterialSlots {
   std::vector<std::pair<std::string, DocumentName>> slots;
 };
 
+struct FileMaterials;
 struct MaterialBinding {
-  std::variant<DocumentName, MaterialMap, MaterialSlots, MixtureDocument> value;
+  std::variant<DocumentName, MaterialMap, MaterialSlots, MixtureDocument,
+               std::shared_ptr<const FileMaterials>>
+      value;
   SourcePosition position;
 };
 

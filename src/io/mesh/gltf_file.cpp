@@ -42,23 +42,6 @@ std::string json_of(const std::string& bytes, const std::string& name) {
   return bytes.substr(kGlbHeader, length);
 }
 
-/// As the library decodes it: %20 and a plus are blanks.
-std::string decoded_uri(const std::string& uri) {
-  std::string text;
-  for (std::size_t k = 0; k < uri.size(); ++k) {
-    unsigned code = 0;
-    const char* digits = uri.data() + k + 1;
-    if (uri[k] == '%' && k + 2 < uri.size() &&
-        std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2) {
-      text += static_cast<char>(code);
-      k += 2;
-    } else {
-      text += uri[k] == '+' ? ' ' : uri[k];
-    }
-  }
-  return text;
-}
-
 /// The files that the buffers name, the only ones that are opened.
 struct OpenableFiles {
   std::filesystem::path folder;
@@ -115,6 +98,19 @@ bool no_image(tinygltf::Image*, const int, std::string*, std::string*, int, int,
               void*) {
   return true;
 }
+/// Of images in buffers the library has not looked whether they lie within.
+bool keep_inline_image(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
+                       const unsigned char* bytes, int size, void*) {
+  if (image->bufferView < 0 && size > 0) image->image.assign(bytes, bytes + size);
+  return true;
+}
+
+DocumentTree tree_of(const std::filesystem::path& path) {
+  const std::string bytes = read_input(path);
+  JsonRules rules;
+  rules.max_bytes = rules.max_values = bytes.size();
+  return parse_json(json_of(bytes, path.string()), path.string(), rules);
+}
 
 std::string one_line(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
@@ -127,7 +123,23 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
-tinygltf::Model load_gltf(const std::filesystem::path& path, LogSink* log) {
+std::string decoded_uri(const std::string& uri) {
+  std::string text;
+  for (std::size_t k = 0; k < uri.size(); ++k) {
+    unsigned code = 0;
+    const char* digits = uri.data() + k + 1;
+    if (uri[k] == '%' && k + 2 < uri.size() &&
+        std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2) {
+      text += static_cast<char>(code);
+      k += 2;
+    } else {
+      text += uri[k] == '+' ? ' ' : uri[k];
+    }
+  }
+  return text;
+}
+
+tinygltf::Model load_gltf(const std::filesystem::path& path, LogSink* log, GltfImages images) {
   const std::string name = path.string();
   std::string bytes = read_input(path);
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
@@ -139,12 +151,13 @@ tinygltf::Model load_gltf(const std::filesystem::path& path, LogSink* log) {
   // Our parser goes first: it bounds the depth and names the place of what is wrong.
   const DocumentTree tree = parse_json(json_of(bytes, name), name, rules);
   OpenableFiles open = openable_files(tree, path);
-  if (log != nullptr && tree.root->type() == DocumentNode::Type::object &&
+  if (log != nullptr && images == GltfImages::left_out && tree.root->type() == DocumentNode::Type::object &&
       tree.root->find("images") != nullptr)
-    log->warn(format("{}: its images are not used; give materials and maps in the document", name));
+    log->warn(format(
+        "{}: its images are not used; give materials and maps in the document, or say \"from_file\"", name));
 
   tinygltf::TinyGLTF loader;
-  loader.SetImageLoader(no_image, nullptr);
+  loader.SetImageLoader(images == GltfImages::kept ? keep_inline_image : no_image, nullptr);
   loader.SetFsCallbacks({file_exists, same_path, read_whole_file, nullptr, &open});
   tinygltf::Model model;
   std::string error, warning;
@@ -173,14 +186,28 @@ tinygltf::Model load_gltf(const std::filesystem::path& path, LogSink* log) {
 }
 
 std::vector<std::filesystem::path> gltf_buffers(const std::filesystem::path& path) {
-  const std::string bytes = read_input(path);
-  JsonRules rules;
-  rules.max_bytes = rules.max_values = bytes.size();
   try {
-    return openable_files(parse_json(json_of(bytes, path.string()), path.string(), rules), path).files;
+    return openable_files(tree_of(path), path).files;
   } catch (const InputError&) {
     return {};
   }
+}
+
+std::vector<std::string> gltf_image_uris(const std::filesystem::path& path) {
+  std::vector<std::string> uris;
+  try {
+    const DocumentTree tree = tree_of(path);
+    const DocumentNode* images =
+        tree.root->type() == DocumentNode::Type::object ? tree.root->find("images") : nullptr;
+    if (images == nullptr || images->type() != DocumentNode::Type::list) return uris;
+    for (const DocumentNode& image : images->items()) {
+      const DocumentNode* uri = image.type() == DocumentNode::Type::object ? image.find("uri") : nullptr;
+      if (uri != nullptr && uri->type() == DocumentNode::Type::text && !uri->text().starts_with("data:"))
+        uris.push_back(decoded_uri(uri->text()));
+    }
+  } catch (const InputError&) {
+  }
+  return uris;
 }
 
 }  // namespace ifov::io

@@ -10,6 +10,8 @@
 #include "core/error.h"
 #include "io/mesh/gltf_accessor.h"
 #include "io/mesh/gltf_file.h"
+#include "io/mesh/gltf_materials.h"
+#include "io/mesh/mesh_materials.h"
 #include "math/transform.h"
 
 namespace ifov::io {
@@ -24,8 +26,13 @@ using math::Vec3;
 
 class Reader {
  public:
-  Reader(const std::filesystem::path& path, LogSink* log)
-      : name_(path.string()), log_(log), model_(load_gltf(path, log)), visited_(model_.nodes.size(), false) {}
+  Reader(const std::filesystem::path& path, LogSink* log, MeshUse use)
+      : name_(path.string()),
+        log_(log),
+        use_(use),
+        model_(load_gltf(path, log, use == MeshUse::shape ? GltfImages::left_out : GltfImages::elsewhere)),
+        slot_names_(gltf_slot_names(model_, use == MeshUse::with_materials)),
+        visited_(model_.nodes.size(), false) {}
 
   geometry::TriangleMesh read() {
     check_extensions();
@@ -153,7 +160,10 @@ class Reader {
         fail(format("accessor {} (POSITION): vertex {} is not finite", attribute("POSITION"), k));
       mesh_.vertices_m.push_back(p);
     }
-    const std::uint32_t uv = add_uvs(attribute("TEXCOORD_0"), count);
+    GltfPlacement placement;
+    if (use_ == MeshUse::with_materials) placement = gltf_placement(model_, primitive.material, name_);
+    const std::string set = format("TEXCOORD_{}", placement.set);
+    const std::uint32_t uv = add_uvs(attribute(set.c_str()), set.c_str(), placement, count);
     const std::uint32_t normal = add_normals(attribute("NORMAL"), count, file_from_mesh);
     const std::uint32_t slot = slot_of(primitive.material);
     const bool mirrored = file_from_mesh.determinant() < 0.0;
@@ -203,15 +213,16 @@ class Reader {
     return corners;
   }
 
-  std::uint32_t add_uvs(int accessor, std::size_t count) {
+  std::uint32_t add_uvs(int accessor, const char* set, const GltfPlacement& placement, std::size_t count) {
     if (accessor < 0) return kNoIndex;
-    const GltfAccessor uvs = attribute_accessor(accessor, TINYGLTF_TYPE_VEC2, "TEXCOORD_0", count);
+    const GltfAccessor uvs = attribute_accessor(accessor, TINYGLTF_TYPE_VEC2, set, count);
     any_uv_ = true;
     const auto first = static_cast<std::uint32_t>(mesh_.uvs.size());
     for (std::size_t k = 0; k < count; ++k) {
-      const geometry::Uv uv{uvs.value(k, 0), 1.0 - uvs.value(k, 1)};
+      const std::array<double, 2> at = placement.of(uvs.value(k, 0), uvs.value(k, 1));
+      const geometry::Uv uv{at[0], 1.0 - at[1]};
       if (!std::isfinite(uv.u) || !std::isfinite(uv.v))
-        fail(format("accessor {} (TEXCOORD_0): entry {} is not finite", accessor, k));
+        fail(format("accessor {} ({}): entry {} is not finite", accessor, set, k));
       mesh_.uvs.push_back(uv);
     }
     return first;
@@ -240,8 +251,7 @@ class Reader {
     if (material >= 0) {
       if (static_cast<std::size_t>(material) >= model_.materials.size())
         fail(format("there is no material {}: the file has {}", material, model_.materials.size()));
-      name = model_.materials[static_cast<std::size_t>(material)].name;
-      if (name.empty()) name = format("material {}", material);
+      name = slot_names_[static_cast<std::size_t>(material)];
     }
     const auto [entry, is_new] = slots_.try_emplace(name, static_cast<std::uint32_t>(slots_.size()));
     if (is_new) mesh_.slot_names.push_back(name);
@@ -250,7 +260,9 @@ class Reader {
 
   std::string name_;
   LogSink* log_;
+  MeshUse use_;
   tinygltf::Model model_;
+  std::vector<std::string> slot_names_;
   std::vector<bool> visited_;
   geometry::TriangleMesh mesh_;
   std::map<std::string, std::uint32_t> slots_;
@@ -260,14 +272,16 @@ class Reader {
 
 }  // namespace
 
-geometry::TriangleMesh read_gltf(const std::filesystem::path& path, LogSink* log) {
-  return Reader(path, log).read();
+geometry::TriangleMesh read_gltf(const std::filesystem::path& path, LogSink* log, MeshUse use) {
+  return Reader(path, log, use).read();
 }
 
 constinit const MeshFormat kGltf{.name = "glTF 2",
                                  .extensions = kGltfExtensions,
                                  .y_up = true,
                                  .read = read_gltf,
-                                 .further_files = gltf_buffers};
+                                 .further_files = gltf_buffers,
+                                 .read_materials = read_gltf_materials,
+                                 .material_files = gltf_material_files};
 
 }  // namespace ifov::io

@@ -27,7 +27,7 @@ std::vector<std::string> further_mesh_files(const std::filesystem::path& path) {
   return files;
 }
 
-geometry::TriangleMesh read_mesh(const std::filesystem::path& path, LogSink* log) {
+geometry::TriangleMesh read_mesh(const std::filesystem::path& path, LogSink* log, MeshUse use) {
   if (const auto* const asset = arrays_of_asset<geometry::TriangleMesh>(path, "a mesh")) return *asset;
   const MeshFormat* known = mesh_format_of(path);
   const std::string name = path.string();
@@ -35,7 +35,7 @@ geometry::TriangleMesh read_mesh(const std::filesystem::path& path, LogSink* log
     throw InputError(format("cannot tell the format of the mesh '{}' by its extension; expected {}", name,
                             list_names(mesh_extensions(), "or")),
                      {name, 0, 0});
-  geometry::TriangleMesh mesh = known->read(path, log);
+  geometry::TriangleMesh mesh = known->read(path, log, use);
   if (mesh.triangles.empty()) throw InputError(format("{}: the file has no faces", name), {name, 0, 0});
   return mesh;
 }

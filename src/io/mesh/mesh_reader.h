@@ -6,6 +6,7 @@
 
 #include "core/run_control.h"
 #include "geometry/triangle_mesh.h"
+#include "io/mesh/mesh_format.h"
 
 namespace ifov::io {
 
@@ -22,6 +23,7 @@ std::vector<std::string> further_mesh_files(const std::filesystem::path& path);
 /// Reads a mesh, of an asset's name the one in memory, with the reader that its extension (of either case) names; what the file holds and is not
 /// used is told to `log` (may be null). Throws InputError for an extension that is not known, a mesh without
 /// triangles and whatever the reader finds; SystemError if the file cannot be read.
-geometry::TriangleMesh read_mesh(const std::filesystem::path& path, LogSink* log = nullptr);
+geometry::TriangleMesh read_mesh(const std::filesystem::path& path, LogSink* log = nullptr,
+                                 MeshUse use = MeshUse::shape);
 
 }  // namespace ifov::io

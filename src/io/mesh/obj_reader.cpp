@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "core/error.h"
+#include "io/mesh/mesh_materials.h"
 #include "io/mesh/obj_lines.h"
+#include "io/mesh/obj_materials.h"
 #include "io/mesh/polygon_pieces.h"
 
 namespace ifov::io {
@@ -29,7 +31,8 @@ struct Corner {
 
 class Reader {
  public:
-  Reader(const std::filesystem::path& path, LogSink* log) : lines_(path), name_(path.string()), log_(log) {}
+  Reader(const std::filesystem::path& path, LogSink* log, MeshUse use)
+      : lines_(path), name_(path.string()), log_(log), told_mtllib_(use == MeshUse::with_materials) {}
 
   geometry::TriangleMesh read() {
     while (lines_.next()) {
@@ -154,21 +157,26 @@ class Reader {
   ObjLines lines_;
   std::string name_;
   LogSink* log_;
+  bool told_mtllib_;
   geometry::TriangleMesh mesh_;
   std::map<std::string, std::uint32_t> slots_;
   std::optional<std::uint32_t> slot_;
   std::vector<Corner> corners_;
   std::vector<math::Point3> points_;
-  bool any_uv_ = false, any_normal_ = false, told_mtllib_ = false;
+  bool any_uv_ = false, any_normal_ = false;
 };
 
 }  // namespace
 
-geometry::TriangleMesh read_obj(const std::filesystem::path& path, LogSink* log) {
-  return Reader(path, log).read();
+geometry::TriangleMesh read_obj(const std::filesystem::path& path, LogSink* log, MeshUse use) {
+  return Reader(path, log, use).read();
 }
 
-constinit const MeshFormat kObj{
-    .name = "Wavefront OBJ", .extensions = kObjExtensions, .y_up = false, .read = read_obj};
+constinit const MeshFormat kObj{.name = "Wavefront OBJ",
+                                .extensions = kObjExtensions,
+                                .y_up = false,
+                                .read = read_obj,
+                                .read_materials = read_obj_materials,
+                                .material_files = obj_material_files};
 
 }  // namespace ifov::io

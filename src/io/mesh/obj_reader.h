@@ -14,7 +14,8 @@ namespace ifov::io {
 /// files are ignored with a word to `log` (may be null), lines and curves without; a name that no face uses
 /// makes a slot all the same. Coordinates are kept in double. Throws InputError with file and line for
 /// anything broken, SystemError if the file cannot be read.
-geometry::TriangleMesh read_obj(const std::filesystem::path& path, LogSink* log = nullptr);
+geometry::TriangleMesh read_obj(const std::filesystem::path& path, LogSink* log = nullptr,
+                                MeshUse use = MeshUse::shape);
 
 extern const MeshFormat kObj;
 

@@ -38,7 +38,9 @@ class HeaderReader {
         read_element();
       else if (key == "property")
         read_property();
-      else if (key != "comment" && key != "obj_info" && !key.empty())
+      else if (key == "comment")
+        read_comment();
+      else if (key != "obj_info" && !key.empty())
         fail(format("expected element, property, comment, obj_info or end_header, found '{}'", shown(key)));
     }
     header_.data_begin = at_;
@@ -85,6 +87,15 @@ class HeaderReader {
   [[noreturn]] void fail(const std::string& message) const {
     const int column = static_cast<int>(word_begin_) + 1, line = std::max(line_number_, 1);
     throw InputError(format("{}:{}:{}: {}", name_, line, column, message), {name_, line, column});
+  }
+
+  void read_comment() {
+    if (word() != "TextureFile") return;
+    word();
+    std::string_view name = line_.substr(word_begin_);
+    while (name.ends_with(' ') || name.ends_with('\t') || name.ends_with('\r')) name.remove_suffix(1);
+    if (!name.empty())
+      header_.textures.push_back({std::string(name), line_number_, static_cast<int>(word_begin_) + 1});
   }
 
   void read_encoding() {

@@ -33,6 +33,12 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
   std::size_t data_begin = 0;  ///< offset of the first byte after the header
   int lines = 0;               ///< lines of the header
+  /// Of `comment TextureFile NAME`, as scanners' programs write it: the picture that texture coordinates are of.
+  struct TextureFile {
+    std::string name;
+    int line = 0, column = 0;
+  };
+  std::vector<TextureFile> textures;
 };
 
 /// Reads the header of a PLY file (Turk, "The PLY Polygon File Format", 1994) and checks that the rows it

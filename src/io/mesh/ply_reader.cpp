@@ -8,9 +8,11 @@
 
 #include "core/error.h"
 #include "io/files/input_file.h"
+#include "io/mesh/mesh_materials.h"
 #include "io/mesh/ply_header.h"
 #include "io/mesh/ply_values.h"
 #include "io/mesh/polygon_pieces.h"
+#include "io/raster/picture.h"
 
 namespace ifov::io {
 namespace {
@@ -208,10 +210,61 @@ class Reader {
 
 geometry::TriangleMesh read_ply(const std::filesystem::path& path) { return Reader(path).read(); }
 
+namespace {
+
+/// The pictures that the header of a PLY file names.
+std::vector<PlyHeader::TextureFile> textures_of(const std::filesystem::path& path) {
+  return read_ply_header(read_input(path), path.string()).textures;
+}
+
+MeshMaterials read_ply_materials(const std::filesystem::path& path, LogSink*) {
+  const std::string file = path.string();
+  const std::vector<PlyHeader::TextureFile> textures = textures_of(path);
+  if (textures.size() != 1)
+    throw InputError(
+        format("{}: {}; expected one 'comment TextureFile NAME' in its header (colours of vertices are "
+               "not read)",
+               file,
+               textures.empty() ? std::string("the file names no picture")
+                                : format("the file names {} pictures", textures.size())),
+        {file, 0, 0});
+  MeshMaterials all;
+  all.source = path.filename().string();
+  FileMaterial material;
+  material.picture_name = textures[0].name;
+  try {
+    const auto picture = file_beside_mesh(path, textures[0].name, "image");
+    material.picture = std::make_shared<const Picture>(decode_picture(read_input(picture), picture.string()));
+  } catch (const std::exception& error) {
+    if (dynamic_cast<const InputError*>(&error) == nullptr &&
+        dynamic_cast<const SystemError*>(&error) == nullptr)
+      throw;
+    throw InputError(format("{}:{}:{}: {}", file, textures[0].line, textures[0].column, error.what()),
+                     {file, textures[0].line, textures[0].column});
+  }
+  all.materials.push_back(std::move(material));
+  return all;
+}
+
+std::vector<std::filesystem::path> ply_material_files(const std::filesystem::path& path) {
+  std::vector<std::filesystem::path> files;
+  try {
+    for (const PlyHeader::TextureFile& texture : textures_of(path))
+      files.push_back(file_beside_mesh(path, texture.name, "image"));
+  } catch (const InputError&) {
+  } catch (const SystemError&) {
+  }
+  return files;
+}
+
+}  // namespace
+
 constinit const MeshFormat kPly{
     .name = "PLY",
     .extensions = kPlyExtensions,
     .y_up = false,
-    .read = [](const std::filesystem::path& path, LogSink*) { return read_ply(path); }};
+    .read = [](const std::filesystem::path& path, LogSink*, MeshUse) { return read_ply(path); },
+    .read_materials = read_ply_materials,
+    .material_files = ply_material_files};
 
 }  // namespace ifov::io

@@ -3,6 +3,7 @@
 #include <gdal.h>
 
 #include <memory>
+#include <string>
 
 namespace ifov::io {
 
@@ -10,5 +11,8 @@ struct CloseDataset {
   void operator()(void* dataset) const { GDALClose(dataset); }
 };
 using Dataset = std::unique_ptr<void, CloseDataset>;
+
+/// Opens what GDAL knows by a name with the drivers of raster_driver_list(), and no others; null where none of them can.
+void* open_raster(const std::string& gdal_name);
 
 }  // namespace ifov::io

@@ -84,9 +84,7 @@ class RasterFile {
  public:
   explicit RasterFile(const std::filesystem::path& path) : name_(path.string()) {
     const InputFile readable(path);  // says why where it is not
-    dataset_.reset(GDALOpenEx(gdal_input_name(path).c_str(),
-                              GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, kDrivers, nullptr,
-                              nullptr));
+    dataset_.reset(open_raster(gdal_input_name(path)));
     if (!dataset_ && (path.extension() == ".jp2" || path.extension() == ".j2k"))
       fail(name_, "JPEG 2000 is not read; turn it into a GeoTIFF first: gdal_translate a.jp2 a.tif");
     if (!dataset_)
@@ -161,6 +159,11 @@ Raster band_of(const Raster& all, const std::filesystem::path& path, int band) {
 }
 
 }  // namespace
+
+void* open_raster(const std::string& gdal_name) {
+  return GDALOpenEx(gdal_name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, kDrivers,
+                    nullptr, nullptr);
+}
 
 std::string raster_driver_list() {
   std::string list;

@@ -5,13 +5,18 @@
 #include "core/parallel.h"
 #include "io/files/inputs.h"
 #include "io/mesh/mesh_format.h"
+#include "io/mesh/mesh_materials.h"
 
 namespace ifov::io {
 namespace {
 
 std::vector<std::filesystem::path> companions_of(const std::filesystem::path& file) {
-  if (const MeshFormat* mesh = mesh_format_of(file); mesh != nullptr && mesh->further_files != nullptr)
-    return mesh->further_files(file);
+  if (const MeshFormat* mesh = mesh_format_of(file); mesh != nullptr) {
+    std::vector<std::filesystem::path> companions = mesh_material_files(file);
+    if (mesh->further_files != nullptr)
+      for (auto& further : mesh->further_files(file)) companions.push_back(std::move(further));
+    return companions;
+  }
   std::vector<std::filesystem::path> companions{file.string() + ".aux.xml", file.string() + ".hdr"};
   for (const char* extension : {".aux.xml", ".hdr", ".prj", ".tfw", ".wld", ".img", ".bil", ".flt", ".sdat"})
     companions.push_back(std::filesystem::path(file).replace_extension(extension));

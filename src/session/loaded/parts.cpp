@@ -8,6 +8,8 @@
 #include "sampling/tile.h"
 #include "sensor/camera.h"
 #include "sensor/psf_wings.h"
+#include "session/assembly/shared/colour_guess.h"
+#include "session/assembly/shared/map_scale.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::session {

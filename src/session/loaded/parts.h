@@ -14,7 +14,6 @@
 #include "sampling/pixel_footprint.h"
 #include "scene/scene.h"
 #include "session/assembly/geometry/placed_objects.h"
-#include "session/assembly/shared/map_scale.h"
 #include "session/assembly/whole/sampling_assembly.h"
 
 namespace ifov::atmosphere {
@@ -34,6 +33,7 @@ struct Polarimetry;
 struct RenderJob;
 }  // namespace ifov::render
 namespace ifov::sensor {
+class Camera;
 class PsfWings;
 }
 namespace ifov::transport {
@@ -41,6 +41,9 @@ class SpectralScene;
 }
 
 namespace ifov::session {
+
+struct ColourGuess;
+struct MapScale;
 
 /// What a loaded document consists of. Immutable once loaded; members refer to those above them.
 struct Parts {
@@ -51,6 +54,7 @@ struct Parts {
   const io::Document& document;
   scene::Scene scene;
   std::vector<MapScale> map_scales;
+  std::vector<ColourGuess> colour_guesses;
   PlacedObjects placed;
   math::Vec3 map_offset_m;                 ///< map coordinates of the scene's origin
   std::vector<io::FileStamp> known_files;  ///< files whose bytes the scene cache vouches for

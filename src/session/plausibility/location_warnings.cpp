@@ -12,6 +12,7 @@
 #include "io/document/shapes/box_primitive.h"
 #include "math/angle.h"
 #include "sensor/camera.h"
+#include "session/assembly/shared/map_scale.h"
 #include "session/loaded/acquisition_assembly.h"
 #include "session/loaded/parts.h"
 #include "session/plausibility/location_lines.h"

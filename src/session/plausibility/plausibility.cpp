@@ -57,6 +57,7 @@ void check_plausibility(Parts& parts, LogSink& log) {
   warn_of_locations(parts, survey, log);
   warn_of_standing(parts, log);
   warn_of_values(parts, survey, log);
+  warn_of_colours(parts, log);
 }
 
 }  // namespace ifov::session

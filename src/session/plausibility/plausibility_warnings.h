@@ -12,6 +12,9 @@ void warn_of_values(const Parts& parts, const SceneSurvey& survey, LogSink& log)
 /// Throws InputError where nothing shines in any channel.
 void require_light(const Parts& parts, const SceneSurvey& survey);
 
+/// Reflectances that were made of colours, and the channels in which these say nothing.
+void warn_of_colours(const Parts& parts, LogSink& log);
+
 /// Things that stand in the air or lie under the ground.
 void warn_of_standing(const Parts& parts, LogSink& log);
 

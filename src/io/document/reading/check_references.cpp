@@ -10,6 +10,7 @@
 #include "core/overloaded.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
+#include "io/document/file_materials_document.h"
 #include "io/document/samplers/accuracy_sampling.h"
 #include "io/document/samplers/sampler_settings.h"
 #include "io/quantities/quantity.h"
@@ -124,6 +125,14 @@ class ReferenceCheck {
                    },
                    [&](const MixtureDocument& mixture) {
                      for (const DocumentName& material : mixture.materials) known(material);
+                   },
+                   [&](const std::shared_ptr<const FileMaterials>& file) {
+                     for (const FileMaterials::Colour& colour : file->colours) known(colour.material);
+                     for (const auto& [slot, material] : file->slots) known(material);
+                     if (!std::holds_alternative<MeshShape>(object.shape))
+                       throw document_error(
+                           document_.sources, object.material->position,
+                           "only a mesh has materials 'from_file', those that its file tells");
                    },
                    [&](const MaterialSlots& slots) {
                      for (const auto& [slot, material] : slots.slots) known(material);

@@ -2,6 +2,7 @@
 #include <charconv>
 
 #include "core/format.h"
+#include "io/document/file_materials_document.h"
 #include "io/document/map_document.h"
 #include "io/document/parameter_map_document.h"
 #include "io/document/tables/map_tables.h"
@@ -61,6 +62,43 @@ SchemaType<TextureImage> texture_image_type() {
           node.given("to").fail_at_key("'to' must be a longer wavelength than 'from'");
       });
   return record.type();
+}
+
+SchemaType<std::shared_ptr<const FileMaterials>> file_materials_type(const SchemaType<DocumentName>& name) {
+  Record<FileMaterials::Colour> colour("colour of a material",
+                                       "A colour of the file's pictures, and what it stands for.");
+  colour
+      .required("srgb", &FileMaterials::Colour::srgb, tuple<int, 3>(integer(0, 255)),
+                "red, green and blue as pictures have them, bytes of sRGB")
+      .required("material", &FileMaterials::Colour::material, name, "what is there");
+  Record<FileMaterials> record(
+      "materials of a mesh file",
+      "What the file of a mesh says of its materials: base colours of glTF, Kd and map_Kd of an OBJ's library, the picture of a PLY. A "
+      "colour is no reflectance: what is made of it is a guess, and is said to be one.");
+  record
+      .optional(
+          "colours", &FileMaterials::colours, list(colour.type(), 1, kMostClasses),
+          "materials of the document by colour: each cell of a picture takes the one whose colour looks most like it; without the "
+          "key, reflectances are made of the colours themselves (Jakob and Hanika 2019), between 0.38 and 0.78 um")
+      .optional(
+          "reflectance_beyond", &FileMaterials::beyond, spectrum_type(SpectrumOf::reflectance),
+          "reflectance outside of 0.38 to 0.78 um, where a colour says nothing; without it the ends go on")
+      .optional("slots", &FileMaterials::slots,
+                map_of(name, "materials by the names in the mesh file", kMostClasses),
+                "materials of the document in place of some of the file")
+      .check([](const FileMaterials& materials, const DocumentNode& node) {
+        if (!materials.colours.empty() && materials.beyond)
+          node.find("reflectance_beyond")
+              ->fail_at_key(
+                  "'reflectance_beyond' is for reflectances that are made of colours; with 'colours' the materials "
+                  "of the document have their own");
+      });
+  return converted<std::shared_ptr<const FileMaterials>>(
+      record.type(),
+      [](FileMaterials materials) { return std::make_shared<const FileMaterials>(std::move(materials)); },
+      [](const std::shared_ptr<const FileMaterials>& materials) {
+        return materials ? std::optional(*materials) : std::nullopt;
+      });
 }
 
 }  // namespace
@@ -168,7 +206,8 @@ SchemaType<MaterialBinding> binding_type() {
   several.exactly_one()
       .one("map", &MaterialBinding::value, map.type(), "by place")
       .one("mixture", &MaterialBinding::value, mixture.type(), "side by side in every place")
-      .one("slots", &MaterialBinding::value, slots, "by the names that a mesh file uses (usemtl)");
+      .one("slots", &MaterialBinding::value, slots, "by the names that a mesh file uses (usemtl)")
+      .one("from_file", &MaterialBinding::value, file_materials_type(name), "as the mesh file tells them");
   return either(direct, several.type());
 }
 

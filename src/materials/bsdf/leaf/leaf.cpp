@@ -62,31 +62,6 @@ LeafContents contents_of(const BsdfInputs& inputs) {
   return leaf;
 }
 
-/// `within` where it is known, `beyond` on either side of that.
-Spectrum joined(const Spectrum& within, const Spectrum& beyond) {
-  constexpr double kNext_um = 1e-6;
-  const double first = within.first_um() - kNext_um, last = within.last_um() + kNext_um;
-  std::vector<double> um, values;
-  const auto add = [&](double at) {
-    um.push_back(at);
-    values.push_back(beyond.at(at));
-  };
-  const auto knows = [&](double at) {
-    return beyond.is_constant() || beyond.outside() != radiometry::OutsideRange::error ||
-           (beyond.first_um() <= at && at <= beyond.last_um());
-  };
-  for (const double at : beyond.wavelength_um())
-    if (at < first) add(at);
-  if (knows(first)) add(first);
-  um.insert(um.end(), within.wavelength_um().begin(), within.wavelength_um().end());
-  values.insert(values.end(), within.values().begin(), within.values().end());
-  if (knows(last)) add(last);
-  for (const double at : beyond.wavelength_um())
-    if (at > last) add(at);
-  return {std::move(um), std::move(values),
-          beyond.is_constant() ? radiometry::OutsideRange::extend : beyond.outside(), within.name()};
-}
-
 std::shared_ptr<const Bsdf> leaf_of(const BsdfInputs& inputs) {
   const std::string& word = inputs.word("version");
   const ProspectVersion version = word == "5"     ? ProspectVersion::five
@@ -100,8 +75,8 @@ std::shared_ptr<const Bsdf> leaf_of(const BsdfInputs& inputs) {
         "transmittance",
         inputs.has(kBeyondBack) ? kBeyondThrough : kBeyondBack));
   if (inputs.has(kBeyondBack)) {
-    leaf.reflectance = joined(leaf.reflectance, inputs.spectrum(kBeyondBack));
-    leaf.transmittance = joined(leaf.transmittance, inputs.spectrum(kBeyondThrough));
+    leaf.reflectance = radiometry::continued(leaf.reflectance, inputs.spectrum(kBeyondBack));
+    leaf.transmittance = radiometry::continued(leaf.transmittance, inputs.spectrum(kBeyondThrough));
     leaf.surface = leaf.surface.with_outside(radiometry::OutsideRange::extend);
   }
   const Spectrum& factor = inputs.reflectance;

@@ -31,6 +31,8 @@ struct BuiltPrototype {
     const io::ObjectDocument* object;
     std::string name;
     const std::optional<io::TemperatureDocument>* temperature;  ///< the outermost that is given
+    std::string file{};                                         ///< of a mesh with the materials of its file
+    std::size_t without_uv = 0;
     friend auto operator<=>(const Slot&, const Slot&) = default;
   };
   geometry::ShapeId id;
@@ -95,8 +97,9 @@ class GeometryAssembly {
       const BuiltShape shape = shapes_.build(object, ShapeAssembly::Use::object);
       if (!shape.has_inside) assignments_.refuse_media(*object.material);
       std::vector<std::uint32_t> materials;
-      for (const std::string& slot : shape.slot_names)
-        materials.push_back(assignments_.assignment(*object.material, slot, object.temperature));
+      for (std::size_t k = 0; k < shape.slot_names.size(); ++k)
+        materials.push_back(assignments_.assignment(*object.material, shape.slot_names[k], object.temperature,
+                                                    mesh_slot(shape, k)));
       builder_.place(shape.id, scene_from_object * shape.object_from_shape, materials,
                      object.pilot_ray.value_or(true));
     }
@@ -127,8 +130,9 @@ class GeometryAssembly {
   std::vector<std::uint32_t> materials_of(const io::ObjectDocument& object, const BuiltPrototype& built) {
     std::vector<std::uint32_t> materials;
     for (const BuiltPrototype::Slot& slot : built.slots)
-      materials.push_back(assignments_.assignment(
-          *slot.object->material, slot.name, object.temperature ? object.temperature : *slot.temperature));
+      materials.push_back(assignments_.assignment(*slot.object->material, slot.name,
+                                                  object.temperature ? object.temperature : *slot.temperature,
+                                                  {slot.file, slot.name, slot.without_uv}));
     return materials;
   }
 
@@ -190,10 +194,17 @@ class GeometryAssembly {
       if (!shape.has_inside) assignments_.refuse_media(*object.material);
       part.what = shape.id;
       part.prototype_from_part = part.prototype_from_part * shape.object_from_shape;
-      for (const std::string& slot : shape.slot_names) own.push_back({&object, slot, &object.temperature});
+      for (std::size_t k = 0; k < shape.slot_names.size(); ++k) {
+        const MeshSlot slot = mesh_slot(shape, k);
+        own.push_back({&object, shape.slot_names[k], &object.temperature, slot.file, slot.without_uv});
+      }
     }
     for (const BuiltPrototype::Slot& slot : own) part.slots.push_back(slots.number(slot));
     return part;
+  }
+
+  static MeshSlot mesh_slot(const BuiltShape& shape, std::size_t k) {
+    return {shape.file, shape.slot_names[k], shape.without_uv.empty() ? 0 : shape.without_uv[k]};
   }
 
   /// The prototype that an object copies, or null.

@@ -1,5 +1,6 @@
 #include "session/assembly/geometry/shape_assembly.h"
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 
@@ -30,6 +31,18 @@ void warn_of_y_up(const std::string& path, const geometry::World::Bounds& b, Log
       std::filesystem::path(path).filename().string(), -b.low_m.z));
 }
 
+/// By slot.
+std::vector<std::size_t> triangles_without_uv(const geometry::MeshLists& mesh, std::size_t slots) {
+  std::vector<std::size_t> counts(slots, 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const geometry::Triangle& corners = mesh.uv_corners.empty() ? mesh.triangles[t] : mesh.uv_corners[t];
+    const bool has = !mesh.uvs.empty() &&
+                     std::ranges::none_of(corners, [](std::uint32_t c) { return c == geometry::kNoIndex; });
+    if (!has) ++counts[mesh.slots.empty() ? 0 : mesh.slots[t]];
+  }
+  return counts;
+}
+
 /// Of what is no mesh.
 bool has_inside(const geometry::Shape& shape) {
   return std::visit(
@@ -44,6 +57,8 @@ bool has_inside(const geometry::Shape& shape) {
 
 BuiltShape ShapeAssembly::build(const io::ObjectDocument& object, Use use) {
   use_ = use;
+  with_materials_ = object.material &&
+                    std::holds_alternative<std::shared_ptr<const io::FileMaterials>>(object.material->value);
   return std::visit([&](const auto& s) { return shape(s); }, object.shape);
 }
 
@@ -55,13 +70,19 @@ BuiltShape ShapeAssembly::shape(const io::PrimitiveShape& s) {
 
 BuiltShape ShapeAssembly::shape(const io::MeshShape& s) {
   const bool y_is_up = s.y_is_up.value_or(io::format_has_y_up(s.file.path));
-  const std::string key = format("{}|{}|{}", s.file.path, s.unit_m, y_is_up);
+  const std::string key = format("{}|{}|{}|{}", s.file.path, s.unit_m, y_is_up, with_materials_);
   const auto known = meshes_.find(key);
   if (known != meshes_.end()) return known->second;
   return with_position(sources_, s.file.position, [&] {
-    geometry::Body body =
-        cached_mesh(cache_, {{s.file.path}, "", [&] { return io::further_mesh_files(s.file.path); }},
-                    [&] { return io::read_mesh(s.file.path, log_); });
+    geometry::Body body = cached_mesh(
+        cache_,
+        {{s.file.path},
+         with_materials_ ? "with materials" : "",
+         [&] { return io::further_mesh_files(s.file.path); }},
+        [&] {
+          return io::read_mesh(s.file.path, log_,
+                               with_materials_ ? io::MeshUse::with_materials : io::MeshUse::shape);
+        });
     if (!y_is_up && log_ != nullptr) warn_of_y_up(s.file.path, body.bounds, *log_);
     std::vector<std::string> slots = body.mesh.slot_names;
     if (slots.empty()) slots = {""};
@@ -69,7 +90,10 @@ BuiltShape ShapeAssembly::shape(const io::MeshShape& s) {
     if (y_is_up) object_from_file = object_from_file * math::Transform::rotation({1.0, 0.0, 0.0}, 0.5 * M_PI);
     const bool inside =
         tells_insides_ && geometry::topology_of(body.mesh.vertices_m, body.mesh.triangles).closed;
-    const BuiltShape built{builder_.add_body(std::move(body)), object_from_file, std::move(slots), inside};
+    std::vector<std::size_t> without_uv;
+    if (with_materials_) without_uv = triangles_without_uv(body.mesh, slots.size());
+    const BuiltShape built{builder_.add_body(std::move(body)), object_from_file,     std::move(slots), inside,
+                           with_materials_ ? s.file.path : "", std::move(without_uv)};
     return meshes_.emplace(key, built).first->second;
   });
 }

@@ -23,6 +23,9 @@ struct BuiltShape {
   std::vector<std::string> slot_names;
   /// It bounds a volume, or is a plane, which has a lower side; of meshes only told where that is asked for.
   bool has_inside = false;
+  /// Of a mesh with the materials of its file: its path, and by slot the triangles without texture coordinates.
+  std::string file{};
+  std::vector<std::size_t> without_uv{};
 };
 
 /// Turns shapes of documents into shapes of a builder; the file of a mesh is read once.
@@ -58,7 +61,8 @@ class ShapeAssembly {
   LogSink* log_;
   bool tells_insides_;
   std::map<std::string, BuiltShape> meshes_;
-  Use use_ = Use::object;  // of the shape that is being built
+  Use use_ = Use::object;        // of the shape that is being built
+  bool with_materials_ = false;  // likewise: of the file
 };
 
 }  // namespace ifov::session

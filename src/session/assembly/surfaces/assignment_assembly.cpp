@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/overloaded.h"
+#include "io/document/file_materials_document.h"
 #include "materials/bsdf/bsdf.h"
 #include "materials/bsdf/hemisphere.h"
 #include "scene/scene.h"
@@ -34,7 +35,8 @@ AssignmentAssembly::AssignmentAssembly(const io::DocumentSources& sources,
       scene_(scene),
       log_(log),
       textures_(sources, materials, seed, frame, log),
-      scattering_(sources, textures_, log) {
+      scattering_(sources, textures_, log),
+      colours_(sources, scene, log) {
   add_materials();
 }
 
@@ -97,9 +99,26 @@ void AssignmentAssembly::add_materials() {
 }
 
 std::uint32_t AssignmentAssembly::assignment(const io::MaterialBinding& binding, const std::string& slot_name,
-                                             const std::optional<io::TemperatureDocument>& temperature) {
+                                             const std::optional<io::TemperatureDocument>& temperature,
+                                             const MeshSlot& mesh_slot) {
   scene::SurfaceAssignment assignment;
   std::vector<Surface> surfaces;
+  if (const auto* from = std::get_if<std::shared_ptr<const io::FileMaterials>>(&binding.value)) {
+    const io::FileMaterials& source = **from;
+    const auto instead =
+        std::ranges::find(source.slots, slot_name, [](const auto& slot) { return slot.first; });
+    if (instead == source.slots.end() && source.colours.empty())
+      return with_position(sources_, binding.position,
+                           [&] { return coloured(source, mesh_slot, temperature); });
+    if (instead != source.slots.end()) {
+      surfaces.push_back(surface_of(instead->second, temperature));
+    } else {
+      with_position(sources_, binding.position,
+                    [&] { assignment.classes = colours_.classes(source, mesh_slot); });
+      for (const io::FileMaterials::Colour& colour : source.colours)
+        surfaces.push_back(surface_of(colour.material, temperature));
+    }
+  }
   std::visit(
       Overloaded{[&](const io::DocumentName& name) { surfaces.push_back(surface_of(name, temperature)); },
                  [&](const io::MaterialSlots& slots) {
@@ -127,7 +146,8 @@ std::uint32_t AssignmentAssembly::assignment(const io::MaterialBinding& binding,
                    with_position(sources_, binding.position,
                                  [&] { assignment.patterns.push_back(mixture(source, surfaces)); });
                    assignment.states.push_back(surfaces[0].state);
-                 }},
+                 },
+                 [](const std::shared_ptr<const io::FileMaterials>&) {}},
       binding.value);
   if (assignment.states.empty())
     for (const Surface& surface : surfaces) {
@@ -140,6 +160,22 @@ std::uint32_t AssignmentAssembly::assignment(const io::MaterialBinding& binding,
   });
   add_backs(assignment, surfaces);
   add_patterns(assignment, surfaces);
+  return add(std::move(assignment));
+}
+
+std::uint32_t AssignmentAssembly::coloured(const io::FileMaterials& source, const MeshSlot& slot,
+                                           const std::optional<io::TemperatureDocument>& temperature) {
+  const double* fixed_k = temperature ? std::get_if<double>(&temperature->value) : nullptr;
+  const io::TemperatureMap* map =
+      temperature ? std::get_if<io::TemperatureMap>(&temperature->value) : nullptr;
+  const FileColours::Surface made =
+      colours_.upsampled(source, slot, fixed_k != nullptr ? *fixed_k : 0.0, map != nullptr);
+  scene::SurfaceAssignment assignment;
+  assignment.states.push_back(made.state);
+  if (map != nullptr)
+    assignment.temperatures.push_back(
+        with_position(sources_, temperature->position, [&] { return temperature_map(*map); }));
+  if (made.pattern) assignment.patterns.push_back(made.pattern);
   return add(std::move(assignment));
 }
 
@@ -176,6 +212,11 @@ void AssignmentAssembly::refuse_media(const io::MaterialBinding& binding) const 
                         },
                         [&](const io::MixtureDocument& mixture) {
                           for (const io::DocumentName& name : mixture.materials) check(name);
+                        },
+                        [&](const std::shared_ptr<const io::FileMaterials>& file) {
+                          for (const io::FileMaterials::Colour& colour : file->colours)
+                            check(colour.material);
+                          for (const auto& slot : file->slots) check(slot.second);
                         }},
              binding.value);
 }

@@ -12,6 +12,7 @@
 #include "io/document/scene_document.h"
 #include "session/assembly/shared/map_scale.h"
 #include "session/assembly/shared/raster_assembly.h"
+#include "session/assembly/surfaces/file_colours.h"
 #include "session/assembly/surfaces/scattering_assembly.h"
 #include "session/assembly/surfaces/texture_assembly.h"
 
@@ -42,9 +43,10 @@ class AssignmentAssembly {
                      std::uint64_t seed, const MapFrame& frame, scene::Scene& scene, LogSink* log);
 
   /// Index of the surface assignment for a binding on one slot of an object (`slot_name` as in a mesh file, else empty);
-  /// `temperature` replaces the materials' own.
+  /// `temperature` replaces the materials' own; `mesh_slot` of a mesh whose materials are those of its file.
   std::uint32_t assignment(const io::MaterialBinding& binding, const std::string& slot_name,
-                           const std::optional<io::TemperatureDocument>& temperature);
+                           const std::optional<io::TemperatureDocument>& temperature,
+                           const MeshSlot& mesh_slot = {});
 
   /// Of a surface of one state, without maps.
   std::uint32_t assignment(scene::SurfaceState surface);
@@ -59,6 +61,8 @@ class AssignmentAssembly {
 
   /// How large the cells of the maps are that were made so far.
   const std::vector<MapScale>& map_scales() const { return textures_.map_scales(); }
+  /// Reflectances that were made of colours.
+  const std::vector<ColourGuess>& colour_guesses() const { return colours_.guesses(); }
 
  private:
   /// A material at its temperature.
@@ -84,6 +88,8 @@ class AssignmentAssembly {
   std::uint32_t state(scene::SurfaceState wanted);
   std::shared_ptr<const materials::ClassMap> class_map(const io::MaterialMap& map);
   Pattern mixture(const io::MixtureDocument& source, const std::vector<Surface>& surfaces);
+  std::uint32_t coloured(const io::FileMaterials& source, const MeshSlot& slot,
+                         const std::optional<io::TemperatureDocument>& temperature);
   void add_patterns(scene::SurfaceAssignment& assignment, const std::vector<Surface>& surfaces);
   /// What puts levels of parameters in the place of a surface, and of its curves; empty where no map gives any.
   std::vector<Pattern> level_patterns(const Surface& surface);
@@ -102,6 +108,7 @@ class AssignmentAssembly {
   LogSink* log_;
   TextureAssembly textures_;
   ScatteringAssembly scattering_;
+  FileColours colours_;
   /// By material of the document with maps of parameters: its curves before they had a model.
   std::map<std::size_t, std::vector<materials::Material>> unscattered_;
   struct Levels {

@@ -38,6 +38,7 @@ AssembledScene assemble_scene(const io::DocumentSources& sources, const io::Scen
   scene.world = assemble_geometry(sources, written.objects, written.prototypes, assignments, placed, frame,
                                   log, cache, assembled.placed);
   assembled.map_scales = assignments.map_scales();
+  assembled.colour_guesses = assignments.colour_guesses();
   if (written.periodic) {
     const io::PeriodicDocument& periodic = *written.periodic;
     geometry::PeriodicWorld::Cell cell{-0.5 * periodic.width_m, -0.5 * periodic.height_m, periodic.width_m,

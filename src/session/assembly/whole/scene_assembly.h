@@ -8,6 +8,7 @@
 #include "core/run_control.h"
 #include "scene/scene.h"
 #include "session/assembly/geometry/placed_objects.h"
+#include "session/assembly/shared/colour_guess.h"
 #include "session/assembly/shared/map_scale.h"
 
 namespace ifov::io {
@@ -23,6 +24,7 @@ namespace ifov::session {
 struct AssembledScene {
   scene::Scene scene;
   std::vector<MapScale> map_scales;
+  std::vector<ColourGuess> colour_guesses;
   PlacedObjects placed;
   math::Vec3 map_offset_m;  ///< map coordinates of the scene's origin
 };
