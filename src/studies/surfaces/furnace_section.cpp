@@ -51,7 +51,7 @@ std::vector<StudySurface> furnace_surfaces(bool quick) {
                            {"snow", "snow", {"grain=0.3 mm"}, "1"},
                            {"sea", "sea", {"wind=7"}, "0"},
                            {"smooth", "smooth", {"n=2", "k=1", "over=absorber"}, "1"},
-                           {"maignan", "maignan", {"c=5", "ndvi=0.3"}, "0.3"}});
+                           {"maignan", "maignan", {"coefficient=5", "ndvi=0.3"}, "0.3"}});
   return list;
 }
 

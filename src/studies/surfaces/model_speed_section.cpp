@@ -23,6 +23,8 @@ io::Document suburb_of(const io::Document& suburb, const StudySurface& surface, 
   const io::ScatteringDocument scattering = material_of(surface).scattering;
   for (io::MaterialDocument& material : document.scene.materials) {
     material.transmittance.reset();
+    // As bright as metal, kernels would send back more than arrives.
+    if (material.name == "aluminium") material.spectrum.source = io::ConstantSpectrum{0.5};
     if (!material.sides) material.scattering = scattering;
   }
   document.sensor.stokes = stokes;
