@@ -81,8 +81,8 @@ ReportSection model_speed_section(const StudyOptions& options) {
   const int rounds = options.is_quick() ? 3 : 9;
   const StudySurface lambert{"lambertian", "lambertian", {}, "0.3"};
   const StudySurface models[] = {
-      {"ross_li", "ross_li", {"f_vol=0.05", "f_geo=0.01"}, "0.3"},
-      {"rpv", "rpv", {"k=0.9", "asymmetry=-0.05"}, "0.3"},
+      {"ross_li", "ross_li", {"f_vol=0.01", "f_geo=0.002"}, "0.3"},
+      {"rpv", "rpv", {"k=1.02", "asymmetry=-0.01"}, "0.3"},
       {"rough_conductor", "rough_conductor", {"index=aluminium", "roughness=0.3"}, "0.3"}};
   const TimedSuburb base(suburb_of(suburb, lambert, false), options);
   section.figures.report("lambertian_speed", base.samples_per_s(), "samples/s",
