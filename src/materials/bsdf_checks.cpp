@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "math/angle.h"
-#include "sampling/chi_square.h"
+#include "math/chi_square.h"
 #include "sampling/random.h"
 
 namespace ifov::materials {
@@ -107,7 +107,7 @@ double samples_against_density(const Bsdf& bsdf, math::Vec3 out, double width_x,
   expected.back() = std::max(0.0, 1.0 - whole) * draws;
   // Slivers of cells above the horizon may lie between the points of the sum: pooled with others, they may be hit.
   for (double& count : expected) count = std::max(count, 1e-9);
-  return sampling::chi_square_test(counted, expected);
+  return math::chi_square_test(counted, expected);
 }
 
 double directions_against_density(const Bsdf& bsdf, math::Vec3 outgoing, Side side, int draws,
@@ -139,7 +139,7 @@ double directions_against_density(const Bsdf& bsdf, math::Vec3 outgoing, Side si
       whole += share;
     }
   expected.back() = std::max(1e-9, (1.0 - whole) * draws);
-  return sampling::chi_square_test(counted, expected);
+  return math::chi_square_test(counted, expected);
 }
 
 double worst_round_trip(const Bsdf& bsdf, math::Vec3 outgoing, Side side, int across) {

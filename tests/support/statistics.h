@@ -7,17 +7,17 @@
 #include <utility>
 #include <vector>
 
+#include "math/chi_square.h"
 #include "math/vec3.h"
-#include "sampling/chi_square.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
 
 /// Statistical tests for samplers: chi-square against a density, and the round trip through an inverse.
 namespace ifov::test {
 
-using sampling::chi_square_p_value;
-using sampling::chi_square_test;
-using sampling::upper_gamma;
+using math::chi_square_p_value;
+using math::chi_square_test;
+using math::upper_gamma;
 
 /// p-value of directions sample(u) against density(direction) per steradian. Cells are equal in cosine and
 /// azimuth about `axis`, from cos_low to 1; `count` random u from `seed`.

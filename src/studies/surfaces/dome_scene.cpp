@@ -11,21 +11,18 @@
 #include "io/document/samplers/error_size.h"
 #include "io/document/shapes/flat_primitives.h"
 #include "io/document/shapes/round_primitives.h"
-#include "materials/bsdf/rough_conductor.h"
 #include "math/angle.h"
-#include "radiometry/spectrum.h"
 #include "sampling/random.h"
-#include "studies/common/image_store.h"
 #include "studies/common/study_document.h"
-#include "studies/common/study_rendering.h"
+#include "studies/surfaces/surface_rendering.h"
 
 namespace ifov::studies {
 namespace {
 
 using std::numbers::pi;
 
-constexpr double kRadius_m = 0.4, kIrradiance_w_m2_um = 1000.0, kMetalN = 0.15, kMetalK = 3.5;
-constexpr double kDome_um = 0.65, kDomeSunZenith_deg = 30.0;
+using namespace domes;
+
 constexpr int kApart_px = 13;
 constexpr std::uint64_t kShifts = 3;  // seed of the places
 
@@ -63,42 +60,6 @@ double mirror_dome_radiance(double reflectance, const DomeLight& light) {
          (kIrradiance_w_m2_um / 4.0 + light.sky_radiance_w_m2_sr_um * 0.5 * pi);
 }
 
-double metal_dome_radiance(double roughness) {
-  const materials::RoughConductor metal(
-      radiometry::Spectrum::constant(kMetalN), radiometry::Spectrum::constant(kMetalK),
-      radiometry::Spectrum::constant(1.0), {materials::FacetShape::ggx, roughness, roughness, 0.0});
-  std::vector<float> values;
-  std::vector<const float*> rows;
-  for (const radiometry::Spectrum& spectrum : metal.spectra())
-    values.push_back(static_cast<float>(spectrum.at(kDome_um)));
-  for (const float& value : values) rows.push_back(&value);
-  // Polar coordinates about the highlight's middle, the radius by steps that grow with it.
-  const double zenith = kDomeSunZenith_deg * math::kDegree;
-  const math::Vec3 sun{std::sin(zenith), 0.0, std::cos(zenith)};
-  const math::Vec3 half = math::normalized(sun + math::Vec3{0.0, 0.0, 1.0});
-  constexpr int kRings = 1500, kTurns = 400;
-  double sum = 0.0;
-  const double least = 1e-3 * roughness, most = 2.0;
-  const double ratio = std::log(most / least + 1.0) / kRings;
-  for (int i = 0; i < kRings; ++i) {
-    const double r = least * (std::exp((i + 0.5) * ratio) - 1.0), dr = (r + least) * ratio;
-    for (int j = 0; j < kTurns; ++j) {
-      const double turn = 2.0 * pi * (j + 0.5) / kTurns, x = half.x + r * std::cos(turn),
-                   y = half.y + r * std::sin(turn);
-      if (x * x + y * y >= 1.0) continue;
-      materials::BsdfEvent event;
-      event.outgoing = {0.0, 0.0, 1.0};
-      event.incoming = sun;
-      event.normal = math::as_normal({x, y, std::sqrt(1.0 - x * x - y * y)});
-      if (!(event.incoming_cosine() > 0.0)) continue;
-      float bsdf = 0.0f;
-      metal.evaluate(event, rows, 1, &bsdf);
-      sum += static_cast<double>(bsdf) * event.incoming_cosine() * r * dr * 2.0 * pi / kTurns;
-    }
-  }
-  return sum * kIrradiance_w_m2_um * kRadius_m * kRadius_m;
-}
-
 io::Document dome_document(const io::MaterialDocument& surface, const DomeLight& light, int across,
                            double error, std::uint64_t seed) {
   const int pixels = kApart_px * across;
@@ -119,7 +80,7 @@ io::Document dome_document(const io::MaterialDocument& surface, const DomeLight&
     document.scene.objects.push_back(object_of(dome, surface.name));
   }
   io::SunDocument& sun = document.light.sun.emplace();
-  sun.direction = io::CelestialDirection{kDomeSunZenith_deg * math::kDegree, 90.0 * math::kDegree};
+  sun.direction = io::CelestialDirection{kSunZenith_deg * math::kDegree, 90.0 * math::kDegree};
   sun.diameter_rad = light.sun_is_disc ? 0.53 * math::kDegree : 0.0;
   sun.irradiance = constant_spectrum(kIrradiance_w_m2_um, io::SpectrumOf::irradiance);
   document.light.sky =
@@ -130,25 +91,21 @@ io::Document dome_document(const io::MaterialDocument& surface, const DomeLight&
 
 JudgedDomes judge_domes(const io::MaterialDocument& surface, const DomeLight& light, double truth, int across,
                         const StudyOptions& options) {
-  ImageStore image;
-  RenderChoices choices;
-  choices.threads = options.threads;
-  choices.cancel = options.cancel;
-  render_document(study_text(dome_document(surface, light, across, 0.01, options.seed)),
-                  options.output_folder, choices, image);
+  const SurfaceImage image =
+      render_surface(dome_document(surface, light, across, 0.01, options.seed), options);
   JudgedDomes judged;
   judged.count = across * across;
   for (int k = 0; k < judged.count; ++k) {
     const auto [column, row] = dome_pixel(k, across);
     const std::size_t p = image.index(column, row);
-    const double value = static_cast<double>(image.mean()[p]), off = std::abs(value - truth);
+    const double value = static_cast<double>(image.radiance[p]), off = std::abs(value - truth);
     judged.within += off <= 0.01 * truth;
-    judged.held += off <= static_cast<double>(image.half_width()[p]);
-    judged.sure += image.converged(p);
-    judged.wrong_and_sure += image.converged(p) && off > 0.03 * truth;
+    judged.held += off <= static_cast<double>(image.half_width[p]);
+    judged.sure += image.converged[p];
+    judged.wrong_and_sure += image.converged[p] && off > 0.03 * truth;
     judged.worst = std::max(judged.worst, off / truth);
     judged.mean += value / truth / judged.count;
-    judged.samples += static_cast<double>(image.samples()[p]) / judged.count;
+    judged.samples += static_cast<double>(image.samples[p]) / judged.count;
   }
   return judged;
 }

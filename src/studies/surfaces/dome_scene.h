@@ -15,6 +15,11 @@ struct Document;
 /// from a ten-thousandth of it and less.
 namespace ifov::studies {
 
+namespace domes {
+inline constexpr double kRadius_m = 0.4, kIrradiance_w_m2_um = 1000.0, kSunZenith_deg = 30.0;
+inline constexpr double kMetalN = 0.15, kMetalK = 3.5, kDome_um = 0.65;
+}  // namespace domes
+
 struct DomeLight {
   bool sun_is_disc = true;               ///< 0.53 deg wide; else a point
   double sky_radiance_w_m2_sr_um = 0.0;  ///< the same all over

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <optional>
 
 #include "core/format.h"
 #include "studies/surfaces/dome_scene.h"
@@ -11,13 +12,16 @@ constexpr double kDomeReflectance = 0.8, kDomeSky = 30.0;
 constexpr double kLeastWithin = 0.95, kMostDomeSamples = 200.0;
 
 void add_domes(const std::string& name, const std::string& what, const JudgedDomes& judged,
-               FigureTable& figures) {
+               std::optional<double> most_samples, FigureTable& figures) {
   figures.at_least(name + "_within", static_cast<double>(judged.within) / judged.count, kLeastWithin, "",
                    format("{}: share of {} shifts within 1 %", what, judged.count));
   figures.at_most(name + "_wrong_and_sure", judged.wrong_and_sure, 0, "",
                   format("{}: shifts that are off by more than 3 % and converged", what));
-  figures.at_most(name + "_samples", judged.samples, kMostDomeSamples, "samples",
-                  format("{}: mean samples in the dome's pixel", what));
+  const std::string samples = format("{}: mean samples in the dome's pixel", what);
+  if (most_samples)
+    figures.at_most(name + "_samples", judged.samples, *most_samples, "samples", samples);
+  else
+    figures.report(name + "_samples", judged.samples, "samples", samples);
   figures.report(name + "_mean", judged.mean, "", format("{}: mean over the truth", what));
   figures.report(name + "_worst", judged.worst, "", format("{}: largest error", what));
   figures.report(name + "_held", static_cast<double>(judged.held) / judged.count, "",
@@ -41,7 +45,7 @@ ReportSection domes_section(const StudyOptions& options) {
     const DomeLight light{disc, kDomeSky};
     add_domes(format("dome_mirror_{}", disc ? "disc" : "point"),
               format("mirror, Sun a {}", disc ? "disc" : "point"),
-              judge_domes(mirror, light, mirror_dome_radiance(kDomeReflectance, light), across, options),
+              judge_domes(mirror, light, mirror_dome_radiance(kDomeReflectance, light), across, options), {},
               section.figures);
   }
   Plot plot;
@@ -56,7 +60,8 @@ ReportSection domes_section(const StudyOptions& options) {
     for (const bool disc : {true, false}) {
       const JudgedDomes judged = judge_domes(dome_metal(roughness), {disc, 0.0}, truth, across, options);
       add_domes(format("dome_metal_{:g}_{}", roughness, disc ? "disc" : "point"),
-                format("metal {:g}, Sun a {}", roughness, disc ? "disc" : "point"), judged, section.figures);
+                format("metal {:g}, Sun a {}", roughness, disc ? "disc" : "point"), judged, kMostDomeSamples,
+                section.figures);
       PlotSeries& series = plot.series[disc ? 0 : 1];
       series.x.push_back(roughness);
       series.y.push_back(judged.samples);

@@ -8,9 +8,8 @@
 #include "io/document/shapes/round_primitives.h"
 #include "radiometry/planck.h"
 #include "session/brdf_survey.h"
-#include "studies/common/image_store.h"
 #include "studies/common/study_document.h"
-#include "studies/common/study_rendering.h"
+#include "studies/surfaces/surface_rendering.h"
 #include "studies/surfaces/surface_sections.h"
 
 namespace ifov::studies {
@@ -77,18 +76,14 @@ FurnaceRoom render_furnace(const StudySurface& surface, const StudyOptions& opti
   sphere.centre_m = {1.5, 1.0, 0.9};
   sphere.radius_m = 0.8;
   document.scene.objects = {object_of(box, wall.name), object_of(sphere, ball.name)};
-  ImageStore image;
-  RenderChoices choices;
-  choices.threads = options.threads;
-  choices.cancel = options.cancel;
-  render_document(study_text(document), options.output_folder, choices, image);
+  const SurfaceImage image = render_surface(document, options);
   double sum = 0.0, squares = 0.0;
   const double planck = radiometry::planck_w_m2_sr_um(kFurnace_um, kFurnace_k);
-  for (const float value : image.mean()) {
+  for (const float value : image.radiance) {
     sum += static_cast<double>(value) / planck;
     squares += std::pow(static_cast<double>(value) / planck, 2);
   }
-  const double count = static_cast<double>(image.mean().size()), mean = sum / count;
+  const double count = static_cast<double>(image.radiance.size()), mean = sum / count;
   return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean) / count)};
 }
 

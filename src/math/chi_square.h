@@ -3,7 +3,7 @@
 #include <vector>
 
 /// Whether counts are those of a distribution (Pearson's test).
-namespace ifov::sampling {
+namespace ifov::math {
 
 /// Upper tail Q(a, x) of the regularised incomplete gamma function (series below a + 1, continued fraction above).
 double upper_gamma(double a, double x);
@@ -15,4 +15,4 @@ double chi_square_p_value(double statistic, double degrees_of_freedom);
 /// one that expects nothing yet was hit refutes at once.
 double chi_square_test(const std::vector<double>& observed, const std::vector<double>& expected);
 
-}  // namespace ifov::sampling
+}  // namespace ifov::math

@@ -1,10 +1,10 @@
-#include "sampling/chi_square.h"
+#include "math/chi_square.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-namespace ifov::sampling {
+namespace ifov::math {
 
 double upper_gamma(double a, double x) {
   if (x <= 0.0) return 1.0;
@@ -50,4 +50,4 @@ double chi_square_test(const std::vector<double>& observed, const std::vector<do
   return cells < 2 ? 1.0 : chi_square_p_value(statistic, cells - 1);
 }
 
-}  // namespace ifov::sampling
+}  // namespace ifov::math
