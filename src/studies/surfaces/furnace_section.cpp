@@ -2,12 +2,10 @@
 #include <cmath>
 
 #include "core/format.h"
-#include "io/document/cameras/frame_camera.h"
 #include "io/document/document.h"
 #include "io/document/shapes/box_primitive.h"
 #include "io/document/shapes/round_primitives.h"
 #include "radiometry/planck.h"
-#include "session/brdf_survey.h"
 #include "studies/common/study_document.h"
 #include "studies/surfaces/surface_rendering.h"
 #include "studies/surfaces/surface_sections.h"
@@ -20,14 +18,6 @@ constexpr double kFurnaceMost = 1e-3;
 constexpr int kFurnacePixels = 24;
 
 }  // namespace
-
-io::MaterialDocument material_of(const StudySurface& surface) {
-  io::MaterialDocument material =
-      session::document_of_model(surface.model, surface.parameters, surface.reflectance)
-          .scene.materials.front();
-  material.name = "surface";
-  return material;
-}
 
 std::vector<StudySurface> furnace_surfaces(bool quick) {
   std::vector<StudySurface> list;
@@ -56,15 +46,9 @@ std::vector<StudySurface> furnace_surfaces(bool quick) {
 
 FurnaceRoom render_furnace(const StudySurface& surface, const StudyOptions& options, int paths_across,
                            double ball_k) {
-  io::FrameCamera camera;
-  camera.focal_length_m = 0.02;
-  camera.pitch_m = 1e-3;
-  camera.size = {kFurnacePixels, kFurnacePixels};
-  camera.position_m = {-3.0, -2.0, 1.5};
-  camera.orientation = io::LookAt{{4.0, 3.0, 0.0}, {}};
-  io::Document document = nadir_document(
-      {std::string(io::FrameCamera::kModel.key), std::make_shared<const io::FrameCamera>(camera), {}},
-      "thermal", kFurnace_um, grid_sampling(paths_across), options.seed);
+  io::Document document =
+      nadir_document(square_camera(kFurnacePixels, 0.6, {-3.0, -2.0, 1.5}, {4.0, 3.0, 0.0}), "thermal",
+                     kFurnace_um, grid_sampling(paths_across), options.seed);
   io::MaterialDocument wall = material_of(surface), ball = black("ball", {ball_k, {}});
   wall.temperature = io::TemperatureDocument{kFurnace_k, {}};
   ball.spectrum.source = io::ConstantSpectrum{0.5};

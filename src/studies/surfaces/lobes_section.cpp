@@ -42,6 +42,14 @@ std::vector<LobePlot> lobe_plots() {
 
 }  // namespace
 
+io::MaterialDocument material_of(const StudySurface& surface) {
+  io::MaterialDocument material =
+      session::document_of_model(surface.model, surface.parameters, surface.reflectance)
+          .scene.materials.front();
+  material.name = "surface";
+  return material;
+}
+
 ReportSection lobes_section(const StudyOptions&) {
   ReportSection section;
   section.title = "Lobes and reflectance";

@@ -8,7 +8,7 @@
 #include "studies/common/image_store.h"
 #include "studies/common/scene_renderer.h"
 #include "studies/common/study_document.h"
-#include "studies/suburb_scene.h"
+#include "studies/common/suburb_scene.h"
 #include "studies/surfaces/surface_sections.h"
 
 namespace ifov::studies {

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "core/format.h"
-#include "io/document/cameras/frame_camera.h"
 #include "io/document/document.h"
 #include "io/document/shapes/flat_primitives.h"
 #include "studies/common/study_document.h"
@@ -26,15 +25,8 @@ double slope_out_of_image(double wind_m_s, const StudyOptions& options, int pixe
   // Four standard deviations of the slope along the wind, and no view beyond 81 deg.
   const double last = std::min(0.85, 4.2 * std::sqrt(0.00316 * wind_m_s + 0.003)),
                half = tangent_of_view(last);
-  io::FrameCamera camera;
-  camera.focal_length_m = 0.02;
-  camera.pitch_m = 2.0 * half * camera.focal_length_m / pixels;
-  camera.size = {pixels, pixels};
-  camera.position_m = {0.0, 0.0, 100.0};
-  camera.orientation = io::LookAt{{0.0, 0.0, 0.0}, {}};
-  io::Document document = nadir_document(
-      {std::string(io::FrameCamera::kModel.key), std::make_shared<const io::FrameCamera>(camera), {}},
-      "green", glint::kWavelength_um, grid_sampling(1), options.seed);
+  io::Document document = nadir_document(square_camera(pixels, half, {0.0, 0.0, 100.0}, {0.0, 0.0, 0.0}),
+                                         "green", glint::kWavelength_um, grid_sampling(1), options.seed);
   const io::MaterialDocument sea =
       material_of({"sea",
                    "sea",

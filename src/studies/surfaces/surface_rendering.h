@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "math/vec3.h"
 #include "studies/common/study_options.h"
 
 namespace ifov::io {
+struct CameraDocument;
 struct Document;
-}
+}  // namespace ifov::io
 
 namespace ifov::studies {
 
@@ -20,6 +22,10 @@ struct SurfaceImage {
   std::vector<std::uint8_t> converged;
   std::size_t index(int x_px, int y_px) const { return static_cast<std::size_t>(y_px * width + x_px); }
 };
+
+/// A frame camera with square images, which looks from one place at another; `half`: tangent of the angle between its axis and the
+/// middle of a side.
+io::CameraDocument square_camera(int pixels, double half, math::Point3 position_m, math::Point3 target_m);
 
 /// Renders a document of one channel as any other, files and threads as the options say.
 SurfaceImage render_surface(const io::Document& document, const StudyOptions& options);

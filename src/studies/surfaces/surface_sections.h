@@ -3,9 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "io/document/scene_document.h"
 #include "studies/common/report_section.h"
 #include "studies/common/study_options.h"
+
+namespace ifov::io {
+struct MaterialDocument;
+}
 
 /// The sections of the study of surfaces, and what each measures.
 namespace ifov::studies {
