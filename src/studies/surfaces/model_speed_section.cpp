@@ -15,7 +15,7 @@ namespace ifov::studies {
 namespace {
 
 constexpr double kLeastSpeed = 0.6;
-constexpr int kSpeedTile_px = 12, kSpeedGrid = 3;
+constexpr int kSpeedTile_px = 12, kSpeedGrid = 8;
 
 /// The suburb with every material of one model, grey, opaque and without texture, and without air: spectral nodes of the models'
 /// parameters would take minutes to find in 210 channels, and what is timed is paths.
@@ -49,7 +49,7 @@ class TimedSuburb {
     const render::ImageInfo& info = renderer_.info();
     const int across = (info.width_px + kSpeedTile_px - 1) / kSpeedTile_px,
               down = (info.height_px + kSpeedTile_px - 1) / kSpeedTile_px;
-    for (int k = 0; k < across * down; k += 5) tiles_.push_back(k);
+    for (int k = 0; k < across * down; k += 2) tiles_.push_back(k);
   }
   /// Samples in a second of processor time, in one thread.
   double samples_per_s() const {
@@ -89,7 +89,7 @@ ReportSection model_speed_section(const StudyOptions& options) {
       "A suburb of 210 channels, without air, whose materials are all grey, opaque and of one model, against one of Lambertian materials, timed by turns: "
       "samples in a second of processor time, median of the ratios and their range. Below, what the Stokes vector costs.";
   const io::Document suburb = suburb_document(options, true);
-  const int rounds = options.is_quick() ? 3 : 9;
+  const int rounds = options.is_quick() ? 5 : 15;
   const StudySurface lambert{"lambertian", "lambertian", {}, "0.3"};
   const StudySurface models[] = {
       {"ross_li", "ross_li", {"f_vol=0.01", "f_geo=0.002"}, "0.3"},
