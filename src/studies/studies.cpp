@@ -3,6 +3,7 @@
 #include "studies/aliasing_study.h"
 #include "studies/atmosphere/atmosphere_study.h"
 #include "studies/suburb_study.h"
+#include "studies/surfaces/surfaces_study.h"
 #include "studies/thermal_study.h"
 
 namespace ifov::studies {
@@ -14,6 +15,8 @@ constexpr StudyEntry kStudies[] = {
     {"thermal", "hot targets smaller than a pixel: samples needed for an accuracy", run_thermal_study},
     {"suburb", "sub-pixel content of a hyperspectral image, by every sampler", run_suburb_study, true},
     {"atmosphere", "the modelled atmosphere against tables and other programs", run_atmosphere_study},
+    {"surfaces", "models of scattering against what they promise, by themselves and rendered",
+     run_surfaces_study},
 };
 
 }  // namespace

@@ -13,8 +13,8 @@
 #include "studies/channel_cost.h"
 #include "studies/common/scene_renderer.h"
 #include "studies/common/study_files.h"
+#include "studies/common/suburb_scene.h"
 #include "studies/suburb_report.h"
-#include "studies/suburb_scene.h"
 
 namespace ifov::studies {
 

@@ -12,6 +12,7 @@
 #include "materials/bsdf/lambertian.h"
 #include "materials/bsdf/mirror.h"
 #include "materials/bsdf/oren_nayar.h"
+#include "materials/bsdf_checks.h"
 #include "materials/material.h"
 
 namespace ifov::materials {
@@ -63,38 +64,11 @@ class Dummy final : public Bsdf {
   double share_;
 };
 
-/// A table that is brighter to the sides and towards the light.
-MeasuredBrdf bowl() {
-  MeasuredBrdf table{{0.0, 0.5, 1.0, 1.4}, {0.0, 0.7, 1.2}, {0.0, 1.0, pi}, {0.4, 1.0}, {}};
-  for (const double in : table.zenith_in_rad)
-    for (const double out : table.zenith_out_rad)
-      for (const double azimuth : table.azimuth_rad)
-        for (const double um : table.wavelength_um)
-          table.brdf.push_back(um * (0.05 + 0.01 * (in + out) + 0.01 * in * out * (1.0 + std::cos(azimuth))));
-  return table;
-}
-
 /// One of each model, by name: in the middle of its parameters' ranges.
 std::vector<std::pair<std::string, std::shared_ptr<const Bsdf>>> models() {
   std::vector<std::pair<std::string, std::shared_ptr<const Bsdf>>> list;
-  for (const BsdfModel* model : bsdf_models()) {
-    BsdfInputs inputs{Spectrum({0.4, 1.0}, {0.3, 0.6}), {}};
-    for (const BsdfParameter& p : model->parameters) {
-      if (p.key == "proteins" || p.key == "carbon") continue;  // in place of dry matter
-      const double middle = 0.5 * (p.low + p.high);
-      if (p.form == BsdfParameter::Form::word) {
-        if (!p.optional) inputs.values.emplace_back(p.key, std::string(p.choices().front()));
-      } else if (p.form == BsdfParameter::Form::spectrum)
-        inputs.values.emplace_back(p.key, Spectrum({0.4, 1.0}, {p.low + 0.2, p.low + 0.7}));
-      else if (p.form == BsdfParameter::Form::brdf_file)
-        inputs.values.emplace_back(p.key, bowl());
-      else
-        inputs.values.emplace_back(p.key, p.form == BsdfParameter::Form::angle    ? middle * pi / 180.0
-                                          : p.form == BsdfParameter::Form::length ? middle * 1e-3
-                                                                                  : middle);
-    }
-    list.emplace_back(model->key, model->make(inputs));
-  }
+  for (const BsdfModel* model : bsdf_models())
+    list.emplace_back(model->key, model->make(inputs_within_ranges(*model, 0.5)));
   list.emplace_back("dummy", std::make_shared<Dummy>(Spectrum({0.4, 1.0}, {0.5, 0.8}), 0.7));
   return list;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "math/chi_square.h"
 #include "math/vec3.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
@@ -14,54 +15,9 @@
 /// Statistical tests for samplers: chi-square against a density, and the round trip through an inverse.
 namespace ifov::test {
 
-/// Upper tail Q(a, x) of the regularised incomplete gamma function (series below a + 1, continued fraction
-/// above).
-inline double upper_gamma(double a, double x) {
-  if (x <= 0.0) return 1.0;
-  const double scale = std::exp(-x + a * std::log(x) - std::lgamma(a));
-  if (x < a + 1.0) {
-    double term = 1.0 / a, sum = term;
-    for (int n = 1; n < 2000 && term > sum * 1e-16; ++n) sum += term *= x / (a + n);
-    return 1.0 - sum * scale;
-  }
-  double b = x + 1.0 - a, c = 1e300, d = 1.0 / b, h = d;
-  for (int n = 1; n < 2000; ++n) {
-    const double an = -n * (n - a);
-    b += 2.0;
-    d = 1.0 / (an * d + b);
-    c = b + an / c;
-    h *= d * c;
-    if (std::abs(d * c - 1.0) < 1e-15) break;
-  }
-  return h * scale;
-}
-
-/// Probability of a statistic at least this large where the hypothesis holds.
-inline double chi_square_p_value(double statistic, double degrees_of_freedom) {
-  return upper_gamma(0.5 * degrees_of_freedom, 0.5 * statistic);
-}
-
-/// p-value of counts against expected counts of the same sum; cells that expect fewer than 5 are pooled, and
-/// one that expects nothing yet was hit refutes at once.
-inline double chi_square_test(const std::vector<double>& observed, const std::vector<double>& expected) {
-  std::vector<std::size_t> order(expected.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return expected[a] < expected[b]; });
-  double statistic = 0.0, pooled_observed = 0.0, pooled_expected = 0.0;
-  int cells = 0;
-  for (std::size_t i : order) {
-    if (expected[i] == 0.0 && observed[i] > 0.0) return 0.0;
-    pooled_observed += observed[i];
-    pooled_expected += expected[i];
-    if (pooled_expected < 5.0) continue;
-    const double difference = pooled_observed - pooled_expected;
-    statistic += difference * difference / pooled_expected;
-    pooled_observed = pooled_expected = 0.0;
-    ++cells;
-  }
-  return cells < 2 ? 1.0 : chi_square_p_value(statistic, cells - 1);
-}
+using math::chi_square_p_value;
+using math::chi_square_test;
+using math::upper_gamma;
 
 /// p-value of directions sample(u) against density(direction) per steradian. Cells are equal in cosine and
 /// azimuth about `axis`, from cos_low to 1; `count` random u from `seed`.

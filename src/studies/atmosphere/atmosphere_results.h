@@ -2,13 +2,11 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "studies/common/figures.h"
-#include "studies/common/report_plot.h"
+#include "studies/common/report_section.h"
 #include "studies/common/study_options.h"
 
 namespace ifov::studies {
@@ -46,24 +44,7 @@ class Differences {
   int count_ = 0;
 };
 
-struct ReportPlot {
-  std::string name;  ///< of its file, without extension
-  Plot plot;
-  std::string caption;
-};
-
-/// What one page shows: sections of figures and plots.
-struct AtmosphereSection {
-  std::string title, text;
-  FigureTable figures;
-  std::vector<ReportPlot> plots;
-
-  /// A figure that could not be taken, and what was missing.
-  void not_measured(const std::string& name, const std::string& meaning, const std::string& missing) {
-    figures.report(name, std::numeric_limits<double>::quiet_NaN(), "",
-                   meaning + " (not measured: no " + missing + ")");
-  }
-};
+using AtmosphereSection = ReportSection;
 
 struct AtmosphereOptions {
   const ReferenceData& reference;

@@ -6,7 +6,6 @@
 #include "core/error.h"
 #include "core/format.h"
 #include "studies/atmosphere/atmosphere_results.h"
-#include "studies/common/html_page.h"
 #include "studies/common/report_figures.h"
 #include "studies/common/study_files.h"
 
@@ -43,18 +42,6 @@ std::string markdown(const std::vector<AtmosphereSection>& sections) {
   return out;
 }
 
-std::string html(const std::vector<AtmosphereSection>& sections, ReportFigures& figures) {
-  std::string body;
-  for (const AtmosphereSection& section : sections) {
-    body += format("<h2>{}</h2>\n<p>{}</p>\n{}", html_text(section.title), html_text(section.text),
-                   section.figures.html());
-    for (const ReportPlot& plot : section.plots)
-      body += format("<figure>{}<figcaption>{}</figcaption></figure>\n", figures.add(plot.plot),
-                     html_text(plot.caption));
-  }
-  return html_page(kTitle, body);
-}
-
 std::filesystem::path reference_folder(const StudyOptions& options) {
   if (!options.reference.empty()) return options.reference;
   const char* given = std::getenv("IFOV_TRUTH");
@@ -85,7 +72,7 @@ StudyOutcome run_atmosphere_study(const StudyOptions& options) {
   };
   keep("figures.json", all.json());
   ReportFigures drawn;
-  keep("report.html", html(sections, drawn));
+  keep("report.html", sections_page(kTitle, sections, drawn));
   for (const auto& file : drawn.write(options.output_folder)) outcome.files.push_back(file);
   keep("page/atmosphere.md", markdown(sections));
   for (const AtmosphereSection& section : sections)

@@ -13,6 +13,7 @@ void ImageStore::begin(const render::ImageInfo& info) {
   mean_.assign(pixels * info.channels.size(), 0.0f);
   half_width_.assign(mean_.size(), std::numeric_limits<float>::quiet_NaN());
   samples_.assign(pixels, 0);
+  converged_.assign(pixels, 0);
   abundances_.assign(pixels, {});
   cost_ = {};
 }
@@ -32,6 +33,7 @@ void ImageStore::write(const sampling::TileResult& tile) {
       if (tile.has_errors())
         std::copy_n(&tile.half_width[from * columns], columns, &half_width_[to * columns]);
       samples_[to] = tile.samples[from];
+      converged_[to] = tile.converged(from);
       cost.samples += tile.samples[from];
       cost.radiance += tile.radiance_evaluations[from];
     }

@@ -25,6 +25,8 @@ class ImageStore final : public render::TileSink {
   /// NaN where the sampling says nothing of its error.
   const std::vector<float>& half_width() const { return half_width_; }
   const std::vector<std::uint32_t>& samples() const { return samples_; }
+  /// Whether the pixel is as sure as was asked.
+  bool converged(std::size_t pixel) const { return converged_[pixel] != 0; }
   /// Materials found in a pixel, by material index; their `pixel` is the index in the image.
   std::span<const sampling::Abundance> abundances(std::size_t pixel) const { return abundances_[pixel]; }
 
@@ -42,6 +44,7 @@ class ImageStore final : public render::TileSink {
   int width_ = 0, height_ = 0, columns_ = 0;
   std::vector<float> mean_, half_width_;
   std::vector<std::uint32_t> samples_;
+  std::vector<std::uint8_t> converged_;
   std::vector<std::vector<sampling::Abundance>> abundances_;
   Cost cost_;
 };

@@ -1,4 +1,4 @@
-#include "studies/suburb_scene.h"
+#include "studies/common/suburb_scene.h"
 
 #include "io/document/document.h"
 #include "landscape/landscapes.h"
