@@ -89,6 +89,18 @@ TEST(SurfacesStudy, ModelChecksSeeAWrongDensityAndOneWayLight) {
   EXPECT_GT(materials::worst_reciprocity(wrong, out, Side::reflected, 10), 0.1);
 }
 
+TEST(SurfacesStudy, EveryModelHasItsRows) {
+  const ReportSection section = models_section(small_study());
+  EXPECT_TRUE(section.figures.all_met()) << section.figures.text();
+  const std::set<std::string> names = names_of(section);
+  for (const materials::BsdfModel* model : materials::bsdf_models()) {
+    const bool delta =
+        model->key == "mirror" || model->key == "smooth" || model->key == "slab" || model->key == "film";
+    for (const char* row : {"samples", "round_trip", "reciprocity"})
+      EXPECT_EQ(names.contains(format("{}_{}", model->key, row)), !delta) << model->key;
+  }
+}
+
 TEST(SurfacesStudy, ClosedRoomsLookLikeBlackBodies) {
   for (const StudySurface& surface :
        {StudySurface{"", "rough_conductor", {"n=2", "k=3", "roughness=0.2"}, "1"},
