@@ -13,6 +13,7 @@
 #include "session/assembly/atmosphere/atmosphere_assembly.h"
 #include "session/assembly/atmosphere/imported_assembly.h"
 #include "session/assembly/atmosphere/node_tolerance.h"
+#include "session/assembly/shared/colour_guess.h"
 #include "session/loaded/parts.h"
 #include "transport/spectral_scene.h"
 
@@ -63,6 +64,39 @@ void add_directional(const materials::Bsdf& bsdf, bool polarized,
   }
 }
 
+/// By material: whether nodes need not be judged by it. Spectra that pictures are mixed of are many and of one form, a sigmoid of a
+/// parabola: in each channel those stand for the others that vary most there, by themselves and for their brightness.
+std::vector<bool> corners_left_out(const Parts& parts) {
+  constexpr std::size_t kOfChannel = 12;
+  constexpr int kLooks = 9;
+  std::vector<bool> left_out(parts.scene.materials.size(), false);
+  std::vector<std::uint32_t> corners;
+  for (const ColourGuess& guess : parts.colour_guesses)
+    corners.insert(corners.end(), guess.corners.begin(), guess.corners.end());
+  for (const std::uint32_t corner : corners) left_out[corner] = true;
+  for (const radiometry::Channel& channel : parts.channels) {
+    std::vector<std::pair<double, std::uint32_t>> by_variance, by_share;
+    for (const std::uint32_t corner : corners) {
+      const radiometry::Spectrum& reflectance = parts.scene.materials[corner].reflectance;
+      double sum = 0.0, squares = 0.0;
+      for (int k = 0; k < kLooks; ++k) {
+        const double value = reflectance.at(channel.centre_um +
+                                            channel.fwhm_um * (static_cast<double>(k) / (kLooks - 1) - 0.5));
+        sum += value / kLooks, squares += value * value / kLooks;
+      }
+      const double variance = squares - sum * sum;
+      by_variance.emplace_back(-variance, corner);
+      by_share.emplace_back(sum > 0.0 ? -variance / (sum * sum) : 0.0, corner);
+    }
+    for (auto* ranked : {&by_variance, &by_share}) {
+      const std::size_t count = std::min(kOfChannel, ranked->size());
+      std::partial_sort(ranked->begin(), ranked->begin() + static_cast<std::ptrdiff_t>(count), ranked->end());
+      for (std::size_t k = 0; k < count; ++k) left_out[(*ranked)[k].second] = false;
+    }
+  }
+  return left_out;
+}
+
 /// Whether two spectra are the same but for a factor.
 bool same_shape(const radiometry::Spectrum& a, const radiometry::Spectrum& b) {
   const auto equal = [](double x, double y) { return std::abs(x - y) <= 1e-12 * std::abs(y); };
@@ -87,7 +121,10 @@ void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmo
   const scene::Scene& scene = parts.scene;
   const bool polarized = parts.polarimetry != nullptr;
   std::vector<radiometry::Spectrum> surfaces;
-  for (const materials::Material& material : scene.materials) {
+  const std::vector<bool> left_out = corners_left_out(parts);
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    if (left_out[m]) continue;
+    const materials::Material& material = scene.materials[m];
     surfaces.push_back(material.reflectance);
     if (!material.bsdf->is_separable()) add_directional(*material.bsdf, polarized, surfaces);
     if (!material.transmittance) continue;

@@ -35,7 +35,7 @@ struct RenderJob;
 namespace ifov::sensor {
 class Camera;
 class PsfWings;
-}
+}  // namespace ifov::sensor
 namespace ifov::transport {
 class SpectralScene;
 }

@@ -161,15 +161,20 @@ std::uint32_t FileColours::add_material(const std::string& name, const LinearRgb
   return static_cast<std::uint32_t>(scene_.materials.size() - 1);
 }
 
-void FileColours::note(const io::FileMaterials& source, const MeshSlot& slot, bool emits) {
+ColourGuess& FileColours::guess_of(const io::FileMaterials& source, const MeshSlot& slot) {
   const std::string name = short_name(slot.file);
   auto found = std::ranges::find_if(guesses_, [&](const ColourGuess& guess) {
     return guess.file == name && guess.beyond == source.beyond.has_value();
   });
   if (found == guesses_.end())
-    found = guesses_.insert(guesses_.end(), ColourGuess{name, {}, false, source.beyond.has_value()});
-  found->emits = found->emits || emits;
-  if (std::ranges::find(found->slots, slot.name) == found->slots.end()) found->slots.push_back(slot.name);
+    found = guesses_.insert(guesses_.end(), ColourGuess{name, {}, false, {}, source.beyond.has_value()});
+  return *found;
+}
+
+void FileColours::note(const io::FileMaterials& source, const MeshSlot& slot, bool emits) {
+  ColourGuess& guess = guess_of(source, slot);
+  guess.emits = guess.emits || emits;
+  if (std::ranges::find(guess.slots, slot.name) == guess.slots.end()) guess.slots.push_back(slot.name);
 }
 
 void FileColours::say(const MeshSlot& slot, const io::FileMaterial& material, const std::string& more) {
@@ -239,6 +244,7 @@ FileColours::Surface FileColours::upsampled(const io::FileMaterials& source, con
     const std::uint32_t made =
         add_material(name, materials::ColourLattice::colour(corner), beyond.get(), base, fixed_k);
     members[corner] = {state_of(made), made};
+    guess_of(source, slot).corners.push_back(made);
   }
   surface.pattern = std::make_shared<const scene::ColourPattern>(image(written), lattice, surface.state,
                                                                  std::move(members));

@@ -67,6 +67,7 @@ class FileColours {
   std::uint32_t add_material(const std::string& name, const std::array<double, 3>& colour,
                              const radiometry::Spectrum* beyond, std::optional<std::uint32_t> curve_of,
                              double fixed_k);
+  ColourGuess& guess_of(const io::FileMaterials& source, const MeshSlot& slot);
   void note(const io::FileMaterials& source, const MeshSlot& slot, bool emits);
   void say(const MeshSlot& slot, const io::FileMaterial& material, const std::string& more);
 
