@@ -9,7 +9,7 @@ import colour
 HEAD = """\
 # Colour-matching functions of the CIE 1931 standard observer (2 deg; ISO/CIE 11664-1) and relative spectral power of CIE
 # standard illuminant D65 (ISO/CIE 11664-2), in steps of 5 nm from 380 to 780 nm. Figures of standards, taken from the tables that the
-# package colour-science has of cvrl.org and of the CIE (BSD-3-Clause). Linear between points; nothing outside.
+# package colour-science has of cvrl.org and of the CIE. Licence: BSD-3-Clause. Linear between points; nothing outside.
 # Made by tools/make_colorimetry.py.
 wavelength_um,x_bar,y_bar,z_bar,d65"""
 FIRST_NM, LAST_NM, STEP_NM = 380, 780, 5

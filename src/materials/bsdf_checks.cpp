@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -157,6 +158,11 @@ double worst_round_trip(const Bsdf& bsdf, math::Vec3 outgoing, Side side, int ac
 
 double worst_reciprocity(const Bsdf& bsdf, math::Vec3 outgoing, Side side, int across) {
   double worst = 0.0;
+  // Back out of a medium comes what its side of the boundary sends on, n^2 of which goes in.
+  const bool into = side == Side::transmitted && bsdf.passage() == Passage::into;
+  const std::shared_ptr<const Bsdf> behind = into ? bsdf.behind() : nullptr;
+  const Bsdf& other = behind != nullptr ? *behind : bsdf;
+  const double widens = behind != nullptr ? bsdf.bending_index() * bsdf.bending_index() : 1.0;
   for (int k = 0; k < across * across; ++k) {
     BsdfEvent event = view_of(outgoing, side);
     const BsdfSample sample = bsdf.sample(event, (k % across + 0.5) / across, (k / across + 0.5) / across);
@@ -165,7 +171,7 @@ double worst_reciprocity(const Bsdf& bsdf, math::Vec3 outgoing, Side side, int a
     const double there = brdf_at(bsdf, event);
     std::swap(event.outgoing, event.incoming);
     if (side == Side::transmitted) event.normal = -event.normal;
-    const double back = brdf_at(bsdf, event), larger = std::max(there, back);
+    const double back = widens * brdf_at(other, event), larger = std::max(there, back);
     if (larger > 0.0) worst = std::max(worst, std::abs(there - back) / larger);
   }
   return worst;

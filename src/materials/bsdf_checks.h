@@ -31,7 +31,7 @@ double directions_against_density(const Bsdf& bsdf, math::Vec3 outgoing, Side si
 /// Largest distance (of unit vectors) between a direction drawn and the one that is drawn from its inverse, over across^2 points.
 double worst_round_trip(const Bsdf& bsdf, math::Vec3 outgoing, Side side, int across);
 
-/// Largest difference of the BSDF from that with both directions exchanged, in units of it, over across^2 directions that the model
+/// Largest difference of the BSDF from that with both directions exchanged (into a medium: from n^2 times its other side's), in units of it, over across^2 directions that the model
 /// draws. BSDFs are told in single precision, whose steps are 1.2e-7.
 double worst_reciprocity(const Bsdf& bsdf, math::Vec3 outgoing, Side side, int across);
 

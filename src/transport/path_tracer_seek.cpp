@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "geometry/world.h"
-#include "materials/bsdf/mirror.h"
 #include "math/vec3.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"

@@ -148,6 +148,10 @@ std::vector<Named> named_by_materials() {
        "file",
        reflectance(R"(1, "scattering": {"table": {"file": "FILEa.csv"}})"),
        {{"a.csv", brdf()}}},
+      {"table",
+       "transmitted",
+       reflectance(R"(1, "scattering": {"table": {"file": "FILEa.csv", "transmitted": "FILEb.csv"}})"),
+       {{"a.csv", brdf()}, {"b.csv", brdf()}}},
       {"CSV spectrum of a number",
        "csv",
        {.sky =

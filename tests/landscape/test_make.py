@@ -52,7 +52,6 @@ class Make(unittest.TestCase):
                 warnings = [line for line in done.stderr.splitlines()
                             if "the air's own numerical error" not in line and "the atmosphere's band model resolves" not in line]
                 self.assertEqual((done.returncode in (0, 6), warnings), (True, []))
-                done = run("check", self.path / kind / "render_vswir.json")
                 self.assertIn("60 x 60 pixels, 210 channels", done.stdout)
 
     def test_same_seed_same_bytes_other_seed_other_scene(self):

@@ -134,7 +134,7 @@ TEST(Studies, AreFoundByName) {
   ASSERT_NE(find_study("aliasing"), nullptr);
   EXPECT_EQ(find_study("thermic"), nullptr);
   ASSERT_NE(find_study("suburb"), nullptr);
-  EXPECT_EQ(all_studies().size(), 4u);
+  EXPECT_EQ(all_studies().size(), 5u);
 }
 
 TEST(Studies, AliasingWritesItsFiles) {

@@ -6,6 +6,7 @@
 #include "geometry/world.h"
 #include "radiometry/polarization_frame.h"
 #include "radiometry/spectrum_block.h"
+#include "render/polarized/polarimetry.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "transport/mirrors/sun_mirrors.h"

@@ -5,6 +5,7 @@
 
 #include "radiometry/polarization_frame.h"
 #include "radiometry/spectral_nodes.h"
+#include "render/polarized/polarimetry.h"
 #include "sensor/camera.h"
 #include "transport/polarized/polarized_air.h"
 #include "transport/polarized/polarized_path_light.h"

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "radiometry/spectral_nodes.h"
+#include "render/polarized/polarimetry.h"
 #include "render/polarized/steering.h"
 #include "sampling/tile.h"
 
@@ -28,6 +29,10 @@ StokesColumns::StokesColumns(const Polarimetry* polarimetry, const radiometry::S
       nodes_(nodes),
       channels_(nodes.channel_count()),
       work_(4 * channels_) {}
+
+std::size_t StokesColumns::count() const { return polarimetry_.columns(channels_); }
+
+bool StokesColumns::told() const { return polarimetry_.stokes; }
 
 void add_stokes_columns(const Polarimetry* polarimetry, std::size_t channels, std::vector<int>& columns) {
   if (polarimetry == nullptr || !polarimetry->stokes) return;

@@ -4,17 +4,19 @@
 #include <span>
 #include <vector>
 
-#include "render/polarized/polarimetry.h"
 #include "transport/polarized/stokes_rows.h"
 
 namespace ifov::sampling {
 struct TileResult;
 }
 namespace ifov::radiometry {
+struct StokesVector;
 class SpectralNodes;
-}
+}  // namespace ifov::radiometry
 
 namespace ifov::render {
+
+struct Polarimetry;
 
 /// The columns of a sample that are light: the channels' radiance, and behind them Q, U and V of all channels where a sensor tells
 /// them, and I before the channels' optics. Samplers treat them all alike; when a tile is done Q, U and V leave its arrays for layers, so that
@@ -24,8 +26,8 @@ class StokesColumns {
   /// Keeps references; `polarimetry` null: channels alone.
   StokesColumns(const Polarimetry* polarimetry, const radiometry::SpectralNodes& nodes);
 
-  std::size_t count() const { return polarimetry_.columns(channels_); }
-  bool told() const { return polarimetry_.stokes; }
+  std::size_t count() const;
+  bool told() const;
 
   /// Light in nodes, about the focal plane's axes, behind the channels' optics.
   void write(const transport::StokesRows& light, float* row);

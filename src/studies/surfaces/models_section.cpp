@@ -18,7 +18,7 @@ constexpr double kMostRoundTrip = 1e-10;
 constexpr double kMostAsymmetry = 1e-9;
 /// Of models that add up in single precision.
 constexpr double kMostAsymmetrySingle = 5e-7;
-constexpr std::string_view kSinglePrecision[] = {"leaf", "table"};
+constexpr std::string_view kSinglePrecision[] = {"leaf", "rough_boundary", "table"};
 
 struct ModelChecks {
   int tested = 0, refused = 0;  ///< surfaces, and parameters that no surface has together
