@@ -113,7 +113,10 @@ double samples_against_density(const Bsdf& bsdf, math::Vec3 out, double width_x,
 
 double directions_against_density(const Bsdf& bsdf, math::Vec3 outgoing, Side side, int draws,
                                   std::uint64_t seed) {
-  constexpr int kRows = 8, kColumns = 16, kFine = 24;
+  constexpr int kRows = 8, kColumns = 16;
+  // Points as close as the lobe is narrow, at the pole too.
+  const double spread = side == Side::transmitted ? bsdf.passed_spread() : 0.0;
+  const int fine = spread > 0.0 && spread < 0.3 ? 160 : 24;
   BsdfEvent event = view_of(outgoing, side);
   const double up = side == Side::reflected ? 1.0 : -1.0;
   std::vector<double> counted(kRows * kColumns + 1, 0.0), expected(kRows * kColumns + 1, 0.0);
@@ -130,13 +133,13 @@ double directions_against_density(const Bsdf& bsdf, math::Vec3 outgoing, Side si
     counted[cell] += 1.0;
   }
   double whole = 0.0;
-  for (int row = 0; row < kRows * kFine; ++row)
-    for (int column = 0; column < kColumns * kFine; ++column) {
-      const double z = (row + 0.5) / (kRows * kFine), r = std::sqrt(1.0 - z * z);
-      const double azimuth = 2.0 * pi * ((column + 0.5) / (kColumns * kFine) - 0.5);
+  for (int row = 0; row < kRows * fine; ++row)
+    for (int column = 0; column < kColumns * fine; ++column) {
+      const double z = (row + 0.5) / (kRows * fine), r = std::sqrt(1.0 - z * z);
+      const double azimuth = 2.0 * pi * ((column + 0.5) / (kColumns * fine) - 0.5);
       event.incoming = {r * std::cos(azimuth), r * std::sin(azimuth), up * z};
-      const double share = bsdf.pdf(event) * 2.0 * pi / (kRows * kColumns * kFine * kFine);
-      expected[static_cast<std::size_t>(row / kFine * kColumns + column / kFine)] += share * draws;
+      const double share = bsdf.pdf(event) * 2.0 * pi / (kRows * kColumns * fine * fine);
+      expected[static_cast<std::size_t>(row / fine * kColumns + column / fine)] += share * draws;
       whole += share;
     }
   expected.back() = std::max(1e-9, (1.0 - whole) * draws);
