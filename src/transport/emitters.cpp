@@ -149,10 +149,10 @@ void Emitters::take(const SpectralScene& scene, const EmitterChoice& choice) {
   std::vector<double> area(wanted_.size(), 0.0);
   bool too_many = false;
   const std::size_t most = repeats_ ? kMost / 9 : kMost;
-  world.visit_surfaces(wanted_, [&](const SurfacePiece& piece) {
+  world.visit_surfaces(choice.wanted(), [&](const SurfacePiece& piece) {
     const double part = geometry::area_m2(piece);
     area[piece.material] += part;
-    if (!(part > 0.0)) return;
+    if (!(part > 0.0) || declined[piece.material]) return;
     if (pieces.size() < most)
       pieces.push_back(piece);
     else
@@ -160,7 +160,7 @@ void Emitters::take(const SpectralScene& scene, const EmitterChoice& choice) {
   });
   const std::vector<double> whole = world.surface_areas_m2(wanted_.size());
   for (std::size_t c = 0; c < wanted_.size(); ++c)
-    passes_over_ = passes_over_ || (wanted_[c] && area[c] < 0.99 * whole[c]);
+    passes_over_ = passes_over_ || (choice.wanted()[c] && area[c] < 0.99 * whole[c]);
   if (too_many) {
     pieces.clear();
     passes_over_ = true;

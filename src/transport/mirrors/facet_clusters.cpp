@@ -13,9 +13,15 @@ using math::Point3;
 using math::Vec3;
 
 constexpr std::size_t kMostFacets = std::size_t{1} << 17;
+/// Planes without end: all else would be nothing beside them, and they are clusters of their own.
+constexpr double kEndless_m = 1e9;
+/// Normals this far apart count as places as far apart as all: a highlight is found by normals, wherever it is.
+constexpr double kUnlike = 0.1;
+/// Variances below this are of facets that face alike in one place.
+constexpr double kSame = 1e-9;
 
 struct Facet {
-  std::array<double, 6> at{};  // its middle, in parts of the extent of all, and its normal
+  std::array<double, 6> at{};  // its middle, m, and its normal
   SurfaceSurvey::Ball ball;
   double area_m2 = 0.0;
   Vec3 normal() const { return {at[3], at[4], at[5]}; }
@@ -34,7 +40,8 @@ std::vector<Facet> facets_of(const SurfaceSurvey& survey) {
     const Point3 p = ball.centre_m;
     facets.push_back({{p.x, p.y, p.z, n.x, n.y, n.z}, ball, area});
   };
-  for (const SurfaceSurvey::Face& face : survey.faces) add(face.normal, face.ball, face.area_m2);
+  for (const SurfaceSurvey::Face& face : survey.faces)
+    if (face.ball.radius_m < kEndless_m) add(face.normal, face.ball, face.area_m2);
   std::size_t triangles = 0;
   for (const SurfaceSurvey::Smooth& smooth : survey.smooths) triangles += smooth.triangles.size();
   const std::size_t step = 1 + triangles / kMostFacets;
@@ -70,12 +77,12 @@ Part part_of(const std::vector<Facet>& facets, std::size_t first, std::size_t la
   }
   for (int d = 0; d < 6; ++d) {
     const auto i = static_cast<std::size_t>(d);
-    const double mean = sum[i] / area, scale = d < 3 ? extent : 1.0;
-    const double cost = (square[i] - sum[i] * mean) / (scale * scale);
-    if (cost > part.cost) part.axis = d, part.cost = cost, part.middle = mean;
+    const double mean = sum[i] / area, scale = d < 3 ? extent : kUnlike;
+    const double variance = (square[i] / area - mean * mean) / (scale * scale);
+    if (variance > part.cost) part.axis = d, part.cost = variance, part.middle = mean;
   }
-  const double least = 1e-9 * area;
-  if (part.cost < least) part.cost = 0.0;
+  // By size, not by area: a car on a wide floor is split as well.
+  part.cost = part.cost < kSame ? 0.0 : part.cost * std::sqrt(area);
   return part;
 }
 
@@ -104,13 +111,17 @@ FacetCluster cluster_of(const std::vector<Facet>& facets, const Part& part) {
 }  // namespace
 
 std::vector<FacetCluster> facet_clusters(const SurfaceSurvey& survey, std::size_t most) {
+  std::vector<FacetCluster> clusters;
+  for (const SurfaceSurvey::Face& face : survey.faces)
+    if (face.ball.radius_m >= kEndless_m && clusters.size() < most / 4)
+      clusters.push_back({face.ball, face.normal, 0.0});
   std::vector<Facet> facets = facets_of(survey);
-  if (facets.empty() || most == 0) return {};
+  if (facets.empty() || most == 0) return clusters;
   double extent = 0.0;
   for (const Facet& facet : facets)
     extent = std::max(extent, math::length(facet.ball.centre_m - facets.front().ball.centre_m));
   std::vector<Part> parts{part_of(facets, 0, facets.size(), std::max(extent, 1e-9))};
-  while (parts.size() < most) {
+  while (parts.size() + clusters.size() < most) {
     const auto widest = std::max_element(parts.begin(), parts.end(),
                                          [](const Part& a, const Part& b) { return a.cost < b.cost; });
     if (widest->cost <= 0.0) break;
@@ -128,7 +139,6 @@ std::vector<FacetCluster> facet_clusters(const SurfaceSurvey& survey, std::size_
     *widest = part_of(facets, whole.first, cut, std::max(extent, 1e-9));
     parts.push_back(part_of(facets, cut, whole.last, std::max(extent, 1e-9)));
   }
-  std::vector<FacetCluster> clusters;
   for (const Part& part : parts) clusters.push_back(cluster_of(facets, part));
   return clusters;
 }

@@ -46,16 +46,17 @@ LobeTargets::LobeTargets(const SurfaceSurvey& survey, Vec3 towards_sun, double s
           {cluster.ball, std::nullopt, true, lit ? cluster.normal : -cluster.normal, cluster.spread});
     }
   }
-  // About meshes too, whose triangles are in the clusters.
-  std::vector<SurfaceSurvey::Ball> others = survey.balls;
-  if (survey.all_facets)
-    std::erase_if(others, [&](const SurfaceSurvey::Ball& ball) {
-      return std::any_of(survey.smooths.begin(), survey.smooths.end(), [&](const auto& smooth) {
-        return math::length(smooth.ball.centre_m - ball.centre_m) == 0.0 &&
-               smooth.ball.radius_m == ball.radius_m;
-      });
-    });
-  balls.insert(balls.end(), others.begin(), others.end());
+  // Those about meshes, whose triangles are in the clusters, stand in the order of `smooths`.
+  std::size_t mesh = 0;
+  for (const SurfaceSurvey::Ball& ball : survey.balls) {
+    const bool known = mesh < survey.smooths.size() &&
+                       math::length(survey.smooths[mesh].ball.centre_m - ball.centre_m) == 0.0 &&
+                       survey.smooths[mesh].ball.radius_m == ball.radius_m;
+    if (known)
+      ++mesh;
+    else
+      balls.push_back(ball);
+  }
   for (const SurfaceSurvey::Ball& ball : SunMirrors::grouped(std::move(balls)))
     targets_.push_back({ball, std::nullopt, false, {}, 0.0});
 }
