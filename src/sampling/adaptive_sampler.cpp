@@ -20,28 +20,32 @@ class PixelSum {
   PixelSum(const SubElementLattice& lattice, const RefinedLattice& refined, Field& field)
       : lattice_(lattice), refined_(refined), field_(field) {}
 
-  PixelEstimate estimate(int i, int j, StudentTable& student) const {
+  const PixelEstimate& estimate(int i, int j, StudentTable& student) {
     const std::size_t columns = static_cast<std::size_t>(field_.columns());
-    PixelEstimate e;
+    PixelEstimate& e = estimate_;
     e.mean.assign(columns, 0.0);
     e.variance_geometry.assign(columns, 0.0);
     e.variance_path.assign(columns, 0.0);
+    e.materials.clear();
+    e.spent = false;
     int repeated = 0, cells = 0;
-    bool known = true;
+    bool known = true, any_mixed = false;
     for_each_cell(i, j, [&](std::size_t cell, double w) {
       const float* mean = refined_.mean(cell);
       for (std::size_t c = 0; c < columns; ++c) e.mean[c] += w * static_cast<double>(mean[c]);
-      known &=
-          refined_.add_variance(cell, w * w, refined_.mixed(cell) ? e.variance_geometry : e.variance_path);
+      const bool mixed = refined_.mixed(cell);
+      any_mixed |= mixed;
+      known &= refined_.add_variance(cell, w * w, mixed ? e.variance_geometry : e.variance_path);
       const int n = refined_.samples(cell);
       for (int k = 0; k < n; ++k) e.materials[field_.material_of(refined_.label(cell, k))].fraction += w / n;
       repeated += n - 1;
       e.spent = e.spent || refined_.spent(cell);
       ++cells;
     });
-    for_each_cell(i, j, [&](std::size_t cell, double w) {
-      if (refined_.mixed(cell)) add_material_variance(cell, w, e);
-    });
+    if (any_mixed)
+      for_each_cell(i, j, [&](std::size_t cell, double w) {
+        if (refined_.mixed(cell)) add_material_variance(cell, w, e);
+      });
     if (!known) {
       e.variance_geometry.assign(columns, std::numeric_limits<double>::quiet_NaN());
       for (auto& [material, share] : e.materials) share.variance = std::numeric_limits<double>::quiet_NaN();
@@ -89,6 +93,7 @@ class PixelSum {
   const SubElementLattice& lattice_;
   const RefinedLattice& refined_;
   Field& field_;
+  PixelEstimate estimate_;
 };
 
 }  // namespace
@@ -115,7 +120,7 @@ void AdaptiveSampler::sample(const TileProblem& problem, Field& field, TileResul
   refined.refine(field);
 
   StudentTable student(confidence_of(problem));
-  const PixelSum sum(lattice, refined, field);
+  PixelSum sum(lattice, refined, field);
   refined.count_samples(result);
   std::size_t pixel = 0;
   for (int j = problem.tile.y0; j < problem.tile.y1; ++j)

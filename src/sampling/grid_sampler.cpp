@@ -83,8 +83,9 @@ void GridSampler::sample(const TileProblem& problem, Field& field, TileResult& r
     int c = 0, r = 0;
     order.position(k, c, r);
     const int i = floor_divide(c, columns_), j = floor_divide(r, rows_);
-    const auto inside = static_cast<std::uint32_t>((r - j * rows_) * columns_ + c - i * columns_);
-    return PathRequest{lattice.at(c, r, kCentre), hash(problem.seed, i, j, kPixelPaths), inside};
+    const int a = c - i * columns_, b = r - j * rows_;
+    return PathRequest{lattice.at(i, j, a, b, kCentre), hash(problem.seed, i, j, kPixelPaths),
+                       static_cast<std::uint32_t>(b * columns_ + a)};
   };
   // Adds a sample to every pixel of the tile that weighs it, and counts it for the pixel it lies in.
   const auto share_out = [&](std::size_t k, auto add) {

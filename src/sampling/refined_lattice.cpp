@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sampling/halton.h"
 #include "sampling/hash.h"
-#include "sampling/value_batch.h"
 
 namespace ifov::sampling {
 
@@ -21,6 +21,7 @@ RefinedLattice::RefinedLattice(const SubElementLattice& lattice, const AdaptiveO
     : lattice_(lattice), options_(options), problem_(problem) {
   const int kx = lattice.columns_per_pixel(), ky = lattice.rows_per_pixel();
   cap_ = options.max_samples / (kx * ky);
+  for (int k = 0; k < cap_; ++k) points_.push_back(halton_point(static_cast<std::uint32_t>(k)));
   const auto core = [&](const PixelRect& r, int& x0, int& y0, int& x1, int& y1) {
     x0 = r.x0 * kx + lattice.first_column();
     y0 = r.y0 * ky + lattice.first_row();
@@ -34,42 +35,43 @@ RefinedLattice::RefinedLattice(const SubElementLattice& lattice, const AdaptiveO
   first_row_ = std::max(image_y0, y0 - 2);
   width_ = std::min(image_x1, x1 + 2) - first_column_;
   height_ = std::min(image_y1, y1 + 2) - first_row_;
+  for (int x = 0; x < width_; ++x) pixel_column_.push_back(floor_divide(first_column_ + x, kx));
+  for (int y = 0; y < height_; ++y) pixel_row_.push_back(floor_divide(first_row_ + y, ky));
   refine_x0_ = std::max(image_x0, x0 - 1) - first_column_;
   refine_y0_ = std::max(image_y0, y0 - 1) - first_row_;
   refine_x1_ = std::min(image_x1, x1 + 1) - first_column_;
   refine_y1_ = std::min(image_y1, y1 + 1) - first_row_;
 }
 
-FocalPoint RefinedLattice::point(std::size_t cell, int sample) const {
-  const int column = first_column_ + static_cast<int>(cell) % width_;
-  const int row = first_row_ + static_cast<int>(cell) / width_;
-  Point2 p = halton_point(static_cast<std::uint32_t>(sample));
+Point2 RefinedLattice::within(int column, int row, int sample) const {
+  Point2 p = points_[static_cast<std::size_t>(sample)];
   if (options_.rotate_points) {
     p.x += unit_double(hash(problem_.seed, column, row, kRotation, 0));
     p.y += unit_double(hash(problem_.seed, column, row, kRotation, 1));
     p.x -= std::floor(p.x);
     p.y -= std::floor(p.y);
   }
-  return lattice_.at(column, row, p);
-}
-
-bool RefinedLattice::refinable(std::size_t cell) const {
-  const int x = static_cast<int>(cell) % width_, y = static_cast<int>(cell) / width_;
-  return x >= refine_x0_ && x < refine_x1_ && y >= refine_y0_ && y < refine_y1_;
+  return p;
 }
 
 void RefinedLattice::draw(const std::vector<std::uint32_t>& cells, Field& field) {
   const int kx = lattice_.columns_per_pixel(), ky = lattice_.rows_per_pixel();
+  struct {
+    int i = std::numeric_limits<int>::min(), j = 0;
+    std::uint64_t paths = 0;
+  } pixel;  // of the last request: the next is mostly in the same
   for_each_value(
-      field, problem_.cancel, cells.size(),
+      field, problem_.cancel, cells.size(), batch_,
       [&](std::size_t k) {
         const std::size_t cell = cells[k];
         const int column = first_column_ + static_cast<int>(cell) % width_;
         const int row = first_row_ + static_cast<int>(cell) / width_;
-        const int i = floor_divide(column, kx), j = floor_divide(row, ky);
-        const int inside = (row - j * ky) * kx + column - i * kx;
-        return PathRequest{point(cell, count_[cell]), hash(problem_.seed, i, j, kPixelPaths),
-                           static_cast<std::uint32_t>(inside + count_[cell] * kx * ky)};
+        const int i = pixel_column_[static_cast<std::size_t>(column - first_column_)];
+        const int j = pixel_row_[static_cast<std::size_t>(row - first_row_)];
+        if (i != pixel.i || j != pixel.j) pixel = {i, j, hash(problem_.seed, i, j, kPixelPaths)};
+        const int a = column - i * kx, b = row - j * ky;
+        return PathRequest{lattice_.at(i, j, a, b, within(column, row, count_[cell])), pixel.paths,
+                           static_cast<std::uint32_t>(b * kx + a + count_[cell] * kx * ky)};
       },
       [&](std::size_t k, Label label, const float* values) {
         const std::size_t cell = cells[k];
@@ -94,22 +96,56 @@ void RefinedLattice::draw(const std::vector<std::uint32_t>& cells, Field& field)
       });
 }
 
-bool RefinedLattice::differs_from_neighbour(std::size_t cell) const {
-  const int x = static_cast<int>(cell) % width_, y = static_cast<int>(cell) / width_;
-  const float* own = mean(cell);
-  for (int b = std::max(0, y - 1); b <= std::min(height_ - 1, y + 1); ++b)
-    for (int a = std::max(0, x - 1); a <= std::min(width_ - 1, x + 1); ++a) {
-      const std::size_t other = static_cast<std::size_t>(b * width_ + a);
-      if (!changed_[other]) continue;
-      const float* theirs = mean(other);
-      for (int c : judged_) {
-        const double scale = options_.relative ? std::abs(static_cast<double>(own[c])) : 1.0;
-        if (std::abs(static_cast<double>(theirs[c]) - static_cast<double>(own[c])) >
-            options_.allowed_difference * scale)
-          return true;
-      }
-    }
+bool RefinedLattice::differs(const float* own, const float* theirs) const {
+  for (int c : judged_) {
+    const double mean = static_cast<double>(own[c]);
+    const double scale = options_.relative ? std::abs(mean) : 1.0;
+    if (std::abs(static_cast<double>(theirs[c]) - mean) > options_.allowed_difference * scale) return true;
+  }
   return false;
+}
+
+std::vector<std::uint32_t> RefinedLattice::first_marked() const {
+  const std::size_t width = static_cast<std::size_t>(width_), cells = mean_.size() / columns_;
+  std::vector<std::uint8_t> marks(cells, 0);
+  std::vector<double> value(cells), limit(cells, options_.allowed_difference);
+  for (int c : judged_) {
+    for (std::size_t cell = 0; cell < cells; ++cell) value[cell] = static_cast<double>(mean(cell)[c]);
+    if (options_.relative)
+      for (std::size_t cell = 0; cell < cells; ++cell)
+        limit[cell] = options_.allowed_difference * std::abs(value[cell]);
+    for (int y = refine_y0_; y < refine_y1_; ++y)
+      for (int b = std::max(0, y - 1); b <= std::min(height_ - 1, y + 1); ++b)
+        for (int shift = -1; shift <= 1; ++shift) {
+          const std::size_t row = static_cast<std::size_t>(y) * width;
+          const double* const own = &value[row];
+          const double* const theirs = &value[static_cast<std::size_t>(b) * width] + shift;
+          for (int x = std::max(refine_x0_, -shift); x < std::min(refine_x1_, width_ - shift); ++x)
+            marks[row + static_cast<std::size_t>(x)] |=
+                std::abs(theirs[x] - own[x]) > limit[row + static_cast<std::size_t>(x)];
+        }
+  }
+  std::vector<std::uint32_t> marked;
+  for (std::size_t cell = 0; cell < cells; ++cell)
+    if (marks[cell] != 0) marked.push_back(static_cast<std::uint32_t>(cell));
+  return marked;
+}
+
+std::vector<std::uint32_t> RefinedLattice::newly_marked(const std::vector<std::uint32_t>& drawn) const {
+  std::vector<std::uint32_t> marked;
+  for (std::uint32_t cell : drawn) {
+    if (changed_[cell] == 0) continue;
+    const int x = static_cast<int>(cell) % width_, y = static_cast<int>(cell) / width_;
+    for (int b = std::max(refine_y0_, y - 1); b <= std::min(refine_y1_ - 1, y + 1); ++b)
+      for (int a = std::max(refine_x0_, x - 1); a <= std::min(refine_x1_ - 1, x + 1); ++a) {
+        const std::size_t other = static_cast<std::size_t>(b * width_ + a);
+        if (active_[other] == kInactive && differs(mean(other), mean(cell)))
+          marked.push_back(static_cast<std::uint32_t>(other));
+      }
+  }
+  std::sort(marked.begin(), marked.end());
+  marked.erase(std::unique(marked.begin(), marked.end()), marked.end());
+  return marked;
 }
 
 void RefinedLattice::refine(Field& field) {
@@ -122,26 +158,26 @@ void RefinedLattice::refine(Field& field) {
   mean_.assign(cells * columns_, 0.0f);
   first_label_.assign(cells, 0);
   active_.assign(cells, kInactive);
-  changed_.assign(cells, 1);
+  changed_.assign(cells, 0);
 
   std::vector<std::uint32_t> round(cells);
   for (std::size_t cell = 0; cell < cells; ++cell) round[cell] = static_cast<std::uint32_t>(cell);
   draw(round, field);
+  if (cap_ <= 1) return;
   std::uint32_t refined = 0;
-  while (cap_ > 1) {
-    std::vector<std::uint32_t> marked;
-    for (std::size_t cell = 0; cell < cells; ++cell) {
-      if (count_[cell] >= cap_ || !refinable(cell)) continue;
-      if (active_[cell] != kInactive || differs_from_neighbour(cell))
-        marked.push_back(static_cast<std::uint32_t>(cell));
-    }
-    if (marked.empty()) return;
-    for (std::uint32_t cell : marked)
-      if (active_[cell] == kInactive) active_[cell] = refined++;
+  std::vector<std::uint32_t> fresh = first_marked();
+  round.clear();
+  while (true) {
+    for (std::uint32_t cell : fresh) active_[cell] = refined++;
     spread_.resize(refined * columns_, 0.0f);
     labels_.resize(refined * static_cast<std::size_t>(cap_ - 1), 0);
-    std::fill(changed_.begin(), changed_.end(), 0);
-    draw(marked, field);
+    std::erase_if(round, [&](std::uint32_t cell) { return count_[cell] >= cap_; });
+    const std::size_t running = round.size();
+    round.insert(round.end(), fresh.begin(), fresh.end());
+    std::inplace_merge(round.begin(), round.begin() + static_cast<std::ptrdiff_t>(running), round.end());
+    if (round.empty()) return;
+    draw(round, field);
+    fresh = newly_marked(round);
   }
 }
 
@@ -175,11 +211,12 @@ bool RefinedLattice::add_variance(std::size_t cell, double factor, std::span<dou
   }
   std::size_t near[4];
   const int n = neighbours(cell, near);
+  const double share = factor * 0.5 / n;
   for (int k = 0; k < n; ++k) {
     const float *own = mean(cell), *theirs = mean(near[k]);
     for (std::size_t c = 0; c < columns_; ++c) {
       const double d = static_cast<double>(own[c]) - static_cast<double>(theirs[c]);
-      variance[c] += factor * 0.5 / n * d * d;
+      variance[c] += share * d * d;
     }
   }
   return n > 0;
@@ -187,18 +224,18 @@ bool RefinedLattice::add_variance(std::size_t cell, double factor, std::span<dou
 
 void RefinedLattice::count_samples(TileResult& result) const {
   const PixelRect& t = problem_.tile;
-  for (std::size_t cell = 0; cell < count_.size(); ++cell) {
-    const int i = floor_divide(first_column_ + static_cast<int>(cell) % width_, lattice_.columns_per_pixel());
-    const int j = floor_divide(first_row_ + static_cast<int>(cell) / width_, lattice_.rows_per_pixel());
-    const auto n = static_cast<std::uint32_t>(count_[cell]);
-    if (i < t.x0 || i >= t.x1 || j < t.y0 || j >= t.y1) {
-      result.halo_samples += n;
-      continue;
+  std::size_t cell = 0;
+  for (int j : pixel_row_)
+    for (int i : pixel_column_) {
+      const auto n = static_cast<std::uint32_t>(count_[cell++]);
+      if (i < t.x0 || i >= t.x1 || j < t.y0 || j >= t.y1) {
+        result.halo_samples += n;
+        continue;
+      }
+      const auto pixel = static_cast<std::size_t>((j - t.y0) * t.width() + i - t.x0);
+      result.samples[pixel] += n;
+      result.radiance_evaluations[pixel] += n;
     }
-    const auto pixel = static_cast<std::size_t>((j - t.y0) * t.width() + i - t.x0);
-    result.samples[pixel] += n;
-    result.radiance_evaluations[pixel] += n;
-  }
 }
 
 }  // namespace ifov::sampling

@@ -6,6 +6,7 @@
 
 #include "sampling/adaptive_sampler.h"
 #include "sampling/sub_element_lattice.h"
+#include "sampling/value_batch.h"
 
 namespace ifov::sampling {
 
@@ -48,21 +49,28 @@ class RefinedLattice {
     return &labels_[active_[cell] * static_cast<std::size_t>(cap_ - 1)];
   }
   void draw(const std::vector<std::uint32_t>& cells, Field& field);
-  bool differs_from_neighbour(std::size_t cell) const;
-  bool refinable(std::size_t cell) const;
-  FocalPoint point(std::size_t cell, int sample) const;
+  /// Whether an average is further from another than is allowed, in a judged column.
+  bool differs(const float* own, const float* theirs) const;
+  /// Sub-elements that may be refined and differ from one of their 8 neighbours, in order: after the first samples, and
+  /// because of averages that the last draw moved.
+  std::vector<std::uint32_t> first_marked() const;
+  std::vector<std::uint32_t> newly_marked(const std::vector<std::uint32_t>& drawn) const;
+  Point2 within(int column, int row, int sample) const;
 
   const SubElementLattice& lattice_;
   const AdaptiveOptions& options_;
   const TileProblem& problem_;
+  ValueBatch batch_;
   int cap_;                                        // samples per sub-element
   int first_column_, first_row_, width_, height_;  // of all sub-elements held
   int refine_x0_, refine_y0_, refine_x1_,
       refine_y1_;  // [x0, x1) x [y0, y1), counted from the first: may be refined
   std::size_t columns_ = 0;
-  std::vector<int> judged_;  // columns that decide
-  std::vector<int> count_;   // samples drawn
-  std::vector<float> mean_;  // running averages, one row of columns a sub-element
+  std::vector<int> pixel_column_, pixel_row_;  // of each column and row of sub-elements
+  std::vector<Point2> points_;                 // within a sub-element, by number of the sample
+  std::vector<int> judged_;                    // columns that decide
+  std::vector<int> count_;                     // samples drawn
+  std::vector<float> mean_;                    // running averages, one row of columns a sub-element
   std::vector<Label> first_label_;
   std::vector<std::uint32_t> active_;  // number among the refined ones; kInactive
   std::vector<float> spread_;          // sums of squared deviations, one row a refined sub-element

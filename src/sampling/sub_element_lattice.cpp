@@ -30,8 +30,12 @@ SubElementLattice::SubElementLattice(const PixelFootprint& footprint, int column
 
 FocalPoint SubElementLattice::at(int column, int row, Point2 within) const {
   const int i = floor_divide(column, columns_), j = floor_divide(row, rows_);
-  const double x = (column - i * columns_ + within.x) / columns_;
-  const double y = (row - j * rows_ + within.y) / rows_;
+  return at(i, j, column - i * columns_, row - j * rows_, within);
+}
+
+FocalPoint SubElementLattice::at(int i, int j, int a, int b, Point2 within) const {
+  const double x = (a + within.x) / columns_;
+  const double y = (b + within.y) / rows_;
   return {i + 0.5 + side_ * (x - 0.5), j + 0.5 + side_ * (y - 0.5)};
 }
 

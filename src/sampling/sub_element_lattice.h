@@ -21,6 +21,8 @@ class SubElementLattice {
 
   /// The point at `within` ([0, 1)^2, y downwards) of sub-element (column, row).
   FocalPoint at(int column, int row, Point2 within) const;
+  /// The same of sub-element (a, b) of pixel (i, j).
+  FocalPoint at(int i, int j, int a, int b, Point2 within) const;
 
   /// Pixel (i, j) is the sum of weight(a, b) times sub-element (i columns + first_column + a, j rows +
   /// first_row + b) for a < width, b < height. Weights add up to 1.
