@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct SceneResult {
   std::vector<double> rms;       ///< by channel, against the reference where there is one, W m-2 sr-1 um-1
   double worst_over_grid = 0.0;  ///< largest ratio of its RMS error to that of the grid 10 x 10, over
                                  ///< channels in which that is more than rounding
+  /// Root of the mean over those channels of the squared ratio of its RMS error to that of the grid 10 x 10.
+  double mean_over_grid = 0.0;
   /// Ratio of the largest RMS error of any channel to the grid's largest, each in the channel where it is worst.
   double largest_over_grid = 0.0;
   double coverage = 0.0;  ///< share of radiance intervals that hold the reference; NaN without intervals
@@ -28,12 +31,27 @@ struct SceneResult {
   AbundanceErrors abundances;
 };
 
+/// What the adaptive scheme compares: the channel, and the difference that it allows as a share of the average.
+struct AdaptiveRule {
+  std::size_t channel = 0;
+  double allowed_difference = 0.0;
+  double differing_neighbours = 0.0;  ///< share of neighbouring pixels of one ray each that differ by more
+};
+
+/// The allowed difference is what two rays through one point stay within in 98 % of pixels (`one` and `other` are
+/// radiances of one ray a pixel with different random numbers, `columns` to a pixel): of a sub-element's 8 neighbours
+/// one looks different by path noise alone in one case out of seven. Judged is the channel in which most neighbouring
+/// pixels differ by more than that.
+AdaptiveRule adaptive_rule(std::span<const float> one, std::span<const float> other, int width_px,
+                           int columns);
+
 struct SceneResults {
   std::vector<SceneResult> results;  ///< one ray, grid 5, grid 10, adaptive, then accuracy
   std::size_t chosen = 0;  ///< the accuracy setting that is judged: no worse than the grid in any channel
   std::size_t chosen_by_largest = 0;  ///< the one whose largest error is no larger than the grid's largest
   std::vector<double> wavelengths_um;
   std::vector<std::string> materials;
+  AdaptiveRule adaptive;
   std::string lighting;           ///< what shines on the scene and how warm it is, in words
   double reference_pixels = 0.0;  ///< share of the pixels whose radiance is known from the reference
   FigureTable figures;

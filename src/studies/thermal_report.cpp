@@ -66,6 +66,20 @@ std::string sample_table(const ThermalResults& r) {
          rows + "</table>\n";
 }
 
+/// What the adaptive scheme's few samples are worth: its error in the centred dome and over the shifts.
+std::string adaptive_statement(const ThermalResults& r) {
+  for (const SweepPoint& p : r.adaptive)
+    for (const auto& [series, shifts] : r.series)
+      if (p.setting == 20.0 && series.name == "dome, adaptive N = 20")
+        return format(
+            "<p>The adaptive scheme with 10 x 10 sub-elements takes {} samples (the paper's took 1,118) and is {:.3f} °C "
+            "off in the centred dome; in {:.0f} % of random shifts it is within 0.1 °C. In the centred dome it stays "
+            "below 0.1 °C from {:.0f} samples on.</p>\n",
+            p.trial.cost.samples, std::abs(p.trial.error_c), 100.0 * shifts.within(0.1),
+            samples_that_stay_within(r.adaptive, 0.1));
+  return {};
+}
+
 std::string shift_table(const ThermalResults& r) {
   std::string rows;
   for (const auto& [series, s] : r.series) {
@@ -105,7 +119,7 @@ std::string thermal_report(const ThermalResults& r, ReportFigures& figures) {
       "<figcaption>A grid's error jumps as its rays fall in and out of the dome; what counts is where it "
       "stays below the "
       "line. Each point of accuracy sampling is one error that was asked for.</figcaption></figure>\n" +
-      "<h3>Samples (table 1 of the paper)</h3>\n" + sample_table(r) +
+      adaptive_statement(r) + "<h3>Samples (table 1 of the paper)</h3>\n" + sample_table(r) +
       "<h2>Random shifts and other targets</h2>\n<p>One lucky placement proves little. Here each scene is "
       "placed at random " +
       format("{} times; ", r.series.front().second.trials) +

@@ -6,6 +6,8 @@
 
 #include "io/document/document.h"
 #include "io/document/samplers/accuracy_sampling.h"
+#include "sampling/hash.h"
+#include "sampling/random.h"
 #include "studies/clutter_scene.h"
 #include "studies/clutter_trials.h"
 #include "studies/common/image_store.h"
@@ -14,6 +16,7 @@
 #include "studies/common/study_rendering.h"
 #include "studies/sampling_sweep.h"
 #include "studies/studies.h"
+#include "studies/suburb_study.h"
 
 namespace ifov::studies {
 namespace {
@@ -43,6 +46,36 @@ TEST(StudyRenders, AdaptiveOfThePaper) {
   const ThermalTrial n20 = render_thermal(dome_scene(paper_dome()), paper_adaptive(20), 1, kFolder, nullptr);
   EXPECT_EQ(n20.cost.samples, 1119u);
   EXPECT_NEAR(std::abs(n20.error_c), 0.149, 0.0005);
+}
+
+TEST(StudyRenders, AdaptiveHoldsATenthInThreeQuartersOfShifts) {
+  const TextureMap none(1, 1.0);
+  StudyProgress progress(0, nullptr);
+  const TrialSummary dome =
+      run_series({"dome", Family::dome, paper_adaptive(20)}, none, kFolder, few(100), progress);
+  EXPECT_NEAR(dome.within(0.1), 0.77, 0.13);  // three standard errors of 100 shifts
+}
+
+// Two channels: the second's differences of neighbours stand further above its noise.
+TEST(StudyRenders, AdaptiveRuleTakesTheChannelSeenAboveNoise) {
+  constexpr int kSide = 100;
+  std::vector<float> one, other;
+  for (int p = 0; p < kSide * kSide; ++p) {
+    const auto noise = [&](int c, int seed) {
+      return sampling::unit_double(sampling::hash(p, c, seed)) - 0.5;
+    };
+    const double step = p % 2 == 0 ? 1.0 : 1.3;
+    for (int c = 0; c < 2; ++c) {
+      const double strength = c == 0 ? 0.5 : 0.1;
+      one.push_back(static_cast<float>(step * (1.0 + strength * noise(c, 1))));
+      other.push_back(static_cast<float>(step * (1.0 + strength * noise(c, 2))));
+    }
+  }
+  const AdaptiveRule rule = adaptive_rule(one, other, kSide, 2);
+  EXPECT_EQ(rule.channel, 1u);
+  // Differences of two uniform numbers of width 0.1 stay within 0.1 (1 - sqrt(0.02)) in 98 %.
+  EXPECT_NEAR(rule.allowed_difference, 0.086, 0.002);
+  EXPECT_GT(rule.differing_neighbours, 0.99);
 }
 
 TEST(StudyRenders, SamplesThatStayWithin) {

@@ -117,6 +117,7 @@ double SceneRenderer::render(const io::SamplingDocument& sampling, const Choices
   const std::unique_ptr<render::AccuracyTolerance> tolerance = parts.tolerance_of(plan);
   render::RenderJob job = parts.job(plan, tolerance.get());
   job.tile_px = choices.tile_px;
+  if (choices.seed) job.seed = *choices.seed;
   return timed_render(job, choices, parts.info, image);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -22,6 +24,7 @@ class SceneRenderer {
     std::span<const int> tiles;  ///< positions in the grid of tiles; empty: all of them
     const CancelToken* cancel = nullptr;
     ProgressSink* progress = nullptr;
+    std::optional<std::uint64_t> seed = std::nullopt;  ///< instead of the document's
   };
 
   /// Renders with a way of sampling instead of the document's; returns the wall time, seconds.
