@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "geometry/world.h"
+#include "render/open_sky.h"
 #include "render/pilot_rays.h"
 #include "render/polarized/steering.h"
 #include "render/scene_field.h"
@@ -118,6 +119,10 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   add_stokes_columns(job.polarimetry, job.scene.nodes().channel_count(), steering_channels);
 
   const UnsampledLight unsampled(job, control.threads, control.cancel);
+  transport::TransportOptions transport = unsampled.transport();
+  const std::vector<float> sky_shares =
+      job.sampler.takes_many_values() ? open_sky_shares(job.scene, job.camera) : std::vector<float>();
+  if (!sky_shares.empty()) transport.sky_shares = &sky_shares;
   Tally tally(pixels, control.progress);
   const auto render_tile = [&](std::size_t index) {
     if (control.cancel != nullptr && control.cancel->cancelled()) throw Cancelled();
@@ -137,7 +142,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     sampling::TileResult before;
     if (job.earlier != nullptr && job.earlier->read(index, before)) problem.before = &before;
 
-    SceneField field(job.scene, job.camera, unsampled.transport(), job.label_detail, job.polarimetry);
+    SceneField field(job.scene, job.camera, transport, job.label_detail, job.polarimetry);
     sampling::TileResult result;
     job.sampler.sample(problem, field, result);
     if (job.wings != nullptr) add_wings(*job.wings, problem, job.tolerance, field, result);

@@ -151,6 +151,8 @@ class PixelSampler {
   virtual int halo_px() const = 0;
   /// Whether it can go on from an earlier run of the tile to a tighter tolerance (TileProblem::before).
   virtual bool can_refine() const { return false; }
+  /// Whether no pixel rests on a few values: they may then scatter about their mean as they like, below 0 too.
+  virtual bool takes_many_values() const { return false; }
 };
 
 }  // namespace ifov::sampling

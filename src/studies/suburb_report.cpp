@@ -142,9 +142,8 @@ std::string suburb_report(const SceneResults& r, ReportFigures& figures) {
           "<p>Materials and abundances are held against labels on a lattice of 64 x 64 in every pixel; radiances "
           "against 64 x 64 rays a pixel in {:.0f} % of the pixels. Every ray is one path, whatever the sampling: the "
           "errors hold the noise of paths. A material counts from 0.1 % of a pixel's area. The adaptive scheme "
-          "compares radiances at {:.2f} µm and allows {:.0f} %: two rays through one point differ by less in 98 % of "
-          "pixels, and in no other channel do so many neighbouring pixels differ by more. The paper does not say what "
-          "it compared.</p>\n",
+          "compares radiances at {:.2f} µm and allows {:.0f} %: two rays through one point differ by less in 95 % of "
+          "pixels. The paper does not say what it compared.</p>\n",
           100.0 * r.reference_pixels, r.wavelengths_um[r.adaptive.channel],
           100.0 * r.adaptive.allowed_difference) +
       "<h2>Where the samples go (figure 12 of the paper)</h2>\n" + maps +

@@ -35,15 +35,12 @@ struct SceneResult {
 struct AdaptiveRule {
   std::size_t channel = 0;
   double allowed_difference = 0.0;
-  double differing_neighbours = 0.0;  ///< share of neighbouring pixels of one ray each that differ by more
 };
 
-/// The allowed difference is what two rays through one point stay within in 98 % of pixels (`one` and `other` are
-/// radiances of one ray a pixel with different random numbers, `columns` to a pixel): of a sub-element's 8 neighbours
-/// one looks different by path noise alone in one case out of seven. Judged is the channel in which most neighbouring
-/// pixels differ by more than that.
-AdaptiveRule adaptive_rule(std::span<const float> one, std::span<const float> other, int width_px,
-                           int columns);
+/// What two rays through one point stay within in 95 % of pixels in a channel, as a share of the radiance, to two figures:
+/// the noise of their paths. `one` and `other` are radiances of one ray a pixel with different random numbers, `columns`
+/// to a pixel.
+double path_noise(std::span<const float> one, std::span<const float> other, std::size_t channel, int columns);
 
 struct SceneResults {
   std::vector<SceneResult> results;  ///< one ray, grid 5, grid 10, adaptive, then accuracy

@@ -38,6 +38,7 @@ void PathLight::one(const PathRecord& record, std::size_t k) {
   } else {
     const PathVertex* vertex = &record.vertices[path.first];
     add_first(record, *vertex);
+    if (path.sky_share > 0.0f) add_open_sky(record, path, *vertex);
     while (vertex->next != PathVertex::kNone) {
       vertex = &record.vertices[vertex->next];
       add_later(record, *vertex);
@@ -123,6 +124,25 @@ void PathLight::add_first(const PathRecord& record, const PathVertex& vertex) {
   if (vertex.continuation_weight > 0.0f)
     spectra::set_scaled(throughput, continuation_factor(record, vertex, factor), vertex.continuation_weight,
                         n_);
+}
+
+void PathLight::add_open_sky(const PathRecord& record, const PathRecord::Path& path,
+                             const PathVertex& vertex) {
+  float *sum = spectrum(kSum), *difference = spectrum(kDimmed), *drawn = spectrum(kWork);
+  const SkyDome& dome = *scene_.sky_dome();
+  const SkyIrradiance::Corners open = dome.irradiance(path.first_normal);
+  spectra::sum_of_scaled(difference, open.spectrum.data(), open.weight.data(), n_);
+  if (path.left_first.z >= 0.0) {
+    const SkyDome::Corners sky = dome.at(path.left_first);
+    spectra::sum_of_scaled(drawn, sky.spectrum.data(), sky.weight.data(), n_);
+    spectra::add_scaled(difference, drawn, -vertex.continuation_weight, n_);
+  }
+  if (scene_.light_by_height()) {
+    const float* left = scene_.sky_share(vertex.height_m, spectrum(kSkyShare));
+    for (std::size_t i = 0; i < n_; ++i) difference[i] *= left[i];
+  }
+  spectra::add_scaled_product(sum, continuation_factor(record, vertex, nullptr), difference, path.sky_share,
+                              n_);
 }
 
 void PathLight::add_later(const PathRecord& record, const PathVertex& vertex) {

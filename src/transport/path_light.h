@@ -45,6 +45,8 @@ class PathLight {
   };
   float* spectrum(Work w) { return spectra_.row(w); }
   void add_first(const PathRecord& record, const PathVertex& vertex);
+  /// What the first surface makes of the open sky, less what it makes of it in the direction that was drawn: 0 in the mean.
+  void add_open_sky(const PathRecord& record, const PathRecord::Path& path, const PathVertex& vertex);
   void add_later(const PathRecord& record, const PathVertex& vertex);
   const float* emission(const PathRecord& record, const PathVertex& vertex);
   const float* emission(const PathRecord::Mixed& mixed);

@@ -58,6 +58,11 @@ struct PathRecord {
     /// Of the Sun's irradiance, 1/sr: what may come by ways that are not sought (WideSun).
     float unseen = 0.0f;
 
+    /// TransportOptions::sky_shares of its first surface; 0: none.
+    float sky_share = 0.0f;
+    math::Vec3 first_normal,
+        left_first;  ///< of that surface, and the direction in which it leaves; where sky_share is not 0
+
     /// Whether it brings nothing.
     bool empty() const { return first == PathVertex::kNone && !escaped; }
   };

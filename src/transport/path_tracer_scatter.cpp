@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "materials/bsdf/lambertian.h"
 #include "materials/bsdf/narrow_lobes.h"
 #include "math/vec3.h"
 #include "sampling/sequence.h"
@@ -26,8 +27,9 @@ constexpr int kCertainScatterings = 3;
 /// What the random choice between shapes at a surface is keyed by, beside its path and depth.
 constexpr std::uint64_t kShapeChoice = 0x7368617065ull;
 
-/// Share of the directions that a level surface draws from the sky.
-constexpr double kMostSkySamples = 0.6;
+/// Share of the directions that a level surface draws from the sky; fewer where its integral takes the open sky's part
+/// (TransportOptions::sky_shares), as what is met elsewhere then weighs less: 1 / (1 - share) at most.
+constexpr double kMostSkySamples = 0.6, kSkySamplesBesideIntegral = 0.3;
 
 }  // namespace
 
@@ -167,6 +169,12 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
     vertex.continuation_weight =
         survives ? static_cast<float>(vertex.continuation_weight / probability) : 0.0f;
   }
+  if (const float share = open_sky_share(surface, lobe, sides, branch, depth);
+      share > 0.0f && vertex.continuation_weight > 0.0f) {
+    record_.paths[number].sky_share = share;
+    record_.paths[number].first_normal = sides.outward;
+    record_.paths[number].left_first = event.next.direction;
+  }
   if (to_lobes && vertex.continuation_weight > 0.0f)
     event.next_sunlight = static_cast<float>(
         found_by_chance(lobe, sides, event.next.direction, vertex.continuation_transmitted));
@@ -209,6 +217,15 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
     note_chain(path, lobe, sides, hit, event);
   take_factors(surface, vertex);
   if (to_lobes) send_to_lobes(path, number, surface, lobe, sides, hit, depth, path_index);
+}
+
+float PathTracer::open_sky_share(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
+                                 const Sides& sides, Branch branch, int depth) const {
+  const bool possible = depth == 0 && options_.sky_shares != nullptr && sky_ != nullptr &&
+                        branch == Branch::by_chance && !sides.perturbed && !scene_.polarized();
+  if (!possible || lobe.highest_transmittance > 0.0 || lobe.bsdf != materials::Lambertian::shared().get())
+    return 0.0f;
+  return (*options_.sky_shares)[surface.constituents[0].material];
 }
 
 void PathTracer::take_factors(const scene::ResolvedSurface& surface, PathVertex& vertex) const {
@@ -410,8 +427,8 @@ materials::BsdfSample PathTracer::sample_continuation(const materials::Bsdf& bsd
 double PathTracer::sky_share(const materials::Bsdf& bsdf, const materials::BsdfEvent& view,
                              bool perturbed) const {
   const double height = view.side == materials::Side::reflected ? view.normal.z : -view.normal.z;
-  return sky_ == nullptr || perturbed || bsdf.is_delta() || height <= 0.0 ? 0.0
-                                                                          : kMostSkySamples * height * height;
+  if (sky_ == nullptr || perturbed || bsdf.is_delta() || height <= 0.0) return 0.0;
+  return (options_.sky_shares != nullptr ? kSkySamplesBesideIntegral : kMostSkySamples) * height * height;
 }
 
 sampling::LightSample PathTracer::sample_sun(math::Vec3 towards_sun, math::Vec3 normal, bool either_side,

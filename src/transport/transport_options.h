@@ -29,6 +29,10 @@ struct TransportOptions {
   const std::vector<std::uint32_t>* large_lobes = nullptr;
   /// Of these the ones whose highlights may be smaller than a pixel, sorted; null: none.
   const std::vector<std::uint32_t>* unsure_lobes = nullptr;
+  /// By material, 0 to 1: the share of the open sky's light that the Lambertian surfaces which the sensor sees take from its integral, while
+  /// what their paths find in it counts by the rest; the mean is the same for any share, and the variance least where it is the
+  /// share of the sky that they see (a control variate). null: 0.
+  const std::vector<float>* sky_shares = nullptr;
   /// Images in mirrors that are added separately: paths see through what they show; null: none.
   const SeparateImages* separate_images = nullptr;
 };

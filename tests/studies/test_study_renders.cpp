@@ -56,26 +56,20 @@ TEST(StudyRenders, AdaptiveHoldsATenthInThreeQuartersOfShifts) {
   EXPECT_NEAR(dome.within(0.1), 0.77, 0.13);  // three standard errors of 100 shifts
 }
 
-// Two channels: the second's differences of neighbours stand further above its noise.
-TEST(StudyRenders, AdaptiveRuleTakesTheChannelSeenAboveNoise) {
-  constexpr int kSide = 100;
+TEST(StudyRenders, PathNoiseIsWhatPairsOfRaysDifferBy) {
   std::vector<float> one, other;
-  for (int p = 0; p < kSide * kSide; ++p) {
-    const auto noise = [&](int c, int seed) {
-      return sampling::unit_double(sampling::hash(p, c, seed)) - 0.5;
-    };
-    const double step = p % 2 == 0 ? 1.0 : 1.3;
+  for (int p = 0; p < 20000; ++p)
     for (int c = 0; c < 2; ++c) {
-      const double strength = c == 0 ? 0.5 : 0.1;
-      one.push_back(static_cast<float>(step * (1.0 + strength * noise(c, 1))));
-      other.push_back(static_cast<float>(step * (1.0 + strength * noise(c, 2))));
+      const auto noisy = [&](int seed) {
+        const double width = c == 0 ? 0.5 : 0.1;
+        return static_cast<float>(3.0 *
+                                  (1.0 + width * (sampling::unit_double(sampling::hash(p, c, seed)) - 0.5)));
+      };
+      one.push_back(noisy(1));
+      other.push_back(noisy(2));
     }
-  }
-  const AdaptiveRule rule = adaptive_rule(one, other, kSide, 2);
-  EXPECT_EQ(rule.channel, 1u);
-  // Differences of two uniform numbers of width 0.1 stay within 0.1 (1 - sqrt(0.02)) in 98 %.
-  EXPECT_NEAR(rule.allowed_difference, 0.086, 0.002);
-  EXPECT_GT(rule.differing_neighbours, 0.99);
+  // Differences of two uniform numbers of width w stay within w (1 - sqrt(0.05)) in 95 %.
+  EXPECT_NEAR(path_noise(one, other, 1, 2), 0.1 * (1.0 - std::sqrt(0.05)), 0.002);
 }
 
 TEST(StudyRenders, SamplesThatStayWithin) {

@@ -8,6 +8,7 @@
 #include "geometry/world/surface_survey.h"
 #include "render/polarized/scene_light.h"
 #include "sampling/random.h"
+#include "scene/scene.h"
 #include "transport/mirrors/sun_lobes.h"
 #include "transport/spectral_scene.h"
 

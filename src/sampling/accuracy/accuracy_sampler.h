@@ -28,6 +28,8 @@ class AccuracySampler : public PixelSampler {
   /// Rays that are drawn from the footprint leave nothing to go on from.
   bool can_refine() const override { return options_.footprint_by_model; }
 
+  bool takes_many_values() const override { return true; }
+
   const AccuracyOptions& options() const { return options_; }
 
  protected:

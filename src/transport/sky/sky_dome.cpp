@@ -31,6 +31,8 @@ SkyDome::SkyDome(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towa
         spectra_.row(z * azimuth_rad_.size() + a)[n] =
             static_cast<float>(atmosphere.sky(z, a, n) + ground_radiance[n] * atmosphere.groundlit_sky(z, n));
   make_sampler(atmosphere.node_count());
+  irradiance_ =
+      std::make_unique<const SkyIrradiance>(SkyTable{zenith_rad_, azimuth_rad_, spectra_, towards_sun_});
   if (!atmosphere.polarized()) return;
   q_.resize(spectra_.rows(), atmosphere.node_count());
   u_.resize(spectra_.rows(), atmosphere.node_count());
@@ -66,6 +68,10 @@ void SkyDome::make_sampler(std::size_t nodes) {
   }
   if (std::any_of(brightness.begin(), brightness.end(), [](double b) { return b > 0.0; }))
     sampler_ = SkySampler(zenith_rad_, azimuth_rad_, towards_sun_, brightness);
+}
+
+SkyIrradiance::Corners SkyDome::irradiance(math::Vec3 normal) const {
+  return irradiance_->at(normal, {zenith_rad_, azimuth_rad_, spectra_, towards_sun_});
 }
 
 SkyDome::Corners SkyDome::at(math::Vec3 direction) const {

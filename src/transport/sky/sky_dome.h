@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "math/vec3.h"
 #include "radiometry/spectrum_block.h"
+#include "transport/sky/sky_irradiance.h"
 #include "transport/sky/sky_sampler.h"
 
 namespace ifov::radiometry {
@@ -51,6 +53,9 @@ class SkyDome {
   PolarizedCorners polarization(const Corners& corners, math::Vec3 direction,
                                 const radiometry::PolarizationFrame& frame) const;
 
+  /// What a surface takes from it by its normal (unit).
+  SkyIrradiance::Corners irradiance(math::Vec3 normal) const;
+
   /// Directions that are drawn as bright as they are, all nodes alike.
   const SkySampler& sampler() const { return sampler_; }
 
@@ -64,6 +69,7 @@ class SkyDome {
   radiometry::SpectrumBlock spectra_;
   radiometry::SpectrumBlock q_, u_;  // as spectra_, of counterclockwise azimuths; empty where not asked for
   SkySampler sampler_;
+  std::unique_ptr<const SkyIrradiance> irradiance_;
 };
 
 }  // namespace ifov::transport

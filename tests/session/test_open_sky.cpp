@@ -1,0 +1,100 @@
+// The open sky's integral in place of what paths draw from it (TransportOptions::sky_shares): the same mean, less noise.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "io/document/document.h"
+#include "render/image_renderer.h"
+#include "render/open_sky.h"
+#include "render/scene_field.h"
+#include "sampling/hash.h"
+#include "sampling/random.h"
+#include "session/loaded/parts.h"
+#include "session/session.h"
+
+namespace ifov {
+namespace {
+
+constexpr const char* kDome = R"({"ifov": 1,
+ "scene": {
+   "materials": {"lawn": {"reflectance": 0.12}, "stone": {"reflectance": 0.5}},
+   "objects": [{"plane": {}, "material": "lawn"},
+               {"hemisphere": {"center": ["0 m", "0 m", "0 m"], "radius": "3 m"}, "material": "stone"}]},
+ "light": {"sun": {"disc": {"zenith": "45 deg", "azimuth": "225 deg"}}}, "atmosphere": {"profile": "mid-latitude summer"},
+ "sensor": {"camera": {"orthographic": {"gsd": "1 m", "pixels": [16, 12]}},
+            "channels": [{"name": "blue", "gaussian": {"center": "0.45 um", "fwhm": "20 nm"}},
+                         {"name": "red", "gaussian": {"center": "0.65 um", "fwhm": "20 nm"}}]},
+ "sampling": {"accuracy": {"error": "1 %"}}})";
+
+struct Moments {
+  double mean[2] = {}, variance[2] = {};
+};
+
+/// Of paths through random points of a square of the image, in both channels.
+class OpenSky : public testing::Test {
+ protected:
+  static constexpr int kPaths = 20000;
+
+  std::vector<float> values(const std::vector<float>* shares, double x0_px, double y0_px,
+                            double side_px) const {
+    const render::RenderJob job = session_.parts().job();
+    transport::TransportOptions options = job.transport;
+    options.sky_shares = shares;
+    render::SceneField field(job.scene, job.camera, options, render::LabelDetail::material, nullptr);
+    std::vector<sampling::PathRequest> requests(kPaths);
+    for (int k = 0; k < kPaths; ++k)
+      requests[static_cast<std::size_t>(k)] = {
+          {x0_px + side_px * sampling::unit_double(sampling::hash(k, 1)),
+           y0_px + side_px * sampling::unit_double(sampling::hash(k, 2))},
+          7,
+          static_cast<std::uint32_t>(k)};
+    std::vector<sampling::Label> labels(kPaths);
+    const std::size_t stride = static_cast<std::size_t>(field.stride());
+    std::vector<float> rows(kPaths * stride), out;
+    field.values(requests, labels, rows);
+    for (std::size_t k = 0; k < kPaths; ++k) out.insert(out.end(), &rows[k * stride], &rows[k * stride] + 2);
+    return out;
+  }
+  static Moments of(const std::vector<float>& values) {
+    Moments m;
+    for (std::size_t c = 0; c < 2; ++c) {
+      for (std::size_t k = c; k < values.size(); k += 2) m.mean[c] += static_cast<double>(values[k]) / kPaths;
+      for (std::size_t k = c; k < values.size(); k += 2)
+        m.variance[c] += std::pow(static_cast<double>(values[k]) - m.mean[c], 2) / (kPaths - 1);
+    }
+    return m;
+  }
+  /// z of the difference of two sets' means, of independent paths.
+  static double z(const Moments& a, const Moments& b, int c) {
+    return (a.mean[c] - b.mean[c]) / std::sqrt((a.variance[c] + b.variance[c]) / kPaths);
+  }
+
+  session::Session session_ = session::Session::load(io::parse_document(kDome, "dome.json"), nullptr);
+};
+
+TEST_F(OpenSky, ChangesNoMean) {
+  const std::vector<float> half(session_.parts().scene.materials.size(), 0.5f), most(half.size(), 0.9f);
+  // The lit and the shaded side of the dome, with the ground before it, and open ground.
+  for (const auto& [x, y] : {std::pair{5.0, 5.5}, {8.0, 2.5}, {0.0, 0.0}}) {
+    const Moments without = of(values(nullptr, x, y, 3.0));
+    for (const auto* shares : {&half, &most}) {
+      const Moments with = of(values(shares, x, y, 3.0));
+      for (int c = 0; c < 2; ++c) EXPECT_LT(std::abs(z(with, without, c)), 4.0) << x << " " << c;
+    }
+  }
+}
+
+TEST_F(OpenSky, TakesTheNoiseOfOpenGround) {
+  const render::RenderJob job = session_.parts().job();
+  const std::vector<float> shares = render::open_sky_shares(job.scene, job.camera);
+  ASSERT_FALSE(shares.empty());
+  for (const float share : shares) {
+    EXPECT_GT(share, 0.5f);
+    EXPECT_LE(share, 0.9f);
+  }
+  const Moments without = of(values(nullptr, 0.0, 0.0, 2.0)), with = of(values(&shares, 0.0, 0.0, 2.0));
+  for (int c = 0; c < 2; ++c) EXPECT_LT(with.variance[c], 0.25 * without.variance[c]) << c;
+}
+
+}  // namespace
+}  // namespace ifov
