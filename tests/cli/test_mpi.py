@@ -251,7 +251,7 @@ class Ranks(WholeProducts, unittest.TestCase):
             self.assertEqual(whole(folder / "ranks"), whole(folder / "alone"))
             shutil.copytree(folder / "alone", folder / "alone by ranks")
             shutil.copytree(folder / "ranks", folder / "ranks alone")
-            (folder / "scene.json").write_text(first.replace('"2 %"', '"0.7 %"'))
+            (folder / "scene.json").write_text(first.replace('"2 %"', '"1 %"'))
             for where, name in (("alone", "alone"), ("ranks", "ranks"), ("alone by ranks", "ranks"), ("ranks alone", "alone")):
                 done = launchers[name]("--refine", "-o", where)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -265,7 +265,7 @@ class Ranks(WholeProducts, unittest.TestCase):
                 content = bytearray(pack.read_bytes())
                 content[-1] ^= 1  # of its last tile
                 pack.write_bytes(content)
-            (folder / "scene.json").write_text(first.replace('"2 %"', '"0.7 %"'))
+            (folder / "scene.json").write_text(first.replace('"2 %"', '"1 %"'))
             done = mpirun(3, "render", "scene.json", "--refine", cwd=folder)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertRegex(done.stderr, r"warning: (rank [12] on \S+: )?tile \d+ of the kept run is damaged or missing: it is "
@@ -343,6 +343,7 @@ class Ranks(WholeProducts, unittest.TestCase):
                 corner = 1 + y * rows + x
                 text += f"f {corner} {corner + 1} {corner + rows}\nf {corner + 1} {corner + rows + 1} {corner + rows}\n"
         scene = json.loads(SCENE)
+        scene["sensor"]["camera"]["orthographic"]["pixels"] = [27, 27]  # nine tiles
         scene["scene"]["objects"].append({"mesh": {"file": "hills.obj", "unit": "m"}, "material": "ball"})
         opened = {}
         for ranks, arguments in ((1, ()), (3, ()), (1, ("--no-cache",)), (3, ("--no-cache",))):
