@@ -5,6 +5,9 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "radiometry/channel_grid.h"
+#include "radiometry/node_search.h"
+#include "radiometry/node_trial.h"
 #include "radiometry/planck.h"
 #include "radiometry/planck_table.h"
 #include "radiometry/solar_spectrum.h"
@@ -247,6 +250,75 @@ TEST(PlanckTable, InterpolatesWithinItsTolerance) {
   nodes.planck(230.0, std::span<double>(exact));
   EXPECT_NEAR(row.row(0)[0] / exact[0], 1.0, 1e-6);
   EXPECT_THROW(PlanckTable(nodes, 300.0, 300.0), InputError);
+}
+
+/// Reflectances of `materials` models by 33 angles each, at the points of a channel on the red edge: what a scene of directional
+/// materials has. Edges stand at different wavelengths.
+std::vector<std::vector<double>> by_angle(const ChannelGrid& grid, int materials) {
+  std::vector<std::vector<double>> surfaces;
+  for (int m = 0; m < materials; ++m)
+    for (int angle = 0; angle < 33; ++angle) {
+      std::vector<double>& surface = surfaces.emplace_back();
+      const double edge = 0.690 + 0.030 * ((7 * m) % materials) / materials,
+                   grazing = std::pow(angle / 32.0, 3);
+      for (const double um : grid.wavelength_um) {
+        const double straight = 0.05 + 0.4 / (1.0 + std::exp((edge - um) / 0.006));
+        surface.push_back(straight + (1.0 - straight) * grazing);
+      }
+    }
+  return surfaces;
+}
+
+/// A channel behind lines of absorption, and in the open.
+ChannelGrid red_edge(bool behind_air) {
+  const ChannelGrid open(Channel::gaussian("edge", 0.705, 0.010), solar_irradiance_1au());
+  if (!behind_air) return open;
+  std::vector<double> seen, sky;
+  for (const double um : open.wavelength_um) {
+    seen.push_back(0.1 + 0.8 * std::pow(std::sin(900.0 * um), 2));
+    sky.push_back(200.0 * um);
+  }
+  return {open.wavelength_um, open.response, open.irradiance, sky, seen, 0.0};
+}
+
+std::vector<std::span<const double>> spans_of(const std::vector<std::vector<double>>& surfaces) {
+  return {surfaces.begin(), surfaces.end()};
+}
+
+// Counted in radiances that rules are judged by, not in seconds.
+TEST(SpectralNodes, ManySurfacesAreLittleMoreWorkThanFew) {
+  const NodeDemands demands{.coldest_k = 0.0, .hottest_k = 0.0};
+  const ChannelGrid grid = red_edge(true);
+  const auto few = by_angle(grid, 4), many = by_angle(grid, 20);
+  ASSERT_LT(few.size(), kMostJudgedTogether);
+  ASSERT_GT(many.size(), kMostJudgedTogether);
+  const FoundRule of_few = find_rule(grid, few, demands), of_many = find_rule(grid, many, demands);
+  const auto all = spans_of(many);
+  const NodeTrial trial(grid, all, demands);
+  // Judged by all, in every trial of a division, it would be this much, were there no more divisions than of few.
+  const NodeTrial small(grid, spans_of(few), demands);
+  const std::size_t trials = of_few.judged / small.radiance_count();
+  EXPECT_GT(trials, 10u);
+  EXPECT_LT(of_many.judged, trials * trial.radiance_count() / 3);
+  EXPECT_LE(of_many.worst_error, demands.tolerance);
+  EXPECT_DOUBLE_EQ(trial.errors(of_many.rule).worst, of_many.worst_error);
+}
+
+TEST(SpectralNodes, OfManySurfacesTheOneUnlikeTheOthersIsKeptToo) {
+  const NodeDemands demands{.coldest_k = 0.0, .hottest_k = 0.0};
+  for (const bool behind_air : {false, true}) {
+    const ChannelGrid grid = red_edge(behind_air);
+    auto surfaces = by_angle(grid, 20);
+    const FoundRule without = find_rule(grid, surfaces, demands);
+    // Varies less than most, but from wavelength to wavelength.
+    std::vector<double>& unlike = surfaces.emplace_back();
+    for (const double um : grid.wavelength_um) unlike.push_back(0.5 + 0.05 * std::sin(2500.0 * um));
+    const FoundRule found = find_rule(grid, surfaces, demands);
+    const auto all = spans_of(surfaces);
+    const NodeTrial trial(grid, all, demands);
+    EXPECT_LE(trial.errors(found.rule).worst, demands.tolerance) << behind_air;
+    EXPECT_GT(trial.errors(without.rule).worst, demands.tolerance) << behind_air;
+  }
 }
 
 }  // namespace
