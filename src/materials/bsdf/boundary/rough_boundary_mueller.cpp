@@ -34,7 +34,6 @@ std::span<const Spectrum> RoughBoundary::polarization_spectra() const { return t
 
 void RoughBoundary::evaluate_mueller(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                                      const MuellerRows& rows) const {
-  using Tables = RoughBoundaryTables;
   constexpr std::size_t kTogether = 64;  // wavelengths: what they need lies on the stack
   const Local at = local(event);
   if (!at.is_possible()) {
@@ -47,11 +46,12 @@ void RoughBoundary::evaluate_mueller(const BsdfEvent& event, ParameterSpectra pa
   std::array<float, 4> w;
   for (std::size_t i = 0; i < 4; ++i) w[i] = static_cast<float>(found.bsdf * fresnel.weight[i]);
   const ParameterSpectra polarization = parameters.subspan(tables_->spectra.size());
-  const float* const* const whole_rows = &parameters[at.through ? Tables::kThrough : Tables::kReflected];
+  const float* const* const whole_rows =
+      &parameters[at.through ? RoughBoundaryTables::kThrough : RoughBoundaryTables::kReflected];
   const float* const* const along_rows =
-      &polarization[at.through ? Tables::kThroughAlong : Tables::kReflectedAlong];
+      &polarization[at.through ? RoughBoundaryTables::kThroughAlong : RoughBoundaryTables::kReflectedAlong];
   const float* const* const cosine_rows =
-      &polarization[at.through ? Tables::kThroughCosine : Tables::kReflectedCosine];
+      &polarization[at.through ? RoughBoundaryTables::kThroughCosine : RoughBoundaryTables::kReflectedCosine];
   // What is reflected totally is turned in phase alone: r_p conj(r_s) = exp(i delta), by the index that bends light.
   std::complex<double> turn = 0.0;
   if (from_within_ && !at.through && !(found.outside > 0.0)) {
@@ -77,7 +77,7 @@ void RoughBoundary::evaluate_mueller(const BsdfEvent& event, ParameterSpectra pa
         // Between rows elements may leave what a matrix can be by as much as they err.
         along = std::clamp(between(along_rows, first + n), -whole, whole);
         cosine = between(cosine_rows, first + n);
-        sine = at.through ? 0.0f : between(&polarization[Tables::kReflectedSine], first + n);
+        sine = at.through ? 0.0f : between(&polarization[RoughBoundaryTables::kReflectedSine], first + n);
         const float most = std::sqrt(std::max(0.0f, whole * whole - along * along)),
                     size = std::sqrt(cosine * cosine + sine * sine);
         if (size > most) cosine *= most / size, sine *= most / size;
