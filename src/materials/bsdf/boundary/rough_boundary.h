@@ -83,6 +83,8 @@ class RoughBoundary final : public Bsdf {
   const CosineLobe& diffuse(bool through) const;
   double broad_share(bool through, double cosine) const;
   double density(const Local& event, double broad) const;
+  /// What facets send to others and those on, which is unpolarized.
+  void add_again(const Local& event, ParameterSpectra parameters, std::size_t count, float* bsdf) const;
   double grey_once(const FacetDistribution& facets, const Local& event) const;
 
   std::shared_ptr<const RoughBoundaryTables> tables_;

@@ -87,7 +87,7 @@ void RoughBoundary::evaluate_mueller(const BsdfEvent& event, ParameterSpectra pa
     write_facets(plane, {spectra[0].data(), spectra[1].data(), spectra[2].data(), spectra[3].data()}, here,
                  {rows.values + first, rows.stride, rows.all});
   }
-  evaluate(event, parameters, count, rows.at(0, 0));  // with what leaves after several facets
+  add_again(at, parameters, count, rows.at(0, 0));
 }
 
 }  // namespace ifov::materials
