@@ -1,11 +1,15 @@
 #include "materials/material.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <numbers>
 #include <vector>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "materials/bsdf/hemisphere.h"
 #include "materials/bsdf/lambertian.h"
 
@@ -48,16 +52,20 @@ void check_sum(const Material& material, const radiometry::Spectrum& transmittan
 /// A model may be such that parameters in their ranges reflect more than what arrives.
 void check_energy(const Material& material) {
   constexpr double kCosines[] = {1.0, 0.7, 0.4, 0.2, 0.1, 0.02}, kRounding = 1e-3;
-  for (const double cosine : kCosines) {
+  std::array<double, std::size(kCosines)> most;
+  parallel_for(std::ssize(kCosines), 0, [&](std::int64_t k) {
+    const double cosine = kCosines[k];
     radiometry::Spectrum whole = directional_hemispherical(*material.bsdf, Side::reflected, cosine);
     if (material.bsdf->may_transmit())
       whole = radiometry::sum(whole, directional_hemispherical(*material.bsdf, Side::transmitted, cosine));
-    if (whole.maximum() > 1.0 + kRounding)
+    most[static_cast<std::size_t>(k)] = whole.maximum();
+  });
+  for (std::size_t k = 0; k < most.size(); ++k)
+    if (most[k] > 1.0 + kRounding)
       throw InputError(format(
           "material '{}': of light that comes {:.0f} deg from the normal it sends back {:.4g} times as "
           "much; its parameters belong to no passive surface",
-          material.name, std::acos(cosine) * 180.0 / std::numbers::pi, whole.maximum()));
-  }
+          material.name, std::acos(kCosines[k]) * 180.0 / std::numbers::pi, most[k]));
 }
 
 }  // namespace

@@ -39,8 +39,8 @@ struct ChannelGrid {
   std::vector<double> sampled(const Spectrum& spectrum) const;
 
  private:
+  class Resolution;
   void place_points(const Channel& channel, std::span<const Spectrum* const> spectra);
-  bool resolves(const Channel& channel, const Spectrum& light, const Spectrum& surface) const;
 };
 
 }  // namespace ifov::radiometry

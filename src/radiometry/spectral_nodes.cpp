@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <optional>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "radiometry/channel_grid.h"
 #include "radiometry/node_rule.h"
 #include "radiometry/node_search.h"
+#include "radiometry/spectrum_walk.h"
 
 namespace ifov::radiometry {
 namespace {
@@ -38,29 +40,46 @@ std::vector<std::vector<double>> judged_surfaces(const ChannelGrid& grid, std::s
   return sampled;
 }
 
+/// Rules of channels by `find`, in parallel.
+template <class Find>
+std::vector<std::optional<FoundRule>> found_rules(std::size_t channels, const Find& find) {
+  std::vector<std::optional<FoundRule>> found(channels);
+  std::vector<std::exception_ptr> failed(channels);  // what is told does not depend on threads
+  parallel_for(static_cast<std::int64_t>(channels), 0, [&](std::int64_t k) {
+    const auto channel = static_cast<std::size_t>(k);
+    try {
+      found[channel] = find(channel);
+    } catch (...) {
+      failed[channel] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& failure : failed)
+    if (failure) std::rethrow_exception(failure);
+  return found;
+}
+
 }  // namespace
 
 SpectralNodes SpectralNodes::build(std::span<const Channel> channels, const Spectrum& solar_irradiance,
                                    std::span<const Spectrum> surfaces, const NodeDemands& demands,
                                    const Spectrum* sky_radiance) {
   SpectralNodes result;
-  for (const Channel& channel : channels) {
-    const ChannelGrid grid(channel, solar_irradiance, surfaces, sky_radiance, demands.lamps);
-    result.add(find_rule(grid, judged_surfaces(grid, surfaces, demands), demands));
-  }
+  for (std::optional<FoundRule>& rule : found_rules(channels.size(), [&](std::size_t k) {
+         const ChannelGrid grid(channels[k], solar_irradiance, surfaces, sky_radiance, demands.lamps);
+         return find_rule(grid, judged_surfaces(grid, surfaces, demands), demands);
+       }))
+    result.add(std::move(*rule));
   result.arrange_sums();
   return result;
 }
 
 SpectralNodes SpectralNodes::build(std::span<const ChannelGrid> channels, std::span<const Spectrum> surfaces,
                                    const NodeDemands& demands) {
-  std::vector<std::optional<FoundRule>> found(channels.size());
-  parallel_for(static_cast<std::int64_t>(channels.size()), 0, [&](std::int64_t k) {
-    const ChannelGrid& grid = channels[static_cast<std::size_t>(k)];
-    found[static_cast<std::size_t>(k)] = find_rule(grid, judged_surfaces(grid, surfaces, demands), demands);
-  });
   SpectralNodes result;
-  for (std::optional<FoundRule>& rule : found) result.add(std::move(*rule));
+  for (std::optional<FoundRule>& rule : found_rules(channels.size(), [&](std::size_t k) {
+         return find_rule(channels[k], judged_surfaces(channels[k], surfaces, demands), demands);
+       }))
+    result.add(std::move(*rule));
   result.arrange_sums();
   return result;
 }
@@ -118,8 +137,7 @@ void SpectralNodes::for_each_rule(std::span<float> nodes, const Project& project
 void SpectralNodes::average_surface(const Spectrum& spectrum, std::span<float> nodes) const {
   for_each_rule(nodes,
                 [&](const NodeRule& rule, std::vector<double>& at_points, std::vector<double>& at_nodes) {
-                  for (std::size_t q = 0; q < at_points.size(); ++q)
-                    at_points[q] = spectrum.at(rule.grid_um()[q]);
+                  sample(spectrum, rule.grid_um(), at_points);
                   rule.project_factor(at_points, at_nodes);
                 });
 }
@@ -132,9 +150,11 @@ void SpectralNodes::average_source(const Spectrum& spectrum, std::span<float> no
 void SpectralNodes::average_source(std::span<const Spectrum* const> product, std::span<float> nodes) const {
   for_each_rule(nodes,
                 [&](const NodeRule& rule, std::vector<double>& at_points, std::vector<double>& at_nodes) {
-                  for (std::size_t q = 0; q < at_points.size(); ++q) {
-                    at_points[q] = 1.0;
-                    for (const Spectrum* factor : product) at_points[q] *= factor->at(rule.grid_um()[q]);
+                  std::vector<double> values(at_points.size());
+                  std::fill(at_points.begin(), at_points.end(), 1.0);
+                  for (const Spectrum* factor : product) {
+                    sample(*factor, rule.grid_um(), values);
+                    for (std::size_t q = 0; q < values.size(); ++q) at_points[q] *= values[q];
                   }
                   rule.project_source(at_points, at_nodes);
                 });

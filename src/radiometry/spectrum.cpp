@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "radiometry/gauss_legendre.h"
+#include "radiometry/spectrum_walk.h"
 
 namespace ifov::radiometry {
 namespace {
@@ -162,9 +163,11 @@ Spectrum Spectrum::with_name(std::string name) const {
 std::vector<double> merged_wavelengths_um(std::span<const Spectrum* const> spectra, double first_um,
                                           double last_um) {
   std::vector<double> merged{first_um, last_um};
-  for (const Spectrum* spectrum : spectra)
-    for (const double wavelength : spectrum->wavelength_um())
-      if (wavelength > first_um && wavelength < last_um) merged.push_back(wavelength);
+  for (const Spectrum* spectrum : spectra) {
+    const std::span<const double> um = spectrum->wavelength_um();
+    const auto from = std::upper_bound(um.begin(), um.end(), first_um);
+    merged.insert(merged.end(), from, std::lower_bound(from, um.end(), last_um));
+  }
   std::sort(merged.begin(), merged.end());
   merged.erase(std::unique(merged.begin(), merged.end()), merged.end());
   return merged;
@@ -172,12 +175,14 @@ std::vector<double> merged_wavelengths_um(std::span<const Spectrum* const> spect
 
 double integral_of_product(std::span<const Spectrum* const> factors, double first_um, double last_um) {
   const std::vector<double> points = merged_wavelengths_um(factors, first_um, last_um);
+  std::vector<SpectrumWalk> walks;
+  for (const Spectrum* factor : factors) walks.emplace_back(*factor);
   double sum = 0.0;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const double width = points[i + 1] - points[i];
     for (const GaussPoint& gauss : kGauss4) {
       double product = gauss.weight * width;
-      for (const Spectrum* factor : factors) product *= factor->at(points[i] + gauss.position * width);
+      for (SpectrumWalk& walk : walks) product *= walk.at(points[i] + gauss.position * width);
       sum += product;
     }
   }

@@ -102,8 +102,6 @@ MISTAKES = [
      "'direction' is of tables with azimuths of light and view; this one has none"),
     ("ground glass so smooth that the Sun is missed", changed(MATERIALS + ".wall", {"reflectance": 1, "scattering": {"rough_boundary": {"n": 1.5, "k": 0, "roughness": 0.1}}}), ERROR,
      "material 'wall' has a roughness of 0.1; under a Sun it has to be 0.4 or more at its index of 1.5"),
-    ("polarized light by ground glass", several((MATERIALS + ".wall.scattering", {"rough_boundary": {"n": 1.5, "k": 0, "roughness": 0.5}}), ("sensor.stokes", True)), ERROR,
-     "material 'wall': how a 'rough_boundary' surface polarizes light is not worked out"),
     ("a grain that scatters less than nothing", changed(MATERIALS + ".wall.scattering", {"hapke": {"b": 1.2}}), ERROR,
      "hapke: the phase function would be -0.2, below 0, at a phase angle of 180 deg"),
     ("a metal without its roughness", changed(MATERIALS + ".wall.scattering", "rough_conductor"), ERROR,

@@ -11,6 +11,14 @@ from mistaken_document import CAMERA, ERROR, FRAME, GOOD, MATERIALS, OBJECTS, WA
 from more_mistakes import FILES as MORE_FILES, MISTAKES as MORE_MISTAKES
 from program import Folder, run
 
+
+def windows(y_m):
+    """Panes placed as copies, 3 m above the ground, in a plane before the house's south wall, which is at y = -3 m."""
+    pane = [["-0.4 m", "0 m", "0 m"], ["0.4 m", "0 m", "0 m"], ["0.4 m", "0 m", "0.8 m"], ["-0.4 m", "0 m", "0.8 m"]]
+    return several(("scene.prototypes", {"pane": [{"polygon": {"vertices": pane}, "material": "wall"}]}),
+                   (OBJECTS + "[+]", {"name": "windows", "instances": {"of": "pane", "at": [[f"{x} m", f"{y_m} m", "3 m"] for x in (-2, 0, 2)]}}))
+
+
 # What was changed, what is said. An error comes with exit code 1 and the place; a warning with exit code 6.
 MISTAKES = [
     # Where things are.
@@ -50,6 +58,7 @@ MISTAKES = [
      WARNING, 'y points up.*"up": "y"'),
     ("a mesh in the air", changed(OBJECTS + "[+]", {"name": "kiosk", "mesh": {"file": "kiosk.obj"}, "material": "wall", "transform": {"translate": ["6 m", "0 m", "30 m"]}}),
      WARNING, "'kiosk' .*floats up to 30 m above"),
+    ("windows in the air", windows(-9.0), WARNING, "'windows': 3 of 3 copies that were looked at float up to 3 m above what is below"),
     ("a mesh under the ground", changed(OBJECTS + "[+]", {"name": "kiosk", "mesh": {"file": "kiosk.obj"}, "material": "wall", "transform": {"translate": ["6 m", "0 m", "-30 m"]}}),
      WARNING, "'kiosk' .*lies under the ground"),
     ("a road in the plane of the ground", changed(OBJECTS + "[+]", {"name": "road", "polygon": {"vertices": [["-8 m", "-6 m", "0 m"], ["8 m", "-6 m", "0 m"], ["8 m", "-4 m", "0 m"], ["-8 m", "-4 m", "0 m"]]}, "material": "wall"}),
@@ -172,6 +181,11 @@ class Mistakes(unittest.TestCase):
     def test_the_good_document_is_good(self):
         with Folder(good=json.dumps(GOOD, indent=1)) as folder:
             done = run("check", folder / "good.json")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_windows_that_hang_on_a_wall_do_not_float(self):
+        with Folder(windows=json.dumps(windows(-3.05), indent=1)) as folder:
+            done = run("check", folder / "windows.json")
             self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_none_passes_in_silence(self):

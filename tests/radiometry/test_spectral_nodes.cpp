@@ -5,6 +5,9 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "radiometry/channel_grid.h"
+#include "radiometry/node_search.h"
+#include "radiometry/node_trial.h"
 #include "radiometry/planck.h"
 #include "radiometry/planck_table.h"
 #include "radiometry/solar_spectrum.h"
@@ -247,6 +250,92 @@ TEST(PlanckTable, InterpolatesWithinItsTolerance) {
   nodes.planck(230.0, std::span<double>(exact));
   EXPECT_NEAR(row.row(0)[0] / exact[0], 1.0, 1e-6);
   EXPECT_THROW(PlanckTable(nodes, 300.0, 300.0), InputError);
+}
+
+// A grid takes in the points of those surfaces alone that its sums would miss, also where they stand close or end within the channel.
+TEST(SpectralNodes, GridsTakeInWhatTheyWouldMiss) {
+  const Channel channel = Channel::gaussian("c", 1.0, 0.1);
+  const Spectrum& sun = solar_irradiance_1au();
+  const auto line = [](double width_um, OutsideRange outside, bool ends) {
+    std::vector<double> um, values;
+    if (!ends) um = {0.3}, values = {0.4};
+    for (const auto& [at, value] : {std::pair(1.0, 0.4), {1.0 + width_um, 0.9}, {1.0 + 2.0 * width_um, 0.1}})
+      um.push_back(at), values.push_back(value);
+    if (!ends) um.push_back(2.6), values.push_back(0.1);
+    return Spectrum(std::move(um), std::move(values), outside);
+  };
+  const std::size_t plain = ChannelGrid(channel, sun).size();
+  const auto size_with = [&](const Spectrum& surface) {
+    return ChannelGrid(channel, sun, std::span(&surface, 1)).size();
+  };
+  EXPECT_EQ(size_with(Spectrum({0.3, 2.6}, {0.1, 0.6})), plain);
+  EXPECT_GT(size_with(line(3e-4, OutsideRange::error, false)), plain);
+  EXPECT_GT(size_with(line(1e-5, OutsideRange::error, false)), plain);  // by points: too close for moments
+  EXPECT_GT(size_with(line(3e-4, OutsideRange::extend, true)), plain);  // ends within the channel
+  EXPECT_EQ(size_with(Spectrum({0.3, 1.0 - 1e-5, 1.0, 2.6}, {0.2, 0.2, 0.2 + 1e-9, 0.2})), plain);
+}
+
+/// Reflectances of `materials` models by 33 angles each, at the points of a channel on the red edge: what a scene of directional
+/// materials has. Edges stand at different wavelengths.
+std::vector<std::vector<double>> by_angle(const ChannelGrid& grid, int materials) {
+  std::vector<std::vector<double>> surfaces;
+  for (int m = 0; m < materials; ++m)
+    for (int angle = 0; angle < 33; ++angle) {
+      std::vector<double>& surface = surfaces.emplace_back();
+      const double edge = 0.690 + 0.030 * ((7 * m) % materials) / materials,
+                   grazing = std::pow(angle / 32.0, 3);
+      for (const double um : grid.wavelength_um) {
+        const double straight = 0.05 + 0.4 / (1.0 + std::exp((edge - um) / 0.006));
+        surface.push_back(straight + (1.0 - straight) * grazing);
+      }
+    }
+  return surfaces;
+}
+
+/// A channel behind lines of absorption, and in the open.
+ChannelGrid red_edge(bool behind_air) {
+  const ChannelGrid open(Channel::gaussian("edge", 0.705, 0.010), solar_irradiance_1au());
+  if (!behind_air) return open;
+  std::vector<double> seen, sky;
+  for (const double um : open.wavelength_um) {
+    seen.push_back(0.1 + 0.8 * std::pow(std::sin(900.0 * um), 2));
+    sky.push_back(200.0 * um);
+  }
+  return {open.wavelength_um, open.response, open.irradiance, sky, seen, 0.0};
+}
+
+std::vector<std::span<const double>> spans_of(const std::vector<std::vector<double>>& surfaces) {
+  return {surfaces.begin(), surfaces.end()};
+}
+
+// Counted in radiances that rules are judged by, not in seconds: those that are sought for some surfaces and judged by all,
+// against as many that are sought for all.
+TEST(SpectralNodes, MoreSurfacesAreLessWorkOnceRulesAreSoughtForSome) {
+  const NodeDemands demands{.coldest_k = 0.0, .hottest_k = 0.0, .most_nodes = 12};
+  const ChannelGrid grid = red_edge(true);
+  const auto fewer = by_angle(grid, 19), more = by_angle(grid, 20);
+  ASSERT_LE(fewer.size(), kMostJudgedTogether);
+  ASSERT_GT(more.size(), kMostJudgedTogether);
+  const FoundRule of_fewer = find_rule(grid, fewer, demands), of_more = find_rule(grid, more, demands);
+  EXPECT_LT(3 * of_more.judged, of_fewer.judged);
+  EXPECT_LT(of_more.worst_error, 2.0 * of_fewer.worst_error);
+}
+
+TEST(SpectralNodes, OfManySurfacesTheOneUnlikeTheOthersIsKeptToo) {
+  const NodeDemands demands{.coldest_k = 0.0, .hottest_k = 0.0};
+  for (const bool behind_air : {false, true}) {
+    const ChannelGrid grid = red_edge(behind_air);
+    auto surfaces = by_angle(grid, 20);
+    const FoundRule without = find_rule(grid, surfaces, demands);
+    // Varies less than most, but from wavelength to wavelength.
+    std::vector<double>& unlike = surfaces.emplace_back();
+    for (const double um : grid.wavelength_um) unlike.push_back(0.5 + 0.05 * std::sin(2500.0 * um));
+    const FoundRule found = find_rule(grid, surfaces, demands);
+    const auto all = spans_of(surfaces);
+    const NodeTrial trial(grid, all, demands);
+    EXPECT_LE(trial.errors(found.rule).worst, demands.tolerance) << behind_air;
+    EXPECT_GT(trial.errors(without.rule).worst, demands.tolerance) << behind_air;
+  }
 }
 
 }  // namespace

@@ -92,6 +92,23 @@ TEST(PolarizedPanes, ABlockIsAPlate) {
   EXPECT_NEAR(stokes_of(tile, 0, 1) / stokes_of(tile, 0, 0), -(p - s) / (p + s), 2e-3);
 }
 
+TEST(PolarizedPanes, AFrostedBlockIsAPlateAsRoughnessVanishes) {
+  const double zenith_deg = 60.0;
+  const Smooth glass(1.5, zenith_deg * kRad);
+  const std::string materials =
+      std::string(kHotGround) +
+      R"(, "glass": {"reflectance": 1, "scattering": {"rough_boundary": {"n": 1.5, "k": 0, "roughness": 0.02, "distribution": "beckmann"}}})";
+  const sampling::TileResult tile = rendered_once(aslant(
+      zenith_deg, materials,
+      R"({"plane": {}, "material": "ground"}, {"box": {"low": ["-400 m", "-400 m", "0.5 m"], "high": ["400 m", "400 m", "0.9 m"]}, "material": "glass"})",
+      kNoSky, kStokes, "10 um", kManyRays));
+  const double p = (1.0 - glass.p) / (1.0 + glass.p), s = (1.0 - glass.s) / (1.0 + glass.s);
+  const double found = stokes_of(tile, 0, 1) / stokes_of(tile, 0, 0);
+  EXPECT_NEAR(found, -(p - s) / (p + s), 6e-3);  // 3 standard errors
+  // Planted fault: faces that pass light as it comes.
+  EXPECT_LT(found, -0.1);
+}
+
 TEST(PolarizedPanes, AWarmPaneUnderAColdSkySwingsUpright) {
   const double zenith_deg = 60.0;
   const auto run = [&](const char* temperature, const std::string& light) {
@@ -128,11 +145,13 @@ TEST(PolarizedPanes, ThingsOfGlassInARoomOfTheirTemperature) {
   const std::string materials = R"("ground": {"reflectance": 0.3, "temperature": "300 K"},
       "water": {"reflectance": 1, "temperature": "300 K", "scattering": {"smooth": {"n": 1.4, "k": 1e-6}}},
       "metal": {"reflectance": 0.9, "temperature": "300 K", "scattering": {"smooth": {"n": 3, "k": 6, "over": "absorber"}}},
+      "frosted": {"reflectance": 1, "temperature": "300 K", "scattering": {"rough_boundary": {"n": 1.5, "k": 1e-6, "roughness": 0.3}}},
       "film": {"reflectance": 1, "temperature": "300 K", "scattering": {"film": {"n": 2.2, "k": 0.02, "thickness": "1 um", "substrate_n": 1.5, "substrate_k": 1e-4, "pane": "3 mm"}}})";
   const sampling::TileResult tile = rendered_once(aslant(
       50.0, materials,
       R"({"plane": {}, "material": "ground"}, {"box": {"low": ["-4 m", "-4 m", "0.5 m"], "high": ["4 m", "4 m", "0.9 m"]}, "material": "water"},
-                {"sphere": {"center": ["0 m", "0.1 m", "0.2 m"], "radius": "0.2 m"}, "material": "metal"}, )" +
+                {"sphere": {"center": ["0 m", "0.1 m", "0.2 m"], "radius": "0.2 m"}, "material": "metal"},
+                {"sphere": {"center": ["0 m", "-0.6 m", "1.05 m"], "radius": "0.12 m"}, "material": "frosted"}, )" +
           level(5.0, 1.2, "film"),
       kWarmSky, kStokes, "10 um", kRays));
   const double all = stokes_of(tile, 0, 0);

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <numbers>
 #include <utility>
 #include <vector>
 
+#include "core/parallel.h"
 #include "materials/bsdf/microfacet/crowded_square.h"
 
 namespace ifov::materials {
@@ -154,18 +156,21 @@ radiometry::Spectrum directional_hemispherical(const Bsdf& bsdf, Side side, doub
   }
   for (const std::vector<float>& row : rows) parameters.push_back(row.data());
 
-  std::vector<double> values(common.um.size(), 0.0);
-  std::vector<float> row(values.size());
-  const auto add = [&](double towards, double weight) {
-    add_up(bsdf, side, parameters, row.size(), towards, lobe_points(kAcross), row.data());
-    for (std::size_t k = 0; k < row.size(); ++k) values[k] += weight * static_cast<double>(row[k]);
-  };
-  if (cosine >= 0.0) {
-    add(cosine, 1.0);
-  } else {
-    // By equal shares of projected solid angle.
-    for (int k = 0; k < kViewAngles; ++k) add(std::sqrt((k + 0.5) / kViewAngles), 1.0 / kViewAngles);
+  // By equal shares of projected solid angle, where light comes from all sides alike.
+  std::vector<double> towards{cosine};
+  if (cosine < 0.0) {
+    towards.clear();
+    for (int k = 0; k < kViewAngles; ++k) towards.push_back(std::sqrt((k + 0.5) / kViewAngles));
   }
+  std::vector<std::vector<float>> found(towards.size(), std::vector<float>(common.um.size()));
+  parallel_for(static_cast<std::int64_t>(towards.size()), 0, [&](std::int64_t index) {
+    const auto k = static_cast<std::size_t>(index);
+    add_up(bsdf, side, parameters, common.um.size(), towards[k], lobe_points(kAcross), found[k].data());
+  });
+  std::vector<double> values(common.um.size(), 0.0);
+  const double weight = 1.0 / static_cast<double>(towards.size());
+  for (const std::vector<float>& row : found)
+    for (std::size_t k = 0; k < row.size(); ++k) values[k] += weight * static_cast<double>(row[k]);
   if (constant) return radiometry::Spectrum::constant(values[0]);
   return {std::move(common.um), std::move(values), common.outside, spectra.front()->name()};
 }

@@ -16,6 +16,7 @@ constexpr double kStep_m = 0.3;  // from here the ray down starts, above what a 
 constexpr double kGap_m = 0.5, kGapOfHeight = 0.1;
 constexpr double kGapOfCopies = 1.0;     // of their height: crowns are placed without their trunks
 constexpr double kGapOfCities_m = 5.0;   // streets of a model in space stand above a plane below them all
+constexpr double kTouch_m = 0.1;         // how far a thing may be from what it hangs on
 constexpr std::uint32_t kSurveyed = 64;  // copies of an object
 constexpr int kMostLayers = 64;
 
@@ -42,6 +43,33 @@ struct Standing {
   std::optional<double> gap_m;  ///< from its lowest point down to what is below its middle; none: nothing is
   std::optional<double> under_m;  ///< by so much ground lies above its highest point
 };
+
+/// Whether something else than an object's own pieces is within its box or close by: a window hangs on a wall. Looked for from the
+/// middle towards all sides.
+bool touches(const Parts& parts, std::uint32_t placed, std::size_t of) {
+  const geometry::World& world = *parts.scene.world;
+  const geometry::World::PlacedObject object = world.object(placed);
+  for (std::size_t k = 0; k < 3; ++k) {
+    // A flat thing is thin along its normal.
+    const math::Vec3 half = object.half_sides_m[k],
+                     across = math::cross(object.half_sides_m[(k + 1) % 3], object.half_sides_m[(k + 2) % 3]);
+    const double length_m = math::length(half);
+    const math::Vec3 along = length_m > 0.0 ? half : across;
+    if (!(math::length(along) > 0.0)) continue;
+    for (const double sign : {-1.0, 1.0}) {
+      math::Ray ray{object.centre_m, sign * math::normalized(along)};
+      ray.t_max_m = length_m + kTouch_m;
+      for (int layer = 0; layer < kMostLayers; ++layer) {
+        geometry::SurfacePoint hit;
+        world.intersect({&ray, 1}, {&hit, 1});
+        if (!hit.hit()) break;
+        if (parts.placed.of(hit.instance) != of) return true;
+        ray.t_min_m = hit.distance_m + std::max(1e-6, hit.offset_m);
+      }
+    }
+  }
+  return false;
+}
 
 Standing survey_around(const Parts& parts, std::uint32_t placed) {
   const geometry::World& world = *parts.scene.world;
@@ -88,7 +116,8 @@ void warn_of_standing(const Parts& parts, LogSink& log) {
     for (std::uint32_t k = 0; k < count; k += step) {
       const Standing one = survey_around(parts, parts.placed.first(d) + k);
       ++surveyed;
-      if (one.gap_m && *one.gap_m > std::max(least_gap_m, gap_of_height * one.height_m))
+      if (one.gap_m && *one.gap_m > std::max(least_gap_m, gap_of_height * one.height_m) &&
+          !touches(parts, parts.placed.first(d) + k, d))
         ++floating, widest_m = std::max(widest_m, *one.gap_m);
       if (one.under_m) ++buried, deepest_m = std::max(deepest_m, *one.under_m);
     }

@@ -186,6 +186,27 @@ double RoughBoundary::through_share(const BsdfEvent& view) const {
   return std::clamp(through, kLeast, 1.0 - kLeast);
 }
 
+void RoughBoundary::add_again(const Local& at, ParameterSpectra parameters, std::size_t count,
+                              float* bsdf) const {
+  const std::size_t own = from_within_ ? 1 : 0, other = at.through ? 1 - own : own;
+  const RowWeights there = Tables::angle_at(at.out.z), back = Tables::angle_at(std::abs(at.in.z));
+  float a[4], b[4];
+  for (std::size_t i = 0; i < 4; ++i) {
+    a[i] = static_cast<float>(there.weight[i]);
+    b[i] = static_cast<float>(back.weight[i]);
+  }
+  const float* const* p = &parameters[Tables::kLost + own * Tables::kAngles + there.first];
+  const float* const* q = &parameters[Tables::kLost + other * Tables::kAngles + back.first];
+  const float* __restrict again =
+      parameters[at.through ? Tables::kAgainThrough : Tables::kAgainReflected + own];
+  const float scale = at.through ? static_cast<float>(from_there()) : 1.0f;
+  for (std::size_t n = 0; n < count; ++n) {
+    const float out = a[0] * p[0][n] + a[1] * p[1][n] + a[2] * p[2][n] + a[3] * p[3][n];
+    const float in = b[0] * q[0][n] + b[1] * q[1][n] + b[2] * q[2][n] + b[3] * q[3][n];
+    bsdf[n] += std::max(0.0f, out) * std::max(0.0f, in) * again[n] * scale;
+  }
+}
+
 void RoughBoundary::evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                              float* bsdf) const {
   const Local at = local(event);
@@ -194,27 +215,13 @@ void RoughBoundary::evaluate(const BsdfEvent& event, ParameterSpectra parameters
     return;
   }
   const Once found = once(tables_->facets, at);
-  const std::size_t own = from_within_ ? 1 : 0, other = at.through ? 1 - own : own;
-  const RowWeights fresnel = FresnelRows::at(found.outside), there = Tables::angle_at(at.out.z),
-                   back = Tables::angle_at(std::abs(at.in.z));
-  float f[4], a[4], b[4];
-  for (std::size_t i = 0; i < 4; ++i) {
-    f[i] = static_cast<float>(found.bsdf * fresnel.weight[i]);
-    a[i] = static_cast<float>(there.weight[i]);
-    b[i] = static_cast<float>(back.weight[i]);
-  }
+  const RowWeights fresnel = FresnelRows::at(found.outside);
+  float f[4];
+  for (std::size_t i = 0; i < 4; ++i) f[i] = static_cast<float>(found.bsdf * fresnel.weight[i]);
   const float* const* r = &parameters[(at.through ? Tables::kThrough : Tables::kReflected) + fresnel.first];
-  const float* const* p = &parameters[Tables::kLost + own * Tables::kAngles + there.first];
-  const float* const* q = &parameters[Tables::kLost + other * Tables::kAngles + back.first];
-  const float* __restrict again =
-      parameters[at.through ? Tables::kAgainThrough : Tables::kAgainReflected + own];
-  const float scale = at.through ? static_cast<float>(from_there()) : 1.0f;
-  for (std::size_t n = 0; n < count; ++n) {
-    const float single = f[0] * r[0][n] + f[1] * r[1][n] + f[2] * r[2][n] + f[3] * r[3][n];
-    const float out = a[0] * p[0][n] + a[1] * p[1][n] + a[2] * p[2][n] + a[3] * p[3][n];
-    const float in = b[0] * q[0][n] + b[1] * q[1][n] + b[2] * q[2][n] + b[3] * q[3][n];
-    bsdf[n] = std::max(0.0f, single) + std::max(0.0f, out) * std::max(0.0f, in) * again[n] * scale;
-  }
+  for (std::size_t n = 0; n < count; ++n)
+    bsdf[n] = std::max(0.0f, f[0] * r[0][n] + f[1] * r[1][n] + f[2] * r[2][n] + f[3] * r[3][n]);
+  add_again(at, parameters, count, bsdf);
 }
 
 }  // namespace ifov::materials

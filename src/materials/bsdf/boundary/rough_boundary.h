@@ -22,7 +22,8 @@ class CosineLobe;
 ///   f_again = x L(out) L(in) / (pi L_mean),   L_mean = 2 integral of L cos d cos of the side of `in`,
 /// x by which of it goes to which side: t from outside through the boundary, 1 - the mean of Fresnel's reflectance, and from within
 /// t L_mean(outside) / (n^2 L_mean(within)), as reciprocity asks for. What absorbs nothing sends on all that arrives. Directions are bent by
-/// one index, that of the medium where it absorbs least. Of unpolarized light.
+/// one index, that of the medium where it absorbs least. Facets polarize by Fresnel's matrices of what they reflect and refract, about the
+/// plane of both directions, in which their normals lie; what leaves after several of them is unpolarized.
 class RoughBoundary final : public Bsdf {
  public:
   static const BsdfModel kModel;
@@ -59,6 +60,10 @@ class RoughBoundary final : public Bsdf {
   std::span<const radiometry::Spectrum> spectra() const override;
   void evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                 float* bsdf) const override;
+  bool polarizes() const override { return true; }
+  std::span<const radiometry::Spectrum> polarization_spectra() const override;
+  void evaluate_mueller(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
+                        const MuellerRows& rows) const override;
 
  private:
   struct Local {
@@ -78,6 +83,8 @@ class RoughBoundary final : public Bsdf {
   const CosineLobe& diffuse(bool through) const;
   double broad_share(bool through, double cosine) const;
   double density(const Local& event, double broad) const;
+  /// What facets send to others and those on, which is unpolarized.
+  void add_again(const Local& event, ParameterSpectra parameters, std::size_t count, float* bsdf) const;
   double grey_once(const FacetDistribution& facets, const Local& event) const;
 
   std::shared_ptr<const RoughBoundaryTables> tables_;

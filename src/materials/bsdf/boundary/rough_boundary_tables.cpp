@@ -103,6 +103,7 @@ RoughBoundaryTables::RoughBoundaryTables(const Spectrum& n, const Spectrum& k, c
     spectra.push_back(combined(both, [](std::span<const double> v) { return v[0] * v[1]; }));
   }
   for (const Spectrum& row : fresnel) spectra.push_back(row.complement());
+  add_polarization(n, k, factor, fresnel);
   add_lost(factor);
   for (const Spectrum& spectrum : spectra)
     grey.push_back(std::accumulate(spectrum.values().begin(), spectrum.values().end(), 0.0) /

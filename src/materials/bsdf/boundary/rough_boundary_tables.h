@@ -19,13 +19,20 @@ struct RoughBoundaryTables {
                                kLost = 2 * FresnelRows::kCount, kAgainReflected = kLost + 2 * kAngles,
                                kAgainThrough = kAgainReflected + 2;
 
+  // Places in polarization, by FresnelRows too: M_01, Re and Im of r_p conj(r_s) of what facets reflect (times the factor); M_01 and M_22
+  // of what they let through, whose amplitudes are in phase.
+  static constexpr std::size_t kReflectedAlong = 0, kReflectedCosine = FresnelRows::kCount,
+                               kReflectedSine = 2 * FresnelRows::kCount,
+                               kThroughAlong = 3 * FresnelRows::kCount,
+                               kThroughCosine = 4 * FresnelRows::kCount;
+
   RoughBoundaryTables(const radiometry::Spectrum& n, const radiometry::Spectrum& k,
                       const radiometry::Spectrum& factor, const RoughBoundary::Surface& surface);
 
   FacetDistribution facets;
   double index = 1.0;
   std::optional<radiometry::Spectrum> absorption;
-  std::vector<radiometry::Spectrum> spectra;
+  std::vector<radiometry::Spectrum> spectra, polarization;
   std::vector<double> grey;  // their means over wavelengths
   /// Of one side and way, by angle: how often the diffuse lobe is drawn.
   std::array<std::array<std::vector<double>, 2>, 2> broad;  // [from within][through]
@@ -42,6 +49,8 @@ struct RoughBoundaryTables {
 
  private:
   void add_lost(const radiometry::Spectrum& factor);
+  void add_polarization(const radiometry::Spectrum& n, const radiometry::Spectrum& k,
+                        const radiometry::Spectrum& factor, const std::vector<radiometry::Spectrum>& fresnel);
   std::array<std::array<std::vector<double>, 2>, 2> share_at_once_;  // as broad: what leaves at once, grey
 };
 
