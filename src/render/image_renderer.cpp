@@ -24,6 +24,7 @@
 #include "render/wing_light.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/tile.h"
+#include "sampling/tolerance.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "transport/spectral_scene.h"
@@ -134,6 +135,8 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     problem.pilot_objects = tile_pilot_rays.objects;
     problem.cancel = control.cancel;
     problem.keep_memory = job.keep_memory;
+    sampling::LaterLight later;
+    if (unsampled.tell(problem.tile, later)) problem.later = &later;
     sampling::TileResult before;
     if (job.earlier != nullptr && job.earlier->read(index, before)) problem.before = &before;
 
@@ -141,13 +144,14 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     sampling::TileResult result;
     job.sampler.sample(problem, field, result);
     if (job.wings != nullptr) add_wings(*job.wings, problem, job.tolerance, field, result);
-    widen_by_cut(job.cut, job.tolerance, result);
+    widen_by_cut(job.cut, problem.later, job.tolerance, result);
     result.rays = field.counts();
     result.rays += before.rays;
-    field.unseen().settle(job.tolerance, result);
+    field.unseen().settle(job.tolerance, problem.later, result);
     field.blends().settle(result);
-    widen(job.nodes, job.tolerance, result);
     unsampled.add_to(result);
+    widen(job.nodes, job.tolerance, result);
+    unsampled.settle(result);
     widen(job.air, job.tolerance, result);
     field.settle(result);
     if (!job.keep_variances && !job.keep_memory) result.drop_variances();

@@ -8,8 +8,10 @@ namespace ifov {
 class CancelToken;
 }
 namespace ifov::sampling {
+struct LaterLight;
+struct PixelRect;
 struct TileResult;
-}
+}  // namespace ifov::sampling
 
 namespace ifov::render {
 
@@ -31,8 +33,13 @@ class UnsampledLight {
   /// The job's, of paths that leave that light out.
   const transport::TransportOptions& transport() const { return transport_; }
 
-  /// To the radiances of a finished tile that has channels alone, and to its half-widths. From any thread.
+  /// What add_to() will add to a tile's pixels; false where that is nothing. From any thread.
+  bool tell(const sampling::PixelRect& tile, sampling::LaterLight& later) const;
+
+  /// To the radiances of a finished tile that has light alone (StokesColumns), and to its half-widths. From any thread.
   void add_to(sampling::TileResult& tile) const;
+  /// Widens half-widths by what may not have been found at all. From any thread.
+  void settle(sampling::TileResult& tile) const;
 
  private:
   const RenderJob& job_;

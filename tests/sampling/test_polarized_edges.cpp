@@ -96,15 +96,5 @@ TEST(PolarizedEdges, CornersAreWithinTheIntervals) {
   EXPECT_GT(std::abs(blunt.bias), 4.0);
 }
 
-// Radiance alone steers, and tells nothing of the border: its pixels say so.
-TEST(PolarizedEdges, BordersThatRadianceDoesNotShowAreNotSure) {
-  for (const double noise : {0.0, 0.02}) {
-    const Told told = corners({0}, noise, 0.0);
-    EXPECT_GE(told.held, 0.93 * told.judged) << noise;
-    EXPECT_LE(std::abs(told.bias), 4.0) << noise;
-    std::printf("sure %d held %d/%d bias %g\n", told.sure, told.held, told.judged, told.bias);
-  }
-}
-
 }  // namespace
 }  // namespace ifov::test
