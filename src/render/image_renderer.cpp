@@ -24,7 +24,6 @@
 #include "render/wing_light.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/tile.h"
-#include "sampling/tolerance.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "transport/spectral_scene.h"
@@ -135,12 +134,12 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     problem.pilot_objects = tile_pilot_rays.objects;
     problem.cancel = control.cancel;
     problem.keep_memory = job.keep_memory;
-    sampling::LaterLight later;
-    if (unsampled.tell(problem.tile, later)) problem.later = &later;
     sampling::TileResult before;
     if (job.earlier != nullptr && job.earlier->read(index, before)) problem.before = &before;
 
     SceneField field(job.scene, job.camera, unsampled.transport(), job.label_detail, job.polarimetry);
+    const auto later = unsampled.tell(problem.tile, static_cast<std::size_t>(field.blends().first_column()));
+    problem.later = later.get();
     sampling::TileResult result;
     job.sampler.sample(problem, field, result);
     if (job.wings != nullptr) add_wings(*job.wings, problem, job.tolerance, field, result);

@@ -7,14 +7,12 @@
 #include "render/mirrors/glints.h"
 #include "render/mirrors/highlights.h"
 #include "render/mirrors/mirror_images.h"
-#include "render/polarized/stokes_columns.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/unseen/unseen_emitters.h"
 #include "render/unseen/unseen_images.h"
 #include "sampling/pixel_footprint.h"
+#include "sampling/pixel_limits.h"
 #include "sampling/tile.h"
-#include "sampling/tolerance.h"
-#include "transport/spectral_scene.h"
 
 namespace ifov::render {
 
@@ -44,21 +42,23 @@ UnsampledLight::UnsampledLight(const RenderJob& job, int threads, const CancelTo
 
 UnsampledLight::~UnsampledLight() = default;
 
-bool UnsampledLight::tell(const sampling::PixelRect& tile, sampling::LaterLight& later) const {
+std::shared_ptr<const sampling::LaterLight> UnsampledLight::tell(const sampling::PixelRect& tile,
+                                                                 std::size_t columns) const {
   if (job_.tolerance == nullptr ||
       (glints_ == nullptr && highlights_ == nullptr && mirror_images_ == nullptr))
-    return false;
+    return nullptr;
   sampling::TileResult alone;
-  alone.reset(tile, static_cast<int>(StokesColumns(job_.polarimetry, job_.scene.nodes()).count()));
+  alone.reset(tile, static_cast<int>(columns));
   add_to(alone);
   const auto lit = [](float light) { return light != 0.0f; };
   if (std::none_of(alone.mean.begin(), alone.mean.end(), lit) &&
       std::none_of(alone.half_width.begin(), alone.half_width.end(), lit))
-    return false;
-  later.columns = static_cast<std::size_t>(alone.columns);
-  later.mean = std::move(alone.mean);
-  later.half_width = std::move(alone.half_width);
-  return true;
+    return nullptr;
+  auto later = std::make_shared<sampling::LaterLight>();
+  later->columns = columns;
+  later->mean = std::move(alone.mean);
+  later->half_width = std::move(alone.half_width);
+  return later;
 }
 
 void UnsampledLight::add_to(sampling::TileResult& tile) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 #include "transport/transport_options.h"
@@ -33,8 +34,10 @@ class UnsampledLight {
   /// The job's, of paths that leave that light out.
   const transport::TransportOptions& transport() const { return transport_; }
 
-  /// What add_to() will add to a tile's pixels; false where that is nothing. From any thread.
-  bool tell(const sampling::PixelRect& tile, sampling::LaterLight& later) const;
+  /// What add_to() will add to the pixels of a tile that has so many columns of light; null where that is nothing. From any
+  /// thread.
+  std::shared_ptr<const sampling::LaterLight> tell(const sampling::PixelRect& tile,
+                                                   std::size_t columns) const;
 
   /// To the radiances of a finished tile that has light alone (StokesColumns), and to its half-widths. From any thread.
   void add_to(sampling::TileResult& tile) const;

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "render/tolerance/accuracy_tolerance.h"
+#include "sampling/pixel_limits.h"
 #include "sampling/quantiles.h"
 #include "sampling/random.h"
 #include "sampling/value_batch.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sampling/tolerance.h"
+#include "sampling/pixel_limits.h"
 
 namespace ifov::sampling {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sampling/halton.h"
 #include "sampling/hash.h"
+#include "sampling/sequence.h"
 #include "sampling/value_batch.h"
 
 namespace ifov::sampling {

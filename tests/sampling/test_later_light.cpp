@@ -6,6 +6,7 @@
 
 #include "accuracy_scenes.h"
 #include "sampling/hash.h"
+#include "sampling/pixel_limits.h"
 
 namespace ifov::test {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sampling/pixel_limits.h"
+
 namespace ifov::render {
 
 void UnseenWidening::widen(std::size_t pixel, std::span<const double> more, sampling::TileResult& tile) {

@@ -11,8 +11,8 @@
 #include "sampling/accuracy/radiance/spread.h"
 #include "sampling/accuracy/source_grid.h"
 #include "sampling/pixel_footprint.h"
+#include "sampling/pixel_limits.h"
 #include "sampling/tile.h"
-#include "sampling/tolerance.h"
 
 namespace ifov::sampling {
 

@@ -10,9 +10,9 @@
 #include "sampling/accuracy/stopping.h"
 #include "sampling/hash.h"
 #include "sampling/pixel_footprint.h"
+#include "sampling/pixel_limits.h"
 #include "sampling/sequence.h"
 #include "sampling/tile.h"
-#include "sampling/tolerance.h"
 
 namespace ifov::sampling {
 

@@ -6,7 +6,7 @@
 
 #include "sampling/accuracy/output_state.h"
 #include "sampling/accuracy/output_sums.h"
-#include "sampling/tolerance.h"
+#include "sampling/pixel_limits.h"
 
 namespace ifov::sampling {
 
