@@ -143,16 +143,19 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     if (job.earlier != nullptr && job.earlier->read(index, before)) problem.before = &before;
 
     SceneField field(job.scene, job.camera, transport, job.label_detail, job.polarimetry);
+    const auto later = unsampled.tell(problem.tile, static_cast<std::size_t>(field.blends().first_column()));
+    problem.later = later.get();
     sampling::TileResult result;
     job.sampler.sample(problem, field, result);
     if (job.wings != nullptr) add_wings(*job.wings, problem, job.tolerance, field, result);
-    widen_by_cut(job.cut, job.tolerance, result);
+    widen_by_cut(job.cut, problem.later, job.tolerance, result);
     result.rays = field.counts();
     result.rays += before.rays;
-    field.unseen().settle(job.tolerance, result);
+    field.unseen().settle(job.tolerance, problem.later, result);
     field.blends().settle(result);
-    widen(job.nodes, job.tolerance, result);
     unsampled.add_to(result);
+    widen(job.nodes, job.tolerance, result);
+    unsampled.settle(result);
     widen(job.air, job.tolerance, result);
     field.settle(result);
     if (!job.keep_variances && !job.keep_memory) result.drop_variances();

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "geometry/world.h"
-#include "sampling/halton.h"
+#include "sampling/sequence.h"
 #include "sampling/warp.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 #include "transport/transport_options.h"
@@ -8,8 +9,10 @@ namespace ifov {
 class CancelToken;
 }
 namespace ifov::sampling {
+struct LaterLight;
+struct PixelRect;
 struct TileResult;
-}
+}  // namespace ifov::sampling
 
 namespace ifov::render {
 
@@ -31,8 +34,15 @@ class UnsampledLight {
   /// The job's, of paths that leave that light out.
   const transport::TransportOptions& transport() const { return transport_; }
 
-  /// To the radiances of a finished tile that has channels alone, and to its half-widths. From any thread.
+  /// What add_to() will add to the pixels of a tile that has so many columns of light; null where that is nothing. From any
+  /// thread.
+  std::shared_ptr<const sampling::LaterLight> tell(const sampling::PixelRect& tile,
+                                                   std::size_t columns) const;
+
+  /// To the radiances of a finished tile that has light alone (StokesColumns), and to its half-widths. From any thread.
   void add_to(sampling::TileResult& tile) const;
+  /// Widens half-widths by what may not have been found at all. From any thread.
+  void settle(sampling::TileResult& tile) const;
 
  private:
   const RenderJob& job_;

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "render/tolerance/accuracy_tolerance.h"
+#include "sampling/pixel_limits.h"
 #include "sampling/quantiles.h"
 #include "sampling/random.h"
 #include "sampling/value_batch.h"
@@ -192,10 +193,11 @@ class Wings {
 };
 
 /// Judges a pixel by what was asked for; what the cut adds to what the sampler left is at fault where that is too much.
-void judge(const AccuracyTolerance& tolerance, std::size_t p, std::vector<double>& mean,
-           std::vector<double>& limit, sampling::TileResult& tile) {
+void judge(const AccuracyTolerance& tolerance, const sampling::LaterLight* later, std::size_t p,
+           std::vector<double>& mean, std::vector<double>& limit, sampling::TileResult& tile) {
   const std::size_t columns = static_cast<std::size_t>(tile.columns);
   for (std::size_t c = 0; c < columns; ++c) mean[c] = tile.mean[p * columns + c];
+  if (later != nullptr) later->join(p, mean);
   tolerance.asked(mean, limit);
   double worst = 0.0;
   for (std::size_t c = 0; c < columns; ++c) {
@@ -256,7 +258,7 @@ void add_wings(const PsfWings& wings, const sampling::TileProblem& problem,
           static_cast<float>(std::hypot(core * tile.half_width[at], normal * std::sqrt(variance)) +
                              scale * rest * around_tile.spread(c));
     }
-    if (tile.has_errors() && tolerance != nullptr) judge(*tolerance, p, mean, limit, tile);
+    if (tile.has_errors() && tolerance != nullptr) judge(*tolerance, problem.later, p, mean, limit, tile);
     const std::size_t first = next;
     while (next < tile.abundances.size() && tile.abundances[next].pixel == p) ++next;
     add_materials(found, wings.kept(), scale, rest, normal, static_cast<std::uint32_t>(p),
@@ -268,7 +270,8 @@ void add_wings(const PsfWings& wings, const sampling::TileProblem& problem,
   tile.halo_samples += around_tile.paths() - 4 * tile.samples.size();
 }
 
-void widen_by_cut(double left_out, const AccuracyTolerance* tolerance, sampling::TileResult& tile) {
+void widen_by_cut(double left_out, const sampling::LaterLight* later, const AccuracyTolerance* tolerance,
+                  sampling::TileResult& tile) {
   if (!(left_out > 0.0) || !tile.has_errors()) return;
   const std::size_t columns = static_cast<std::size_t>(tile.columns), pixels = tile.samples.size();
   std::vector<double> darkest(columns, std::numeric_limits<double>::infinity()),
@@ -284,7 +287,7 @@ void widen_by_cut(double left_out, const AccuracyTolerance* tolerance, sampling:
       tile.half_width[at] += static_cast<float>(
           left_out * std::max(brightest[c] - tile.mean[at], static_cast<double>(tile.mean[at]) - darkest[c]));
     }
-    if (tolerance != nullptr) judge(*tolerance, p, mean, limit, tile);
+    if (tolerance != nullptr) judge(*tolerance, later, p, mean, limit, tile);
   }
 }
 

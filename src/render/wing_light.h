@@ -23,7 +23,8 @@ void add_wings(const sensor::PsfWings& wings, const sampling::TileProblem& probl
                const AccuracyTolerance* tolerance, sampling::Field& field, sampling::TileResult& tile);
 
 /// For a cut without wings: half-widths grow by `left_out` of the energy times the largest difference to any other pixel
-/// of the tile, and pixels that are too wide for it get Reason::psf_cut.
-void widen_by_cut(double left_out, const AccuracyTolerance* tolerance, sampling::TileResult& tile);
+/// of the tile, and pixels that are too wide for it get Reason::psf_cut. `later`: light that will join them; may be null.
+void widen_by_cut(double left_out, const sampling::LaterLight* later, const AccuracyTolerance* tolerance,
+                  sampling::TileResult& tile);
 
 }  // namespace ifov::render

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sampling/tolerance.h"
+#include "sampling/pixel_limits.h"
 
 namespace ifov::sampling {
 
@@ -34,7 +34,7 @@ void write_pixel(const PixelEstimate& estimate, const TileProblem& problem, std:
   }
   if (problem.tolerance != nullptr) {
     std::vector<double> limits(columns);
-    problem.tolerance->limits(estimate.mean, limits);
+    PixelLimits(*problem.tolerance, problem.later).of(pixel, estimate.mean, limits);
     double worst = 0.0;
     for (std::size_t c = 0; c < columns; ++c) {
       if (std::isinf(limits[c])) continue;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "sampling/halton.h"
 #include "sampling/hash.h"
+#include "sampling/sequence.h"
 
 namespace ifov::sampling {
 

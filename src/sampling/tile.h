@@ -20,6 +20,7 @@ namespace ifov::sampling {
 
 class PixelFootprint;
 class Tolerance;
+struct LaterLight;
 struct TileResult;
 
 /// All that a sampler may know about the tile it works on. Results depend on this alone.
@@ -30,6 +31,7 @@ struct TileProblem {
   std::uint64_t seed = 0;
   const PixelFootprint* footprint = nullptr;
   const Tolerance* tolerance = nullptr;  ///< null for samplers that follow no accuracy
+  const LaterLight* later = nullptr;     ///< null: none
   std::span<const int>
       steering_channels;  ///< columns that steer decisions (at most some dozens); all are reported
   /// Projected centres of compact objects smaller than a pixel, of tile and halo.

@@ -249,7 +249,7 @@ double PathTracer::sunlight_share(const SurfaceLobe& lobe, const Sides& sides,
   const bool apart = depth == 0 && lobe.directional && scene_.sun_lobes()->by_shape(hit) &&
                      (large == nullptr || !std::binary_search(large->begin(), large->end(), hit.instance));
   const double highlight =
-      apart ? SunLobes::share(*lobe.bsdf, sides.event(lobe, transmitted, direction)) : 0.0;
+      apart ? SunLobes::seen_share(*lobe.bsdf, sides.event(lobe, transmitted, direction)) : 0.0;
   return options_.highlights == Highlights::alone ? highlight : 1.0 - highlight;
 }
 

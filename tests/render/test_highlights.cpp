@@ -117,7 +117,7 @@ TEST(Highlights, AreTheLobesShareOfABallsSunlight) {
         Ball ball(slope, base, half_angle);
         const Sum found = highlights_of(ball.build());
         const double expected = sent_by_ball([&](const BsdfEvent& event) {
-          return ball.lobe->of(event) * transport::SunLobes::share(*ball.lobe, event);
+          return ball.lobe->of(event) * transport::SunLobes::seen_share(*ball.lobe, event);
         });
         EXPECT_NEAR(found.mean, expected, 4.0 * found.error + 1e-3 * expected) << slope << " " << base;
         EXPECT_LT(found.error, 5e-3 * expected);
@@ -141,7 +141,7 @@ TEST(Highlights, TailsReachTheBallsRim) {
   const double expected = sent_by_ball([&](const BsdfEvent& event) {
                             float bsdf = 0.0f;
                             gold->evaluate(event, rows, 1, &bsdf);
-                            return static_cast<double>(bsdf) * transport::SunLobes::share(*gold, event);
+                            return static_cast<double>(bsdf) * transport::SunLobes::seen_share(*gold, event);
                           }) /
                           kFactor;
   double sum = 0.0, squares = 0.0;

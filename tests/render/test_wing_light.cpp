@@ -214,12 +214,12 @@ TEST(WingLight, ACutWithoutWingsIsInTheIntervalByTheContrast) {
   tile.reset({0, 0, 3, 1}, 1);
   tile.mean = {1.0f, 1.0f, 101.0f};
   tile.reasons.assign(3, 0);
-  widen_by_cut(1e-3, nullptr, tile);
+  widen_by_cut(1e-3, nullptr, nullptr, tile);
   EXPECT_NEAR(tile.half_width[0], 0.1, 1e-6);
   EXPECT_NEAR(tile.half_width[2], 0.1, 1e-6);
   tile.mean = {5.0f, 5.0f, 5.0f};
   tile.half_width = {0.0f, 0.0f, 0.0f};
-  widen_by_cut(1e-3, nullptr, tile);
+  widen_by_cut(1e-3, nullptr, nullptr, tile);
   EXPECT_EQ(tile.half_width[1], 0.0f);
 }
 
@@ -233,7 +233,7 @@ TEST(WingLight, WhatACutMakesTooWideSaysSo) {
   tile.reset({0, 0, 2, 1}, 1);
   tile.mean = {1.0f, 101.0f};
   tile.reasons.assign(2, 0);
-  widen_by_cut(1e-3, &percent, tile);
+  widen_by_cut(1e-3, nullptr, &percent, tile);
   EXPECT_NEAR(tile.worst_ratio[0], 0.1 / 0.01, 1e-4);
   EXPECT_NEAR(tile.worst_ratio[1], 0.1 / 1.01, 1e-6);
   EXPECT_EQ(tile.reasons[0], sampling::bit(sampling::Reason::psf_cut));

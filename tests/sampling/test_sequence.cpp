@@ -4,7 +4,6 @@
 #include <set>
 #include <vector>
 
-#include "sampling/halton.h"
 #include "sampling/sequence.h"
 #include "support/statistics.h"
 

@@ -50,11 +50,13 @@ TEST(SmallHighlights, AMirrorDomeIsWithinAPercentWhereverItStands) {
 
 // Planted fault: a dome whose highlight is lost has a tail alone, and one that is twice as rough sends 2 % more.
 TEST(SmallHighlights, ARoughMetalDomeIsWithinAPercentWhereverItStands) {
-  for (const auto& [roughness, disc] : {std::pair{0.02, true}, {0.05, false}}) {
+  for (const auto& [roughness, disc] : {std::pair{0.02, true}, {0.05, false}, {0.1, true}, {0.2, false}}) {
     const JudgedDomes judged =
         judge_domes(dome_metal(roughness), {disc, 0.0}, metal_dome_radiance(roughness), 2, small_study());
     EXPECT_EQ(judged.within, judged.count) << roughness;
     EXPECT_EQ(judged.wrong_and_sure, 0);
+    EXPECT_LE(judged.samples, 200.0)
+        << roughness;  // asked of the rest alone the error takes 350 to 1,600 of the last two
     EXPECT_NEAR(judged.mean, 1.0, 0.006);
     RecordProperty(format("mean_{:g}", roughness), format("{:.5f}", judged.mean));
     RecordProperty(format("samples_{:g}", roughness), format("{:.0f}", judged.samples));

@@ -82,6 +82,7 @@ class Bsdf {
   virtual LobeSlopes lobe_slopes() const { return {}; }
   /// Share of grey() that its lobe makes, 0 to 1.
   virtual double lobe_share(const BsdfEvent&) const { return 0.0; }
+  virtual bool lobe_is_all() const { return false; }  ///< what is not of the lobe its facets reflect again
   /// What that lobe would be if its facets leant by `slope` at least, 1/sr: light that it throws somewhere, spread so far that random
   /// paths find it. Every model whose lobe may throw_rarely() has it.
   virtual double widened_lobe(const BsdfEvent&, double /*slope*/) const { return 0.0; }

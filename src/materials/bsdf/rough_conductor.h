@@ -28,6 +28,7 @@ class RoughConductor final : public TwoLobes {
 
   bool is_isotropic() const override { return facets_.width_x() == facets_.width_y(); }
   LobeSlopes lobe_slopes() const override;
+  bool lobe_is_all() const override { return true; }
   std::span<const radiometry::Spectrum> spectra() const override { return spectra_; }
   void evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                 float* bsdf) const override;

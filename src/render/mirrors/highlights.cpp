@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "geometry/world/surface_survey.h"
 #include "render/polarized/scene_light.h"
@@ -80,10 +79,8 @@ void Highlights::find(std::uint64_t seed, double margin_px) {
   for (const auto& [object, thing] : things) order.emplace_back(thing.radius_m, object);
   std::sort(order.begin(), order.end());
 
-  const double reach =
-      2.0 * std::atan(transport::SunLobes::kLastSlopes * lobes.slopes().most) + sun.half_angle_rad;
-  GlintSearch search(camera_, sun.direction, lobes.slopes().least, std::min(reach, std::numbers::pi),
-                     margin_px, seed, kMostTriangles);
+  GlintSearch search(camera_, sun.direction, lobes.slopes().least, lobes.seen_reach_rad(), margin_px, seed,
+                     kMostTriangles);
   std::vector<GlintPoint> points;
   const auto keep = [&](const GlintPoint& point) {
     points.push_back(point);

@@ -24,7 +24,8 @@ UnseenLight::UnseenLight(const transport::SpectralScene& scene, int column) : co
                       (scene.has_view_path() ? scene.view_transmittance()[n] : 1.0f);
 }
 
-void UnseenLight::settle(const AccuracyTolerance* tolerance, sampling::TileResult& tile) const {
+void UnseenLight::settle(const AccuracyTolerance* tolerance, const sampling::LaterLight* later,
+                         sampling::TileResult& tile) const {
   if (count_ == 0 || tolerance == nullptr || !tile.has_errors()) return;
   const auto columns = static_cast<std::size_t>(tile.columns), column = static_cast<std::size_t>(column_);
   const int width = tile.tile.width(), height = tile.tile.height();
@@ -32,7 +33,7 @@ void UnseenLight::settle(const AccuracyTolerance* tolerance, sampling::TileResul
     return static_cast<double>(tile.mean[static_cast<std::size_t>(y * width + x) * columns + column]);
   };
   std::vector<double> more(sunlight_.size());
-  UnseenWidening widening(*tolerance, more.size(), kNegligible);
+  UnseenWidening widening(*tolerance, more.size(), kNegligible, later);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       double around = 0.0;

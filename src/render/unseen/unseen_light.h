@@ -5,8 +5,9 @@
 #include "transport/path_record.h"
 
 namespace ifov::sampling {
+struct LaterLight;
 struct TileResult;
-}
+}  // namespace ifov::sampling
 namespace ifov::transport {
 class SpectralScene;
 }
@@ -37,8 +38,9 @@ class UnseenLight {
   static constexpr double kNegligible = 0.1;
   /// Widens the half-widths of a finished tile, its columns still whole, by kCaution times what may arrive, in the pixel
   /// or in the mean of its neighbourhood in the tile; pixels that become wider than was asked for get
-  /// Reason::unseen_light. Nothing without a tolerance.
-  void settle(const AccuracyTolerance* tolerance, sampling::TileResult& tile) const;
+  /// Reason::unseen_light. Nothing without a tolerance. `later`: what will join them; may be null.
+  void settle(const AccuracyTolerance* tolerance, const sampling::LaterLight* later,
+              sampling::TileResult& tile) const;
 
  private:
   int column_, count_ = 0;

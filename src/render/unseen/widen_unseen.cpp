@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sampling/pixel_limits.h"
+
 namespace ifov::render {
 
 void UnseenWidening::widen(std::size_t pixel, std::span<const double> more, sampling::TileResult& tile) {
@@ -9,6 +11,7 @@ void UnseenWidening::widen(std::size_t pixel, std::span<const double> more, samp
   if (std::none_of(more.begin(), more.end(), [](double light) { return light > 0.0; })) return;
   const std::size_t first = pixel * static_cast<std::size_t>(tile.columns);
   for (std::size_t c = 0; c < mean_.size(); ++c) mean_[c] = static_cast<double>(tile.mean[first + c]);
+  if (later_ != nullptr) later_->join(pixel, mean_);
   tolerance_.asked(mean_, limit_);
   for (std::size_t c = 0; c < mean_.size(); ++c) {
     if (!(more[c] > negligible_ * limit_[c])) continue;

@@ -11,10 +11,13 @@ namespace ifov::render {
 /// Widens half-widths of finished pixels by light that may reach them and was not found. An object serves one thread.
 class UnseenWidening {
  public:
-  /// Less than a share `negligible` of what was asked for is left alone. Keeps a reference.
-  UnseenWidening(const AccuracyTolerance& tolerance, std::size_t channels, double negligible)
+  /// Less than a share `negligible` of what was asked for is left alone. `later`: light that will join the pixels; null: none.
+  /// Keeps references.
+  UnseenWidening(const AccuracyTolerance& tolerance, std::size_t channels, double negligible,
+                 const sampling::LaterLight* later = nullptr)
       : tolerance_(tolerance),
         negligible_(negligible),
+        later_(later),
         components_(tolerance.with_stokes() ? 4 : 1),
         mean_(channels),
         limit_(channels) {}
@@ -25,6 +28,7 @@ class UnseenWidening {
  private:
   const AccuracyTolerance& tolerance_;
   double negligible_;
+  const sampling::LaterLight* later_;
   std::size_t components_;  // of light that a tile has of each channel
   std::vector<double> mean_, limit_;
 };

@@ -11,8 +11,8 @@
 #include "sampling/accuracy/radiance/spread.h"
 #include "sampling/accuracy/source_grid.h"
 #include "sampling/pixel_footprint.h"
+#include "sampling/pixel_limits.h"
 #include "sampling/tile.h"
-#include "sampling/tolerance.h"
 
 namespace ifov::sampling {
 
@@ -64,6 +64,7 @@ void AllowedErrors::take_from_lattice() {
   for (int dy = -reach; dy <= reach; ++dy)
     for (int dx = -reach; dx <= reach; ++dx)
       pixel_weight.push_back(problem_.footprint->integral(dx - 0.5, dy - 0.5, dx + 0.5, dy + 0.5));
+  PixelLimits limits(*problem_.tolerance, problem_.later);
   std::vector<double> mean(columns), known_mean, limit(columns),
       allowed(static_cast<std::size_t>(problem_.tile.count()) * steering_channels);
   for (int o = 0; o < problem_.tile.count(); ++o) {
@@ -75,8 +76,8 @@ void AllowedErrors::take_from_lattice() {
         const double* from = &source_mean[static_cast<std::size_t>(source + dy * d.width() + dx) * columns];
         for (std::size_t c = 0; c < columns; ++c) mean[c] += *w * from[c];
       }
-    if (mean != known_mean) {
-      problem_.tolerance->limits(mean, limit);
+    if (mean != known_mean || !limits.alike()) {
+      limits.of(static_cast<std::size_t>(o), mean, limit);
       known_mean = mean;
     }
     for (std::size_t n = 0; n < steering_channels; ++n)
@@ -119,11 +120,13 @@ std::vector<double> AllowedErrors::source_means() const {
 
 void AllowedErrors::take_from_sums(OutputIntervals& intervals) {
   const std::size_t n = problem_.steering_channels.size();
+  PixelLimits limits(*problem_.tolerance, problem_.later);
   std::vector<double> mean(values_.columns, 0.0), limit(mean.size());
   for (int p = 0; p < lattice_.domain().count(); ++p) {
-    const OutputSums::Row sum = intervals.sum(grid_.nearest_output(p));
+    const int output = grid_.nearest_output(p);
+    const OutputSums::Row sum = intervals.sum(output);
     for (std::size_t d = 0; d < n; ++d) mean[problem_.steering_channels[d]] = sum.mean[d];
-    problem_.tolerance->limits(mean, limit);
+    limits.of(static_cast<std::size_t>(output), mean, limit);
     for (std::size_t d = 0; d < n; ++d)
       contrast_.allowed(p)[d] = limit[problem_.steering_channels[d]] / unit_;
   }

@@ -10,9 +10,9 @@
 #include "sampling/accuracy/stopping.h"
 #include "sampling/hash.h"
 #include "sampling/pixel_footprint.h"
+#include "sampling/pixel_limits.h"
 #include "sampling/sequence.h"
 #include "sampling/tile.h"
-#include "sampling/tolerance.h"
 
 namespace ifov::sampling {
 
@@ -49,6 +49,7 @@ void draw_from_footprint(const TileProblem& problem, Field& field, std::uint32_t
   const Lattice lattice(source_domain(problem, 0), 1);
   LabelTable table(field.columns());
   RayLedger ledger(field, problem.cancel, lattice, table, nullptr);
+  PixelLimits limits(*problem.tolerance, problem.later);
   const Stopping stopping(problem.tolerance->confidence());
   const std::size_t pixels = static_cast<std::size_t>(problem.tile.count());
 
@@ -94,7 +95,7 @@ void draw_from_footprint(const TileProblem& problem, Field& field, std::uint32_t
             std::max(0.0, squares - kReplicates * mean[c] * mean[c]) / (kReplicates * (kReplicates - 1.0));
         half[c] = stopping.student(test, kReplicates - 1.0) * std::sqrt(variance[c]);
       }
-      problem.tolerance->limits(mean, limit);
+      limits.of(p, mean, limit);
       for (std::size_t c = 0; c < columns; ++c) {
         const std::size_t i = p * columns + c;
         worst = std::max(worst, half[c] / limit[c]);

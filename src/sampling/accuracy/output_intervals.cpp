@@ -11,13 +11,12 @@
 #include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/accuracy/radiance/stratum_moments.h"
 #include "sampling/accuracy/radiance/unseen_values.h"
-#include "sampling/tolerance.h"
 
 namespace ifov::sampling {
 
-OutputIntervals::OutputIntervals(const Tolerance& tolerance, const LabelTable& table, int outputs,
-                                 bool replicates)
-    : tolerance_(tolerance),
+OutputIntervals::OutputIntervals(const Tolerance& tolerance, const LaterLight* later, const LabelTable& table,
+                                 int outputs, bool replicates)
+    : limits_(tolerance, later),
       table_(table),
       stopping_(tolerance.confidence()),
       states_(static_cast<std::size_t>(outputs)),

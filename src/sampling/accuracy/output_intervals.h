@@ -6,21 +6,21 @@
 
 #include "sampling/accuracy/output_state.h"
 #include "sampling/accuracy/output_sums.h"
+#include "sampling/pixel_limits.h"
 
 namespace ifov::sampling {
 
 class LabelTable;
 class LeafIntegrator;
 class Radiance;
-class Tolerance;
 
 /// The intervals of a tile's output pixels, as the values so far have them.
 class OutputIntervals {
  public:
-  /// `replicates`: whether paths have replicates that tell their variance.
-  OutputIntervals(const Tolerance& tolerance, const LabelTable& table, int outputs, bool replicates);
+  /// `later` may be null. `replicates`: whether paths have replicates that tell their variance.
+  OutputIntervals(const Tolerance& tolerance, const LaterLight* later, const LabelTable& table, int outputs,
+                  bool replicates);
 
-  const Tolerance& tolerance() const { return tolerance_; }
   const Stopping& stopping() const { return stopping_; }
   std::vector<OutputState>& states() { return states_; }
 
@@ -30,11 +30,15 @@ class OutputIntervals {
   /// What was gathered last.
   OutputSums::Row sum(int output) { return sums_[output]; }
   std::span<const double> means(int output) const { return sums_.means(output); }
+  /// How wide intervals may be, of an output with these means by column of the field (PixelLimits::of).
+  void limits(int output, std::span<const double> mean, std::span<double> limit) {
+    limits_.of(static_cast<std::size_t>(output), mean, limit);
+  }
   /// Of the interval at the output's test; `column` in the order of those gathered.
   double half_width(int output, std::size_t column);
 
  private:
-  const Tolerance& tolerance_;
+  PixelLimits limits_;
   const LabelTable& table_;
   Stopping stopping_;
   std::vector<OutputState> states_;

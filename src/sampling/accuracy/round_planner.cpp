@@ -16,7 +16,6 @@
 #include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/accuracy/radiance/stratum_moments.h"
 #include "sampling/accuracy/radiance/unseen_values.h"
-#include "sampling/tolerance.h"
 
 namespace ifov::sampling {
 
@@ -82,7 +81,7 @@ bool RoundPlanner::steer_by_more(const Radiance& radiance, const LeafIntegrator&
     if (outputs_[o].test >= outputs_[o].last_test) continue;
     const OutputSums::Row sum = intervals_.sum(o);
     if (!sum.paths_vary(n)) continue;
-    intervals_.tolerance().limits(intervals_.means(o), limit);
+    intervals_.limits(o, intervals_.means(o), limit);
     double worst = 1.0 + 1e-6;
     int column = -1;
     for (std::size_t c = 0; c < n; ++c) {
@@ -136,7 +135,7 @@ bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrat
     output.satisfied = true;
     if (!sum.paths_vary(n)) continue;  // no value would make it better
     for (std::size_t d = 0; d < n; ++d) mean[steering_[d]] = sum.mean[d];
-    intervals_.tolerance().limits(mean, limit);
+    intervals_.limits(o, mean, limit);
     output.path_budget.assign(n, 0.0);
     for (std::size_t d = 0; d < n; ++d) {
       const double limit_d = limit[steering_[d]];

@@ -13,7 +13,6 @@
 #include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/accuracy/random_look.h"
 #include "sampling/tile.h"
-#include "sampling/tolerance.h"
 
 namespace ifov::sampling {
 
@@ -49,7 +48,7 @@ void TileReport::add_intervals(const std::vector<int>& outputs, OutputIntervals&
   for (int o : outputs) {
     const OutputSums::Row sum = intervals.sum(o);
     double worst = 0.0, widest = 0.0;
-    intervals.tolerance().limits(intervals.means(o), limit);
+    intervals.limits(o, intervals.means(o), limit);
     for (std::size_t c = 0; c < n; ++c) {
       const std::size_t i = static_cast<std::size_t>(o) * n + c;
       half[c] = intervals.half_width(o, c);

@@ -33,7 +33,7 @@ TileWork::TileWork(const TileProblem& problem, Field& field, const AccuracyOptio
       recall_(problem, columns_),
       tracing_(problem, field, options, parts, recall_),
       sources_(tracing_.lattice().domain().count()),
-      intervals_(*problem.tolerance, tracing_.table(), problem.tile.count(),
+      intervals_(*problem.tolerance, problem.later, tracing_.table(), problem.tile.count(),
                  !problem.footprint->whole_pixel()),
       report_(tracing_.prober(), tracing_.ledger(), tracing_.table(), options.max_samples_per_pixel, result) {
   result.reset(problem.tile, columns_);

@@ -7,7 +7,7 @@
 #include "core/format.h"
 #include "geometry/world.h"
 #include "io/document/document.h"
-#include "sampling/halton.h"
+#include "sampling/sequence.h"
 #include "sampling/warp.h"
 #include "sensor/psf_wings.h"
 #include "session/assembly/whole/camera_grid.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/world/surface_survey.h"
 #include "materials/bsdf/narrow_lobes.h"
@@ -39,8 +40,12 @@ SunLobes::SunLobes(const scene::Scene& scene, const geometry::SurfaceSurvey& sur
     const materials::Bsdf::LobeSlopes slopes = material.bsdf->lobe_slopes();
     slopes_.least = slopes_.least > 0.0 ? std::min(slopes_.least, slopes.least) : slopes.least;
     slopes_.most = std::max(slopes_.most, slopes.most);
+    if (material.bsdf->lobe_is_all()) seen_reach_rad_ = std::numbers::pi;
     any_throws_rarely_ = any_throws_rarely_ || materials::throws_rarely(*material.bsdf);
   }
+  seen_reach_rad_ = std::max(
+      seen_reach_rad_,
+      std::min(std::numbers::pi, 2.0 * std::atan(kLastSlopes * slopes_.most) + scene.sun->half_angle_rad));
   if (!any_throws_rarely_) return;
   std::vector<geometry::SurfaceSurvey::Ball> balls = survey.balls;
   for (const auto& face : survey.faces) balls.push_back(face.ball);
@@ -71,6 +76,12 @@ double SunLobes::share(const materials::Bsdf& bsdf, const materials::BsdfEvent& 
   if (slopes >= kLastSlopes) return 0.0;
   const double t = std::clamp((kLastSlopes - slopes) / (kLastSlopes - kFirstSlopes), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t) * bsdf.lobe_share(event);
+}
+
+double SunLobes::seen_share(const materials::Bsdf& bsdf, const materials::BsdfEvent& event) {
+  if (bsdf.lobe_is_all() && materials::has_narrow_lobe(bsdf))
+    return event.side == materials::Side::reflected ? 1.0 : 0.0;
+  return share(bsdf, event);
 }
 
 }  // namespace ifov::transport

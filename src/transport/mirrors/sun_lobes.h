@@ -44,6 +44,11 @@ class SunLobes {
 
   /// Share of the sunlight of such an event that is, 0 to 1: of what the lobe makes of it, all but the tail.
   static double share(const materials::Bsdf& bsdf, const materials::BsdfEvent& event);
+  /// The same of what the sensor sees directly. Of a metal it is all: what its facets reflect again is as bright at a thing's rim,
+  /// where it is as small as a highlight.
+  static double seen_share(const materials::Bsdf& bsdf, const materials::BsdfEvent& event);
+  /// How far from the Sun the directions may be, rad, that a sensor would see reflected where that is above 0.
+  double seen_reach_rad() const { return seen_reach_rad_; }
 
   /// Whether rays are sent to a lobe for the sunlight that it throws on others: to targets().
   bool sought(const materials::Bsdf& bsdf) const;
@@ -56,6 +61,7 @@ class SunLobes {
  private:
   const geometry::SurfaceSurvey& survey_;
   materials::Bsdf::LobeSlopes slopes_;
+  double seen_reach_rad_ = 0.0;
   std::vector<bool> flat_;    // by surface assignment: no relief tilts its normals, and no world repeats
   std::vector<bool> tilted_;  // by surface assignment: a relief does
   bool any_throws_rarely_ = false;

@@ -27,6 +27,24 @@ constexpr double kSeenWidth = 0.5;
 /// Only borders that go on, and gently so, may stay unverified: sagitta over chord, by either neighbour.
 constexpr double kGentleBend = 0.1;
 
+/// A corner that the neighbours do not speak against: its height over the chord, and that of the leg over the chord's middle.
+struct PossibleCorner {
+  double height = 0.0, at_middle = 0.0;
+
+  /// `foot`: of the apex, from the chord's nearer or farther end.
+  static PossibleCorner over(double chord, double height, double foot) {
+    const double longer = std::max({foot, chord - foot, 0.5 * chord});
+    return {height, height * 0.5 * chord / longer};
+  }
+  /// The border goes on straight from one end, at an angle of this cosine to the chord, and turns by a right angle towards the
+  /// other end.
+  static PossibleCorner right_angled(double chord, double cosine) {
+    if (cosine <= 0.0) return {};
+    const double square = std::min(1.0, cosine * cosine);
+    return over(chord, chord * std::sqrt(square * (1.0 - square)), chord * square);
+  }
+};
+
 /// Curvature of a border from that found towards its two ends: their mean where they tell of one smooth
 /// curve, the smaller one where a corner on one side makes them differ, none where they bend opposite ways.
 double limited_mean(const double curvature[2], const double weight[2]) {
@@ -71,6 +89,7 @@ CurvePredictor::Verdict CurvePredictor::predict(CurveCheck& check) const {
   const double span = length(middles.b - middles.a);
   Point2 beyond[2];
   int neighbours = 0;
+  PossibleCorner corner;
   bool continued = false;
   for (int end = 0; end < 2; ++end) {
     if (!model_.neighbour_end(curve.bracket[end], curve.cell, beyond[end])) continue;
@@ -80,6 +99,9 @@ CurvePredictor::Verdict CurvePredictor::predict(CurveCheck& check) const {
     curvature[end] = end == 0 ? menger_curvature(beyond[0], middles.a, middles.b, reach, span)
                               : menger_curvature(middles.a, middles.b, beyond[1], span, reach);
     weights[end] = std::min(reach, check.chord);
+    const Point2 here = end == 0 ? a : b, along = here - beyond[end];
+    corner = PossibleCorner::right_angled(
+        check.chord, (end == 0 ? 1.0 : -1.0) * dot(along, d) / (length(along) * check.chord));
     ++neighbours;
   }
   const double blur = model_.blur(curve);
@@ -90,36 +112,50 @@ CurvePredictor::Verdict CurvePredictor::predict(CurveCheck& check) const {
   check.most = kLargestSagitta * check.chord;
   check.least = -check.most;
 
+  const double contrast = contrast_(cell.pixel, curve.inner, curve.outer);
+  const double allowed = pixels_.allowed_deviation(cell.pixel);
   // The neighbours' chords, extended into this cell, meet at the apex of a corner.
+  bool inside = false;
   if (curve.corner) {
     check.apex = curve.origin + (0.5 * (curve.low + curve.high)) * curve.normal;
     check.has_apex = true;
+    corner = {};
   } else if (neighbours == 2) {
     const Point2 u = a - beyond[0], v = b - beyond[1];
     const double turn = cross(u, v);
+    corner = {};
     if (std::abs(turn) > 1e-3 * length(u) * length(v)) {
       const double s = cross(d, v) / turn, t = cross(d, u) / turn;
       check.apex = a + s * u;
-      const bool inside =
-          check.apex.x >= x0 && check.apex.x <= x0 + side && check.apex.y >= y0 && check.apex.y <= y0 + side;
-      check.has_apex = s > 0.0 && t > 0.0 && inside &&
-                       std::abs(dot(check.apex - check.centre, check.normal)) > 2.0 * check.tolerance;
+      if (s > 0.0 && t > 0.0)
+        corner = PossibleCorner::over(check.chord, std::abs(dot(check.apex - check.centre, check.normal)),
+                                      dot(check.apex - a, d) / check.chord);
+      inside = s > 0.0 && t > 0.0 && check.apex.x >= x0 && check.apex.x <= x0 + side && check.apex.y >= y0 &&
+               check.apex.y <= y0 + side;
     }
   }
-  const double contrast = contrast_(cell.pixel, curve.inner, curve.outer);
-  const double allowed = pixels_.allowed_deviation(cell.pixel);
+  // A corner encloses with the chord what an arc of 3/4 of its height does. Where that matters it is asked which of the two there
+  // is, by rays between them; else what is claimed reaches from one to the other.
+  const double cut_off = std::max(0.0, 0.75 * corner.height - std::abs(check.predicted));
+  const bool corner_matters = 2.0 / 3.0 * check.chord * cut_off * contrast > kLooseCurve * allowed;
+  if (corner_matters)
+    check.tolerance = std::min(check.tolerance,
+                               std::max(0.5 * (corner.at_middle - std::abs(check.predicted)), 0.75 * blur));
+  check.has_apex = check.has_apex ||
+                   (inside && std::abs(dot(check.apex - check.centre, check.normal)) > 2.0 * check.tolerance);
   const double hidden = kRefusedShare * check.chord * check.chord * contrast;
   const double bend = std::max(std::abs(curvature[0]), std::abs(curvature[1])) * check.chord / 8.0;
   const double unverified_width =
-      check.chord *
-      (neighbours == 2 ? std::min(kUnverifiedWidth, kAgreedWidth + kBendWidth * bend) : kUnverifiedWidth);
+      std::max(check.chord * (neighbours == 2 ? std::min(kUnverifiedWidth, kAgreedWidth + kBendWidth * bend)
+                                              : kUnverifiedWidth),
+               2.0 * cut_off);
   const auto trusted = [&] {
     const double feature = features_.width_at(cell), spacing = lattice.side_px(0);
     const bool cannot_hide = feature > kSeenWidth * spacing || feature * spacing * contrast < allowed;
     return (feature == INFINITY && neighbours > 0) ||
            (continued && cannot_hide && hidden < kTrustedAnyway * allowed);
   };
-  if (unverified_width <= curve.wanted_middle && bend < kGentleBend && trusted()) {
+  if (unverified_width <= curve.wanted_middle && bend < kGentleBend && !corner_matters && trusted()) {
     check.predicted = std::clamp(check.predicted, check.least, check.most);
     check.low = check.predicted - 0.5 * unverified_width;
     check.high = check.predicted + 0.5 * unverified_width;
