@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/format.h"
+#include "sampling/survey.h"
 
 namespace ifov::sampling {
 
@@ -23,6 +24,7 @@ void TileResult::reset(PixelRect tile_pixels, int column_count, bool with_errors
   worst_ratio.assign(pixels, 0.0f);
   missable_fraction.assign(pixels, 1.0f);
   abundances.clear();
+  column_errors.clear();
   border_share.clear();
   layers.clear();
   halo_samples = pilot_samples = probe_samples = 0;
@@ -84,5 +86,7 @@ std::uint64_t TileResult::bytes() const {
   for (const TileLayer& layer : layers) sum += layer.bytes.size();
   return sum;
 }
+
+std::unique_ptr<const ImageSurvey> PixelSampler::survey(const SurveyRequest&) const { return nullptr; }
 
 }  // namespace ifov::sampling

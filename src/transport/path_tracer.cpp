@@ -44,8 +44,8 @@ PathTracer::PathTracer(const SpectralScene& scene, TransportOptions options)
 PathTracer::~PathTracer() = default;
 
 const PathRecord& PathTracer::trace(std::span<const math::Ray> rays, std::span<const PathKey> keys,
-                                    std::span<geometry::SurfacePoint> first_hits,
-                                    sampling::RayCounts& counts) {
+                                    std::span<geometry::SurfacePoint> first_hits, sampling::RayCounts& counts,
+                                    std::span<const std::uint8_t> whole) {
   counts.primary += rays.size();
   record_.start(rays.size());
   paths_.resize(rays.size());
@@ -64,7 +64,7 @@ const PathRecord& PathTracer::trace(std::span<const math::Ray> rays, std::span<c
         path.seen_height_m = path.met ? hits_[k].position_m.z : 0.0;
       }
     }
-    advance(depth, counts);
+    advance(depth, counts, depth == 0 ? whole : std::span<const std::uint8_t>{});
   }
   for (std::size_t k = 0; k < rays.size() && passages_; ++k)
     for (std::uint32_t also = record_.paths[k].also; also != PathVertex::kNone;
@@ -81,7 +81,7 @@ void PathTracer::trace_segment(sampling::RayCounts& counts, int depth) {
   if (depth > 0) counts.continuation += rays_.size();
 }
 
-void PathTracer::advance(int depth, sampling::RayCounts& counts) {
+void PathTracer::advance(int depth, sampling::RayCounts& counts, std::span<const std::uint8_t> whole) {
   events_.clear();
   directions_.clear();
   shadow_rays_.clear();
@@ -130,7 +130,8 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
     if (event.shadow == kNone || blocked_[event.shadow] != 0) event.vertex.sun_weight = event.rare_sun = 0.0f;
     record_.paths[event.number].unseen += event.rare_sun;
     record_.add(event.number, event.vertex);
-    if (event.vertex.continuation_weight > 0.0f)
+    const bool wanted = whole.empty() || whole[event.path] != 0;
+    if (event.vertex.continuation_weight > 0.0f && wanted)
       next_paths_.push_back({event.next, path.key, event.number, event.next_sees_sun, event.left,
                              event.next_chain, event.next_mirror, event.next_direct, event.next_forks,
                              event.next_share, event.next_medium, event.next_sunlight, event.next_to_lobe});

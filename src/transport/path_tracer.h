@@ -48,9 +48,11 @@ class PathTracer {
   const SunImages& sun_images() const { return images_; }
 
   /// The paths of rays from the sensor; the record holds until the next call. `first_hits` receives what each ray met.
-  /// Adds shadow and continuation rays to `counts`.
+  /// Adds shadow and continuation rays to `counts`. `whole`: by ray, 0 where the path is wanted as far as its first surface alone
+  /// (PathLight::direct()), which is what it is there for others; empty: all are wanted whole.
   const PathRecord& trace(std::span<const math::Ray> rays, std::span<const PathKey> keys,
-                          std::span<geometry::SurfacePoint> first_hits, sampling::RayCounts& counts);
+                          std::span<geometry::SurfacePoint> first_hits, sampling::RayCounts& counts,
+                          std::span<const std::uint8_t> whole = {});
 
  private:
   struct Sides;  // path_sides.h
@@ -72,7 +74,7 @@ class PathTracer {
   /// Which side of a boundary a path goes on to: by chance, or, at a fork, each.
   enum class Branch : std::uint8_t { by_chance, reflected, transmitted };
   void trace_segment(sampling::RayCounts& counts, int depth);
-  void advance(int depth, sampling::RayCounts& counts);
+  void advance(int depth, sampling::RayCounts& counts, std::span<const std::uint8_t> whole);
   void escape(const Path& path);
   /// Whether what a path met is added separately where it is seen by this way: then it goes on as if nothing were there.
   bool passes(const Path& path, const geometry::SurfacePoint& hit) const;
