@@ -80,9 +80,16 @@ void SceneField::levels(const sampling::LevelRequests& of, sampling::LevelSums& 
           beside.add_rest(shares.data() + channels);
         }
       }
+      SurfaceLabel label;
+      label.material = SurfaceLabel::kSky;
+      if (const geometry::SurfacePoint& hit = hits_[k]; hit.hit())
+        label = {hit.instance, hit.patch,
+                 blends_.mixes(hit.material) ? SurfaceLabel::kBlend
+                                             : truth_.of_material[paths.paths[k].seen_material],
+                 hit.front, SunState::none};
+      sums.labels[first + k] = label.pack();
       if (++in_group == of.counts[group]) finish();
     }
-    label_hits(hits_, LabelDetail::material, std::span(sums.labels).subspan(first, count));
   }
 }
 

@@ -57,8 +57,8 @@ PathLight::Levels PathLight::levels(const PathRecord& record, std::size_t k, boo
     add_first(record, record.vertices[path.first], whole);
   else
     one(record, k);
+  if (!whole) return {sum, nullptr};
   std::memcpy(direct, sum, n_ * sizeof(float));
-  if (!whole) return {direct, nullptr};
   std::memset(sum, 0, n_ * sizeof(float));
   if (met) later(record, path);
   if (path.also == PathVertex::kNone) return {direct, sum};

@@ -48,6 +48,7 @@ struct PathRecord {
     math::Vec3 towards_sensor;
     double sensor_height_m = 0.0;   ///< where the first segment starts
     double seen_height_m = 0.0;     ///< of what the first segment met
+    std::uint32_t seen_material = 0;  ///< its first constituent's, if it met anything
     bool met = false;               ///< the first segment met something
     bool escaped = false;           ///< its last segment met nothing
     bool escaped_sees_sun = false;  ///< no sunlight was sent for where that segment starts

@@ -64,7 +64,8 @@ const PathRecord& PathTracer::trace(std::span<const math::Ray> rays, std::span<c
         path.seen_height_m = path.met ? hits_[k].position_m.z : 0.0;
       }
     }
-    advance(depth, counts, depth == 0 ? whole : std::span<const std::uint8_t>{});
+    whole_ = depth == 0 ? whole : std::span<const std::uint8_t>{};
+    advance(depth, counts);
   }
   for (std::size_t k = 0; k < rays.size() && passages_; ++k)
     for (std::uint32_t also = record_.paths[k].also; also != PathVertex::kNone;
@@ -81,7 +82,7 @@ void PathTracer::trace_segment(sampling::RayCounts& counts, int depth) {
   if (depth > 0) counts.continuation += rays_.size();
 }
 
-void PathTracer::advance(int depth, sampling::RayCounts& counts, std::span<const std::uint8_t> whole) {
+void PathTracer::advance(int depth, sampling::RayCounts& counts) {
   events_.clear();
   directions_.clear();
   shadow_rays_.clear();
@@ -99,6 +100,7 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts, std::span<const
       pass(paths_[k], hits_[k]);
     } else if (hits_[k].hit()) {
       const scene::ResolvedSurface surface = scene_.scene().resolve(hits_[k]);
+      if (depth == 0) record_.paths[k].seen_material = surface.constituents[0].material;
       if (passages_ && forks(paths_[k], hits_[k], surface)) {
         const std::uint32_t number = paths_[k].number, twin = fork(number);
         scatter(paths_[k], static_cast<std::uint32_t>(k), surface, depth, Branch::reflected, number);
@@ -130,8 +132,7 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts, std::span<const
     if (event.shadow == kNone || blocked_[event.shadow] != 0) event.vertex.sun_weight = event.rare_sun = 0.0f;
     record_.paths[event.number].unseen += event.rare_sun;
     record_.add(event.number, event.vertex);
-    const bool wanted = whole.empty() || whole[event.path] != 0;
-    if (event.vertex.continuation_weight > 0.0f && wanted)
+    if (event.vertex.continuation_weight > 0.0f)
       next_paths_.push_back({event.next, path.key, event.number, event.next_sees_sun, event.left,
                              event.next_chain, event.next_mirror, event.next_direct, event.next_forks,
                              event.next_share, event.next_medium, event.next_sunlight, event.next_to_lobe});

@@ -74,7 +74,7 @@ class PathTracer {
   /// Which side of a boundary a path goes on to: by chance, or, at a fork, each.
   enum class Branch : std::uint8_t { by_chance, reflected, transmitted };
   void trace_segment(sampling::RayCounts& counts, int depth);
-  void advance(int depth, sampling::RayCounts& counts, std::span<const std::uint8_t> whole);
+  void advance(int depth, sampling::RayCounts& counts);
   void escape(const Path& path);
   /// Whether what a path met is added separately where it is seen by this way: then it goes on as if nothing were there.
   bool passes(const Path& path, const geometry::SurfacePoint& hit) const;
@@ -242,6 +242,7 @@ class PathTracer {
   const SkySampler* sky_ = nullptr;     // of a sky that is not uniform
   const Emitters* emitters_ = nullptr;  // null: none are sought
   PathRecord record_;
+  std::span<const std::uint8_t> whole_;  // by ray, of the first surface; empty: all paths go on
   std::vector<Path> paths_, next_paths_, passing_;
   std::vector<math::Ray> rays_, shadow_rays_;
   std::vector<geometry::SurfacePoint> hits_;

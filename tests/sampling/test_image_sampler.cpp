@@ -198,7 +198,7 @@ TEST(Allocation, MeetsEveryLimitAndNoneByMuch) {
   std::vector<LevelVariances> pixels;
   for (int p = 0; p < 100; ++p)
     pixels.push_back(p % 4 == 0 ? LevelVariances{{4.0, 0.1}, {0.5, 0.1}} : LevelVariances{{0.01, 0.1}, {0.01, 0.1}});
-  const Allocation allocation(pixels, {0.01, 0.01}, kManySamples);
+  const Allocation allocation(pixels, {0.01, 0.01}, 2.0, kManySamples);
   for (const double planned : allocation.planned()) {
     EXPECT_LE(planned, 1.01);
     EXPECT_GT(planned, 0.9);

@@ -13,11 +13,20 @@
 
 namespace ifov::io {
 
+/// How far a channel of an image is off as a whole, W m-2 sr-1 um-1.
+struct ImageError {
+  double mean = 0.0;     ///< the channel's
+  double reached = 0.0;  ///< root mean square over the pixels
+  double limit = 0.0;    ///< of it, of what rays may leave; infinite where the channel is not judged, 0: none was asked for
+  bool audited = false;  ///< measured, and not as samples tell it
+};
+
 /// What is known after the last tile.
 struct RunOutcome {
   std::string accuracy_statement;   ///< plain words: what was asked for, what was reached, where it was not
   std::string detection_statement;  ///< plain words: what could have been missed, with what probability
   std::vector<std::string> notes;   ///< floors, warnings
+  std::vector<ImageError> image_errors;  ///< by channel; empty where pixels are judged one by one
   double elapsed_s = 0.0;
   int threads = 0;   ///< 0: all cores, whose number is then recorded
   std::string date;  ///< when the products were made, UTC, ISO 8601

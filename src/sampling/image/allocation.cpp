@@ -28,8 +28,9 @@ void set_sides(double count, PixelPlan& plan) {
 
 }  // namespace
 
-Allocation::Allocation(std::span<const LevelVariances> pixels, std::vector<double> limit, std::uint32_t most)
-    : most_(most) {
+Allocation::Allocation(std::span<const LevelVariances> pixels, std::vector<double> limit, double rest_cost,
+                       std::uint32_t most)
+    : rest_cost_(rest_cost), most_(most) {
   const std::size_t columns = limit.size();
   std::vector<std::size_t> judged;
   for (std::size_t c = 0; c < columns; ++c)
@@ -145,7 +146,7 @@ Allocation::Numbers Allocation::numbers(double direct_size, double rest_size) co
   const double least = 4.0, most = static_cast<double>(most_);
   const double scale = std::pow(kPilotCount, kExponent - 1.0) * square(1.0 - pilot_direct_weight_);
   const double direct = std::pow(kExponent * direct_size * scale / price_, 1.0 / (1.0 + kExponent));
-  const double rest = std::sqrt(rest_size * square(1.0 - pilot_rest_weight_) / (price_ * kRestCost));
+  const double rest = std::sqrt(rest_size * square(1.0 - pilot_rest_weight_) / (price_ * rest_cost_));
   Numbers n{std::clamp(direct, least, most), std::clamp(rest, double{kLeastWhole}, most)};
   n.direct = std::max(n.direct, n.rest);
   return n;

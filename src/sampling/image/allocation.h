@@ -19,15 +19,16 @@ struct LevelVariances {
 /// of the pixel, whose values come into its estimate with a weight that is the same in all pixels, so that no mean is biased.
 class Allocation {
  public:
-  /// Variances fall as n^-kExponent with n strata of the first level, 1/n in the second, whose values cost kRestCost times as much.
-  static constexpr double kExponent = 1.3, kRestCost = 2.8;
+  /// Variances fall as n^-kExponent with n strata of the first level, 1/n in the second.
+  static constexpr double kExponent = 1.3;
   static constexpr int kPilotSide = 4, kMostSide = 64;
   static constexpr std::uint32_t kPilotWhole = 8, kLeastWhole = 4;
   static constexpr PixelPlan pilot() { return {kPilotSide, kPilotSide, kPilotWhole}; }
 
   /// `pixels` stand for all of the image. `limit`: of the mean squared error by column, infinite where it does not matter.
-  /// `most`: values a pixel may have.
-  Allocation(std::span<const LevelVariances> pixels, std::vector<double> limit, std::uint32_t most);
+  /// `rest_cost`: of a value of the second level, over one of the first. `most`: values a pixel may have.
+  Allocation(std::span<const LevelVariances> pixels, std::vector<double> limit, double rest_cost,
+             std::uint32_t most);
 
   /// What the columns' variances come to in the units of this allocation.
   double direct_size(std::span<const double> variance) const;
@@ -57,6 +58,7 @@ class Allocation {
 
   std::vector<double> column_weight_;  // multipliers over limits
   double price_ = 1.0;                 // of a value, as the reduction of error that it must bring
+  double rest_cost_;
   std::uint32_t most_;
   double pilot_direct_weight_ = 0.0, pilot_rest_weight_ = 0.0;
   std::vector<double> planned_;

@@ -37,7 +37,7 @@ std::unique_ptr<const Audit> Audit::make(const PixelSampler& sampler,
   for (const AuditedPixel& pixel : audited) ++count[pixel.mixed ? kMixed : kPure];
   std::vector<ConformalScore> scores;
   for (std::size_t c = 0; c < columns; ++c) {
-    double sum = 0.0, weights = 0.0, squares = 0.0, stated = 0.0;
+    double sum = 0.0, weights = 0.0, squares = 0.0, fourths = 0.0, stated = 0.0;
     for (const AuditedPixel& pixel : audited) {
       sum += pixel.weight * std::abs(pixel.value[c]);
       weights += pixel.weight;
@@ -46,10 +46,14 @@ std::unique_ptr<const Audit> Audit::make(const PixelSampler& sampler,
     const double least = kPrecision * sum / weights;
     audit->least_variance_[c] = least * least;
     for (const AuditedPixel& pixel : audited) {
-      squares += pixel.weight * (pixel.value[c] - pixel.half[0][c]) * (pixel.value[c] - pixel.half[1][c]);
+      const double square =
+          pixel.weight * (pixel.value[c] - pixel.half[0][c]) * (pixel.value[c] - pixel.half[1][c]);
+      squares += square;
+      fourths += square * square;
       stated += pixel.weight * (pixel.variance[c] + audit->least_variance_[c]);
     }
-    audit->ratios_[c] = stated > 0.0 ? std::max(0.0, squares / stated) : 0.0;
+    // What is less than its own standard error is not told to be less.
+    audit->ratios_[c] = stated > 0.0 ? std::max(squares, std::sqrt(fourths)) / stated : 0.0;
     for (std::size_t k = 0; k < kClasses; ++k) {
       scores.clear();
       double noise = 0.0, all = 0.0;

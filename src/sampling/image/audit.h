@@ -35,7 +35,7 @@ class Audit final : public ImageSurvey {
 
   const ImageSurvey* inner() const { return inner_.get(); }
   std::size_t pixels() const { return pixels_; }
-  /// Mean squared error over the stated variance, by column; at least 0.
+  /// Mean squared error over the stated variance, by column; at least its own standard error.
   const std::vector<double>& ratios() const { return ratios_; }
   /// Of the stated standard deviation, by column.
   double multiplier(PixelClass of, std::size_t column) const { return multipliers_[of][column]; }

@@ -182,7 +182,13 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
   image.tolerance->limits(mean, plan->limits_);
   std::vector<double> squares(columns);
   for (std::size_t c = 0; c < columns; ++c) squares[c] = plan->limits_[c] * plan->limits_[c];
-  plan->allocation_ = std::make_unique<const Allocation>(variances, std::move(squares), most_samples);
+  // Both levels send as many rays to light from each surface that they meet: the first one surface, the second so many.
+  constexpr double kLeastCost = 0.5, kMostCost = 8.0;
+  const double followed = 2.0 * Allocation::kPilotWhole * static_cast<double>(found.size());
+  const double rest_cost =
+      std::clamp(static_cast<double>(plan->rays.continuation) / followed, kLeastCost, kMostCost);
+  plan->allocation_ =
+      std::make_unique<const Allocation>(variances, std::move(squares), rest_cost, most_samples);
   return plan;
 }
 

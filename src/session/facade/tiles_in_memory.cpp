@@ -14,6 +14,7 @@
 #include "sampling/reason_words.h"
 #include "sampling/tile.h"
 #include "session/assembly/whole/sampling_assembly.h"
+#include "session/image_errors.h"
 #include "session/loaded/parts.h"
 #include "session/messages.h"
 #include "session/runs/plan_assembly.h"
@@ -83,6 +84,7 @@ class OtherSampling {
     plan.identity.sampler = plan_.method;
     plan.identity.accuracy_asked = plan_.accuracy_asked;
     plan.judged = tolerance_ != nullptr;
+    plan.image_wide = plan_.request && plan_.request->image_wide;
     plan.knows_errors = plan_.knows_errors;
     plan.tile_px = document_.sampling.tile_px;
   }
@@ -119,6 +121,7 @@ RunResult render_tiles(const Session& session, const TileOptions& options, const
   if (other) other->tell(plan);
   HandingOver program(sink);
   OneValue one_value(program);
+  ImageErrors image_errors(one_value);
   const TimeLimit limit(options.deadline, options.cancel);
   LastProgress progress(options.progress,
                         static_cast<std::int64_t>(plan.image.width_px) * plan.image.height_px);
@@ -129,16 +132,17 @@ RunResult render_tiles(const Session& session, const TileOptions& options, const
   control.cancel = limit.token();
   control.progress = &progress;
   if (options.progress != nullptr) options.progress->phase("");
-  one_value.begin(plan.image);
+  image_errors.begin(plan.image);
   try {
-    render::render_image(job, control, one_value);
+    render::render_image(job, control, image_errors);
   } catch (const Cancelled&) {
     if (!limit.reached()) throw;
   }
   RunResult result;
   result.summary.totals = progress.last();
   result.summary.accuracy_statement =
-      accuracy_statement(plan, progress.last(), program.reasons(), "the time limit came first");
+      accuracy_statement(plan, progress.last(), program.reasons(), "the time limit came first",
+                         image_errors.errors());
   result.summary.judged = plan.judged;
   result.summary.one_value = one_value.holds();
   result.tiles_done = program.count();
