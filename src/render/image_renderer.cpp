@@ -100,8 +100,8 @@ void render_from(TileSource& source, int threads, const std::function<void(std::
 /// Where the image is judged as a whole, no pixel is too wide of its own: what the sampler said of it stands, and light that is not
 /// found or not described.
 void judge_as_image(const std::vector<sampling::Reasons>& sampled, sampling::TileResult& tile) {
-  constexpr sampling::Reasons kOfPixels = bit(sampling::Reason::unseen_light) |
-                                          bit(sampling::Reason::edge) | bit(sampling::Reason::structure);
+  constexpr sampling::Reasons kOfPixels =
+      bit(sampling::Reason::unseen_light) | bit(sampling::Reason::edge) | bit(sampling::Reason::structure);
   for (std::size_t p = 0; p < tile.reasons.size(); ++p)
     tile.reasons[p] = static_cast<sampling::Reasons>(sampled[p] | (tile.reasons[p] & kOfPixels));
   std::fill(tile.worst_ratio.begin(), tile.worst_ratio.end(), 0.0f);

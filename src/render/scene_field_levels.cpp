@@ -29,8 +29,7 @@ void SceneField::levels(const sampling::LevelRequests& of, sampling::LevelSums& 
   if (light_->polarized()) return Field::levels(of, sums);
   const radiometry::SpectralNodes& nodes = scene_.nodes();
   const std::size_t row_length = static_cast<std::size_t>(stride()), in_nodes = scene_.stride(),
-                    channels = nodes.channel_count(),
-                    others = static_cast<std::size_t>(columns()) - channels;
+                    channels = nodes.channel_count(), others = static_cast<std::size_t>(columns()) - channels;
   for (std::vector<float>* rows : {&sums.direct, &sums.direct_variance, &sums.rest, &sums.rest_variance})
     rows->assign(of.counts.size() * row_length, 0.0f);
   sums.labels.resize(of.requests.size());
@@ -39,14 +38,16 @@ void SceneField::levels(const sampling::LevelRequests& of, sampling::LevelSums& 
   std::vector<float> shares(row_length);
   std::size_t group = 0, in_group = 0;
   const auto finish = [&] {
-    float* const rows[] = {sums.direct.data() + group * row_length, sums.direct_variance.data() + group * row_length,
-                           sums.rest.data() + group * row_length, sums.rest_variance.data() + group * row_length};
+    float* const rows[] = {
+        sums.direct.data() + group * row_length, sums.direct_variance.data() + group * row_length,
+        sums.rest.data() + group * row_length, sums.rest_variance.data() + group * row_length};
     spectra.take(mean.data(), variance.data(), rest_mean.data(), rest_variance.data());
     nodes.to_channels(mean.data(), rows[0]);
     variance_to_channels(nodes, variance.data(), rows[1]);
     nodes.to_channels(rest_mean.data(), rows[2]);
     variance_to_channels(nodes, rest_variance.data(), rows[3]);
-    if (others > 0) beside.take(rows[0] + channels, rows[1] + channels, rows[2] + channels, rows[3] + channels);
+    if (others > 0)
+      beside.take(rows[0] + channels, rows[1] + channels, rows[2] + channels, rows[3] + channels);
     spectra.clear();
     beside.clear();
     ++group;

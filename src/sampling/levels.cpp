@@ -5,8 +5,7 @@
 namespace ifov::sampling {
 
 LevelAccumulator::LevelAccumulator(std::size_t length) : length_(length) {
-  for (std::vector<float>* row :
-       {&direct_, &contrast_, &contrast_squares_, &first_, &rest_, &rest_squares_})
+  for (std::vector<float>* row : {&direct_, &contrast_, &contrast_squares_, &first_, &rest_, &rest_squares_})
     row->resize(length);
   clear();
 }

@@ -13,13 +13,14 @@ namespace ifov::sampling {
 /// side, the others below them.
 struct LevelRequests {
   std::span<const PathRequest> requests;
-  std::span<const std::uint8_t> whole;   ///< by request, 0 where only its direct part is wanted
+  std::span<const std::uint8_t> whole;    ///< by request, 0 where only its direct part is wanted
   std::span<const std::uint32_t> counts;  ///< by group, of its requests: a multiple of 4
 };
 
 /// By group and column, in rows of Field::stride() floats.
 struct LevelSums {
-  std::vector<float> direct, rest;  ///< means; of the rest over the requests that are wanted whole, 0 where there are none
+  std::vector<float> direct,
+      rest;  ///< means; of the rest over the requests that are wanted whole, 0 where there are none
   /// Of one value. Direct: about its stratum's mean, from (a - b - c + d) / 2 of each four, which no slope enters. The rest: about
   /// the group's mean; 0 where fewer than two are wanted whole.
   std::vector<float> direct_variance, rest_variance;

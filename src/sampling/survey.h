@@ -16,9 +16,9 @@ class ImageSurvey {
 };
 
 struct SurveyRequest {
-  const TileProblem& image;                              ///< its tile is the whole image
-  std::function<std::unique_ptr<Field>()> field;         ///< one for each thread, like those of the tiles
-  int threads = 0;                                       ///< as of parallel_for(); the result does not depend on it
+  const TileProblem& image;                       ///< its tile is the whole image
+  std::function<std::unique_ptr<Field>()> field;  ///< one for each thread, like those of the tiles
+  int threads = 0;                                ///< as of parallel_for(); the result does not depend on it
 };
 
 }  // namespace ifov::sampling

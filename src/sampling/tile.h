@@ -70,8 +70,9 @@ struct TileLayer {
 struct ColumnError {
   double mean_sum = 0.0;      ///< of the pixels' means
   double variance_sum = 0.0;  ///< of the pixels' variances, as the samples tell them
-  float limit = 0.0f;         ///< of the root mean square over the image; infinite where it is not judged, 0: none was asked for
-  float audited = 0.0f;       ///< mean squared error over those variances, by an audit; 0: there was none
+  float limit =
+      0.0f;  ///< of the root mean square over the image; infinite where it is not judged, 0: none was asked for
+  float audited = 0.0f;  ///< mean squared error over those variances, by an audit; 0: there was none
 };
 
 /// An array of a tile, for whoever treats all of them alike.
@@ -108,7 +109,7 @@ struct TileResult {
   std::vector<Abundance> abundances;  ///< sorted by (pixel, material)
   std::vector<TileLayer> layers;
   std::vector<ColumnError> column_errors;  ///< by column; empty where pixels are judged one by one
-  std::uint64_t halo_samples = 0;                      ///< points queried outside the tile's own pixels
+  std::uint64_t halo_samples = 0;          ///< points queried outside the tile's own pixels
   std::uint64_t pilot_samples = 0, probe_samples = 0;  ///< of all points, by purpose
   RayCounts rays;  ///< as Field::counts(): of this run alone; the other counts include `before`
   std::vector<std::byte> memory;  ///< what a run at a tighter tolerance need not find out again; opaque

@@ -25,7 +25,8 @@ std::vector<io::ImageError> ImageErrors::errors() const {
     for (std::size_t c = 0; c < errors.size(); ++c) {
       const sampling::ColumnError& column = tile.columns[c];
       errors[c].mean += column.mean_sum;
-      errors[c].reached += column.variance_sum * (column.audited > 0.0f ? static_cast<double>(column.audited) : 1.0);
+      errors[c].reached +=
+          column.variance_sum * (column.audited > 0.0f ? static_cast<double>(column.audited) : 1.0);
       errors[c].limit = static_cast<double>(column.limit);
       errors[c].audited = column.audited > 0.0f;
     }

@@ -12,7 +12,7 @@
 namespace ifov::io {
 struct ImageError;
 struct RunPlan;
-}
+}  // namespace ifov::io
 
 namespace ifov::session {
 

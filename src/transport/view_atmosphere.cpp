@@ -64,8 +64,7 @@ void ViewAtmosphere::apply(const PathRecord::Path& path, float* first, float* se
   const std::size_t n = scene_.stride();
   if (const ViewTable* table = scene_.view_table()) {
     if (!path.met && path.towards_sensor.z <= 0.0) return;  // the sky itself
-    const ViewTable::Weights at =
-        table->at(path.towards_sensor, path.seen_height_m, path.sensor_height_m);
+    const ViewTable::Weights at = table->at(path.towards_sensor, path.seen_height_m, path.sensor_height_m);
     see_through(first, at, n);
     if (second != nullptr) dim(second, at, n);
   } else if (scene_.has_view_path()) {

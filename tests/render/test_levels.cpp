@@ -53,7 +53,8 @@ TEST(Levels, AddUpToValues) {
   render::SceneField field(scene, camera, {}, render::LabelDetail::material);
   constexpr int kPixels = 60;
   const std::vector<sampling::PathRequest> requests = requests_of(kPixels);
-  const auto stride = static_cast<std::size_t>(field.stride()), columns = static_cast<std::size_t>(field.columns());
+  const auto stride = static_cast<std::size_t>(field.stride()),
+             columns = static_cast<std::size_t>(field.columns());
   std::vector<sampling::Label> labels(requests.size());
   std::vector<float> values(requests.size() * stride);
   field.values(requests, labels, values);
@@ -70,7 +71,8 @@ TEST(Levels, AddUpToValues) {
   for (std::size_t p = 0; p < kPixels; ++p)
     for (std::size_t c = 0; c < columns; ++c) {
       double mean = 0.0;
-      for (std::size_t k = 0; k < kGroup; ++k) mean += static_cast<double>(values[(p * kGroup + k) * stride + c]) / kGroup;
+      for (std::size_t k = 0; k < kGroup; ++k)
+        mean += static_cast<double>(values[(p * kGroup + k) * stride + c]) / kGroup;
       const std::size_t at = p * stride + c;
       const double sum = static_cast<double>(whole.direct[at]) + static_cast<double>(whole.rest[at]);
       EXPECT_NEAR(sum, mean, 1e-5 * std::abs(mean) + 1e-7);

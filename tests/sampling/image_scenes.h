@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -25,7 +26,8 @@ class TwoLevelField : public sampling::Field {
   /// Planted faults of levels(): what it makes of the second level, and of the first's variances.
   double rest_factor = 1.0;
   bool blind_to_wires = false;
-  bool wrong_exponent = false;  ///< with many strata variances are told too low, as if they fell by one more power of the number
+  bool wrong_exponent =
+      false;  ///< with many strata variances are told too low, as if they fell by one more power of the number
 
   int columns() const override { return kColumns; }
   void labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) override {
@@ -64,16 +66,18 @@ class TwoLevelField : public sampling::Field {
       group.take(&sums.direct[g * stride], &sums.direct_variance[g * stride], &sums.rest[g * stride],
                  &sums.rest_variance[g * stride]);
       for (int c = 0; c < kColumns && wrong_exponent; ++c)
-        sums.direct_variance[g * stride + static_cast<std::size_t>(c)] *= 16.0f / static_cast<float>(of.counts[g]);
+        sums.direct_variance[g * stride + static_cast<std::size_t>(c)] *=
+            std::min(1.0f, 8.0f / static_cast<float>(of.counts[g]));
     }
     counts_.primary += of.requests.size();
   }
-  std::uint32_t material_of(sampling::Label label) const override { return static_cast<std::uint32_t>(label); }
+  std::uint32_t material_of(sampling::Label label) const override {
+    return static_cast<std::uint32_t>(label);
+  }
   sampling::RayCounts counts() const override { return counts_; }
 
   /// Of a whole pixel, by a fine grid.
-  double truth(int i, int j, int c) const {
-    constexpr int n = 80;
+  double truth(int i, int j, int c, int n) const {
     double sum = 0.0;
     for (int b = 0; b < n; ++b)
       for (int a = 0; a < n; ++a) {
@@ -85,7 +89,8 @@ class TwoLevelField : public sampling::Field {
 
  private:
   bool bright(double x, double y) const {
-    return std::fmod(x + border_slope * y + 100.0 * border_period_px, 2.0 * border_period_px) < border_period_px;
+    return std::fmod(x + border_slope * y + 100.0 * border_period_px, 2.0 * border_period_px) <
+           border_period_px;
   }
   sampling::Label label(double x, double y) const { return bright(x, y) ? 1 : 0; }
   bool on_wire(double x, double y) const {
@@ -95,14 +100,18 @@ class TwoLevelField : public sampling::Field {
   }
   double direct_at(double x, double y, int c, bool wires = true) const {
     const double wave = 1.0 + ripple * std::sin(17.0 * x) * std::cos(13.0 * y);
-    return (bright(x, y) ? (c == 0 ? 1.0 : 3.0) : (c == 0 ? 0.2 : 1.0)) * wave + (wires && on_wire(x, y) ? wire_radiance : 0.0);
+    return (bright(x, y) ? (c == 0 ? 1.0 : 3.0) : (c == 0 ? 0.2 : 1.0)) * wave +
+           (wires && on_wire(x, y) ? wire_radiance : 0.0);
   }
-  double rest_mean(double x, double y, int c) const { return (bright(x, y) ? 0.2 : 0.3) * (c == 0 ? 1.0 : 0.5); }
+  double rest_mean(double x, double y, int c) const {
+    return (bright(x, y) ? 0.2 : 0.3) * (c == 0 ? 1.0 : 0.5);
+  }
   double direct(const sampling::PathRequest& r, int c, bool wires = true) const {
     return direct_at(r.point.x_px, r.point.y_px, c, wires);
   }
   double rest(const sampling::PathRequest& r, int c) const {
-    const double u = sampling::unit_double(sampling::hash(r.sequence, r.index));  // of many dimensions: no net helps
+    const double u =
+        sampling::unit_double(sampling::hash(r.sequence, r.index));  // of many dimensions: no net helps
     return rest_mean(r.point.x_px, r.point.y_px, c) * (1.0 - noise - noise * std::log(1.0 - u));
   }
 

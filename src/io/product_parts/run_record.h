@@ -17,7 +17,8 @@ namespace ifov::io {
 struct ImageError {
   double mean = 0.0;     ///< the channel's
   double reached = 0.0;  ///< root mean square over the pixels
-  double limit = 0.0;    ///< of it, of what rays may leave; infinite where the channel is not judged, 0: none was asked for
+  double limit =
+      0.0;  ///< of it, of what rays may leave; infinite where the channel is not judged, 0: none was asked for
   bool audited = false;  ///< measured, and not as samples tell it
 };
 

@@ -7,8 +7,8 @@ namespace ifov::sampling {
 
 namespace {
 
-constexpr int kSteps = 12, kBisections = 32, kWeightRounds = 3;
-constexpr double kPilotCount = Allocation::kPilotSide * Allocation::kPilotSide;
+constexpr int kSteps = 10, kBisections = 26, kWeightRounds = 2;
+constexpr double kPilotCount = Allocation::kPilotAcross * Allocation::kPilotDown;
 
 double square(double x) { return x * x; }
 
@@ -28,7 +28,7 @@ void set_sides(double count, PixelPlan& plan) {
 
 }  // namespace
 
-Allocation::Allocation(std::span<const LevelVariances> pixels, std::vector<double> limit, double rest_cost,
+Allocation::Allocation(std::span<const SurveyedPixel> pixels, std::vector<double> limit, double rest_cost,
                        std::uint32_t most)
     : rest_cost_(rest_cost), most_(most) {
   const std::size_t columns = limit.size();
@@ -37,23 +37,27 @@ Allocation::Allocation(std::span<const LevelVariances> pixels, std::vector<doubl
     if (std::isfinite(limit[c]) && limit[c] > 0.0) judged.push_back(c);
   column_weight_.assign(columns, 0.0);
   planned_.assign(columns, 0.0);
-  std::vector<double> multiplier(judged.size(), 1.0 / static_cast<double>(std::max<std::size_t>(1, judged.size())));
-  std::vector<double> direct_size(pixels.size()), rest_size(pixels.size());
+  std::vector<double> multiplier(judged.size(),
+                                 1.0 / static_cast<double>(std::max<std::size_t>(1, judged.size())));
+  std::vector<double> direct_size(pixels.size()), rest_size(pixels.size()), true_direct(pixels.size()),
+      true_rest(pixels.size());
   const double share = 1.0 / static_cast<double>(std::max<std::size_t>(1, pixels.size()));
   // In units of the limit: what the pilot leaves whatever comes after it, and the rest, by column.
   std::vector<double> pilot_direct(columns, 0.0), pilot_rest(columns, 0.0), error(columns);
-  for (const LevelVariances& pixel : pixels)
+  for (const SurveyedPixel& pixel : pixels)
     for (const std::size_t c : judged) {
-      pilot_direct[c] += share * pixel.direct[c] / kPilotCount / limit[c];
-      pilot_rest[c] += share * pixel.rest[c] / kPilotWhole / limit[c];
+      pilot_direct[c] += share * pixel.judged_by.direct[c] / kPilotCount / limit[c];
+      pilot_rest[c] += share * pixel.judged_by.rest[c] / kPilotWhole / limit[c];
     }
 
   const auto take_sizes = [&] {
     for (std::size_t k = 0; k < judged.size(); ++k)
       column_weight_[judged[k]] = multiplier[k] / limit[judged[k]];
     for (std::size_t p = 0; p < pixels.size(); ++p) {
-      direct_size[p] = this->direct_size(pixels[p].direct);
-      rest_size[p] = this->rest_size(pixels[p].rest);
+      direct_size[p] = this->direct_size(pixels[p].chosen_by.direct);
+      rest_size[p] = this->rest_size(pixels[p].chosen_by.rest);
+      true_direct[p] = this->direct_size(pixels[p].judged_by.direct);
+      true_rest[p] = this->rest_size(pixels[p].judged_by.rest);
     }
   };
   // By column, over the limit, at the price that stands.
@@ -64,11 +68,12 @@ Allocation::Allocation(std::span<const LevelVariances> pixels, std::vector<doubl
       const Numbers n = numbers(direct_size[p], rest_size[p]);
       planned_direct_ += share * n.direct;
       planned_rest_ += share * n.rest;
-      const double of_direct = share * square(1.0 - pilot_direct_weight_) * std::pow(kPilotCount, kExponent - 1.0) *
-                               std::pow(n.direct, -kExponent),
+      const double of_direct = share * square(1.0 - pilot_direct_weight_) *
+                               std::pow(kPilotCount, kExponent - 1.0) * std::pow(n.direct, -kExponent),
                    of_rest = share * square(1.0 - pilot_rest_weight_) / n.rest;
       for (const std::size_t c : judged)
-        error[c] += (pixels[p].direct[c] * of_direct + pixels[p].rest[c] * of_rest) / limit[c];
+        error[c] +=
+            (pixels[p].judged_by.direct[c] * of_direct + pixels[p].judged_by.rest[c] * of_rest) / limit[c];
     }
     for (const std::size_t c : judged)
       error[c] += square(pilot_direct_weight_) * pilot_direct[c] + square(pilot_rest_weight_) * pilot_rest[c];
@@ -81,9 +86,9 @@ Allocation::Allocation(std::span<const LevelVariances> pixels, std::vector<doubl
       double sum = 0.0;
       for (std::size_t p = 0; p < pixels.size(); ++p) {
         const Numbers n = numbers(direct_size[p], rest_size[p]);
-        sum += share * (direct_size[p] * square(1.0 - pilot_direct_weight_) *
+        sum += share * (true_direct[p] * square(1.0 - pilot_direct_weight_) *
                             std::pow(kPilotCount, kExponent - 1.0) * std::pow(n.direct, -kExponent) +
-                        rest_size[p] * square(1.0 - pilot_rest_weight_) / n.rest);
+                        true_rest[p] * square(1.0 - pilot_rest_weight_) / n.rest);
       }
       double of_pilot = 0.0, all = 0.0;
       for (std::size_t k2 = 0; k2 < judged.size(); ++k2) {
@@ -108,10 +113,10 @@ Allocation::Allocation(std::span<const LevelVariances> pixels, std::vector<doubl
     double main_direct = 0.0, main_rest = 0.0, of_direct = 0.0, of_rest = 0.0;
     for (std::size_t p = 0; p < pixels.size(); ++p) {
       const Numbers n = numbers(direct_size[p], rest_size[p]);
-      main_direct += direct_size[p] * std::pow(kPilotCount, kExponent - 1.0) * std::pow(n.direct, -kExponent);
-      main_rest += rest_size[p] / n.rest;
-      of_direct += direct_size[p] / kPilotCount;
-      of_rest += rest_size[p] / kPilotWhole;
+      main_direct += true_direct[p] * std::pow(kPilotCount, kExponent - 1.0) * std::pow(n.direct, -kExponent);
+      main_rest += true_rest[p] / n.rest;
+      of_direct += true_direct[p] / kPilotCount;
+      of_rest += true_rest[p] / kPilotWhole;
     }
     pilot_direct_weight_ = main_direct + of_direct > 0.0 ? main_direct / (main_direct + of_direct) : 0.0;
     pilot_rest_weight_ = main_rest + of_rest > 0.0 ? main_rest / (main_rest + of_rest) : 0.0;
@@ -120,10 +125,23 @@ Allocation::Allocation(std::span<const LevelVariances> pixels, std::vector<doubl
   take_sizes();
   take_price();
   take_errors();
-  // No column above its limit: what is over is taken from the price, which moves all of them alike to first order.
+  // No column above its limit, and below it by the standard error that what is planned has from so few pixels: what is over is taken
+  // from the price, which moves all columns alike to first order.
+  double sum = 0.0, squares = 0.0;
+  for (std::size_t p = 0; p < pixels.size(); ++p) {
+    const Numbers n = numbers(direct_size[p], rest_size[p]);
+    const double of_pixel =
+        true_direct[p] * std::pow(kPilotCount, kExponent - 1.0) * std::pow(n.direct, -kExponent) +
+        true_rest[p] / n.rest;
+    sum += of_pixel;
+    squares += of_pixel * of_pixel;
+  }
+  constexpr double kMostMargin = 0.25;
+  const double margin =
+      sum > 0.0 ? std::min(kMostMargin, std::sqrt(std::max(0.0, squares - sum * sum * share)) / sum) : 0.0;
   for (int k = 0; k < 8; ++k) {
     double worst = 0.0;
-    for (const std::size_t c : judged) worst = std::max(worst, error[c]);
+    for (const std::size_t c : judged) worst = std::max(worst, error[c] / (1.0 - margin));
     if (worst <= 1.001 || worst == 0.0) break;
     price_ /= std::pow(worst, 2.0);
     take_errors();

@@ -10,8 +10,14 @@ namespace ifov::sampling {
 
 /// What a pixel's value would vary by: per column, of one value of either level.
 struct LevelVariances {
-  std::vector<double> direct;  ///< within the strata of PixelPlan's 4 x 4
+  std::vector<double> direct;  ///< within the strata of a pilot
   std::vector<double> rest;
+};
+
+/// A pixel twice: as a pilot shows it, by which its numbers of values are chosen, and as another does, by which what they lead to is
+/// judged. One alone would choose most values where it happens to be too high, and then find that they help.
+struct SurveyedPixel {
+  LevelVariances chosen_by, judged_by;
 };
 
 /// How values are shared out among the pixels of an image so that the mean squared error of no column is above its limit and no
@@ -21,13 +27,13 @@ class Allocation {
  public:
   /// Variances fall as n^-kExponent with n strata of the first level, 1/n in the second.
   static constexpr double kExponent = 1.3;
-  static constexpr int kPilotSide = 4, kMostSide = 64;
-  static constexpr std::uint32_t kPilotWhole = 8, kLeastWhole = 4;
-  static constexpr PixelPlan pilot() { return {kPilotSide, kPilotSide, kPilotWhole}; }
+  static constexpr int kPilotAcross = 4, kPilotDown = 2, kMostSide = 64;
+  static constexpr std::uint32_t kPilotWhole = 6, kLeastWhole = 4;
+  static constexpr PixelPlan pilot() { return {kPilotAcross, kPilotDown, kPilotWhole}; }
 
   /// `pixels` stand for all of the image. `limit`: of the mean squared error by column, infinite where it does not matter.
   /// `rest_cost`: of a value of the second level, over one of the first. `most`: values a pixel may have.
-  Allocation(std::span<const LevelVariances> pixels, std::vector<double> limit, double rest_cost,
+  Allocation(std::span<const SurveyedPixel> pixels, std::vector<double> limit, double rest_cost,
              std::uint32_t most);
 
   /// What the columns' variances come to in the units of this allocation.

@@ -22,8 +22,7 @@ std::unique_ptr<const Audit> Audit::make(const PixelSampler& sampler,
   std::unique_ptr<Audit> audit(new Audit());
   audit->inner_ = std::move(inner);
   if (audit->inner_ != nullptr) audit->rays = audit->inner_->rays;
-  const double confidence =
-      request.image.tolerance != nullptr ? request.image.tolerance->confidence() : 0.95;
+  const double confidence = request.image.tolerance != nullptr ? request.image.tolerance->confidence() : 0.95;
   const std::vector<AuditedPixel> audited =
       audited_pixels(sampler, audit->inner_.get(), request, pixels, audit->rays);
   audit->pixels_ = audited.size();

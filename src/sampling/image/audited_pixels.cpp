@@ -51,7 +51,8 @@ void measure(const TileProblem& image, const Place& place, Field& field, Audited
     for_each_value(
         field, image.cancel, points.requests.size(), [&](std::size_t k) { return points.requests[k]; },
         [&](std::size_t, Label, const float* values) {
-          for (std::size_t c = 0; c < columns; ++c) pixel.half[h][c] += share * static_cast<double>(values[c]);
+          for (std::size_t c = 0; c < columns; ++c)
+            pixel.half[h][c] += share * static_cast<double>(values[c]);
         });
   }
 }
@@ -78,8 +79,8 @@ void for_each_pixel(const SurveyRequest& request, std::size_t count, RayCounts& 
 std::vector<AuditedPixel> audited_pixels(const PixelSampler& sampler, const ImageSurvey* survey,
                                          const SurveyRequest& request, int wanted, RayCounts& rays) {
   const TileProblem& image = request.image;
-  const std::vector<Place> places = spread_places(
-      image.image, kCandidates * static_cast<std::size_t>(wanted), hash(image.seed, kAuditPlaces));
+  const std::vector<Place> places = spread_places(image.image, kCandidates * static_cast<std::size_t>(wanted),
+                                                  hash(image.seed, kAuditPlaces));
   std::vector<AuditedPixel> candidates(places.size());
   for_each_pixel(request, places.size(), rays, [&](std::size_t k, Field& field) {
     sample_alone(sampler, survey, image, places[k], field, candidates[k]);

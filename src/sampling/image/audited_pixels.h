@@ -10,9 +10,9 @@ namespace ifov::sampling {
 
 /// A pixel as a sampler has it, and as it was measured beside that.
 struct AuditedPixel {
-  double weight = 1.0;  ///< pixels of the image that it stands for, up to a factor
-  bool mixed = false;   ///< more than one material
-  std::vector<double> value, variance;         ///< by column, as the sampler says
+  double weight = 1.0;                        ///< pixels of the image that it stands for, up to a factor
+  bool mixed = false;                         ///< more than one material
+  std::vector<double> value, variance;        ///< by column, as the sampler says
   std::array<std::vector<double>, 2> half{};  ///< independent means of many values
 };
 

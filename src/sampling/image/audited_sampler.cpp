@@ -35,7 +35,8 @@ void AuditedSampler::sample(const TileProblem& problem, Field& field, TileResult
   if (audit->pixels() == 0) return;
   for (std::size_t c = 0; c < columns; ++c) {
     result.column_errors[c].audited = static_cast<float>(audit->ratios()[c]);
-    result.column_errors[c].variance_sum += audit->least_variance(c) * static_cast<double>(result.samples.size());
+    result.column_errors[c].variance_sum +=
+        audit->least_variance(c) * static_cast<double>(result.samples.size());
   }
   const std::vector<Audit::PixelClass> classes = classes_of(result);
   for (std::size_t at = 0; at < result.half_width.size(); ++at) {

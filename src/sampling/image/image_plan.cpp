@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::uint64_t kSurveyPaths = 0x737572766579ull, kSurveyPlaces = 0x706c61636573ull;
 constexpr std::size_t kSurveyChunk = 32;
-/// Kinds of fewer pixels are told by those of all.
-constexpr double kLeastOfKind = 8.0;
+/// Kinds of fewer pilots are told by those of all.
+constexpr double kLeastOfKind = 16.0;
 
 }  // namespace
 
@@ -47,11 +47,13 @@ namespace {
 struct Surveyed {
   std::uint32_t material = 0;
   bool mixed = false;
-  std::vector<double> mean, direct_apart, rest_apart;  // of the pilots' means: their mean, and half their difference
-  LevelVariances variances;                            // means of the two
+  std::vector<double> mean, direct_apart,
+      rest_apart;  // of the pilots' means: their mean, and half their difference
+  std::array<LevelVariances, 2> variances;
 };
 
-void look(const SurveyRequest& request, std::span<const Place> places, Field& field, std::span<Surveyed> found) {
+void look(const SurveyRequest& request, std::span<const Place> places, Field& field,
+          std::span<Surveyed> found) {
   const TileProblem& image = request.image;
   PixelPoints points;
   for (const Place& place : places)
@@ -61,14 +63,16 @@ void look(const SurveyRequest& request, std::span<const Place> places, Field& fi
   LevelSums sums;
   field.levels({points.requests, points.whole, points.counts}, sums);
   const std::size_t columns = static_cast<std::size_t>(field.columns()),
-                    stride = static_cast<std::size_t>(field.stride()), labels = 2 * Allocation::pilot().count();
+                    stride = static_cast<std::size_t>(field.stride()),
+                    labels = 2 * Allocation::pilot().count();
   for (std::size_t p = 0; p < places.size(); ++p) {
     Surveyed& pixel = found[p];
     const std::span<const Label> own = std::span<const Label>(sums.labels).subspan(p * labels, labels);
     pixel.material = main_material(field, own);
     pixel.mixed = shows_several(field, own);
-    for (std::vector<double>* row : {&pixel.mean, &pixel.direct_apart, &pixel.rest_apart,
-                                     &pixel.variances.direct, &pixel.variances.rest})
+    for (std::vector<double>* row :
+         {&pixel.mean, &pixel.direct_apart, &pixel.rest_apart, &pixel.variances[0].direct,
+          &pixel.variances[0].rest, &pixel.variances[1].direct, &pixel.variances[1].rest})
       row->resize(columns);
     for (std::size_t c = 0; c < columns; ++c) {
       const std::size_t a = 2 * p * stride + c, b = a + stride;
@@ -81,8 +85,10 @@ void look(const SurveyRequest& request, std::span<const Place> places, Field& fi
       pixel.mean[c] = half_sum(sums.direct) + half_sum(sums.rest);
       pixel.direct_apart[c] = half_difference(sums.direct);
       pixel.rest_apart[c] = half_difference(sums.rest);
-      pixel.variances.direct[c] = half_sum(sums.direct_variance);
-      pixel.variances.rest[c] = half_sum(sums.rest_variance);
+      for (const std::size_t h : {0, 1}) {
+        pixel.variances[h].direct[c] = static_cast<double>(sums.direct_variance[h == 0 ? a : b]);
+        pixel.variances[h].rest[c] = static_cast<double>(sums.rest_variance[h == 0 ? a : b]);
+      }
     }
   }
 }
@@ -113,10 +119,18 @@ class Factor {
 
 }  // namespace
 
+void ImagePlan::moderate_pilot(LevelVariances& own, std::uint32_t material) const {
+  const LevelVariances& of_kind = kind(material).mean;
+  for (std::size_t c = 0; c < own.direct.size(); ++c) {
+    own.direct[c] =
+        moderated(own.direct[c], Allocation::pilot().count() / 4.0, of_kind.direct[c], kDirectPrior);
+    own.rest[c] = moderated(own.rest[c], Allocation::kPilotWhole - 1.0, of_kind.rest[c], kRestPrior);
+  }
+}
+
 std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, std::uint32_t most_samples) {
   const TileProblem& image = request.image;
-  const std::int64_t wanted =
-      std::clamp<std::int64_t>(image.image.count() / 8, kLeastPixels, kMostPixels);
+  const std::int64_t wanted = std::clamp<std::int64_t>(image.image.count() / 8, kLeastPixels, kMostPixels);
   const std::vector<Place> places =
       spread_places(image.image, static_cast<std::size_t>(wanted), hash(image.seed, kSurveyPlaces));
   std::vector<Surveyed> found(places.size());
@@ -143,10 +157,13 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
       mean[c] += pixel.mean[c] / static_cast<double>(found.size());
       const double direct = pixel.direct_apart[c], beyond = pixel.rest_apart[c],
                    direct_found = 2.0 * direct * (direct + 2.0 * beyond),
-                   direct_told = pixel.variances.direct[c] / Allocation::pilot().count();
+                   direct_told = 0.5 * (pixel.variances[0].direct[c] + pixel.variances[1].direct[c]) /
+                                 Allocation::pilot().count(),
+                   rest_told = 0.5 * (pixel.variances[0].rest[c] + pixel.variances[1].rest[c]) /
+                               Allocation::kPilotWhole;
       own.add(c, direct_found, direct_told);
       all.add(c, direct_found, direct_told);
-      rest.add(c, 2.0 * beyond * beyond, pixel.variances.rest[c] / Allocation::kPilotWhole);
+      rest.add(c, 2.0 * beyond * beyond, rest_told);
     }
   }
   plan->direct_factor_ = {pure.of(all.of(1.0)), mixed.of(all.of(1.0))};
@@ -161,14 +178,13 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
     }
     kind.pixels += 1.0;
   };
-  std::vector<LevelVariances> variances;
-  for (Surveyed& pixel : found) {
-    for (double& value : pixel.variances.direct) value *= plan->direct_factor(pixel.mixed);
-    for (double& value : pixel.variances.rest) value *= plan->rest_factor_;
-    add(plan->all_, pixel.variances);
-    add(plan->kinds_[pixel.material], pixel.variances);
-    variances.push_back(std::move(pixel.variances));
-  }
+  for (Surveyed& pixel : found)
+    for (LevelVariances& variances : pixel.variances) {
+      for (double& value : variances.direct) value *= plan->direct_factor(pixel.mixed);
+      for (double& value : variances.rest) value *= plan->rest_factor_;
+      add(plan->all_, variances);
+      add(plan->kinds_[pixel.material], variances);
+    }
   std::erase_if(plan->kinds_, [](const auto& entry) { return entry.second.pixels < kLeastOfKind; });
   const auto average = [](Kind& kind) {
     for (std::vector<double>* values : {&kind.mean.direct, &kind.mean.rest})
@@ -180,6 +196,14 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
   // What is asked of a pixel like the image's mean is asked of the image.
   plan->limits_.assign(columns, std::numeric_limits<double>::infinity());
   image.tolerance->limits(mean, plan->limits_);
+  // Each pilot chooses, as it will in tiles, and the pixel's other one judges.
+  std::vector<SurveyedPixel> pixels;
+  for (const Surveyed& pixel : found)
+    for (const std::size_t h : {0, 1}) {
+      SurveyedPixel surveyed{pixel.variances[h], pixel.variances[1 - h]};
+      plan->moderate_pilot(surveyed.chosen_by, pixel.material);
+      pixels.push_back(std::move(surveyed));
+    }
   std::vector<double> squares(columns);
   for (std::size_t c = 0; c < columns; ++c) squares[c] = plan->limits_[c] * plan->limits_[c];
   // Both levels send as many rays to light from each surface that they meet: the first one surface, the second so many.
@@ -187,8 +211,7 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
   const double followed = 2.0 * Allocation::kPilotWhole * static_cast<double>(found.size());
   const double rest_cost =
       std::clamp(static_cast<double>(plan->rays.continuation) / followed, kLeastCost, kMostCost);
-  plan->allocation_ =
-      std::make_unique<const Allocation>(variances, std::move(squares), rest_cost, most_samples);
+  plan->allocation_ = std::make_unique<const Allocation>(pixels, std::move(squares), rest_cost, most_samples);
   return plan;
 }
 

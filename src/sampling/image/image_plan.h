@@ -40,6 +40,9 @@ class ImagePlan final : public ImageSurvey {
   double direct_factor(bool mixed) const { return direct_factor_[mixed ? 1 : 0]; }
   double rest_factor() const { return rest_factor_; }
 
+  /// A pilot's variances, factors included, put together with those of its pixel's kind.
+  void moderate_pilot(LevelVariances& own, std::uint32_t material) const;
+
   /// Values of its own that those of its kind count for when a pixel's variance is told: few in the first level, because edges are
   /// where they are; more in the second, which is alike in a kind.
   static constexpr double kDirectPrior = 2.0, kRestPrior = 7.0;

@@ -31,16 +31,17 @@ class ImageChunk {
         result_(result),
         columns_(static_cast<std::size_t>(field.columns())),
         stride_(static_cast<std::size_t>(field.stride())),
-        quantile_(two_sided_normal(confidence_of(problem))),
-        variance_(columns_) {}
+        quantile_(two_sided_normal(confidence_of(problem))) {}
 
   void sample(std::size_t first, std::size_t last) {
-    draw(first, last, kPilotPaths, [](std::size_t) { return Allocation::pilot(); }, pilot_);
+    draw(
+        first, last, kPilotPaths, [](std::size_t) { return Allocation::pilot(); }, pilot_);
     plans_.clear();
     cut_.clear();
     materials_.clear();
     for (std::size_t p = first; p < last; ++p) choose(p - first);
-    draw(first, last, kMainPaths, [&](std::size_t p) { return plans_[p - first]; }, main_);
+    draw(
+        first, last, kMainPaths, [&](std::size_t p) { return plans_[p - first]; }, main_);
     label_ = 0;
     for (std::size_t p = first; p < last; ++p) write(p, p - first);
   }
@@ -66,18 +67,17 @@ class ImageChunk {
   void choose(std::size_t in_chunk) {
     const std::size_t row = in_chunk * stride_;
     materials_.push_back(main_material(field_, pilot_labels(in_chunk)));
-    const LevelVariances& kind = plan_.kind(materials_.back()).mean;
     const Allocation& allocation = plan_.allocation();
     const double direct_factor = plan_.direct_factor(shows_several(field_, pilot_labels(in_chunk)));
-    for (std::size_t c = 0; c < columns_; ++c)
-      variance_[c] =
-          ImagePlan::moderated(direct_factor * static_cast<double>(pilot_.direct_variance[row + c]),
-                               kPilotFours, kind.direct[c], ImagePlan::kDirectPrior);
-    const double direct = allocation.direct_size(variance_);
-    for (std::size_t c = 0; c < columns_; ++c)
-      variance_[c] = ImagePlan::moderated(plan_.rest_factor() * static_cast<double>(pilot_.rest_variance[row + c]),
-                                          Allocation::kPilotWhole - 1.0, kind.rest[c], ImagePlan::kRestPrior);
-    const double rest = allocation.rest_size(variance_);
+    variances_.direct.resize(columns_);
+    variances_.rest.resize(columns_);
+    for (std::size_t c = 0; c < columns_; ++c) {
+      variances_.direct[c] = direct_factor * static_cast<double>(pilot_.direct_variance[row + c]);
+      variances_.rest[c] = plan_.rest_factor() * static_cast<double>(pilot_.rest_variance[row + c]);
+    }
+    plan_.moderate_pilot(variances_, materials_.back());
+    const double direct = allocation.direct_size(variances_.direct),
+                 rest = allocation.rest_size(variances_.rest);
     plans_.push_back(allocation.plan(direct, rest));
     cut_.push_back(allocation.is_cut(direct, rest) ? 1 : 0);
   }
@@ -104,9 +104,10 @@ class ImageChunk {
       estimate.mean[c] = direct_weight * d(pilot_.direct) + (1.0 - direct_weight) * d(main_.direct) +
                          rest_weight * d(pilot_.rest) + (1.0 - rest_weight) * d(main_.rest);
       const double fours = count / 4.0,
-                   own = direct_factor *
-                         (fours * d(main_.direct_variance) + kPilotFours * finer * d(pilot_.direct_variance)) /
-                         (fours + kPilotFours),
+                   own =
+                       direct_factor *
+                       (fours * d(main_.direct_variance) + kPilotFours * finer * d(pilot_.direct_variance)) /
+                       (fours + kPilotFours),
                    fine = ImagePlan::moderated(own, fours + kPilotFours, finer * kind.direct[c],
                                                ImagePlan::kDirectPrior);
       const double own_rest = rest_factor *
@@ -148,7 +149,7 @@ class ImageChunk {
     }
   }
 
-  static constexpr double kPilotFours = Allocation::kPilotSide * Allocation::kPilotSide / 4.0;
+  static constexpr double kPilotFours = Allocation::kPilotAcross * Allocation::kPilotDown / 4.0;
 
   const TileProblem& problem_;
   const ImagePlan& plan_;
@@ -156,7 +157,7 @@ class ImageChunk {
   TileResult& result_;
   std::size_t columns_, stride_;
   double quantile_;
-  std::vector<double> variance_;
+  LevelVariances variances_;
   PixelPoints points_;
   LevelSums pilot_, main_;
   std::vector<PixelPlan> plans_;

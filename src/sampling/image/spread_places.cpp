@@ -19,8 +19,8 @@ std::vector<Place> spread_places(const PixelRect& image, std::size_t count, std:
   for (std::size_t k = 0; k < count; ++k) {
     const double x = std::fmod(x0 + kX * static_cast<double>(k), 1.0),
                  y = std::fmod(y0 + kY * static_cast<double>(k), 1.0);
-    places.push_back({image.x0 + static_cast<int>(x * image.width()),
-                      image.y0 + static_cast<int>(y * image.height())});
+    places.push_back(
+        {image.x0 + static_cast<int>(x * image.width()), image.y0 + static_cast<int>(y * image.height())});
   }
   return places;
 }

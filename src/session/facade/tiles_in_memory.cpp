@@ -140,9 +140,8 @@ RunResult render_tiles(const Session& session, const TileOptions& options, const
   }
   RunResult result;
   result.summary.totals = progress.last();
-  result.summary.accuracy_statement =
-      accuracy_statement(plan, progress.last(), program.reasons(), "the time limit came first",
-                         image_errors.errors());
+  result.summary.accuracy_statement = accuracy_statement(plan, progress.last(), program.reasons(),
+                                                         "the time limit came first", image_errors.errors());
   result.summary.judged = plan.judged;
   result.summary.one_value = one_value.holds();
   result.tiles_done = program.count();

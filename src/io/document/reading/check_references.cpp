@@ -85,9 +85,10 @@ class ReferenceCheck {
   void check_error() const {
     const auto* accuracy = sampler_as<AccuracySampling>(document_.sampling);
     if (accuracy != nullptr && accuracy->of_image() && document_.sensor.stokes)
-      throw document_error(document_.sources, accuracy->position,
-                           "\"of\": \"image\" does not judge Q, U and V, and the sensor has \"stokes\": true: ask for "
-                           "errors of pixels (\"of\": \"pixel\"), or sample by a grid");
+      throw document_error(
+          document_.sources, accuracy->position,
+          "\"of\": \"image\" does not judge Q, U and V, and the sensor has \"stokes\": true: ask for "
+          "errors of pixels (\"of\": \"pixel\"), or sample by a grid");
     if (accuracy == nullptr || accuracy->error.unit != ErrorSize::Unit::polarization ||
         document_.sensor.stokes)
       return;

@@ -31,16 +31,18 @@ SchemaType<std::shared_ptr<const SamplerSettings>> accuracy_type() {
           "polarization in percentage points (of a sensor with 'stokes'); never finer than "
           "1e-5 of the value, the precision of the products; reflectance is not judged in channels where a white "
           "surface sends less than 1 % of what the air does")
-      .with_default("of", &AccuracySampling::of,
-                    choice<AccuracySampling::Of>(
-                        {{"pixel", AccuracySampling::Of::pixel}, {"image", AccuracySampling::Of::image}}),
-                    "\"pixel\"",
-                    "what the error is of: the half-width of every pixel's interval; or the root mean square over the "
-                    "image's pixels, channel by channel, where percent are of the channel's mean over the image, and "
-                    "kelvin at it")
-      .optional("audit", &AccuracySampling::audit, audit_type(),
-                "of an image: how many of its pixels are measured once more by independent rays (each takes some "
-                "400 values), from which half-widths and the image's error are calibrated; 200 do for most")
+      .with_default(
+          "of", &AccuracySampling::of,
+          choice<AccuracySampling::Of>(
+              {{"pixel", AccuracySampling::Of::pixel}, {"image", AccuracySampling::Of::image}}),
+          "\"pixel\"",
+          "what the error is of: the half-width of every pixel's interval; or the root mean square over the "
+          "image's pixels, channel by channel, where percent are of the channel's mean over the image, and "
+          "kelvin at it")
+      .optional(
+          "audit", &AccuracySampling::audit, audit_type(),
+          "of an image: how many of its pixels are measured once more by independent rays (each takes some "
+          "400 values), from which half-widths and the image's error are calibrated; 200 do for most")
       .with_default("confidence", &AccuracySampling::confidence, fraction({0.5, 1.0, false, true, {}}),
                     "0.95", "probability with which the interval holds the true value")
       .optional("channel", &AccuracySampling::channel, name_of("a channel"), "that is judged; without it all")

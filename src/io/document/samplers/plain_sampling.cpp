@@ -24,16 +24,17 @@ SchemaType<std::array<int, 2>> elements_type() { return tuple<int, 2>(integer(1,
 
 SchemaType<std::shared_ptr<const SamplerSettings>> grid_type() {
   Record<GridSampling> record("grid sampling", "Rays through the centres of equal cells of each pixel.");
-  record.required("elements",
-                  via(
-                      [](GridSampling& grid, std::array<int, 2> n) {
-                        grid.columns = n[0];
-                        grid.rows = n[1];
-                      },
-                      [](const GridSampling& grid) {
-                        return std::array{grid.columns, grid.rows};
-                      }),
-                  elements_type(), "cells across and down")
+  record
+      .required("elements",
+                via(
+                    [](GridSampling& grid, std::array<int, 2> n) {
+                      grid.columns = n[0];
+                      grid.rows = n[1];
+                    },
+                    [](const GridSampling& grid) {
+                      return std::array{grid.columns, grid.rows};
+                    }),
+                elements_type(), "cells across and down")
       .optional("audit", &GridSampling::audit, audit_type(), kAuditWords);
   return sampler_type(record.type());
 }

@@ -79,9 +79,9 @@ struct Plan {
             ? format("an RMS over the image of {}{}", io::text_of(source.error),
                      source.channel ? format(" in channel '{}'", source.channel->name) : " in every channel")
             : format("{}{}, confidence {:g} % {}", io::text_of(source.error),
-               source.channel ? format(" in channel '{}'", source.channel->name) : " in every channel",
-               100.0 * source.confidence,
-               source.simultaneous ? "for all pixels and channels together" : "per pixel and channel");
+                     source.channel ? format(" in channel '{}'", source.channel->name) : " in every channel",
+                     100.0 * source.confidence,
+                     source.simultaneous ? "for all pixels and channels together" : "per pixel and channel");
     plan.steering_channels =
         render::steering_channels_of(static_cast<int>(channels.size()), request.channels);
     plan.request = std::move(request);
@@ -110,9 +110,10 @@ void check_image_size(const io::DocumentSources& sources, const io::SamplingDocu
                       std::int64_t pixels) {
   const auto* accuracy = io::sampler_as<io::AccuracySampling>(sampling);
   if (accuracy != nullptr && accuracy->of_image() && pixels < 2)
-    throw io::document_error(sources, accuracy->position,
-                             "the error is asked of the image, and the image is one pixel: \"of\": \"pixel\" is "
-                             "of each pixel's own interval");
+    throw io::document_error(
+        sources, accuracy->position,
+        "the error is asked of the image, and the image is one pixel: \"of\": \"pixel\" is "
+        "of each pixel's own interval");
   const std::optional<int> audited = sampling.method->audited_pixels();
   if (audited && *audited > pixels)
     throw io::document_error(
