@@ -1,12 +1,22 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "materials/bsdf/mirror.h"
+#include "render/image_renderer.h"
 #include "render/scene_field.h"
+#include "render/tile_grid.h"
+#include "render/tile_sink.h"
+#include "render/tolerance/accuracy_tolerance.h"
+#include "render/tolerance/channel_brightness.h"
 #include "sampling/hash.h"
+#include "sampling/image/audited_sampler.h"
+#include "sampling/image/image_sampler.h"
 #include "sampling/levels.h"
+#include "sampling/pixel_footprint.h"
 #include "sampling/random.h"
 #include "sensor/orthographic_camera.h"
 #include "transport/small_scene.h"
@@ -118,6 +128,77 @@ TEST(Levels, TellVariances) {
   EXPECT_FLOAT_EQ(direct_variance[0], 0.25f * 16.0f / 2.0f);
   EXPECT_FLOAT_EQ(direct_variance[1], 0.25f * 1.0f / 2.0f);
   EXPECT_FLOAT_EQ(rest_variance[0], (46.0f - 14.0f * 14.0f / 8) / 7);
+}
+
+/// Puts tiles together.
+struct Whole final : render::TileSink {
+  Whole(int side, int columns)
+      : side(side), mean(static_cast<std::size_t>(side * side * columns)), half_width(mean.size()) {}
+  void begin(const render::ImageInfo&) override {}
+  void write(const sampling::TileResult& tile) override {
+    const std::scoped_lock lock(mutex);
+    const auto columns = static_cast<std::size_t>(tile.columns);
+    std::size_t from = 0;
+    for (int y = tile.tile.y0; y < tile.tile.y1; ++y)
+      for (int x = tile.tile.x0; x < tile.tile.x1; ++x)
+        for (std::size_t c = 0; c < columns; ++c, ++from) {
+          mean[static_cast<std::size_t>(y * side + x) * columns + c] = tile.mean[from];
+          half_width[static_cast<std::size_t>(y * side + x) * columns + c] = tile.half_width[from];
+        }
+    converged += tile.converged_count();
+    for (const sampling::ColumnError& error : tile.column_errors)
+      limits += error.limit > 0.0f && error.audited > 0.0f;
+  }
+  int side;
+  std::vector<float> mean, half_width;
+  std::int64_t converged = 0, limits = 0;
+  std::mutex mutex;
+};
+
+// Every tile finds the same of the image, whichever process asks, so that no byte depends on tiles, their order or threads.
+TEST(ImageWide, IsTheSameInAnyTilesThreadsAndShares) {
+  Yard yard;
+  const sensor::OrthographicCamera camera(yard.settings);
+  const transport::SpectralScene& scene = yard.scene.build();
+  const sampling::PixelFootprint footprint = sampling::PixelFootprint::box(1.0);
+  const render::ChannelBrightness brightness(scene.nodes());
+  render::AccuracyRequest request;
+  request.unit = render::ErrorUnit::percent;
+  request.error = 0.02;
+  request.image_wide = true;
+  const int side = yard.settings.width_px, columns = static_cast<int>(scene.nodes().channel_count());
+  const render::AccuracyTolerance tolerance(request, brightness, scene.white_reflected(), side * side);
+  const sampling::AuditedSampler sampler(std::make_unique<sampling::ImageSampler>(4096), 30);
+  render::RenderJob job{scene, camera, footprint, sampler};
+  job.tolerance = &tolerance;
+  job.image_wide = true;
+  job.label_detail = render::LabelDetail::material;
+  job.pilot_rays = false;
+  const auto rendered = [&](int tile_px, int threads, bool in_two_shares) {
+    job.tile_px = tile_px;
+    auto whole = std::make_unique<Whole>(side, columns);
+    std::vector<int> odd, even;
+    for (int k = 0; k < static_cast<int>(render::tile_grid(side, side, tile_px).size()); ++k)
+      (k % 2 == 0 ? even : odd).push_back(k);
+    render::RenderControl control;
+    control.threads = threads;
+    if (!in_two_shares) {
+      render::render_image(job, control, *whole);
+      return whole;
+    }
+    for (const std::vector<int>& share : {odd, even}) {
+      control.tile_order = share;
+      render::render_image(job, control, *whole);
+    }
+    return whole;
+  };
+  const auto first = rendered(12, 1, false);
+  EXPECT_EQ(first->converged, side * side);
+  EXPECT_EQ(first->limits, columns);
+  for (const auto& other : {rendered(4, 2, false), rendered(5, 1, true)}) {
+    EXPECT_EQ(other->mean, first->mean);
+    EXPECT_EQ(other->half_width, first->half_width);
+  }
 }
 
 }  // namespace

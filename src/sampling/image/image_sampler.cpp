@@ -31,7 +31,7 @@ class ImageChunk {
         result_(result),
         columns_(static_cast<std::size_t>(field.columns())),
         stride_(static_cast<std::size_t>(field.stride())),
-        quantile_(two_sided_normal(confidence_of(problem))) {}
+        student_(confidence_of(problem)) {}
 
   void sample(std::size_t first, std::size_t last) {
     draw(
@@ -96,6 +96,7 @@ class ImageChunk {
     estimate.variance_geometry.assign(columns_, 0.0);
     estimate.variance_path.assign(columns_, 0.0);
     add_materials(in_chunk, plan.count(), estimate);
+    double direct_size = 0.0, rest_size = 0.0;  // of the pixel's variance, all columns together
     const bool mixed = estimate.materials.size() > 1;
     const double direct_factor = plan_.direct_factor(mixed), rest_factor = plan_.rest_factor();
     for (std::size_t c = 0; c < columns_; ++c) {
@@ -116,11 +117,24 @@ class ImageChunk {
                               (whole + Allocation::kPilotWhole - 2.0),
                    rest = ImagePlan::moderated(own_rest, whole + Allocation::kPilotWhole - 2.0, kind.rest[c],
                                                ImagePlan::kRestPrior);
-      const double direct_variance = allocation.direct_variance(fine / finer, fine, plan.count());
+      const double direct_variance = allocation.direct_variance(fine / finer, fine, plan.count()),
+                   rest_variance = allocation.rest_variance(rest, rest, plan.whole),
+                   limit = plan_.limits()[c];
       (mixed ? estimate.variance_geometry : estimate.variance_path)[c] = direct_variance;
-      estimate.variance_path[c] += allocation.rest_variance(rest, rest, plan.whole);
+      estimate.variance_path[c] += rest_variance;
+      if (!(limit > 0.0) || !std::isfinite(limit)) continue;
+      direct_size += direct_variance / (limit * limit);
+      rest_size += rest_variance / (limit * limit);
     }
-    estimate.quantile = quantile_;
+    // Degrees of freedom of both levels together (Satterthwaite 1946), columns by what they weigh.
+    const double direct_freedom = count / 4.0 + kPilotFours + ImagePlan::kDirectPrior,
+                 rest_freedom = whole + Allocation::kPilotWhole - 2.0 + ImagePlan::kRestPrior,
+                 both = direct_size + rest_size,
+                 freedom = both > 0.0 ? both * both /
+                                            (direct_size * direct_size / direct_freedom +
+                                             rest_size * rest_size / rest_freedom)
+                                      : direct_freedom;
+    estimate.quantile = student_(std::max(1, static_cast<int>(freedom)));
     result_.samples[pixel] = result_.radiance_evaluations[pixel] = plan.count() + Allocation::pilot().count();
     TileProblem unjudged = problem_;
     unjudged.tolerance = nullptr;
@@ -156,7 +170,7 @@ class ImageChunk {
   Field& field_;
   TileResult& result_;
   std::size_t columns_, stride_;
-  double quantile_;
+  StudentTable student_;
   LevelVariances variances_;
   PixelPoints points_;
   LevelSums pilot_, main_;
