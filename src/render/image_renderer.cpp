@@ -22,8 +22,7 @@
 #include "render/truth_layers.h"
 #include "render/unsampled_light.h"
 #include "render/wing_light.h"
-#include "sampling/pixel_footprint.h"
-#include "sampling/survey.h"
+#include "sampling/image/survey.h"
 #include "sampling/tile.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
@@ -112,7 +111,7 @@ void judge_as_image(const std::vector<sampling::Reasons>& sampled, sampling::Til
 Progress render_image(const RenderJob& job, const RenderControl& control, TileSink& sink) {
   const int width = job.camera.width_px(), height = job.camera.height_px();
   const std::vector<sampling::PixelRect> tiles = tile_grid(width, height, job.tile_px);
-  const double margin_px = job.sampler.halo_px() + job.footprint.half_width_px();
+  const double margin_px = PilotRays::margin_px(job);
   std::optional<PilotRays> pilot_rays;
   if (job.pilot_rays) {
     const scene::Scene& scene = job.scene.scene();

@@ -4,7 +4,7 @@
 #include "radiometry/spectral_nodes.h"
 #include "render/polarized/scene_light.h"
 #include "render/scene_field.h"
-#include "sampling/levels.h"
+#include "sampling/image/levels.h"
 #include "sensor/camera.h"
 #include "transport/spectral_scene.h"
 

@@ -79,7 +79,7 @@ class Field {
     this->values(requests, labels, values);
   }
 
-  /// Means and spreads of groups of values in two levels (sampling/levels.h), which take less time than the values one by one. Here:
+  /// Means and spreads of groups of values in two levels (sampling/image/levels.h), which take less time than the values one by one. Here:
   /// of values(), all of it direct.
   virtual void levels(const LevelRequests& requests, LevelSums& sums);
 

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "core/format.h"
-#include "sampling/survey.h"
 
 namespace ifov::sampling {
 
@@ -86,7 +85,5 @@ std::uint64_t TileResult::bytes() const {
   for (const TileLayer& layer : layers) sum += layer.bytes.size();
   return sum;
 }
-
-std::unique_ptr<const ImageSurvey> PixelSampler::survey(const SurveyRequest&) const { return nullptr; }
 
 }  // namespace ifov::sampling

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/product_parts/run_record.h"
+#include "io/product_parts/image_error.h"
 #include "render/tile_sink.h"
 
 namespace ifov::session {

@@ -15,7 +15,7 @@
 #include "sampling/hash.h"
 #include "sampling/image/audited_sampler.h"
 #include "sampling/image/image_sampler.h"
-#include "sampling/levels.h"
+#include "sampling/image/levels.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/random.h"
 #include "sensor/orthographic_camera.h"

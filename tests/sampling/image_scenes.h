@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sampling/field.h"
-#include "sampling/levels.h"
+#include "sampling/image/levels.h"
 #include "sampling/random.h"
 #include "sampling/tolerance.h"
 

@@ -13,8 +13,8 @@
 #include "sampling/image/image_plan.h"
 #include "sampling/image/image_sampler.h"
 #include "sampling/image/spread_places.h"
+#include "sampling/image/survey.h"
 #include "sampling/pixel_footprint.h"
-#include "sampling/survey.h"
 #include "shape_field.h"
 
 namespace ifov::sampling {

@@ -7,10 +7,10 @@
 #include "sampling/accuracy/basis/ray_ledger.h"
 #include "sampling/accuracy/source_grid.h"
 #include "sampling/accuracy/stopping.h"
-#include "sampling/footprint_point.h"
 #include "sampling/hash.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/sequence.h"
+#include "sampling/sub_element_lattice.h"
 #include "sampling/tile.h"
 #include "sampling/tolerance.h"
 
@@ -46,8 +46,8 @@ void draw_from_footprint(const TileProblem& problem, Field& field, std::uint32_t
       for (int r = 0; r < kReplicates; ++r) {
         const std::uint64_t key = hash(problem.seed, 0x64726177, x, y, r);
         for (std::uint32_t i = done; i < net; ++i) {
-          const FocalPoint d = footprint_point(*problem.footprint, sequence_point(key, i, 0));
-          requests.push_back({{x + 0.5 + d.x_px, y + 0.5 + d.y_px}, mix(key), i});
+          const Point2 d = footprint_point(*problem.footprint, sequence_point(key, i, 0));
+          requests.push_back({{x + 0.5 + d.x, y + 0.5 + d.y}, mix(key), i});
         }
       }
     }

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "sampling/survey.h"
+#include "sampling/image/survey.h"
 
 namespace ifov::sampling {
 

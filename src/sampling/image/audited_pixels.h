@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "sampling/survey.h"
+#include "sampling/image/survey.h"
 #include "sampling/tolerance.h"
 
 namespace ifov::sampling {

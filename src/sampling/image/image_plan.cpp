@@ -7,8 +7,8 @@
 #include "core/parallel.h"
 #include "core/run_control.h"
 #include "sampling/hash.h"
+#include "sampling/image/levels.h"
 #include "sampling/image/spread_places.h"
-#include "sampling/levels.h"
 #include "sampling/tolerance.h"
 
 namespace ifov::sampling {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sampling/image/allocation.h"
-#include "sampling/survey.h"
+#include "sampling/image/survey.h"
 
 namespace ifov::sampling {
 

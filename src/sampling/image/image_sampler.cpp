@@ -9,7 +9,7 @@
 #include "core/run_control.h"
 #include "sampling/hash.h"
 #include "sampling/image/image_plan.h"
-#include "sampling/levels.h"
+#include "sampling/image/levels.h"
 #include "sampling/pixel_writer.h"
 #include "sampling/quantiles.h"
 #include "sampling/value_batch.h"

@@ -3,9 +3,10 @@
 #include <array>
 #include <utility>
 
-#include "sampling/footprint_point.h"
 #include "sampling/hash.h"
 #include "sampling/pixel_footprint.h"
+#include "sampling/random.h"
+#include "sampling/sub_element_lattice.h"
 
 namespace ifov::sampling {
 
@@ -47,10 +48,10 @@ void PixelPoints::add(const PixelFootprint& footprint, int i, int j, std::uint64
       const int x = a + static_cast<int>(k % 2), y = b + static_cast<int>(k / 2);
       const Point2 u{(x + unit_double(hash(key, Draw::across, x, y))) / plan.across,
                      (y + unit_double(hash(key, Draw::down, x, y))) / plan.down};
-      const FocalPoint about =
-          box ? FocalPoint{(u.x - 0.5) * side, (u.y - 0.5) * side} : footprint_point(footprint, u);
+      const Point2 about =
+          box ? Point2{(u.x - 0.5) * side, (u.y - 0.5) * side} : footprint_point(footprint, u);
       const std::uint32_t index = chosen[k] != 0 ? followed++ : others++;
-      requests.push_back({{i + 0.5 + about.x_px, j + 0.5 + about.y_px}, key, index});
+      requests.push_back({{i + 0.5 + about.x, j + 0.5 + about.y}, key, index});
       whole.push_back(chosen[k]);
     }
   }

@@ -6,14 +6,12 @@
 #include <utility>
 
 #include "core/error.h"
-#include "io/document/document.h"
 #include "io/run_state/run_plan.h"
 #include "render/image_renderer.h"
 #include "render/tile_grid.h"
-#include "render/tolerance/accuracy_tolerance.h"
 #include "sampling/reason_words.h"
 #include "sampling/tile.h"
-#include "session/assembly/whole/sampling_assembly.h"
+#include "session/facade/other_sampling.h"
 #include "session/image_errors.h"
 #include "session/loaded/parts.h"
 #include "session/messages.h"
@@ -65,42 +63,6 @@ class LastProgress final : public ProgressSink {
  private:
   ProgressSink* next_;
   Progress last_;
-};
-
-/// What a document says of sampling, for the scene of another one.
-class OtherSampling {
- public:
-  OtherSampling(const Parts& parts, const io::Document& document)
-      : document_(document),
-        plan_(assemble_sampling(document.sources, document.sampling, document.sensor.channels,
-                                parts.channels)) {
-    if (plan_.knows_errors && !parts.plan.knows_errors)
-      throw InputError(
-          "sampling: the scene was loaded for single rays, which know no error; load it with another sampling");
-    tolerance_ = parts.tolerance_of(plan_);
-  }
-  void tell(io::RunPlan& plan) const {
-    plan.identity.seed = document_.seed;
-    plan.identity.sampler = plan_.method;
-    plan.identity.accuracy_asked = plan_.accuracy_asked;
-    plan.judged = tolerance_ != nullptr;
-    plan.image_wide = plan_.request && plan_.request->image_wide;
-    plan.knows_errors = plan_.knows_errors;
-    plan.tile_px = document_.sampling.tile_px;
-  }
-  render::RenderJob job(const Parts& parts) const {
-    render::RenderJob job = parts.job(plan_, tolerance_.get());
-    if (document_.sampling.max_depth) job.transport.maximum_scatterings = *document_.sampling.max_depth;
-    job.transport.mirror_reflections = document_.sampling.mirror_reflections;
-    job.seed = document_.seed;
-    job.tile_px = document_.sampling.tile_px;
-    return job;
-  }
-
- private:
-  const io::Document& document_;
-  SamplingPlan plan_;
-  std::unique_ptr<render::AccuracyTolerance> tolerance_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "sampling/levels.h"
+#include "sampling/image/levels.h"
 
 #include <algorithm>
 
