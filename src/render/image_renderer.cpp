@@ -23,7 +23,7 @@
 #include "render/truth_layers.h"
 #include "render/unsampled_light.h"
 #include "render/wing_light.h"
-#include "sampling/pixel_footprint.h"
+#include "sampling/image/survey.h"
 #include "sampling/tile.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
@@ -51,6 +51,7 @@ class Tally {
     if (sink_ != nullptr) sink_->report(total_);
   }
 
+  void add(const sampling::RayCounts& rays) { total_.rays += static_cast<std::int64_t>(rays.total()); }
   const Progress& total() const { return total_; }
 
  private:
@@ -96,12 +97,22 @@ void render_from(TileSource& source, int threads, const std::function<void(std::
   });
 }
 
+/// Where the image is judged as a whole, no pixel is too wide of its own: what the sampler said of it stands, and light that is not
+/// found or not described.
+void judge_as_image(const std::vector<sampling::Reasons>& sampled, sampling::TileResult& tile) {
+  constexpr sampling::Reasons kOfPixels =
+      bit(sampling::Reason::unseen_light) | bit(sampling::Reason::edge) | bit(sampling::Reason::structure);
+  for (std::size_t p = 0; p < tile.reasons.size(); ++p)
+    tile.reasons[p] = static_cast<sampling::Reasons>(sampled[p] | (tile.reasons[p] & kOfPixels));
+  std::fill(tile.worst_ratio.begin(), tile.worst_ratio.end(), 0.0f);
+}
+
 }  // namespace
 
 Progress render_image(const RenderJob& job, const RenderControl& control, TileSink& sink) {
   const int width = job.camera.width_px(), height = job.camera.height_px();
   const std::vector<sampling::PixelRect> tiles = tile_grid(width, height, job.tile_px);
-  const double margin_px = job.sampler.halo_px() + job.footprint.half_width_px();
+  const double margin_px = PilotRays::margin_px(job);
   std::optional<PilotRays> pilot_rays;
   if (job.pilot_rays) {
     const scene::Scene& scene = job.scene.scene();
@@ -123,22 +134,34 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   const std::vector<float> sky_shares =
       job.sampler.takes_many_values() ? open_sky_shares(job.scene, job.camera) : std::vector<float>();
   if (!sky_shares.empty()) transport.sky_shares = &sky_shares;
-  Tally tally(pixels, control.progress);
-  const auto render_tile = [&](std::size_t index) {
-    if (control.cancel != nullptr && control.cancel->cancelled()) throw Cancelled();
-    const PilotRays::Near tile_pilot_rays =
-        pilot_rays ? pilot_rays->near(tiles[index], margin_px) : PilotRays::Near{};
+  const auto problem_of = [&](const sampling::PixelRect& tile) {
     sampling::TileProblem problem;
-    problem.tile = tiles[index];
+    problem.tile = tile;
     problem.image = {0, 0, width, height};
     problem.seed = job.seed;
     problem.footprint = &job.footprint;
     problem.tolerance = job.tolerance;
     problem.steering_channels = steering_channels;
-    problem.pilot_points = tile_pilot_rays.points;
-    problem.pilot_objects = tile_pilot_rays.objects;
     problem.cancel = control.cancel;
     problem.keep_memory = job.keep_memory;
+    return problem;
+  };
+  const auto field_of = [&] {
+    return std::make_unique<SceneField>(job.scene, job.camera, transport, job.label_detail, job.polarimetry);
+  };
+  const sampling::TileProblem whole_image = problem_of({0, 0, width, height});
+  const std::unique_ptr<const sampling::ImageSurvey> survey =
+      job.sampler.survey({whole_image, field_of, control.threads});
+  Tally tally(pixels, control.progress);
+  if (survey != nullptr) tally.add(survey->rays);
+  const auto render_tile = [&](std::size_t index) {
+    if (control.cancel != nullptr && control.cancel->cancelled()) throw Cancelled();
+    const PilotRays::Near tile_pilot_rays =
+        pilot_rays ? pilot_rays->near(tiles[index], margin_px) : PilotRays::Near{};
+    sampling::TileProblem problem = problem_of(tiles[index]);
+    problem.survey = survey.get();
+    problem.pilot_points = tile_pilot_rays.points;
+    problem.pilot_objects = tile_pilot_rays.objects;
     sampling::TileResult before;
     if (job.earlier != nullptr && job.earlier->read(index, before)) problem.before = &before;
 
@@ -147,6 +170,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     problem.later = later.get();
     sampling::TileResult result;
     job.sampler.sample(problem, field, result);
+    const std::vector<sampling::Reasons> sampled = result.reasons;
     if (job.wings != nullptr) add_wings(*job.wings, problem, job.tolerance, field, result);
     widen_by_cut(job.cut, problem.later, job.tolerance, result);
     result.rays = field.counts();
@@ -158,6 +182,8 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     unsampled.settle(result);
     widen(job.air, job.tolerance, result);
     field.settle(result);
+    if (job.image_wide) judge_as_image(sampled, result);
+    if (!result.column_errors.empty()) result.column_errors.resize(static_cast<std::size_t>(result.columns));
     if (!job.keep_variances && !job.keep_memory) result.drop_variances();
     add_truth_layers(job.collectors, job.scene.scene(), job.camera, result);
     sink.write(result);

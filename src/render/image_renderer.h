@@ -50,6 +50,7 @@ struct RenderJob {
   std::span<const NodeHalfWidth> nodes{};      ///< by channel; empty: not known, or in those of the air
   const sensor::PsfWings* wings = nullptr;     ///< of the footprint's PSF; null: it has none
   double cut = 0.0;            ///< share of the PSF's energy that is cut off and stands in no wings
+  bool image_wide = false;     ///< the tolerance is of the image, not of each pixel
   bool keep_memory = false;    ///< tiles carry what a run at a tighter tolerance can go on from
   bool keep_variances = true;  ///< else tiles have half-widths alone, unless they are to be gone on from
   std::vector<const truth::Collector*> collectors{};  ///< of what tiles note beside radiance

@@ -7,6 +7,9 @@
 #include <tuple>
 
 #include "geometry/world.h"
+#include "render/image_renderer.h"
+#include "sampling/pixel_footprint.h"
+#include "sampling/tile.h"
 #include "sensor/camera.h"
 
 namespace ifov::render {
@@ -244,6 +247,10 @@ PilotRays::Near PilotRays::near(sampling::PixelRect tile, double margin_px) cons
     }
   }
   return found;
+}
+
+double PilotRays::margin_px(const RenderJob& job) {
+  return job.sampler.halo_px() + job.footprint.half_width_px();
 }
 
 }  // namespace ifov::render

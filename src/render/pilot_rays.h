@@ -13,6 +13,8 @@ class Camera;
 
 namespace ifov::render {
 
+struct RenderJob;
+
 /// Where to look for objects that the detection lattice could miss: the image of the pilot point of every compact
 /// object that is smaller than a pixel in some direction, by pixel. Objects that are longer than a pixel but thinner
 /// get a point for each part of their length; so do the long thin faces of meshes, which may be strips that no object tells of.
@@ -26,6 +28,8 @@ class PilotRays {
     std::vector<sampling::FocalPoint> points;
     std::vector<std::uint32_t> objects;  ///< of each point; Field::kNoObject where it is long and thin
   };
+  /// What lies so far outside a tile may matter to it.
+  static double margin_px(const RenderJob& job);
   /// Points within `margin_px` of a tile, in order of pixel and object.
   Near near(sampling::PixelRect tile, double margin_px) const;
   std::size_t count() const { return points_.size(); }

@@ -45,6 +45,7 @@ class SceneField final : public sampling::Field {
               std::span<float> values) override;
   void values_and_materials(std::span<const sampling::PathRequest> requests,
                             std::span<sampling::Label> labels, std::span<float> values) override;
+  void levels(const sampling::LevelRequests& requests, sampling::LevelSums& sums) override;
   void known_detail(const sampling::FieldRect& pixels, sampling::KnownDetail& detail) override {
     map_detail_.find(pixels, detail, counts_.primary);
   }

@@ -54,6 +54,9 @@ struct KnownDetail {
   std::vector<std::uint8_t> full;  ///< by pixel, row by row: 1 where it holds too many parts to name
 };
 
+struct LevelRequests;
+struct LevelSums;
+
 /// The picture on the focal plane as a sampler sees it: two batch queries, answered in order, whose answer to a
 /// point does not depend on the rest of the batch. One object serves one tile and one thread.
 class Field {
@@ -75,6 +78,10 @@ class Field {
                                     std::span<float> values) {
     this->values(requests, labels, values);
   }
+
+  /// Means and spreads of groups of values in two levels (sampling/image/levels.h), which take less time than the values one by one. Here:
+  /// of values(), all of it direct.
+  virtual void levels(const LevelRequests& requests, LevelSums& sums);
 
   /// What is known, without a search, of the detail of these pixels; nothing where the field cannot tell.
   virtual void known_detail(const FieldRect& pixels, KnownDetail& detail) {

@@ -1,5 +1,6 @@
 #include "sampling/sub_element_lattice.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ifov::sampling {
@@ -37,6 +38,22 @@ FocalPoint SubElementLattice::at(int i, int j, int a, int b, Point2 within) cons
   const double x = (a + within.x) / columns_;
   const double y = (b + within.y) / rows_;
   return {i + 0.5 + side_ * (x - 0.5), j + 0.5 + side_ * (y - 0.5)};
+}
+
+Point2 footprint_point(const PixelFootprint& h, Point2 u) {
+  const double w = h.half_width_px(), strip = w / 256.0;
+  const auto invert = [&](double target, auto below) {
+    double low = -w, high = w;
+    for (int i = 0; i < 40; ++i) {
+      const double middle = 0.5 * (low + high);
+      (below(middle) < target ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+  };
+  const double x = invert(u.x * h.integral(-w, -w, w, w), [&](double t) { return h.integral(-w, -w, t, w); });
+  const double a = std::clamp(x - strip, -w, w - strip), b = std::clamp(x + strip, -w + strip, w);
+  const double y = invert(u.y * h.integral(a, -w, b, w), [&](double t) { return h.integral(a, -w, b, t); });
+  return {x, y};
 }
 
 }  // namespace ifov::sampling

@@ -39,6 +39,10 @@ class SubElementLattice {
   std::vector<double> weights_;
 };
 
+/// The point of a footprint's distribution about the pixel's centre, px, that a point of the unit square stands for: the first number
+/// inverts the marginal in x, the second the share of a narrow strip there. Equal cells of the square become parts of equal weight.
+Point2 footprint_point(const PixelFootprint& footprint, Point2 u);
+
 constexpr int floor_divide(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
 }  // namespace ifov::sampling

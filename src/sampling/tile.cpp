@@ -23,6 +23,7 @@ void TileResult::reset(PixelRect tile_pixels, int column_count, bool with_errors
   worst_ratio.assign(pixels, 0.0f);
   missable_fraction.assign(pixels, 1.0f);
   abundances.clear();
+  column_errors.clear();
   border_share.clear();
   layers.clear();
   halo_samples = pilot_samples = probe_samples = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,9 +19,11 @@ class CancelToken;
 
 namespace ifov::sampling {
 
+class ImageSurvey;
 class PixelFootprint;
 class Tolerance;
 struct LaterLight;
+struct SurveyRequest;
 struct TileResult;
 
 /// All that a sampler may know about the tile it works on. Results depend on this alone.
@@ -40,6 +43,7 @@ struct TileProblem {
   std::span<const std::uint32_t> pilot_objects;
   const CancelToken* cancel = nullptr;  ///< throws ifov::Cancelled when set
   bool keep_memory = false;             ///< fill TileResult::memory
+  const ImageSurvey* survey = nullptr;  ///< what PixelSampler::survey() found; null where it finds nothing
   /// What an earlier run of the same problem left, with its memory, at a tolerance that is looser by a third at least.
   const TileResult* before = nullptr;
 };
@@ -62,6 +66,15 @@ struct TileLayer {
   std::span<const Value> values() const {
     return {reinterpret_cast<const Value*>(bytes.data()), bytes.size() / sizeof(Value)};
   }
+};
+
+/// What a sampler that judges an image as a whole found of one column (docs/theory/image_sampling.md).
+struct ColumnError {
+  double mean_sum = 0.0;      ///< of the pixels' means
+  double variance_sum = 0.0;  ///< of the pixels' variances, as the samples tell them
+  float limit =
+      0.0f;  ///< of the root mean square over the image; infinite where it is not judged, 0: none was asked for
+  float audited = 0.0f;  ///< mean squared error over those variances, by an audit; 0: there was none
 };
 
 /// An array of a tile, for whoever treats all of them alike.
@@ -97,7 +110,8 @@ struct TileResult {
   std::vector<float> missable_fraction;
   std::vector<Abundance> abundances;  ///< sorted by (pixel, material)
   std::vector<TileLayer> layers;
-  std::uint64_t halo_samples = 0;                      ///< points queried outside the tile's own pixels
+  std::vector<ColumnError> column_errors;  ///< by column; empty where pixels are judged one by one
+  std::uint64_t halo_samples = 0;          ///< points queried outside the tile's own pixels
   std::uint64_t pilot_samples = 0, probe_samples = 0;  ///< of all points, by purpose
   RayCounts rays;  ///< as Field::counts(): of this run alone; the other counts include `before`
   std::vector<std::byte> memory;  ///< what a run at a tighter tolerance need not find out again; opaque
@@ -141,6 +155,7 @@ void TileResult::visit_arrays(Tile& tile, const Visit& visit) {
   visit(TileArray{"missable_fraction", Extent::pixels}, tile.missable_fraction);
   visit(TileArray{"reasons", Extent::pixels}, tile.reasons);
   visit(TileArray{"abundances"}, tile.abundances);
+  visit(TileArray{"column_errors"}, tile.column_errors);
   visit(TileArray{"memory"}, tile.memory);
 }
 
@@ -151,6 +166,9 @@ class PixelSampler {
   virtual void sample(const TileProblem& problem, Field& field, TileResult& result) const = 0;
   /// Pixels beyond the tile that the sampler looks at, besides the footprint's own half width.
   virtual int halo_px() const = 0;
+  /// What it has to know of the whole image before its first tile, found by rays of its own; null where that is nothing. The same
+  /// whoever asks: every process that takes tiles of an image does.
+  virtual std::unique_ptr<const ImageSurvey> survey(const SurveyRequest& request) const;
   /// Whether it can go on from an earlier run of the tile to a tighter tolerance (TileProblem::before).
   virtual bool can_refine() const { return false; }
   /// Whether no pixel rests on a few values: they may then scatter about their mean as they like, below 0 too.

@@ -13,6 +13,7 @@
 #include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/map_scale.h"
 #include "session/atmosphere_messages.h"
+#include "session/image_errors.h"
 #include "session/loaded/parts.h"
 
 namespace ifov::session {
@@ -45,18 +46,28 @@ std::string sensor_statement(const Parts& parts) {
 }
 
 std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals,
-                               const sampling::ReasonCounts& reasons, const std::string& why_gaps) {
+                               const sampling::ReasonCounts& reasons, const std::string& why_gaps,
+                               const std::vector<io::ImageError>& errors) {
   std::string text;
   if (totals.pixels_done < totals.pixels_total)
     text = format("{} of {} pixels hold no value (NaN), because {}. ",
                   totals.pixels_total - totals.pixels_done, totals.pixels_total, why_gaps);
+  const std::string of_image = image_error_statement(errors, plan.image);
   if (!plan.judged)
     return text +
-           format("No accuracy was asked for ({}); {}.", plan.identity.sampler,
-                  plan.knows_errors ? "half-widths are at 95 %" : "the method says nothing of its error");
+           format("No accuracy was asked for ({}); {}.{}", plan.identity.sampler,
+                  plan.knows_errors ? "half-widths are at 95 %" : "the method says nothing of its error",
+                  of_image.empty() ? "" : " " + of_image);
   const std::int64_t missed = totals.pixels_done - totals.pixels_converged;
   text += format("Asked for {}. ", plan.identity.accuracy_asked);
   if (totals.pixels_done == 0) return text + "No pixel is done.";
+  if (plan.image_wide) {
+    text += of_image.empty() ? "What was reached is told when all tiles are there." : of_image;
+    if (missed > 0)
+      text += format(" Of {} of {} pixels something else is to be said: {}.", missed, totals.pixels_done,
+                     sampling::describe_reasons(reasons));
+    return text;
+  }
   if (missed == 0)
     text +=
         format("Reached in all {} pixels{}; the widest interval is {:.2f} of its limit.", totals.pixels_done,

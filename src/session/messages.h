@@ -10,8 +10,9 @@
 #include "sampling/reason_words.h"
 
 namespace ifov::io {
+struct ImageError;
 struct RunPlan;
-}
+}  // namespace ifov::io
 
 namespace ifov::session {
 
@@ -24,9 +25,11 @@ std::string describe(const Parts& parts);
 std::string sensor_statement(const Parts& parts);
 
 /// What was asked for, what was reached, and where it was not and why; `reasons` counts the pixels that are done and not
-/// converged, `why_gaps` says why pixels are not done, where some are not.
+/// converged, `why_gaps` says why pixels are not done, where some are not; `errors` of the image, where it is judged as a whole or
+/// audited.
 std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals,
-                               const sampling::ReasonCounts& reasons, const std::string& why_gaps);
+                               const sampling::ReasonCounts& reasons, const std::string& why_gaps,
+                               const std::vector<io::ImageError>& errors = {});
 
 /// Floors and assumptions that enter the result.
 std::vector<std::string> notes(const Parts& parts);

@@ -103,6 +103,8 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   if (p.polarimetry) check_polarized(document.sources, document.scene, p.scene);
   p.camera = assemble_camera(document.sources, document.sensor.camera, document.scene.origin, *p.scene.world);
   p.plan = assemble_sampling(document.sources, document.sampling, document.sensor.channels, p.channels);
+  check_image_size(document.sources, document.sampling,
+                   static_cast<std::int64_t>(p.camera->width_px()) * p.camera->height_px());
   p.assumed_surroundings =
       assume_surroundings(document.light, document.atmosphere, *p.camera, p.scene).value_or("");
   if (!p.assumed_surroundings.empty()) log->info(p.assumed_surroundings);

@@ -36,15 +36,41 @@ void PathLight::one(const PathRecord& record, std::size_t k) {
   if (path.first == PathVertex::kNone) {
     std::memset(spectrum(kSum), 0, n_ * sizeof(float));
   } else {
-    const PathVertex* vertex = &record.vertices[path.first];
-    add_first(record, *vertex);
-    if (path.sky_share > 0.0f) add_open_sky(record, path, *vertex);
-    while (vertex->next != PathVertex::kNone) {
-      vertex = &record.vertices[vertex->next];
-      add_later(record, *vertex);
-    }
+    add_first(record, record.vertices[path.first]);
   }
+  later(record, path);
+}
+
+void PathLight::later(const PathRecord& record, const PathRecord::Path& path) {
+  if (path.sky_share > 0.0f) add_open_sky(record, path, record.vertices[path.first]);
+  if (path.first != PathVertex::kNone)
+    for (std::uint32_t k = record.vertices[path.first].next; k != PathVertex::kNone;
+         k = record.vertices[k].next)
+      add_later(record, record.vertices[k]);
   if (path.escaped) add_escaped(path);
+}
+
+PathLight::Levels PathLight::levels(const PathRecord& record, std::size_t k, bool whole) {
+  const PathRecord::Path& path = record.paths[k];
+  float *direct = spectrum(kDirect), *sum = spectrum(kSum);
+  const bool met = path.first != PathVertex::kNone;
+  if (met)
+    add_first(record, record.vertices[path.first], whole);
+  else
+    one(record, k);
+  if (!whole) return {sum, nullptr};
+  std::memcpy(direct, sum, n_ * sizeof(float));
+  std::memset(sum, 0, n_ * sizeof(float));
+  if (met) later(record, path);
+  if (path.also == PathVertex::kNone) return {direct, sum};
+  float* rest = spectrum(kWhole);
+  std::memcpy(rest, sum, n_ * sizeof(float));
+  for (std::uint32_t also = path.also; also != PathVertex::kNone; also = record.paths[also].also) {
+    if (record.paths[also].empty()) continue;
+    one(record, also);
+    spectra::add_scaled(rest, sum, 1.0f, n_);
+  }
+  return {direct, rest};
 }
 
 const float* PathLight::left_by(const PathRecord::Segment& segment) {
@@ -103,7 +129,7 @@ float* PathLight::first_sunlight(const PathRecord& record, std::size_t k) {
   return sum;
 }
 
-void PathLight::add_first(const PathRecord& record, const PathVertex& vertex) {
+void PathLight::add_first(const PathRecord& record, const PathVertex& vertex, bool goes_on) {
   float *sum = spectrum(kSum), *throughput = spectrum(kThroughput);
   const float* emitted = vertex.emission_weight > 0.0f ? emission(record, vertex) : nullptr;
   const float* factor = nullptr;
@@ -121,7 +147,7 @@ void PathLight::add_first(const PathRecord& record, const PathVertex& vertex) {
   }
   if (vertex.sought_weight > 0.0f) add_sought(record, vertex, nullptr);
   if (vertex.mirrored != PathVertex::kNone) add_mirrored(record, vertex, nullptr);
-  if (vertex.continuation_weight > 0.0f)
+  if (goes_on && vertex.continuation_weight > 0.0f)
     spectra::set_scaled(throughput, continuation_factor(record, vertex, factor), vertex.continuation_weight,
                         n_);
 }

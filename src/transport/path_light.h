@@ -17,6 +17,14 @@ class PathLight {
   /// Radiance that path k brings to where its first segment ends, in nodes: what the surface there sends, or the sky,
   /// before the air of that segment (ViewAtmosphere). The spectrum is the caller's until the next call.
   float* radiance(const PathRecord& record, std::size_t k);
+  /// The same in two parts: what the first surface emits and sends of light that it was sent for (the Sun's, that of emitters, also
+  /// by way of mirrors), or the sky itself; and the rest, which comes by the path that goes on from there. `rest` is null where
+  /// only the first is asked for, which a path needs not to be traced whole for.
+  struct Levels {
+    float* direct;
+    float* rest;
+  };
+  Levels levels(const PathRecord& record, std::size_t k, bool whole);
   /// Of that, what the first surface makes of direct sunlight.
   float* first_sunlight(const PathRecord& record, std::size_t k);
 
@@ -39,14 +47,15 @@ class PathLight {
     kSegment,
     kBlack,
     kWhole,
+    kDirect,
     kWork,
     kMoreWork,
     kSpectra
   };
   float* spectrum(Work w) { return spectra_.row(w); }
-  void add_first(const PathRecord& record, const PathVertex& vertex);
   /// What the first surface makes of the open sky, less what it makes of it in the direction that was drawn: 0 in the mean.
   void add_open_sky(const PathRecord& record, const PathRecord::Path& path, const PathVertex& vertex);
+  void add_first(const PathRecord& record, const PathVertex& vertex, bool goes_on = true);
   void add_later(const PathRecord& record, const PathVertex& vertex);
   const float* emission(const PathRecord& record, const PathVertex& vertex);
   const float* emission(const PathRecord::Mixed& mixed);
@@ -60,6 +69,8 @@ class PathLight {
   void add_escaped(const PathRecord::Path& path);
   /// One path alone, without those that began as it.
   void one(const PathRecord& record, std::size_t k);
+  /// Of one path, after its first surface: later ones and where it ends.
+  void later(const PathRecord& record, const PathRecord::Path& path);
   /// The Sun's irradiance at a vertex, through what it comes through.
   const float* sunlight(const PathRecord& record, const PathVertex& vertex);
   /// Multiplies by what a chain of PathRecord::passes leaves.

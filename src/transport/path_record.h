@@ -46,11 +46,12 @@ struct PathRecord {
     std::uint32_t also = PathVertex::kNone;
     std::uint32_t first = PathVertex::kNone, last = PathVertex::kNone;  ///< of its vertices
     math::Vec3 towards_sensor;
-    double sensor_height_m = 0.0;   ///< where the first segment starts
-    double seen_height_m = 0.0;     ///< of what the first segment met
-    bool met = false;               ///< the first segment met something
-    bool escaped = false;           ///< its last segment met nothing
-    bool escaped_sees_sun = false;  ///< no sunlight was sent for where that segment starts
+    double sensor_height_m = 0.0;     ///< where the first segment starts
+    double seen_height_m = 0.0;       ///< of what the first segment met
+    std::uint32_t seen_material = 0;  ///< its first constituent's, if it met anything
+    bool met = false;                 ///< the first segment met something
+    bool escaped = false;             ///< its last segment met nothing
+    bool escaped_sees_sun = false;    ///< no sunlight was sent for where that segment starts
     math::Vec3 escaped_direction;
     double escaped_from_m = 0.0;  ///< height at which that segment starts
     /// At least the throughput in any node; kept where there are mirrors (SunMirrors).

@@ -44,8 +44,8 @@ PathTracer::PathTracer(const SpectralScene& scene, TransportOptions options)
 PathTracer::~PathTracer() = default;
 
 const PathRecord& PathTracer::trace(std::span<const math::Ray> rays, std::span<const PathKey> keys,
-                                    std::span<geometry::SurfacePoint> first_hits,
-                                    sampling::RayCounts& counts) {
+                                    std::span<geometry::SurfacePoint> first_hits, sampling::RayCounts& counts,
+                                    std::span<const std::uint8_t> whole) {
   counts.primary += rays.size();
   record_.start(rays.size());
   paths_.resize(rays.size());
@@ -64,6 +64,7 @@ const PathRecord& PathTracer::trace(std::span<const math::Ray> rays, std::span<c
         path.seen_height_m = path.met ? hits_[k].position_m.z : 0.0;
       }
     }
+    whole_ = depth == 0 ? whole : std::span<const std::uint8_t>{};
     advance(depth, counts);
   }
   for (std::size_t k = 0; k < rays.size() && passages_; ++k)
@@ -99,6 +100,7 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
       pass(paths_[k], hits_[k]);
     } else if (hits_[k].hit()) {
       const scene::ResolvedSurface surface = scene_.scene().resolve(hits_[k]);
+      if (depth == 0) record_.paths[k].seen_material = surface.constituents[0].material;
       if (passages_ && forks(paths_[k], hits_[k], surface)) {
         const std::uint32_t number = paths_[k].number, twin = fork(number);
         scatter(paths_[k], static_cast<std::uint32_t>(k), surface, depth, Branch::reflected, number);

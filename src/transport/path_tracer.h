@@ -48,9 +48,11 @@ class PathTracer {
   const SunImages& sun_images() const { return images_; }
 
   /// The paths of rays from the sensor; the record holds until the next call. `first_hits` receives what each ray met.
-  /// Adds shadow and continuation rays to `counts`.
+  /// Adds shadow and continuation rays to `counts`. `whole`: by ray, 0 where the path is wanted as far as its first surface alone
+  /// (PathLight::direct()), which is what it is there for others; empty: all are wanted whole.
   const PathRecord& trace(std::span<const math::Ray> rays, std::span<const PathKey> keys,
-                          std::span<geometry::SurfacePoint> first_hits, sampling::RayCounts& counts);
+                          std::span<geometry::SurfacePoint> first_hits, sampling::RayCounts& counts,
+                          std::span<const std::uint8_t> whole = {});
 
  private:
   struct Sides;  // path_sides.h
@@ -243,6 +245,7 @@ class PathTracer {
   const SkySampler* sky_ = nullptr;     // of a sky that is not uniform
   const Emitters* emitters_ = nullptr;  // null: none are sought
   PathRecord record_;
+  std::span<const std::uint8_t> whole_;  // by ray, of the first surface; empty: all paths go on
   std::vector<Path> paths_, next_paths_, passing_;
   std::vector<math::Ray> rays_, shadow_rays_;
   std::vector<geometry::SurfacePoint> hits_;

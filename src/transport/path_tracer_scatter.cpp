@@ -156,7 +156,9 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
     seek_by_planes(surface, lobe, sides, hit, path.key, depth, event);
     seek_by_rounds(surface, lobe, sides, hit, path.key, depth, event);
   }
-  if (depth + 1 != options_.maximum_scatterings &&
+  const bool goes_on =
+      depth + 1 != options_.maximum_scatterings && (whole_.empty() || whole_[path_index] != 0);
+  if (goes_on &&
       continue_path(lobe, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair + 1u),
                     branch, event) &&
       depth + 1 >= kCertainScatterings) {
@@ -216,7 +218,7 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
   if ((mirrors_ != nullptr || rare_lobes_ != nullptr) && vertex.continuation_weight > 0.0f)
     note_chain(path, lobe, sides, hit, event);
   take_factors(surface, vertex);
-  if (to_lobes) send_to_lobes(path, number, surface, lobe, sides, hit, depth, path_index);
+  if (to_lobes && goes_on) send_to_lobes(path, number, surface, lobe, sides, hit, depth, path_index);
 }
 
 float PathTracer::open_sky_share(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,

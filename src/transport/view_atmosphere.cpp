@@ -36,7 +36,42 @@ void see_through(float* __restrict light, const ViewTable::Weights& at, std::siz
   }
 }
 
+/// The same of light that the air's own is no part of.
+void dim(float* __restrict light, const ViewTable::Weights& at, std::size_t n) {
+  const auto* t = at.transmittance.data();
+  const float* w = at.weight.data();
+  switch (at.count) {
+    case 2:
+      for (std::size_t i = 0; i < n; ++i) light[i] *= t[0][i] * w[0] + t[1][i] * w[1];
+      return;
+    case 3:
+      for (std::size_t i = 0; i < n; ++i) light[i] *= t[0][i] * w[0] + t[1][i] * w[1] + t[2][i] * w[2];
+      return;
+    case 4:
+      for (std::size_t i = 0; i < n; ++i)
+        light[i] *= (t[0][i] * w[0] + t[1][i] * w[1]) + (t[2][i] * w[2] + t[3][i] * w[3]);
+      return;
+    case 5:
+      for (std::size_t i = 0; i < n; ++i)
+        light[i] *= (t[0][i] * w[0] + t[1][i] * w[1]) + (t[2][i] * w[2] + t[3][i] * w[3]) + t[4][i] * w[4];
+      return;
+  }
+}
+
 }  // namespace
+
+void ViewAtmosphere::apply(const PathRecord::Path& path, float* first, float* second) const {
+  const std::size_t n = scene_.stride();
+  if (const ViewTable* table = scene_.view_table()) {
+    if (!path.met && path.towards_sensor.z <= 0.0) return;  // the sky itself
+    const ViewTable::Weights at = table->at(path.towards_sensor, path.seen_height_m, path.sensor_height_m);
+    see_through(first, at, n);
+    if (second != nullptr) dim(second, at, n);
+  } else if (scene_.has_view_path()) {
+    apply(path, first);
+    if (second != nullptr) spectra::scale(second, scene_.view_transmittance(), n);
+  }
+}
 
 void ViewAtmosphere::apply(const PathRecord::Path& path, float* radiance) const {
   const std::size_t n = scene_.stride();

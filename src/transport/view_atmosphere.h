@@ -15,6 +15,8 @@ class ViewAtmosphere {
   /// Turns radiance at the far end of the first segment, in nodes (stride() floats), into radiance at the sensor. What
   /// comes from the sky of an atmosphere is left as it is: it holds the air already.
   void apply(const PathRecord::Path& path, float* radiance) const;
+  /// The same of light in two parts, of which the first gets what the air adds; the second may be null.
+  void apply(const PathRecord::Path& path, float* first, float* second) const;
 
  private:
   const SpectralScene& scene_;

@@ -16,6 +16,16 @@ void write_accuracy(JsonWriter& json, const RunRecord& record) {
   json.member("asked", record.identity.accuracy_asked);
   json.member("confidence", record.identity.confidence);
   json.member("detection", record.outcome.detection_statement);
+  if (!record.outcome.image_errors.empty())
+    json.list("image", [&] {
+      for (const ImageError& error : record.outcome.image_errors)
+        json.object([&] {
+          json.member("audited", error.audited);
+          json.member("limit", error.limit);
+          json.member("mean", error.mean);
+          json.member("rms", error.reached);
+        });
+    });
   json.member("largest_missable_fraction", s.largest_missable_fraction);
   json.member("pixels", s.pixels);
   json.object("pixels_by_reason", [&] {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/product_parts/image_error.h"
 #include "io/product_parts/run_identity.h"
 #include "render/image_info.h"
 #include "sampling/field.h"
@@ -18,6 +19,7 @@ struct RunOutcome {
   std::string accuracy_statement;   ///< plain words: what was asked for, what was reached, where it was not
   std::string detection_statement;  ///< plain words: what could have been missed, with what probability
   std::vector<std::string> notes;   ///< floors, warnings
+  std::vector<ImageError> image_errors;  ///< by channel; empty where pixels are judged one by one
   double elapsed_s = 0.0;
   int threads = 0;   ///< 0: all cores, whose number is then recorded
   std::string date;  ///< when the products were made, UTC, ISO 8601

@@ -29,7 +29,8 @@ struct RunPlan {
   std::vector<FileStamp> files;  ///< of the scene, paths relative to the document's folder
   render::ImageInfo image;
   int tile_px = 0;
-  bool judged = false;  ///< an accuracy is asked for
+  bool judged = false;      ///< an accuracy is asked for
+  bool image_wide = false;  ///< of the image, not of its pixels
   bool knows_errors = false;
   std::vector<std::string> notes;
   std::string name = "image";  ///< of the products

@@ -120,6 +120,7 @@ void write_members(JsonWriter& json, const RunPlan& plan) {
     json.member("asked", identity.accuracy_asked);
     json.member("confidence", identity.confidence);
     json.member("judged", plan.judged);
+    json.member("image_wide", plan.image_wide);
     json.member("knows_errors", plan.knows_errors);
     json.member("error", plan.error);
     json.member("unit", plan.error_unit);
@@ -168,6 +169,8 @@ RunPlan plan_of(const JsonView& v) {
   plan.build = v["program"]["build"].text();
   plan.instruction_set = v["instruction_set"].text();
   plan.judged = v["accuracy"]["judged"].boolean();
+  const JsonView image_wide = v["accuracy"]["image_wide"];
+  plan.image_wide = image_wide.is_there() && image_wide.boolean();
   plan.knows_errors = v["accuracy"]["knows_errors"].boolean();
   plan.error = v["accuracy"]["error"].number();
   plan.error_unit = v["accuracy"]["unit"].text();

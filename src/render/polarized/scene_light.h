@@ -36,6 +36,13 @@ class SceneLight {
     air_.apply(paths.paths[k], radiance);
     to_channels(radiance, row);
   }
+  bool polarized() const { return polarized_ != nullptr; }
+  /// Of light that is not polarized, in nodes, as it leaves the air (transport::PathLight::levels()).
+  transport::PathLight::Levels levels(const transport::PathRecord& paths, std::size_t k, bool whole) {
+    const transport::PathLight::Levels light = light_.levels(paths, k, whole);
+    air_.apply(paths.paths[k], light.direct, light.rest);
+    return light;
+  }
   /// What of it its first surface makes of direct sunlight, as it leaves the air.
   void write_sunlight(const transport::PathRecord& paths, std::size_t k, const sampling::FocalPoint& point,
                       const math::Ray& ray, float* row);

@@ -1,6 +1,5 @@
 #include "sampling/accuracy/footprint_draws.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "sampling/accuracy/basis/label_table.h"
@@ -12,6 +11,7 @@
 #include "sampling/pixel_footprint.h"
 #include "sampling/pixel_limits.h"
 #include "sampling/sequence.h"
+#include "sampling/sub_element_lattice.h"
 #include "sampling/tile.h"
 
 namespace ifov::sampling {
@@ -20,24 +20,6 @@ namespace {
 
 constexpr int kReplicates = 8;
 constexpr std::uint32_t kFirstNet = 4;
-
-/// A point of the footprint's distribution about the pixel's centre: the first number inverts the marginal in
-/// x, the second the share of a narrow strip there.
-FocalPoint warp(const PixelFootprint& h, Point2 u) {
-  const double w = h.half_width_px(), strip = w / 256.0;
-  const auto invert = [&](double target, auto below) {
-    double low = -w, high = w;
-    for (int i = 0; i < 40; ++i) {
-      const double middle = 0.5 * (low + high);
-      (below(middle) < target ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
-  };
-  const double x = invert(u.x * h.integral(-w, -w, w, w), [&](double t) { return h.integral(-w, -w, t, w); });
-  const double a = std::clamp(x - strip, -w, w - strip), b = std::clamp(x + strip, -w + strip, w);
-  const double y = invert(u.y * h.integral(a, -w, b, w), [&](double t) { return h.integral(a, -w, b, t); });
-  return {x, y};
-}
 
 }  // namespace
 
@@ -65,8 +47,8 @@ void draw_from_footprint(const TileProblem& problem, Field& field, std::uint32_t
       for (int r = 0; r < kReplicates; ++r) {
         const std::uint64_t key = hash(problem.seed, 0x64726177, x, y, r);
         for (std::uint32_t i = done; i < net; ++i) {
-          const FocalPoint d = warp(*problem.footprint, sequence_point(key, i, 0));
-          requests.push_back({{x + 0.5 + d.x_px, y + 0.5 + d.y_px}, mix(key), i});
+          const Point2 d = footprint_point(*problem.footprint, sequence_point(key, i, 0));
+          requests.push_back({{x + 0.5 + d.x, y + 0.5 + d.y}, mix(key), i});
         }
       }
     }

@@ -6,14 +6,13 @@
 #include <utility>
 
 #include "core/error.h"
-#include "io/document/document.h"
 #include "io/run_state/run_plan.h"
 #include "render/image_renderer.h"
 #include "render/tile_grid.h"
-#include "render/tolerance/accuracy_tolerance.h"
 #include "sampling/reason_words.h"
 #include "sampling/tile.h"
-#include "session/assembly/whole/sampling_assembly.h"
+#include "session/facade/other_sampling.h"
+#include "session/image_errors.h"
 #include "session/loaded/parts.h"
 #include "session/messages.h"
 #include "session/runs/plan_assembly.h"
@@ -66,41 +65,6 @@ class LastProgress final : public ProgressSink {
   Progress last_;
 };
 
-/// What a document says of sampling, for the scene of another one.
-class OtherSampling {
- public:
-  OtherSampling(const Parts& parts, const io::Document& document)
-      : document_(document),
-        plan_(assemble_sampling(document.sources, document.sampling, document.sensor.channels,
-                                parts.channels)) {
-    if (plan_.knows_errors && !parts.plan.knows_errors)
-      throw InputError(
-          "sampling: the scene was loaded for single rays, which know no error; load it with another sampling");
-    tolerance_ = parts.tolerance_of(plan_);
-  }
-  void tell(io::RunPlan& plan) const {
-    plan.identity.seed = document_.seed;
-    plan.identity.sampler = plan_.method;
-    plan.identity.accuracy_asked = plan_.accuracy_asked;
-    plan.judged = tolerance_ != nullptr;
-    plan.knows_errors = plan_.knows_errors;
-    plan.tile_px = document_.sampling.tile_px;
-  }
-  render::RenderJob job(const Parts& parts) const {
-    render::RenderJob job = parts.job(plan_, tolerance_.get());
-    if (document_.sampling.max_depth) job.transport.maximum_scatterings = *document_.sampling.max_depth;
-    job.transport.mirror_reflections = document_.sampling.mirror_reflections;
-    job.seed = document_.seed;
-    job.tile_px = document_.sampling.tile_px;
-    return job;
-  }
-
- private:
-  const io::Document& document_;
-  SamplingPlan plan_;
-  std::unique_ptr<render::AccuracyTolerance> tolerance_;
-};
-
 }  // namespace
 
 ImageDescription describe_image(const render::ImageInfo& image) {
@@ -119,6 +83,7 @@ RunResult render_tiles(const Session& session, const TileOptions& options, const
   if (other) other->tell(plan);
   HandingOver program(sink);
   OneValue one_value(program);
+  ImageErrors image_errors(one_value);
   const TimeLimit limit(options.deadline, options.cancel);
   LastProgress progress(options.progress,
                         static_cast<std::int64_t>(plan.image.width_px) * plan.image.height_px);
@@ -129,16 +94,16 @@ RunResult render_tiles(const Session& session, const TileOptions& options, const
   control.cancel = limit.token();
   control.progress = &progress;
   if (options.progress != nullptr) options.progress->phase("");
-  one_value.begin(plan.image);
+  image_errors.begin(plan.image);
   try {
-    render::render_image(job, control, one_value);
+    render::render_image(job, control, image_errors);
   } catch (const Cancelled&) {
     if (!limit.reached()) throw;
   }
   RunResult result;
   result.summary.totals = progress.last();
-  result.summary.accuracy_statement =
-      accuracy_statement(plan, progress.last(), program.reasons(), "the time limit came first");
+  result.summary.accuracy_statement = accuracy_statement(plan, progress.last(), program.reasons(),
+                                                         "the time limit came first", image_errors.errors());
   result.summary.judged = plan.judged;
   result.summary.one_value = one_value.holds();
   result.tiles_done = program.count();

@@ -21,7 +21,9 @@ render::RenderJob Parts::job(const SamplingPlan& sampling, const render::Accurac
   job.air = air;
   if (document.sampling.max_depth) job.transport.maximum_scatterings = *document.sampling.max_depth;
   job.transport.mirror_reflections = document.sampling.mirror_reflections;
-  job.label_detail = sampling.request ? render::LabelDetail::sun_state : render::LabelDetail::material;
+  job.image_wide = sampling.request && sampling.request->image_wide;
+  job.label_detail = sampling.request && !sampling.request->image_wide ? render::LabelDetail::sun_state
+                                                                       : render::LabelDetail::material;
   job.seed = document.seed;
   job.tile_px = document.sampling.tile_px;
   job.pilot_rays = sampling.pilot_rays;

@@ -42,6 +42,7 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
   plan.identity.accuracy_asked = parts.plan.accuracy_asked;
   if (parts.tolerance) plan.identity.confidence = parts.tolerance->confidence();
   if (parts.plan.request) {
+    plan.image_wide = parts.plan.request->image_wide;
     plan.error = parts.plan.request->error;
     plan.error_unit = name_of(parts.plan.request->unit);
   }

@@ -33,7 +33,8 @@ RunProducts::RunProducts(const io::RunPlan& plan, const std::filesystem::path& f
       folder_(folder),
       writer_(options_of(plan, folder, go_on), plan.identity),
       detection_(writer_),
-      one_value_(detection_) {
+      one_value_(detection_),
+      image_errors_(one_value_) {
   writer_.begin(plan.image);
 }
 
@@ -54,7 +55,8 @@ void RunProducts::write_missing(sampling::PixelRect pixels, sampling::Reason rea
 RunSummary RunProducts::finish(const Progress& totals, const sampling::ReasonCounts& reasons, int threads,
                                const std::string& why_gaps) {
   io::RunOutcome outcome;
-  outcome.accuracy_statement = accuracy_statement(plan_, totals, reasons, why_gaps);
+  outcome.image_errors = image_errors_.errors();
+  outcome.accuracy_statement = accuracy_statement(plan_, totals, reasons, why_gaps, outcome.image_errors);
   if (one_value_.holds()) {
     const char* const empty =
         "All pixels hold the same value in every channel: is what is meant in the picture?";

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "io/products/product_writer.h"
+#include "session/image_errors.h"
 #include "session/messages.h"
 #include "session/session.h"
 
@@ -19,7 +20,7 @@ class RunProducts final : public render::TileSink {
   RunProducts(const io::RunPlan& plan, const std::filesystem::path& folder, bool go_on);
 
   void begin(const render::ImageInfo&) override {}
-  void write(const sampling::TileResult& tile) override { one_value_.write(tile); }
+  void write(const sampling::TileResult& tile) override { image_errors_.write(tile); }
 
   /// As of io::ProductWriter.
   int lines_written() const { return writer_.lines_written(); }
@@ -40,6 +41,7 @@ class RunProducts final : public render::TileSink {
   io::ProductWriter writer_;
   DetectionTally detection_;
   OneValue one_value_;
+  ImageErrors image_errors_;
 };
 
 }  // namespace ifov::session

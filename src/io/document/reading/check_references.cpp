@@ -84,6 +84,11 @@ class ReferenceCheck {
   /// Degrees of polarization are known where Q and U are told.
   void check_error() const {
     const auto* accuracy = sampler_as<AccuracySampling>(document_.sampling);
+    if (accuracy != nullptr && accuracy->of_image() && document_.sensor.stokes)
+      throw document_error(
+          document_.sources, accuracy->position,
+          "\"of\": \"image\" does not judge Q, U and V, and the sensor has \"stokes\": true: ask for "
+          "errors of pixels (\"of\": \"pixel\"), or sample by a grid");
     if (accuracy == nullptr || accuracy->error.unit != ErrorSize::Unit::polarization ||
         document_.sensor.stokes)
       return;

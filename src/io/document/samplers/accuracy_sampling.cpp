@@ -2,8 +2,11 @@
 
 #include <cmath>
 
+#include "core/format.h"
+#include "io/document/samplers/audit_setting.h"
 #include "io/document/schema/record.h"
 #include "sampling/accuracy/accuracy_sampler.h"
+#include "sampling/image/image_sampler.h"
 
 namespace ifov::io {
 namespace {
@@ -28,6 +31,18 @@ SchemaType<std::shared_ptr<const SamplerSettings>> accuracy_type() {
           "polarization in percentage points (of a sensor with 'stokes'); never finer than "
           "1e-5 of the value, the precision of the products; reflectance is not judged in channels where a white "
           "surface sends less than 1 % of what the air does")
+      .with_default(
+          "of", &AccuracySampling::of,
+          choice<AccuracySampling::Of>(
+              {{"pixel", AccuracySampling::Of::pixel}, {"image", AccuracySampling::Of::image}}),
+          "\"pixel\"",
+          "what the error is of: the half-width of every pixel's interval; or the root mean square over the "
+          "image's pixels, channel by channel, where percent are of the channel's mean over the image, and "
+          "kelvin at it")
+      .optional(
+          "audit", &AccuracySampling::audit, audit_type(),
+          "of an image: how many of its pixels are measured once more by independent rays (each takes some "
+          "400 values), from which half-widths and the image's error are calibrated; 200 do for most")
       .with_default("confidence", &AccuracySampling::confidence, fraction({0.5, 1.0, false, true, {}}),
                     "0.95", "probability with which the interval holds the true value")
       .optional("channel", &AccuracySampling::channel, name_of("a channel"), "that is judged; without it all")
@@ -50,6 +65,17 @@ SchemaType<std::shared_ptr<const SamplerSettings>> accuracy_type() {
                     "taken to be no colder than one of radiance floor x W, in DoLP no darker")
       .with_default("clutter", &AccuracySampling::clutter, boolean(), "true",
                     "stratified samples instead of edges where there are too many edges");
+  record.check([](const AccuracySampling& accuracy, const DocumentNode& node) {
+    if (!accuracy.of_image()) {
+      if (const DocumentNode* audit = node.find("audit"))
+        audit->fail_at_key(
+            "an audit is of an image: \"of\": \"image\" goes with it; intervals of single pixels need none");
+      return;
+    }
+    for (const char* key : {"lattice", "probes", "pilot_rays", "thinnest", "clutter", "simultaneous"})
+      if (const DocumentNode* own = node.find(key))
+        own->fail_at_key(format("'{}' is of errors pixel by pixel, and \"of\" is \"image\"", key));
+  });
   return sampler_type(record.type());
 }
 
@@ -59,6 +85,8 @@ constinit const SamplerModel AccuracySampling::kModel{"accuracy", "as many rays 
                                                       accuracy_type};
 
 std::unique_ptr<sampling::PixelSampler> AccuracySampling::build() const {
+  if (of_image())
+    return audited(std::make_unique<sampling::ImageSampler>(static_cast<std::uint32_t>(max_samples)), audit);
   sampling::AccuracyOptions options;
   if (lattice) options.lattice = *lattice;
   options.probes_per_side = static_cast<int>(std::lround(std::sqrt(probes)));
@@ -69,6 +97,8 @@ std::unique_ptr<sampling::PixelSampler> AccuracySampling::build() const {
   return std::make_unique<sampling::AccuracySampler>(options);
 }
 
-std::string AccuracySampling::description() const { return "accuracy"; }
+std::string AccuracySampling::description() const {
+  return of_image() ? "accuracy of the image" + audit_words(audit) : "accuracy";
+}
 
 }  // namespace ifov::io

@@ -12,7 +12,13 @@ namespace ifov::io {
 struct AccuracySampling final : SamplerSettings {
   static const SamplerModel kModel;
 
+  /// What the error is of: the half-width of each pixel's interval, or the root mean square over the image's pixels.
+  enum class Of { pixel, image };
+  bool of_image() const { return of == Of::image; }
+
   ErrorSize error{0.01, ErrorSize::Unit::fraction};
+  Of of = Of::pixel;
+  std::optional<int> audit;             ///< pixels that are measured once more; of images alone
   std::optional<DocumentName> channel;  ///< that is judged; absent: all channels
   double confidence = 0.95;
   bool simultaneous = false;    ///< confidence for all channels of a pixel at once
@@ -29,6 +35,7 @@ struct AccuracySampling final : SamplerSettings {
   std::unique_ptr<sampling::PixelSampler> build() const override;
   std::string description() const override;
   const DocumentName* channel_looked_at() const override { return channel ? &*channel : nullptr; }
+  std::optional<int> audited_pixels() const override { return audit; }
 };
 
 }  // namespace ifov::io

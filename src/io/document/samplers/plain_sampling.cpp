@@ -1,6 +1,7 @@
 #include "io/document/samplers/plain_sampling.h"
 
 #include "core/format.h"
+#include "io/document/samplers/audit_setting.h"
 #include "io/document/schema/record.h"
 #include "sampling/adaptive_sampler.h"
 #include "sampling/grid_sampler.h"
@@ -10,6 +11,9 @@ namespace ifov::io {
 namespace {
 
 constexpr int kMostElements = 1000;
+constexpr const char* kAuditWords =
+    "how many pixels of the image are measured once more by independent rays (each takes some 400 values), from which "
+    "half-widths are calibrated and the image's error is told; 200 do for most";
 
 SchemaType<std::shared_ptr<const SamplerSettings>> single_type() {
   return sampler_type(
@@ -20,16 +24,18 @@ SchemaType<std::array<int, 2>> elements_type() { return tuple<int, 2>(integer(1,
 
 SchemaType<std::shared_ptr<const SamplerSettings>> grid_type() {
   Record<GridSampling> record("grid sampling", "Rays through the centres of equal cells of each pixel.");
-  record.required("elements",
-                  via(
-                      [](GridSampling& grid, std::array<int, 2> n) {
-                        grid.columns = n[0];
-                        grid.rows = n[1];
-                      },
-                      [](const GridSampling& grid) {
-                        return std::array{grid.columns, grid.rows};
-                      }),
-                  elements_type(), "cells across and down");
+  record
+      .required("elements",
+                via(
+                    [](GridSampling& grid, std::array<int, 2> n) {
+                      grid.columns = n[0];
+                      grid.rows = n[1];
+                    },
+                    [](const GridSampling& grid) {
+                      return std::array{grid.columns, grid.rows};
+                    }),
+                elements_type(), "cells across and down")
+      .optional("audit", &GridSampling::audit, audit_type(), kAuditWords);
   return sampler_type(record.type());
 }
 
@@ -53,7 +59,8 @@ SchemaType<std::shared_ptr<const SamplerSettings>> adaptive_type() {
           "between a new sample and the average so far")
       .with_default("max_samples", &AdaptiveSampling::max_samples, integer(1, 1000000), "100", "per pixel")
       .optional("channel", &AdaptiveSampling::channel, name_of("a channel"),
-                "that is compared; without it the channel that differs most");
+                "that is compared; without it the channel that differs most")
+      .optional("audit", &AdaptiveSampling::audit, audit_type(), kAuditWords);
   return sampler_type(record.type());
 }
 
@@ -71,10 +78,12 @@ std::unique_ptr<sampling::PixelSampler> SingleSampling::build() const {
 std::string SingleSampling::description() const { return "single ray"; }
 
 std::unique_ptr<sampling::PixelSampler> GridSampling::build() const {
-  return std::make_unique<sampling::GridSampler>(columns, rows);
+  return audited(std::make_unique<sampling::GridSampler>(columns, rows), audit);
 }
 
-std::string GridSampling::description() const { return format("grid {} x {}", columns, rows); }
+std::string GridSampling::description() const {
+  return format("grid {} x {}{}", columns, rows, audit_words(audit));
+}
 
 std::unique_ptr<sampling::PixelSampler> AdaptiveSampling::build() const {
   sampling::AdaptiveOptions options;
@@ -83,12 +92,12 @@ std::unique_ptr<sampling::PixelSampler> AdaptiveSampling::build() const {
   options.max_samples = max_samples;
   options.allowed_difference = allowed_difference.value;
   options.relative = allowed_difference.unit == ErrorSize::Unit::fraction;
-  return std::make_unique<sampling::AdaptiveSampler>(options);
+  return audited(std::make_unique<sampling::AdaptiveSampler>(options), audit);
 }
 
 std::string AdaptiveSampling::description() const {
-  return format("adaptive, {} x {} sub-elements, at most {} samples, difference {}", sub_columns, sub_rows,
-                max_samples, text_of(allowed_difference));
+  return format("adaptive, {} x {} sub-elements, at most {} samples, difference {}{}", sub_columns, sub_rows,
+                max_samples, text_of(allowed_difference), audit_words(audit));
 }
 
 }  // namespace ifov::io

@@ -24,9 +24,11 @@ struct GridSampling final : SamplerSettings {
   GridSampling(int across, int down) : columns(across), rows(down) {}
 
   int columns = 1, rows = 1;
+  std::optional<int> audit;  ///< pixels that are measured once more
 
   std::unique_ptr<sampling::PixelSampler> build() const override;
   std::string description() const override;
+  std::optional<int> audited_pixels() const override { return audit; }
 };
 
 /// Sub-elements that differ get more samples.
@@ -37,11 +39,13 @@ struct AdaptiveSampling final : SamplerSettings {
   ErrorSize allowed_difference;         ///< radiance or fraction
   int max_samples = 100;                ///< per pixel
   std::optional<DocumentName> channel;  ///< that is compared; absent: all, the largest difference counts
+  std::optional<int> audit;             ///< pixels that are measured once more
   SourcePosition position;
 
   std::unique_ptr<sampling::PixelSampler> build() const override;
   std::string description() const override;
   const DocumentName* channel_looked_at() const override { return channel ? &*channel : nullptr; }
+  std::optional<int> audited_pixels() const override { return audit; }
 };
 
 }  // namespace ifov::io

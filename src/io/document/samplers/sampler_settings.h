@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "io/document/document_values.h"
@@ -27,6 +28,9 @@ class SamplerSettings {
 
   /// The channel that it looks at; null: all of them.
   virtual const DocumentName* channel_looked_at() const { return nullptr; }
+
+  /// How many pixels are measured once more, where any are.
+  virtual std::optional<int> audited_pixels() const { return std::nullopt; }
 };
 
 /// The settings where they are a T, else null.

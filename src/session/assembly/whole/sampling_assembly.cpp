@@ -64,8 +64,9 @@ struct Plan {
 
   /// What accuracy sampling has to reach.
   void ask(const io::AccuracySampling& source, SamplingPlan& plan) const {
-    plan.pilot_rays = source.pilot_rays;
+    plan.pilot_rays = source.pilot_rays && !source.of_image();
     render::AccuracyRequest request;
+    request.image_wide = source.of_image();
     request.unit = unit_of(source.error.unit);
     request.error = source.error.value;
     request.confidence = source.confidence;
@@ -74,10 +75,13 @@ struct Plan {
     request.channels = judged(source.channel_looked_at());
     if (request.unit == render::ErrorUnit::noise) request.noise_w_m2_sr_um = noise(request.channels);
     plan.accuracy_asked =
-        format("{}{}, confidence {:g} % {}", io::text_of(source.error),
-               source.channel ? format(" in channel '{}'", source.channel->name) : " in every channel",
-               100.0 * source.confidence,
-               source.simultaneous ? "for all pixels and channels together" : "per pixel and channel");
+        source.of_image()
+            ? format("an RMS over the image of {}{}", io::text_of(source.error),
+                     source.channel ? format(" in channel '{}'", source.channel->name) : " in every channel")
+            : format("{}{}, confidence {:g} % {}", io::text_of(source.error),
+                     source.channel ? format(" in channel '{}'", source.channel->name) : " in every channel",
+                     100.0 * source.confidence,
+                     source.simultaneous ? "for all pixels and channels together" : "per pixel and channel");
     plan.steering_channels =
         render::steering_channels_of(static_cast<int>(channels.size()), request.channels);
     plan.request = std::move(request);
@@ -100,6 +104,21 @@ SamplingPlan assemble_sampling(const io::DocumentSources& sources, const io::Sam
   else
     plan.steering_channels = assemble.judged(settings.channel_looked_at());
   return plan;
+}
+
+void check_image_size(const io::DocumentSources& sources, const io::SamplingDocument& sampling,
+                      std::int64_t pixels) {
+  const auto* accuracy = io::sampler_as<io::AccuracySampling>(sampling);
+  if (accuracy != nullptr && accuracy->of_image() && pixels < 2)
+    throw io::document_error(
+        sources, accuracy->position,
+        "the error is asked of the image, and the image is one pixel: \"of\": \"pixel\" is "
+        "of each pixel's own interval");
+  const std::optional<int> audited = sampling.method->audited_pixels();
+  if (audited && *audited > pixels)
+    throw io::document_error(
+        sources, sampling.position,
+        format("an audit of {} pixels is asked for, and the image has {}: audit fewer", *audited, pixels));
 }
 
 }  // namespace ifov::session

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -35,5 +36,9 @@ struct SamplingPlan {
 SamplingPlan assemble_sampling(const io::DocumentSources& sources, const io::SamplingDocument& sampling,
                                std::span<const io::ChannelDocument> written,
                                const std::vector<radiometry::Channel>& channels);
+
+/// Fails where an image of so many pixels has too few for what is asked of it as a whole.
+void check_image_size(const io::DocumentSources& sources, const io::SamplingDocument& sampling,
+                      std::int64_t pixels);
 
 }  // namespace ifov::session

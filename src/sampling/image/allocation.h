@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "sampling/image/pixel_points.h"
+
+namespace ifov::sampling {
+
+/// What a pixel's value would vary by: per column, of one value of either level.
+struct LevelVariances {
+  std::vector<double> direct;  ///< within the strata of a pilot
+  std::vector<double> rest;
+};
+
+/// A pixel twice: as a pilot shows it, by which its numbers of values are chosen, and as another does, by which what they lead to is
+/// judged. One alone would choose most values where it happens to be too high, and then find that they help.
+struct SurveyedPixel {
+  LevelVariances chosen_by, judged_by;
+};
+
+/// How values are shared out among the pixels of an image so that the mean squared error of no column is above its limit and no
+/// fewer would do: Neyman's allocation with a multiplier for each column (docs/theory/image_sampling.md). Numbers depend on a pilot
+/// of the pixel, whose values come into its estimate with a weight that is the same in all pixels, so that no mean is biased.
+class Allocation {
+ public:
+  /// Variances fall as n^-kExponent with n strata of the first level, 1/n in the second.
+  static constexpr double kExponent = 1.3;
+  static constexpr int kPilotAcross = 4, kPilotDown = 2, kMostSide = 64;
+  static constexpr std::uint32_t kPilotWhole = 6, kLeastWhole = 4;
+  static constexpr PixelPlan pilot() { return {kPilotAcross, kPilotDown, kPilotWhole}; }
+
+  /// `pixels` stand for all of the image. `limit`: of the mean squared error by column, infinite where it does not matter.
+  /// `rest_cost`: of a value of the second level, over one of the first. `most`: values a pixel may have.
+  Allocation(std::span<const SurveyedPixel> pixels, std::vector<double> limit, double rest_cost,
+             std::uint32_t most);
+
+  /// What the columns' variances come to in the units of this allocation.
+  double direct_size(std::span<const double> variance) const;
+  double rest_size(std::span<const double> variance) const;
+  /// The plan of a pixel of these sizes, beside its pilot.
+  PixelPlan plan(double direct_size, double rest_size) const;
+  /// Whether the plan of a pixel is cut by `most`.
+  bool is_cut(double direct_size, double rest_size) const;
+
+  double pilot_direct_weight() const { return pilot_direct_weight_; }
+  double pilot_rest_weight() const { return pilot_rest_weight_; }
+
+  /// Variance of the estimate from those of one value of the pilot and of the rest of a pixel, each with its number of values.
+  double direct_variance(double of_pilot, double of_main, std::uint32_t count) const;
+  double rest_variance(double of_pilot, double of_main, std::uint32_t whole) const;
+
+  /// Mean squared error over the limit, by column, as it was planned for; and values a pixel, the pilot's included.
+  const std::vector<double>& planned() const { return planned_; }
+  double planned_direct() const { return planned_direct_; }
+  double planned_rest() const { return planned_rest_; }
+
+ private:
+  struct Numbers {
+    double direct, rest;
+  };
+  Numbers numbers(double direct_size, double rest_size) const;
+
+  std::vector<double> column_weight_;  // multipliers over limits
+  double price_ = 1.0;                 // of a value, as the reduction of error that it must bring
+  double rest_cost_;
+  std::uint32_t most_;
+  double pilot_direct_weight_ = 0.0, pilot_rest_weight_ = 0.0;
+  std::vector<double> planned_;
+  double planned_direct_ = 0.0, planned_rest_ = 0.0;
+};
+
+}  // namespace ifov::sampling

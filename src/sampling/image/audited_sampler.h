@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+
+#include "sampling/tile.h"
+
+namespace ifov::sampling {
+
+/// Another sampler, whose errors are measured (Audit): half-widths hold the true value as often as they should by what was found, and
+/// the error of the image is told.
+class AuditedSampler final : public PixelSampler {
+ public:
+  /// Errors: std::invalid_argument where fewer than 20 pixels are to be audited.
+  AuditedSampler(std::unique_ptr<PixelSampler> sampler, int pixels);
+  void sample(const TileProblem& problem, Field& field, TileResult& result) const override;
+  int halo_px() const override { return sampler_->halo_px(); }
+  std::unique_ptr<const ImageSurvey> survey(const SurveyRequest& request) const override;
+
+ private:
+  std::unique_ptr<PixelSampler> sampler_;
+  int pixels_;
+};
+
+}  // namespace ifov::sampling

@@ -1,0 +1,218 @@
+#include "sampling/image/image_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/parallel.h"
+#include "core/run_control.h"
+#include "sampling/hash.h"
+#include "sampling/image/levels.h"
+#include "sampling/image/spread_places.h"
+#include "sampling/tolerance.h"
+
+namespace ifov::sampling {
+
+namespace {
+
+constexpr std::uint64_t kSurveyPaths = 0x737572766579ull, kSurveyPlaces = 0x706c61636573ull;
+constexpr std::size_t kSurveyChunk = 32;
+/// Kinds of fewer pilots are told by those of all.
+constexpr double kLeastOfKind = 16.0;
+
+}  // namespace
+
+std::uint32_t main_material(const Field& field, std::span<const Label> labels) {
+  std::map<std::uint32_t, int> counts;
+  for (const Label label : labels) ++counts[field.material_of(label)];
+  return std::max_element(counts.begin(), counts.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+const ImagePlan::Kind& ImagePlan::kind(std::uint32_t material) const {
+  const auto found = kinds_.find(material);
+  return found == kinds_.end() ? all_ : found->second;
+}
+
+bool shows_several(const Field& field, std::span<const Label> labels) {
+  const std::uint32_t first = field.material_of(labels.front());
+  return std::any_of(labels.begin(), labels.end(),
+                     [&](Label label) { return field.material_of(label) != first; });
+}
+
+namespace {
+
+/// A pixel of the survey: two pilots.
+struct Surveyed {
+  std::uint32_t material = 0;
+  bool mixed = false;
+  std::vector<double> mean, direct_apart,
+      rest_apart;  // of the pilots' means: their mean, and half their difference
+  std::array<LevelVariances, 2> variances;
+};
+
+void look(const SurveyRequest& request, std::span<const Place> places, Field& field,
+          std::span<Surveyed> found) {
+  const TileProblem& image = request.image;
+  PixelPoints points;
+  for (const Place& place : places)
+    for (const int half : {0, 1})
+      points.add(*image.footprint, place.i, place.j, hash(image.seed, place.i, place.j, kSurveyPaths, half),
+                 Allocation::pilot());
+  LevelSums sums;
+  field.levels({points.requests, points.whole, points.counts}, sums);
+  const std::size_t columns = static_cast<std::size_t>(field.columns()),
+                    stride = static_cast<std::size_t>(field.stride()),
+                    labels = 2 * Allocation::pilot().count();
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    Surveyed& pixel = found[p];
+    const std::span<const Label> own = std::span<const Label>(sums.labels).subspan(p * labels, labels);
+    pixel.material = main_material(field, own);
+    pixel.mixed = shows_several(field, own);
+    for (std::vector<double>* row :
+         {&pixel.mean, &pixel.direct_apart, &pixel.rest_apart, &pixel.variances[0].direct,
+          &pixel.variances[0].rest, &pixel.variances[1].direct, &pixel.variances[1].rest})
+      row->resize(columns);
+    for (std::size_t c = 0; c < columns; ++c) {
+      const std::size_t a = 2 * p * stride + c, b = a + stride;
+      const auto half_sum = [&](const std::vector<float>& of) {
+        return 0.5 * (static_cast<double>(of[a]) + static_cast<double>(of[b]));
+      };
+      const auto half_difference = [&](const std::vector<float>& of) {
+        return 0.5 * (static_cast<double>(of[a]) - static_cast<double>(of[b]));
+      };
+      pixel.mean[c] = half_sum(sums.direct) + half_sum(sums.rest);
+      pixel.direct_apart[c] = half_difference(sums.direct);
+      pixel.rest_apart[c] = half_difference(sums.rest);
+      for (const std::size_t h : {0, 1}) {
+        pixel.variances[h].direct[c] = static_cast<double>(sums.direct_variance[h == 0 ? a : b]);
+        pixel.variances[h].rest[c] = static_cast<double>(sums.rest_variance[h == 0 ? a : b]);
+      }
+    }
+  }
+}
+
+/// True over told, every column counting as much: means of sums of squares, twice the square of half a difference being the variance.
+class Factor {
+ public:
+  explicit Factor(std::size_t columns) : found_(columns, 0.0), told_(columns, 0.0) {}
+  void add(std::size_t c, double found, double told) {
+    found_[c] += found;
+    told_[c] += told;
+  }
+  void count() { ++pixels_; }
+  double of(double otherwise) const {
+    constexpr int kFewest = 30;
+    constexpr double kLeast = 0.2, kMost = 4.0;
+    double sum = 0.0;
+    int columns = 0;
+    for (std::size_t c = 0; c < told_.size(); ++c)
+      if (told_[c] > 0.0) sum += found_[c] / told_[c], ++columns;
+    return pixels_ < kFewest || columns == 0 ? otherwise : std::clamp(sum / columns, kLeast, kMost);
+  }
+
+ private:
+  std::vector<double> found_, told_;
+  int pixels_ = 0;
+};
+
+}  // namespace
+
+void ImagePlan::moderate_pilot(LevelVariances& own, std::uint32_t material) const {
+  const LevelVariances& of_kind = kind(material).mean;
+  for (std::size_t c = 0; c < own.direct.size(); ++c) {
+    own.direct[c] =
+        moderated(own.direct[c], Allocation::pilot().count() / 4.0, of_kind.direct[c], kDirectPrior);
+    own.rest[c] = moderated(own.rest[c], Allocation::kPilotWhole - 1.0, of_kind.rest[c], kRestPrior);
+  }
+}
+
+std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, std::uint32_t most_samples) {
+  const TileProblem& image = request.image;
+  const std::int64_t wanted = std::clamp<std::int64_t>(image.image.count() / 8, kLeastPixels, kMostPixels);
+  const std::vector<Place> places =
+      spread_places(image.image, static_cast<std::size_t>(wanted), hash(image.seed, kSurveyPlaces));
+  std::vector<Surveyed> found(places.size());
+  const std::size_t chunks = (places.size() + kSurveyChunk - 1) / kSurveyChunk;
+  std::vector<RayCounts> rays(chunks);
+  parallel_for(static_cast<std::int64_t>(chunks), request.threads, [&](std::int64_t chunk) {
+    if (image.cancel != nullptr && image.cancel->cancelled()) throw Cancelled();
+    const std::unique_ptr<Field> field = request.field();
+    const std::size_t first = static_cast<std::size_t>(chunk) * kSurveyChunk,
+                      count = std::min(kSurveyChunk, places.size() - first);
+    look(request, std::span(places).subspan(first, count), *field, std::span(found).subspan(first, count));
+    rays[static_cast<std::size_t>(chunk)] = field->counts();
+  });
+
+  std::unique_ptr<ImagePlan> plan(new ImagePlan());
+  for (const RayCounts& count : rays) plan->rays += count;
+  const std::size_t columns = found.front().mean.size();
+  std::vector<double> mean(columns, 0.0);
+  Factor pure(columns), mixed(columns), all(columns), rest(columns);
+  for (const Surveyed& pixel : found) {
+    Factor& own = pixel.mixed ? mixed : pure;
+    for (Factor* factor : {&own, &all, &rest}) factor->count();
+    for (std::size_t c = 0; c < columns; ++c) {
+      mean[c] += pixel.mean[c] / static_cast<double>(found.size());
+      const double direct = pixel.direct_apart[c], beyond = pixel.rest_apart[c],
+                   direct_found = 2.0 * direct * (direct + 2.0 * beyond),
+                   direct_told = 0.5 * (pixel.variances[0].direct[c] + pixel.variances[1].direct[c]) /
+                                 Allocation::pilot().count(),
+                   rest_told = 0.5 * (pixel.variances[0].rest[c] + pixel.variances[1].rest[c]) /
+                               Allocation::kPilotWhole;
+      own.add(c, direct_found, direct_told);
+      all.add(c, direct_found, direct_told);
+      rest.add(c, 2.0 * beyond * beyond, rest_told);
+    }
+  }
+  plan->direct_factor_ = {pure.of(all.of(1.0)), mixed.of(all.of(1.0))};
+  plan->rest_factor_ = rest.of(1.0);
+
+  const auto add = [&](Kind& kind, const LevelVariances& pixel) {
+    kind.mean.direct.resize(columns, 0.0);
+    kind.mean.rest.resize(columns, 0.0);
+    for (std::size_t c = 0; c < columns; ++c) {
+      kind.mean.direct[c] += pixel.direct[c];
+      kind.mean.rest[c] += pixel.rest[c];
+    }
+    kind.pixels += 1.0;
+  };
+  for (Surveyed& pixel : found)
+    for (LevelVariances& variances : pixel.variances) {
+      for (double& value : variances.direct) value *= plan->direct_factor(pixel.mixed);
+      for (double& value : variances.rest) value *= plan->rest_factor_;
+      add(plan->all_, variances);
+      add(plan->kinds_[pixel.material], variances);
+    }
+  std::erase_if(plan->kinds_, [](const auto& entry) { return entry.second.pixels < kLeastOfKind; });
+  const auto average = [](Kind& kind) {
+    for (std::vector<double>* values : {&kind.mean.direct, &kind.mean.rest})
+      for (double& value : *values) value /= kind.pixels;
+  };
+  average(plan->all_);
+  for (auto& [material, kind] : plan->kinds_) average(kind);
+
+  // What is asked of a pixel like the image's mean is asked of the image.
+  plan->limits_.assign(columns, std::numeric_limits<double>::infinity());
+  image.tolerance->limits(mean, plan->limits_);
+  // Each pilot chooses, as it will in tiles, and the pixel's other one judges.
+  std::vector<SurveyedPixel> pixels;
+  for (const Surveyed& pixel : found)
+    for (const std::size_t h : {0, 1}) {
+      SurveyedPixel surveyed{pixel.variances[h], pixel.variances[1 - h]};
+      plan->moderate_pilot(surveyed.chosen_by, pixel.material);
+      pixels.push_back(std::move(surveyed));
+    }
+  std::vector<double> squares(columns);
+  for (std::size_t c = 0; c < columns; ++c) squares[c] = plan->limits_[c] * plan->limits_[c];
+  // Both levels send as many rays to light from each surface that they meet: the first one surface, the second so many.
+  constexpr double kLeastCost = 0.5, kMostCost = 8.0;
+  const double followed = 2.0 * Allocation::kPilotWhole * static_cast<double>(found.size());
+  const double rest_cost =
+      std::clamp(static_cast<double>(plan->rays.continuation) / followed, kLeastCost, kMostCost);
+  plan->allocation_ = std::make_unique<const Allocation>(pixels, std::move(squares), rest_cost, most_samples);
+  return plan;
+}
+
+}  // namespace ifov::sampling

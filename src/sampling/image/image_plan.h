@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sampling/image/allocation.h"
+#include "sampling/image/survey.h"
+
+namespace ifov::sampling {
+
+/// What ImageSampler finds of an image before its first tile: from the pilots of pixels that lie all over it, the limits of its
+/// columns' errors, how values are shared out, and how much pixels of a kind vary. The pixels of the tiles draw pilots of their own,
+/// so that nothing here knows the numbers that enter them.
+class ImagePlan final : public ImageSurvey {
+ public:
+  /// Pixels that are looked at: an eighth of the image, within these.
+  static constexpr int kLeastPixels = 256, kMostPixels = 1024;
+
+  /// Needs the tolerance of the request's problem. Throws Cancelled.
+  static std::unique_ptr<const ImagePlan> find(const SurveyRequest& request, std::uint32_t most_samples);
+
+  const Allocation& allocation() const { return *allocation_; }
+  /// Of the root mean square error by column; infinite where a column is not judged.
+  const std::vector<double>& limits() const { return limits_; }
+
+  /// How much pixels vary that show mostly one material: what is known of a pixel before a value of its own. By column.
+  struct Kind {
+    LevelVariances mean;
+    double pixels = 0.0;
+  };
+  const Kind& kind(std::uint32_t material) const;
+
+  /// What variances that samples tell of themselves have to be multiplied by, of pixels of one material and of others: from pilots that
+  /// were drawn twice, whose means differ by what is true. Where borders run, fours tell too much; nets tell too much of the second
+  /// level. With the first level's goes what the two have in common.
+  double direct_factor(bool mixed) const { return direct_factor_[mixed ? 1 : 0]; }
+  double rest_factor() const { return rest_factor_; }
+
+  /// A pilot's variances, factors included, put together with those of its pixel's kind.
+  void moderate_pilot(LevelVariances& own, std::uint32_t material) const;
+
+  /// Values of its own that those of its kind count for when a pixel's variance is told: few in the first level, because edges are
+  /// where they are; more in the second, which is alike in a kind.
+  static constexpr double kDirectPrior = 2.0, kRestPrior = 7.0;
+  /// Degrees of freedom of own and kind put together.
+  static double moderated(double own, double freedom, double of_kind, double prior) {
+    return (freedom * own + prior * of_kind) / (freedom + prior);
+  }
+
+ private:
+  ImagePlan() = default;
+  std::vector<double> limits_;
+  std::unique_ptr<const Allocation> allocation_;
+  std::array<double, 2> direct_factor_{1.0, 1.0};
+  double rest_factor_ = 1.0;
+  std::map<std::uint32_t, Kind> kinds_;
+  Kind all_;
+};
+
+/// Whether labels show more than one material.
+bool shows_several(const Field& field, std::span<const Label> labels);
+
+/// The material that most labels of a pixel show; the least number of those that are as frequent.
+std::uint32_t main_material(const Field& field, std::span<const Label> labels);
+
+}  // namespace ifov::sampling

@@ -1,0 +1,61 @@
+#include "sampling/image/pixel_points.h"
+
+#include <array>
+#include <utility>
+
+#include "sampling/hash.h"
+#include "sampling/pixel_footprint.h"
+#include "sampling/random.h"
+#include "sampling/sub_element_lattice.h"
+
+namespace ifov::sampling {
+
+namespace {
+
+enum class Draw : std::uint64_t { across, down, first_four, of_four };
+
+}  // namespace
+
+void PixelPoints::clear() {
+  requests.clear();
+  whole.clear();
+  counts.clear();
+}
+
+void PixelPoints::add(const PixelFootprint& footprint, int i, int j, std::uint64_t key,
+                      const PixelPlan& plan) {
+  const std::uint32_t count = plan.count(), fours = count / 4;
+  const std::uint64_t start = hash(key, Draw::first_four) % fours;
+  const bool box = footprint.uniform();
+  const double side = 2.0 * footprint.half_width_px();
+  std::uint32_t followed = 0, others = plan.whole;
+  for (std::uint32_t four = 0; four < fours; ++four) {
+    const int a = 2 * static_cast<int>(four % static_cast<std::uint32_t>(plan.across / 2)),
+              b = 2 * static_cast<int>(four / static_cast<std::uint32_t>(plan.across / 2));
+    // Systematic sampling: as many of each four as come to whole numbers along the way.
+    const std::uint64_t before = (std::uint64_t{four} * plan.whole + start) / fours,
+                        after = (std::uint64_t{four + 1} * plan.whole + start) / fours;
+    std::array<std::uint8_t, 4> chosen{};
+    for (std::uint64_t n = before; n < after; ++n) {
+      std::uint64_t k = hash(key, Draw::of_four, four, n) % (4 - (n - before));
+      for (std::size_t m = 0; m < 4; ++m)
+        if (chosen[m] == 0 && k-- == 0) {
+          chosen[m] = 1;
+          break;
+        }
+    }
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const int x = a + static_cast<int>(k % 2), y = b + static_cast<int>(k / 2);
+      const Point2 u{(x + unit_double(hash(key, Draw::across, x, y))) / plan.across,
+                     (y + unit_double(hash(key, Draw::down, x, y))) / plan.down};
+      const Point2 about =
+          box ? Point2{(u.x - 0.5) * side, (u.y - 0.5) * side} : footprint_point(footprint, u);
+      const std::uint32_t index = chosen[k] != 0 ? followed++ : others++;
+      requests.push_back({{i + 0.5 + about.x, j + 0.5 + about.y}, key, index});
+      whole.push_back(chosen[k]);
+    }
+  }
+  counts.push_back(count);
+}
+
+}  // namespace ifov::sampling

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sampling/field.h"
+
+namespace ifov::sampling {
+
+class PixelFootprint;
+
+/// How many values a pixel gets: of the first level one in each of across x down equal cells of its footprint, both even; of the
+/// second at `whole` of these.
+struct PixelPlan {
+  int across = 4, down = 4;
+  std::uint32_t whole = 8;
+  std::uint32_t count() const { return static_cast<std::uint32_t>(across * down); }
+};
+
+/// Requests for levels(), group by group.
+struct PixelPoints {
+  std::vector<PathRequest> requests;
+  std::vector<std::uint8_t> whole;
+  std::vector<std::uint32_t> counts;
+
+  void clear();
+  /// Of pixel (i, j): jittered, one in each cell, in fours of cells side by side. Of which cells the path is followed is drawn so
+  /// that each has the same chance and every four about as many. `key`: of the pixel's random numbers and paths.
+  void add(const PixelFootprint& footprint, int i, int j, std::uint64_t key, const PixelPlan& plan);
+};
+
+}  // namespace ifov::sampling

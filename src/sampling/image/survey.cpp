@@ -1,0 +1,7 @@
+#include "sampling/image/survey.h"
+
+namespace ifov::sampling {
+
+std::unique_ptr<const ImageSurvey> PixelSampler::survey(const SurveyRequest&) const { return nullptr; }
+
+}  // namespace ifov::sampling
