@@ -24,6 +24,7 @@
 #include "render/unsampled_light.h"
 #include "render/wing_light.h"
 #include "sampling/image/survey.h"
+#include "sampling/pixel_sampler.h"
 #include "sampling/tile.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"

@@ -9,6 +9,7 @@
 #include "geometry/world.h"
 #include "render/image_renderer.h"
 #include "sampling/pixel_footprint.h"
+#include "sampling/pixel_sampler.h"
 #include "sampling/tile.h"
 #include "sensor/camera.h"
 

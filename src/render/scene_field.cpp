@@ -10,6 +10,7 @@
 #include "sampling/warp.h"
 #include "sensor/camera.h"
 #include "transport/mirror_light.h"
+#include "transport/path_tracer.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {
@@ -27,7 +28,7 @@ SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Came
     : scene_(scene),
       camera_(camera),
       detail_(detail),
-      tracer_(scene, transport),
+      tracer_(std::make_unique<transport::PathTracer>(scene, transport)),
       light_(std::make_unique<SceneLight>(scene, camera, polarimetry)),
       truth_(scene::truth_materials(scene.scene())),
       blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count())),
@@ -36,7 +37,7 @@ SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Came
       through_(scene),
       mirror_light_(
           detail == LabelDetail::sun_state
-              ? transport::MirrorLight::find(scene, tracer_.sun_images(), transport.mirror_reflections)
+              ? transport::MirrorLight::find(scene, tracer_->sun_images(), transport.mirror_reflections)
               : nullptr) {
   if (scene.scene().sun)
     disc_points_ =
@@ -107,7 +108,7 @@ void SceneField::values(std::span<const sampling::PathRequest> requests, std::sp
       keys_[k] = {requests[first + k].sequence, requests[first + k].index};
     }
     camera_.rays(points_, rays_);
-    const transport::PathRecord& paths = tracer_.trace(rays_, keys_, hits_, counts_);
+    const transport::PathRecord& paths = tracer_->trace(rays_, keys_, hits_, counts_);
     for (std::size_t k = 0; k < count; ++k) {
       float* row = values.data() + (first + k) * row_length;
       light_->write(paths, k, points_[k], rays_[k], row);

@@ -11,7 +11,6 @@
 #include "render/unseen/unseen_light.h"
 #include "sampling/field.h"
 #include "scene/scene.h"
-#include "transport/path_tracer.h"
 
 namespace ifov::sampling {
 struct TileResult;
@@ -21,7 +20,11 @@ class Camera;
 }
 namespace ifov::transport {
 class MirrorLight;
-}
+class PathTracer;
+class SpectralScene;
+struct PathKey;
+struct TransportOptions;
+}  // namespace ifov::transport
 
 namespace ifov::render {
 
@@ -74,7 +77,7 @@ class SceneField final : public sampling::Field {
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
   LabelDetail detail_;
-  transport::PathTracer tracer_;
+  const std::unique_ptr<transport::PathTracer> tracer_;
   const std::unique_ptr<SceneLight> light_;
   scene::TruthMaterials truth_;
   BlendColumns blends_;

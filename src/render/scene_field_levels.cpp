@@ -6,6 +6,7 @@
 #include "render/scene_field.h"
 #include "sampling/image/levels.h"
 #include "sensor/camera.h"
+#include "transport/path_tracer.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {
@@ -65,7 +66,7 @@ void SceneField::levels(const sampling::LevelRequests& of, sampling::LevelSums& 
     }
     camera_.rays(points_, rays_);
     const std::span<const std::uint8_t> whole = of.whole.subspan(first, count);
-    const transport::PathRecord& paths = tracer_.trace(rays_, keys_, hits_, counts_, whole);
+    const transport::PathRecord& paths = tracer_->trace(rays_, keys_, hits_, counts_, whole);
     for (std::size_t k = 0; k < count; ++k) {
       const transport::PathLight::Levels light = light_->levels(paths, k, whole[k] != 0);
       spectra.add_direct(light.direct);

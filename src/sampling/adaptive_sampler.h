@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sampling/pixel_sampler.h"
 #include "sampling/tile.h"
 
 namespace ifov::sampling {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sampling/pixel_sampler.h"
 #include "sampling/tile.h"
 
 namespace ifov::sampling {
@@ -17,6 +18,14 @@ class GridSampler final : public PixelSampler {
 
  private:
   int columns_, rows_;
+};
+
+/// One ray through the centre of each element, whatever the footprint. A single sample says nothing of its
+/// error: there are no variances and half-widths, and no pixel counts as converged.
+class SingleSampler final : public PixelSampler {
+ public:
+  void sample(const TileProblem& problem, Field& field, TileResult& result) const override;
+  int halo_px() const override { return 0; }
 };
 
 }  // namespace ifov::sampling

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/format.h"
+#include "sampling/tile_arrays.h"
 
 namespace ifov::sampling {
 

@@ -23,7 +23,6 @@ class ImageSurvey;
 class PixelFootprint;
 class Tolerance;
 struct LaterLight;
-struct SurveyRequest;
 struct TileResult;
 
 /// All that a sampler may know about the tile it works on. Results depend on this alone.
@@ -77,15 +76,6 @@ struct ColumnError {
   float audited = 0.0f;  ///< mean squared error over those variances, by an audit; 0: there was none
 };
 
-/// An array of a tile, for whoever treats all of them alike.
-struct TileArray {
-  /// How many elements it has: of cells (pixels times columns), of pixels, as many as there are; or as said, or none.
-  enum class Extent { cells, cells_or_none, pixels, pixels_or_none, any };
-  std::string_view name;
-  Extent extent = Extent::any;
-  bool in_cubes = false;  ///< its values are those of a cube that every run writes, or can write
-};
-
 /// One flat record per tile. Per-column arrays hold [pixel * columns + column], pixels row by row; the three that
 /// speak of errors are empty where the method says nothing of its error (single ray).
 struct TileResult {
@@ -131,48 +121,13 @@ struct TileResult {
   /// Null where there is none of this name.
   const TileLayer* layer(std::string_view name) const;
 
-  /// Calls `visit(TileArray, array)` for every array but the layers.
+  /// Calls `visit(TileArray, array)` for every array but the layers (tile_arrays.h).
   template <class Tile, class Visit>
   static void visit_arrays(Tile& tile, const Visit& visit);
   /// "mean has 3 elements, not 12": an array or a layer that does not fit pixels and columns; empty where all do.
   std::string fault() const;
   /// Of all arrays and layers.
   std::uint64_t bytes() const;
-};
-
-template <class Tile, class Visit>
-void TileResult::visit_arrays(Tile& tile, const Visit& visit) {
-  using Extent = TileArray::Extent;
-  visit(TileArray{"mean", Extent::cells, true}, tile.mean);
-  visit(TileArray{"half_width", Extent::cells_or_none, true}, tile.half_width);
-  visit(TileArray{"variance_geometry", Extent::cells_or_none}, tile.variance_geometry);
-  visit(TileArray{"variance_path", Extent::cells_or_none}, tile.variance_path);
-  visit(TileArray{"border_share", Extent::pixels_or_none}, tile.border_share);
-  visit(TileArray{"samples", Extent::pixels}, tile.samples);
-  visit(TileArray{"label_rays", Extent::pixels}, tile.label_rays);
-  visit(TileArray{"radiance_evaluations", Extent::pixels}, tile.radiance_evaluations);
-  visit(TileArray{"worst_ratio", Extent::pixels}, tile.worst_ratio);
-  visit(TileArray{"missable_fraction", Extent::pixels}, tile.missable_fraction);
-  visit(TileArray{"reasons", Extent::pixels}, tile.reasons);
-  visit(TileArray{"abundances"}, tile.abundances);
-  visit(TileArray{"column_errors"}, tile.column_errors);
-  visit(TileArray{"memory"}, tile.memory);
-}
-
-/// One way of turning a tile into pixel values.
-class PixelSampler {
- public:
-  virtual ~PixelSampler() = default;
-  virtual void sample(const TileProblem& problem, Field& field, TileResult& result) const = 0;
-  /// Pixels beyond the tile that the sampler looks at, besides the footprint's own half width.
-  virtual int halo_px() const = 0;
-  /// What it has to know of the whole image before its first tile, found by rays of its own; null where that is nothing. The same
-  /// whoever asks: every process that takes tiles of an image does.
-  virtual std::unique_ptr<const ImageSurvey> survey(const SurveyRequest& request) const;
-  /// Whether it can go on from an earlier run of the tile to a tighter tolerance (TileProblem::before).
-  virtual bool can_refine() const { return false; }
-  /// Whether no pixel rests on a few values: they may then scatter about their mean as they like, below 0 too.
-  virtual bool takes_many_values() const { return false; }
 };
 
 }  // namespace ifov::sampling

@@ -8,6 +8,7 @@
 #include "io/document/document.h"
 #include "io/document/samplers/accuracy_sampling.h"
 #include "sampling/accuracy/accuracy_sampler.h"
+#include "sampling/pixel_sampler.h"
 #include "studies/common/html_page.h"
 #include "studies/common/image_store.h"
 #include "studies/common/study_document.h"

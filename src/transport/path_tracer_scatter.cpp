@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "materials/bsdf/lambertian.h"
 #include "materials/bsdf/narrow_lobes.h"
 #include "math/vec3.h"
 #include "sampling/sequence.h"
@@ -13,7 +12,7 @@
 #include "transport/path_parts.h"
 #include "transport/path_sides.h"
 #include "transport/path_tracer.h"
-#include "transport/sky/sky_dome.h"
+#include "transport/sky/sky_sampler.h"
 #include "transport/spectral_scene.h"
 #include "transport/surface_lobe.h"
 
@@ -225,8 +224,7 @@ float PathTracer::open_sky_share(const scene::ResolvedSurface& surface, const Su
                                  const Sides& sides, Branch branch, int depth) const {
   const bool possible = depth == 0 && options_.sky_shares != nullptr && sky_ != nullptr &&
                         branch == Branch::by_chance && !sides.perturbed && !scene_.polarized();
-  if (!possible || lobe.highest_transmittance > 0.0 || lobe.bsdf != materials::Lambertian::shared().get())
-    return 0.0f;
+  if (!possible || lobe.highest_transmittance > 0.0 || !lobe.bsdf->is_lambertian()) return 0.0f;
   return (*options_.sky_shares)[surface.constituents[0].material];
 }
 

@@ -132,8 +132,8 @@ TEST(Levels, TellVariances) {
 
 /// Puts tiles together.
 struct Whole final : render::TileSink {
-  Whole(int side, int columns)
-      : side(side), mean(static_cast<std::size_t>(side * side * columns)), half_width(mean.size()) {}
+  Whole(int side_px, int columns)
+      : side(side_px), mean(static_cast<std::size_t>(side * side * columns)), half_width(mean.size()) {}
   void begin(const render::ImageInfo&) override {}
   void write(const sampling::TileResult& tile) override {
     const std::scoped_lock lock(mutex);

@@ -99,7 +99,8 @@ Trials sectors(double error, int trials) {
 
 // Splitting cells down to the junction took 334 and 476 rays over the nine pixels, and 36 rays at random.
 TEST(Junction, IsFoundByFewRays) {
-  for (const auto& [error, most] : {std::pair{0.02, 320.0}, {0.002, 410.0}}) {
+  for (const auto& [asked, most] : {std::pair{0.02, 320.0}, {0.002, 410.0}}) {
+    const double error = asked;
     const Trials t = sectors(error, 200);
     EXPECT_LE(t.mean_samples(), most);
     EXPECT_GE(t.coverage(), 0.94);

@@ -12,7 +12,6 @@
 #include "sampling/adaptive_sampler.h"
 #include "sampling/grid_sampler.h"
 #include "sampling/pixel_footprint.h"
-#include "sampling/single_sampler.h"
 #include "sampling/tolerance.h"
 #include "shape_field.h"
 

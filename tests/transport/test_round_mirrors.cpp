@@ -80,7 +80,7 @@ TEST(RoundMirror, ImagesObeyTheLawOfReflection) {
     const Point3 p = unit(image->at);
     const bool ball = kind == UnitKind::sphere;
     EXPECT_NEAR(std::hypot(p.x, p.y, ball ? p.z : 0.0), 1.0, 1e-9);
-    const Vec3 normal = map(math::Normal3(p.x, p.y, ball ? p.z : 0.0)).as_vector();
+    const Vec3 normal = map(math::Normal3{p.x, p.y, ball ? p.z : 0.0}).as_vector();
     EXPECT_NEAR(length(from + image->direction * image->distance_m - image->at), 0.0,
                 1e-9 * image->distance_m);
     const Vec3 mirrored = image->direction - 2.0 * dot(image->direction, normal) * normal;

@@ -16,13 +16,15 @@ namespace ifov::io {
 /// What lies beyond the edges of a map: its last cells, or the map again, or the map reversed and then again.
 enum class Tiling { edge, repeat, mirror };
 
+struct RasterPlacement {
+  double x_m = 0.0, y_m = 0.0;           ///< lower left corner
+  double width_m = 0.0, height_m = 0.0;  ///< towards +x and +y
+};
+
 /// A raster that lies on surfaces: draped from above, where without a placement its own georeference counts, or by
 /// texture coordinates.
 struct RasterDocument {
-  struct Placement {
-    double x_m = 0.0, y_m = 0.0;           ///< lower left corner
-    double width_m = 0.0, height_m = 0.0;  ///< towards +x and +y
-  };
+  using Placement = RasterPlacement;
   DocumentFile file;
   std::optional<Placement> placement;
   bool by_texture = false;

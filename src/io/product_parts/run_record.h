@@ -19,10 +19,10 @@ struct RunOutcome {
   std::string accuracy_statement;   ///< plain words: what was asked for, what was reached, where it was not
   std::string detection_statement;  ///< plain words: what could have been missed, with what probability
   std::vector<std::string> notes;   ///< floors, warnings
-  std::vector<ImageError> image_errors;  ///< by channel; empty where pixels are judged one by one
   double elapsed_s = 0.0;
-  int threads = 0;   ///< 0: all cores, whose number is then recorded
-  std::string date;  ///< when the products were made, UTC, ISO 8601
+  int threads = 0;                            ///< 0: all cores, whose number is then recorded
+  std::string date;                           ///< when the products were made, UTC, ISO 8601
+  std::vector<ImageError> image_errors = {};  ///< by channel; empty where pixels are judged one by one
 };
 
 /// What a mean half-width is made of, at the mean radiance.

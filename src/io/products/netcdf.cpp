@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "io/product_parts/product_headers.h"
 #include "io/products/netcdf_map.h"
 #include "io/quantities/quantity.h"
 #include "io/quantities/quantity_set.h"

@@ -11,6 +11,7 @@
 #include "io/run_state/kept_run.h"
 #include "io/run_state/run_folder.h"
 #include "io/run_state/tile_packs.h"
+#include "sampling/tile_arrays.h"
 
 namespace ifov::io {
 namespace {

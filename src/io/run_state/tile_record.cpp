@@ -10,6 +10,7 @@
 #include <zstd.h>
 
 #include "core/format.h"
+#include "sampling/tile_arrays.h"
 
 namespace ifov::io {
 namespace {

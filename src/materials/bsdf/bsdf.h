@@ -46,6 +46,7 @@ class Bsdf {
   /// medium radiance stands for basic radiance, L / n^2 (docs/theory/surfaces.md).
   virtual bool is_delta() const { return false; }
   virtual bool is_separable() const { return false; }
+  virtual bool is_lambertian() const { return false; }  ///< its shape is 1/pi
   /// A separable model is isotropic.
   virtual bool is_isotropic() const { return true; }
   virtual bool may_transmit() const { return false; }

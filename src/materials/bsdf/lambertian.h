@@ -13,6 +13,7 @@ class Lambertian final : public Bsdf {
   static const std::shared_ptr<const Bsdf>& shared();
 
   bool is_separable() const override { return true; }
+  bool is_lambertian() const override { return true; }
   bool may_transmit() const override { return true; }
   double shape(const BsdfEvent& event) const override;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sampling/accuracy/basis/options.h"
+#include "sampling/pixel_sampler.h"
 #include "sampling/tile.h"
 
 namespace ifov::sampling {

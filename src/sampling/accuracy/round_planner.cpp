@@ -35,17 +35,6 @@ constexpr double kManyPaths = 320.0, kManyValues = 16384.0;
 /// What rounds of n values in clutter are planned by: their variance falls as n to minus this, between borders (3/2)
 /// and paths (1). A round holds at most this many times the values of those before it.
 constexpr double kClutterFall = 1.35, kClutterGrowth = 6.0;
-/// Tests are told apart by at least this growth, where that many values are wanted.
-constexpr double kLeastGrowth = 2.0;
-
-/// `wanted` values would do in place of `have` if all variance fell as 1/n; the share `unseen` of it falls as 1/n^2
-/// (UnseenValues). How many are wanted then.
-double with_unseen(double wanted, double have, double unseen) {
-  if (unseen <= 0.0 || wanted <= have) return wanted;
-  const double rest = 1.0 - unseen, target = have / wanted;
-  const double fall = (std::sqrt(rest * rest + 4.0 * unseen * target) - rest) / (2.0 * unseen);
-  return std::max(have / fall, std::min(wanted, kLeastGrowth * have));
-}
 
 }  // namespace
 
@@ -156,7 +145,7 @@ bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrat
   std::vector<std::uint8_t> tested(outputs_.size(), 0);
   StratumMoments moments;
   std::vector<ClutterRound::Moment> clutter;
-  std::vector<double> deviation(n), unseen_share(n);
+  std::vector<double> deviation(n);
   for (std::size_t p = 0; p < radiance.pixels().others().size(); ++p) {
     const SourcePixel& pixel = radiance.pixels().others()[p];
     const PixelModel& model = pixel.model;
@@ -175,9 +164,6 @@ bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrat
           pixel.cluttered ? pixel.clutter_count() : static_cast<double>(pixel.strata[s].count());
       for (std::size_t d = 0; d < n; ++d) {
         const double unseen = radiance.unseen().variance(pixel, s, steering_[d]);
-        unseen_share[d] = pixel.cluttered || unseen <= 0.0 || count < 1.0
-                              ? 0.0
-                              : unseen * count / (moments.variance[d] + unseen * count);
         deviation[d] = pixel.cluttered ? std::sqrt((clutter[d].variance + unseen) * count)
                                        : std::sqrt(moments.variance[d] + unseen * std::max(1.0, count));
       }
@@ -189,9 +175,8 @@ bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrat
         const double weight =
             pixel.cluttered ? integrator.whole_weight(pixel.source, model.outputs[o]) : model.weight_of(s, o);
         for (std::size_t d = 0; d < n; ++d)
-          wanted = std::max(wanted, with_unseen(sum.gain[d] * weight * deviation[d] * sum.deviation[d] /
-                                                    output.path_budget[d],
-                                                count, unseen_share[d]));
+          wanted = std::max(wanted,
+                            sum.gain[d] * weight * deviation[d] * sum.deviation[d] / output.path_budget[d]);
       }
       if (pixel.cluttered) {
         const double more = std::min(next_clutter(pixel, wanted), room);

@@ -6,6 +6,7 @@
 #include "core/parallel.h"
 #include "core/run_control.h"
 #include "sampling/image/audited_pixels.h"
+#include "sampling/pixel_sampler.h"
 
 namespace ifov::sampling {
 

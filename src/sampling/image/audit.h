@@ -10,6 +10,8 @@
 
 namespace ifov::sampling {
 
+class PixelSampler;
+
 /// How wrong a sampler is, whatever it says of itself: some pixels of the image are sampled as they will be in it, and measured
 /// again by two independent halves of many values. Half of these pixels are drawn evenly and half by the variance that is stated, so
 /// that pixels which count are looked at.

@@ -9,6 +9,7 @@
 #include "sampling/image/audit.h"
 #include "sampling/image/pixel_points.h"
 #include "sampling/image/spread_places.h"
+#include "sampling/pixel_sampler.h"
 #include "sampling/random.h"
 #include "sampling/value_batch.h"
 

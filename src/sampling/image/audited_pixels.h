@@ -8,6 +8,7 @@
 
 namespace ifov::sampling {
 
+class PixelSampler;
 /// A pixel as a sampler has it, and as it was measured beside that.
 struct AuditedPixel {
   double weight = 1.0;                        ///< pixels of the image that it stands for, up to a factor

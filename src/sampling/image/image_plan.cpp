@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "core/run_control.h"
 #include "sampling/hash.h"

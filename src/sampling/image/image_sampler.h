@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "sampling/pixel_sampler.h"
 #include "sampling/tile.h"
 
 namespace ifov::sampling {

@@ -45,7 +45,8 @@ struct AtmosphereReport::Inside {
 };
 
 void FacadeAccess::set(AtmosphereReport& report, io::AtmosphereReport inside) {
-  report.inside_ = std::make_shared<const AtmosphereReport::Inside>(std::move(inside));
+  report.inside_ =
+      std::make_shared<const AtmosphereReport::Inside>(AtmosphereReport::Inside{std::move(inside)});
 }
 
 AtmosphereReport survey_atmosphere(const Document& document, const AtmosphereQuestion& question) {

@@ -1,5 +1,6 @@
 #include "ifov/brdf.h"
 
+#include "core/call_scope.h"
 #include "io/brdf_report/brdf_report.h"
 #include "io/document/reading/scattering_models.h"
 #include "io/document/schema/schema_type.h"
@@ -14,7 +15,7 @@ struct BrdfReport::Inside {
 };
 
 void FacadeAccess::set(BrdfReport& report, io::BrdfReport inside) {
-  report.inside_ = std::make_shared<const BrdfReport::Inside>(std::move(inside));
+  report.inside_ = std::make_shared<const BrdfReport::Inside>(BrdfReport::Inside{std::move(inside)});
 }
 
 namespace {

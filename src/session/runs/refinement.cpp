@@ -4,6 +4,7 @@
 #include "io/run_state/kept_run.h"
 #include "io/run_state/run_folder.h"
 #include "io/run_state/run_state.h"
+#include "sampling/pixel_sampler.h"
 #include "session/loaded/parts.h"
 
 namespace ifov::session {

@@ -16,7 +16,7 @@ namespace ifov::studies {
 namespace {
 
 using namespace atmosphere;
-constexpr std::size_t kLevels = 61, kLayers = 60, kSites = 100;
+constexpr std::size_t kLevels = 61, kLayers = 60;
 constexpr double kStefanBoltzmann = 5.670374419e-8, kPi = std::numbers::pi;
 /// The band model begins here; below, the air is taken for opaque.
 constexpr double kFirst_cm1 = 200.0, kLastThermal_cm1 = 3250.0;

@@ -13,6 +13,7 @@
 #include "io/document/document.h"
 #include "render/image_renderer.h"
 #include "render/tolerance/accuracy_tolerance.h"
+#include "sampling/pixel_sampler.h"
 #include "session/assembly/whole/sampling_assembly.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/error.h"
 #include "studies/common/report_figures.h"
 #include "studies/common/study_files.h"
 #include "studies/surfaces/surface_sections.h"

@@ -5,7 +5,6 @@
 #include "io/document/schema/record.h"
 #include "sampling/adaptive_sampler.h"
 #include "sampling/grid_sampler.h"
-#include "sampling/single_sampler.h"
 
 namespace ifov::io {
 namespace {

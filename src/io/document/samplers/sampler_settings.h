@@ -6,10 +6,7 @@
 
 #include "io/document/document_values.h"
 #include "io/document/sampling_document.h"
-
-namespace ifov::sampling {
-class PixelSampler;
-}
+#include "sampling/pixel_sampler.h"
 
 namespace ifov::io {
 

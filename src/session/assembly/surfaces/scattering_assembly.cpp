@@ -59,7 +59,8 @@ materials::BsdfInputs ScatteringAssembly::inputs_of(const io::MaterialDocument& 
     inputs.say = [this, name = source.name](const std::string& change) {
       log_->warn(format("material '{}': {}", name, change));
     };
-  for (const auto& [key, value] : source.scattering.values) {
+  for (const auto& entry : source.scattering.values) {
+    const std::string& key = entry.first;
     std::visit(Overloaded{[&](double number) { inputs.values.emplace_back(key, number); },
                           [&](const std::shared_ptr<const io::ParameterMap>&) {},
                           [&](const std::string& word) { inputs.values.emplace_back(key, word); },
@@ -75,7 +76,7 @@ materials::BsdfInputs ScatteringAssembly::inputs_of(const io::MaterialDocument& 
                             });
                           },
                           [&](bool flag) { inputs.values.emplace_back(key, flag ? 1.0 : 0.0); }},
-               value);
+               entry.second);
   }
   return inputs;
 }
@@ -107,8 +108,9 @@ std::size_t ScatteringAssembly::map_count(const io::MaterialDocument& source) {
 std::vector<ScatteringAssembly::Mapped> ScatteringAssembly::mapped(const io::MaterialDocument& source) {
   const materials::BsdfModel& model = materials::bsdf_model(source.scattering.model);
   std::vector<Mapped> all;
-  for (const auto& [key, value] : source.scattering.values) {
-    const auto* shared = std::get_if<std::shared_ptr<const io::ParameterMap>>(&value);
+  for (const auto& entry : source.scattering.values) {
+    const std::string& key = entry.first;
+    const auto* shared = std::get_if<std::shared_ptr<const io::ParameterMap>>(&entry.second);
     if (shared == nullptr) continue;
     const io::ParameterMap* map = shared->get();
     const materials::BsdfParameter& parameter = parameter_of(model, key);

@@ -9,15 +9,13 @@
 
 #include "radiometry/channel.h"
 #include "render/tolerance/accuracy_request.h"
+#include "sampling/pixel_sampler.h"
 
 namespace ifov::io {
 struct ChannelDocument;
 struct DocumentSources;
 struct SamplingDocument;
 }  // namespace ifov::io
-namespace ifov::sampling {
-class PixelSampler;
-}
 
 namespace ifov::session {
 
