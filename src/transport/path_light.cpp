@@ -158,7 +158,7 @@ void PathLight::add_open_sky(const PathRecord& record, const PathRecord::Path& p
   const SkyDome& dome = *scene_.sky_dome();
   const SkyIrradiance::Corners open = dome.irradiance(path.first_normal);
   spectra::sum_of_scaled(difference, open.spectrum.data(), open.weight.data(), n_);
-  if (path.left_first.z >= 0.0) {
+  if (vertex.continuation_weight > 0.0f && path.left_first.z >= 0.0) {
     const SkyDome::Corners sky = dome.at(path.left_first);
     spectra::sum_of_scaled(drawn, sky.spectrum.data(), sky.weight.data(), n_);
     spectra::add_scaled(difference, drawn, -vertex.continuation_weight, n_);

@@ -170,8 +170,9 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
     vertex.continuation_weight =
         survives ? static_cast<float>(vertex.continuation_weight / probability) : 0.0f;
   }
-  if (const float share = open_sky_share(surface, lobe, sides, branch, depth);
-      share > 0.0f && vertex.continuation_weight > 0.0f) {
+  // Also of paths that end here, because the direction that was drawn from the sky lies below the surface.
+  if (const float share = goes_on ? open_sky_share(surface, lobe, sides, branch, depth) : 0.0f;
+      share > 0.0f) {
     record_.paths[number].sky_share = share;
     record_.paths[number].first_normal = sides.outward;
     record_.paths[number].left_first = event.next.direction;
