@@ -31,6 +31,7 @@ class Planted {
         points.push_back(lattice_.point(i * Lattice::side(0), j * Lattice::side(0)));
     queries_.ask(points, labels, Purpose::trace);
     asked_ = field_.counts().primary;
+    contrast_.begin(4);
     for (int p = 0; p < 4; ++p) contrast_.allowed(p)[0] = 1e-3;
     tree.plant(labels);
     brackets.plant(16);
@@ -41,13 +42,13 @@ class Planted {
   std::uint32_t number(double x_px, double y_px) const { return tree.leaf_at({x_px, y_px}); }
 
  private:
-  static constexpr int kDriver[1] = {0};
+  const std::vector<int> kSteering{0};
   test::ShapeField field_;
   Lattice lattice_{{0, 0, 2, 2}, 2};
   LabelTable table_{1};
   RayLedger ledger_{field_, nullptr, lattice_, table_, nullptr};
   PointQueries queries_{ledger_, table_, 1};
-  Contrast contrast_{table_, kDriver, 4};
+  Contrast contrast_{table_, kSteering};
   Dither dither_;
   std::uint64_t asked_ = 0;
 

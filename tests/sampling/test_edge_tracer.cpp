@@ -21,6 +21,7 @@ namespace {
 /// The borders of a field over 3 x 3 pixels, of which each may err by `allowed` of the radiance that labels differ by.
 struct Traced {
   explicit Traced(test::ShapeField field_traced, double allowed = 1e-3) : field(std::move(field_traced)) {
+    contrast.begin(9);
     for (int p = 0; p < 9; ++p) contrast.allowed(p)[0] = allowed;
     std::vector<FocalPoint> points;
     std::vector<std::uint32_t> labels;
@@ -32,12 +33,12 @@ struct Traced {
     tracer.settle();
   }
 
-  static constexpr int kDriver[1] = {0};
+  const std::vector<int> kSteering{0};
   test::ShapeField field;
   Lattice lattice{{0, 0, 3, 3}, 3};
   LabelTable table{1};
   RayLedger ledger{field, nullptr, lattice, table, nullptr};
-  Contrast contrast{table, kDriver, 9};
+  Contrast contrast{table, kSteering};
   AccuracyOptions options;
   Dither dither;
   EdgeTracer tracer{lattice, ledger, table, contrast, options, dither, 5};

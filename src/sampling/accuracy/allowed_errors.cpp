@@ -6,8 +6,10 @@
 #include "sampling/accuracy/basis/lattice.h"
 #include "sampling/accuracy/basis/no_label.h"
 #include "sampling/accuracy/borders/contrast.h"
+#include "sampling/accuracy/borders/steering_columns.h"
 #include "sampling/accuracy/output_intervals.h"
 #include "sampling/accuracy/radiance/lattice_values.h"
+#include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/accuracy/radiance/spread.h"
 #include "sampling/accuracy/source_grid.h"
 #include "sampling/pixel_footprint.h"
@@ -46,18 +48,43 @@ double footprint_energy(const PixelFootprint& footprint) {
 }  // namespace
 
 AllowedErrors::AllowedErrors(const TileProblem& problem, const SourceGrid& grid, const Lattice& lattice,
-                             const LatticeValues& values, double normal, Contrast& contrast)
+                             const LatticeValues& values, double normal, SteeringColumns& steering,
+                             Contrast& contrast)
     : problem_(problem),
       grid_(grid),
       lattice_(lattice),
       values_(values),
+      steering_(steering),
       contrast_(contrast),
       unit_(normal * (problem.keep_memory && problem.before == nullptr ? kForesight : 1.0)),
       energy_(footprint_energy(*problem.footprint)) {}
 
 void AllowedErrors::take_from_lattice() {
+  find_lattice_limits();
+  cover_lattice();
+  const int pixels = lattice_.domain().count();
+  contrast_.begin(pixels);
+  for (int p = 0; p < pixels; ++p) {
+    const double* limit = &lattice_limits_[grid_.nearest_output(p) * values_.columns];
+    const std::span<double> allowed = contrast_.allowed(p);
+    for (std::size_t d = 0; d < allowed.size(); ++d) allowed[d] = limit[steering_.list()[d]];
+  }
+}
+
+std::span<const double> AllowedErrors::inverse_squares(int source) {
+  const int output = grid_.nearest_output(source);
+  if (output != inverse_of_) {
+    inverse_of_ = output;
+    const double* limit = &lattice_limits_[output * values_.columns];
+    inverse_.resize(values_.columns);
+    for (std::size_t c = 0; c < inverse_.size(); ++c) inverse_[c] = 1.0 / (limit[c] * limit[c]);
+  }
+  return inverse_;
+}
+
+void AllowedErrors::find_lattice_limits() {
   const PixelRect& d = lattice_.domain();
-  const std::size_t columns = values_.columns, steering_channels = problem_.steering_channels.size();
+  const std::size_t columns = values_.columns;
   const std::vector<double> source_mean = source_means();
   const int reach = reach_of(*problem_.footprint);
   std::vector<double> pixel_weight;
@@ -65,8 +92,8 @@ void AllowedErrors::take_from_lattice() {
     for (int dx = -reach; dx <= reach; ++dx)
       pixel_weight.push_back(problem_.footprint->integral(dx - 0.5, dy - 0.5, dx + 0.5, dy + 0.5));
   PixelLimits limits(*problem_.tolerance, problem_.later);
-  std::vector<double> mean(columns), known_mean, limit(columns),
-      allowed(static_cast<std::size_t>(problem_.tile.count()) * steering_channels);
+  std::vector<double> mean(columns), known_mean, limit(columns);
+  lattice_limits_.resize(static_cast<std::size_t>(problem_.tile.count()) * columns);
   for (int o = 0; o < problem_.tile.count(); ++o) {
     std::fill(mean.begin(), mean.end(), 0.0);
     const int source = grid_.source_of(o);
@@ -80,12 +107,43 @@ void AllowedErrors::take_from_lattice() {
       limits.of(static_cast<std::size_t>(o), mean, limit);
       known_mean = mean;
     }
-    for (std::size_t n = 0; n < steering_channels; ++n)
-      allowed[o * steering_channels + n] = limit[problem_.steering_channels[n]] / unit_;
+    for (std::size_t c = 0; c < columns; ++c)
+      lattice_limits_[static_cast<std::size_t>(o) * columns + c] = limit[c] / unit_;
   }
-  for (int p = 0; p < d.count(); ++p)
-    std::copy_n(&allowed[grid_.nearest_output(p) * steering_channels], steering_channels,
-                contrast_.allowed(p).begin());
+}
+
+void AllowedErrors::cover_lattice() {
+  const int k = lattice_.cells_per_pixel(), row = lattice_.columns() + 1;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (int p = 0; p < lattice_.domain().count() && !steering_.all(); ++p) {
+    if (values_.only[p] != LatticeValues::kMixed) continue;
+    const std::uint32_t* labels = &values_.labels[lattice_.first_vertex(p)];
+    pairs.clear();
+    const auto add = [&](std::uint32_t a, std::uint32_t b) {
+      if (a != b) pairs.push_back(std::minmax(a, b));
+    };
+    for (int j = 0; j <= k; ++j, labels += row)
+      for (int i = 0; i <= k; ++i) {
+        if (i < k) add(labels[i], labels[i + 1]);
+        if (j < k) add(labels[i], labels[i + row]);
+      }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    for (const auto& [a, b] : pairs) steering_.cover(contrast_, a, b, inverse_squares(p));
+  }
+}
+
+bool AllowedErrors::cover(const SourcePixels& traced) {
+  const std::size_t before = steering_.list().size();
+  for (const SourcePixel& pixel : traced.others()) {
+    const auto& labels = pixel.model.labels;
+    for (std::size_t i = 0; i < labels.size() && !steering_.all(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        steering_.cover(contrast_, labels[i], labels[j], inverse_squares(pixel.source));
+  }
+  if (steering_.list().size() == before) return false;
+  contrast_.begin(lattice_.domain().count());
+  return true;
 }
 
 /// Of the lattice's values, [source pixel][column].
@@ -119,16 +177,15 @@ std::vector<double> AllowedErrors::source_means() const {
 }
 
 void AllowedErrors::take_from_sums(OutputIntervals& intervals) {
-  const std::size_t n = problem_.steering_channels.size();
+  const std::size_t n = steering_.list().size();
   PixelLimits limits(*problem_.tolerance, problem_.later);
   std::vector<double> mean(values_.columns, 0.0), limit(mean.size());
   for (int p = 0; p < lattice_.domain().count(); ++p) {
     const int output = grid_.nearest_output(p);
     const OutputSums::Row sum = intervals.sum(output);
-    for (std::size_t d = 0; d < n; ++d) mean[problem_.steering_channels[d]] = sum.mean[d];
+    for (std::size_t d = 0; d < n; ++d) mean[steering_.list()[d]] = sum.mean[d];
     limits.of(static_cast<std::size_t>(output), mean, limit);
-    for (std::size_t d = 0; d < n; ++d)
-      contrast_.allowed(p)[d] = limit[problem_.steering_channels[d]] / unit_;
+    for (std::size_t d = 0; d < n; ++d) contrast_.allowed(p)[d] = limit[steering_.list()[d]] / unit_;
   }
 }
 
@@ -143,8 +200,8 @@ double AllowedErrors::geometry_share(int source, const LabelSpread& spread) cons
       if (labels[i] == known) continue;
       known = labels[i];
       if (spread.constant(known)) continue;
-      for (std::size_t d = 0; d < problem_.steering_channels.size(); ++d)
-        if (spread.total(known, problem_.steering_channels[d]) > 0.01 * allowed[d] * allowed[d])
+      for (std::size_t d = 0; d < allowed.size(); ++d)
+        if (spread.total(known, steering_.list()[d]) > 0.01 * allowed[d] * allowed[d])
           return kGeometryShareWithPaths;
     }
   return 1.0;

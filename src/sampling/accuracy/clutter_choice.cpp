@@ -6,6 +6,7 @@
 #include "sampling/accuracy/allowed_errors.h"
 #include "sampling/accuracy/basis/lattice.h"
 #include "sampling/accuracy/borders/contrast.h"
+#include "sampling/accuracy/borders/steering_columns.h"
 #include "sampling/accuracy/borders/traced_pixels.h"
 #include "sampling/accuracy/clutter.h"
 #include "sampling/accuracy/output_state.h"
@@ -29,12 +30,12 @@ constexpr int kClutterTest = 2;
 }  // namespace
 
 ClutterChoice::ClutterChoice(const Lattice& lattice, const LatticeValues& values, const Contrast& contrast,
-                             const TileRecall& recall, std::span<const int> steering_channels)
+                             const TileRecall& recall, const SteeringColumns& steering)
     : lattice_(lattice),
       values_(values),
       contrast_(contrast),
       recall_(recall),
-      steering_channels_(steering_channels),
+      steering_(steering),
       predicted_(static_cast<std::size_t>(lattice.domain().count()), 0.0f) {}
 
 void ClutterChoice::choose(const AllowedErrors& errors, const LabelSpread& spread, TracedPixels& pixels) {
@@ -84,8 +85,8 @@ bool ClutterChoice::doubtful(const SourcePixel& pixel) const {
     double weight = 0.0;
     for (std::size_t o = 0; o < model.outputs.size(); ++o) weight = std::max(weight, model.weight_of(s, o));
     const double share = weight / std::max(static_cast<double>(stratum.count()), stratum.strays);
-    for (std::size_t d = 0; d < steering_channels_.size(); ++d) {
-      const int c = steering_channels_[d];
+    for (std::size_t d = 0; d < allowed.size(); ++d) {
+      const int c = steering_.list()[d];
       const double square = stratum.stray_sum[c] * stratum.stray_sum[c] + stratum.stray_squares[c];
       if (share * share * square > kDoubt * allowed[d] * allowed[d]) return true;
     }

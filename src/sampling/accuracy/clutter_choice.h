@@ -10,6 +10,7 @@ class Contrast;
 class LabelSpread;
 class Lattice;
 class Radiance;
+class SteeringColumns;
 class TileRecall;
 class TracedPixels;
 struct LatticeValues;
@@ -20,9 +21,8 @@ struct SourcePixel;
 /// after it where values contradict what was traced.
 class ClutterChoice {
  public:
-  /// `drivers`: the columns that steer.
   ClutterChoice(const Lattice& lattice, const LatticeValues& values, const Contrast& contrast,
-                const TileRecall& recall, std::span<const int> steering_channels);
+                const TileRecall& recall, const SteeringColumns& steering);
 
   /// Abandons pixels that are cheaper so, and limits what tracing may spend on the others.
   void choose(const AllowedErrors& errors, const LabelSpread& spread, TracedPixels& pixels);
@@ -42,7 +42,7 @@ class ClutterChoice {
   const LatticeValues& values_;
   const Contrast& contrast_;
   const TileRecall& recall_;
-  std::span<const int> steering_channels_;
+  const SteeringColumns& steering_;
   std::vector<float> predicted_;
 };
 

@@ -9,6 +9,7 @@
 #include "sampling/accuracy/basis/options.h"
 #include "sampling/accuracy/basis/ray_ledger.h"
 #include "sampling/accuracy/borders/contrast.h"
+#include "sampling/accuracy/borders/steering_columns.h"
 #include "sampling/accuracy/borders/traced_pixels.h"
 #include "sampling/accuracy/clutter_choice.h"
 #include "sampling/accuracy/edges/edge_tracer.h"
@@ -53,18 +54,21 @@ struct TileTracing::Parts {
         grid(lattice, *problem.footprint, problem.tile),
         table(field.columns()),
         ledger(field, problem.cancel, lattice, table, recall.memory()),
-        contrast(table, problem.steering_channels, lattice.domain().count()),
+        steering(problem.steering_channels, table.columns()),
+        contrast(table, steering.list()),
         dither(parts.dither()),
         tracer(lattice, ledger, table, contrast, options, *dither, problem.seed),
         prober(tracer, ledger, options, problem.seed),
         look(grid, lattice, options.random_rays_per_side, problem.seed),
-        errors(problem, grid, lattice, values, Stopping(problem.tolerance->confidence()).normal(), contrast),
-        clutter(lattice, values, contrast, recall, problem.steering_channels) {}
+        errors(problem, grid, lattice, values, Stopping(problem.tolerance->confidence()).normal(), steering,
+               contrast),
+        clutter(lattice, values, contrast, recall, steering) {}
 
   Lattice lattice;
   SourceGrid grid;
   LabelTable table;
   RayLedger ledger;
+  SteeringColumns steering;
   Contrast contrast;
   std::unique_ptr<Dither> dither;
   EdgeTracer tracer;
@@ -96,6 +100,7 @@ const Prober& TileTracing::prober() const { return parts_->prober; }
 const RandomLook& TileTracing::look() const { return parts_->look; }
 AllowedErrors& TileTracing::errors() { return parts_->errors; }
 const ClutterChoice& TileTracing::clutter() const { return parts_->clutter; }
+const SteeringColumns& TileTracing::steering() const { return parts_->steering; }
 const LatticeValues& TileTracing::lattice_values() const { return parts_->values; }
 const LabelSpread& TileTracing::spread() const { return *parts_->spread; }
 
@@ -110,12 +115,11 @@ void TileTracing::trace_lattice() {
   take_means(lattice, table, values);
   parts_->spread = parts_of_method_.spread(lattice, table, values);
   const LabelSpread& spread = *parts_->spread;
-  const std::size_t steering_channels = problem_.steering_channels.size();
-  parts_->contrast.spread().resize(table.size() * steering_channels);
-  for (std::size_t l = 0; l < table.size(); ++l)
-    for (std::size_t d = 0; d < steering_channels; ++d)
-      parts_->contrast.spread()[l * steering_channels + d] =
-          spread.local(static_cast<std::uint32_t>(l), problem_.steering_channels[d]);
+  std::vector<double>& variances = parts_->contrast.spread();
+  variances.reserve(table.size() * table.columns());
+  for (std::uint32_t label = 0; label < table.size(); ++label)
+    for (int column = 0; column < static_cast<int>(table.columns()); ++column)
+      variances.push_back(spread.local(label, column));
   parts_->errors.take_from_lattice();
   for (int p = 0; p < lattice.domain().count(); ++p)
     parts_->tracer.pixels().allow_variance(static_cast<std::uint32_t>(p),

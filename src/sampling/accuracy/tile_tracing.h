@@ -18,6 +18,7 @@ class Prober;
 class RandomLook;
 class RayLedger;
 class SourceGrid;
+class SteeringColumns;
 class TileRecall;
 struct AccuracyOptions;
 struct LatticeValues;
@@ -44,6 +45,7 @@ class TileTracing {
   const RandomLook& look() const;
   AllowedErrors& errors();
   const ClutterChoice& clutter() const;
+  const SteeringColumns& steering() const;  ///< may grow while borders are traced and tightened
   /// Once the lattice is traced.
   const LatticeValues& lattice_values() const;
   const LabelSpread& spread() const;

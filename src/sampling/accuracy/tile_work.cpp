@@ -8,6 +8,7 @@
 #include "sampling/accuracy/basis/options.h"
 #include "sampling/accuracy/basis/ray_ledger.h"
 #include "sampling/accuracy/border_tightening.h"
+#include "sampling/accuracy/borders/steering_columns.h"
 #include "sampling/accuracy/borders/traced_pixels.h"
 #include "sampling/accuracy/clutter_choice.h"
 #include "sampling/accuracy/edges/edge_tracer.h"
@@ -73,7 +74,8 @@ void TileWork::tighten_borders() {
     const LeafIntegrator integrator(tracing_.tracer(), *problem_.footprint, problem_.tile);
     if (radiance_ == nullptr || !radiance_->refresh(integrator)) begin_radiance(0, sources_, integrator);
     tracing_.tracer().pixels().forget_changes();
-    intervals_.gather(*radiance_, integrator, problem_.steering_channels, every_output);
+    if (pass == 0) tracing_.errors().cover(radiance_->pixels());
+    intervals_.gather(*radiance_, integrator, tracing_.steering().list(), every_output);
     tracing_.errors().take_from_sums(intervals_);
     if (!tighten_pixels(*radiance_, tracing_.grid(), tracing_.errors(), tracing_.spread(), tracing_.ledger(),
                         options_.max_samples_per_pixel, intervals_, tracing_.tracer().pixels()))
@@ -96,7 +98,7 @@ void TileWork::estimate() {
     if (!ready) begin_radiance(first, std::min(sources_, first + group), integrator);
     const std::vector<int> outputs = radiance_->outputs_reached(problem_.tile.count());
     recall_.recall_values(*radiance_, intervals_.states());
-    planner.run(*radiance_, integrator, outputs, problem_.steering_channels, columns_);
+    planner.run(*radiance_, integrator, outputs, tracing_.steering().list(), columns_);
     report_.add_group(*radiance_, integrator, outputs, intervals_);
     recall_.remember_values(*radiance_, tracing_.clutter().predicted());
   }

@@ -24,6 +24,7 @@ class LabelTable {
   void merge(std::uint32_t from, std::uint32_t as) { stands_for_[from] = as; }
   std::uint32_t merged(std::uint32_t index) const { return stands_for_[index]; }
 
+  std::size_t columns() const { return columns_; }
   std::size_t size() const { return labels_.size(); }
   /// Whether there are labels that do not stand for the same.
   bool several() const {

@@ -11,39 +11,48 @@
 namespace ifov::sampling {
 
 /// What a misplaced border costs: the difference of two labels' radiance in units of the standard error that
-/// the tolerance allows to a pixel, largest over the steering channels. An area of a px^2 put to the wrong label
+/// the tolerance allows to a pixel, largest over the steering columns. An area of a px^2 put to the wrong label
 /// moves the pixel by a * contrast allowed standard errors. A label's own spread counts as well: what is
 /// wrong about a sliver is its radiance there, not the mean.
 class Contrast {
  public:
-  Contrast(const LabelTable& table, std::span<const int> steering_channels, int pixels)
-      : table_(table),
-        steering_channels_(steering_channels),
-        allowed_(steering_channels.size() * static_cast<std::size_t>(pixels), INFINITY) {}
+  /// `steering` may grow until the first of the limits is set.
+  Contrast(const LabelTable& table, const std::vector<int>& steering)
+      : table_(table), steering_(steering), none_(table.columns(), 0.0) {}
 
-  /// Standard errors allowed to a pixel of the domain, one per driver.
+  /// Makes room for the limits of this many pixels.
+  void begin(int pixels) { allowed_.assign(steering_.size() * static_cast<std::size_t>(pixels), INFINITY); }
+
+  /// Standard errors allowed to a pixel of the domain, one per steering column.
   std::span<double> allowed(int pixel) {
-    return {allowed_.data() + static_cast<std::size_t>(pixel) * steering_channels_.size(),
-            steering_channels_.size()};
+    return {allowed_.data() + static_cast<std::size_t>(pixel) * steering_.size(), steering_.size()};
   }
   std::span<const double> allowed(int pixel) const {
-    return {allowed_.data() + static_cast<std::size_t>(pixel) * steering_channels_.size(),
-            steering_channels_.size()};
+    return {allowed_.data() + static_cast<std::size_t>(pixel) * steering_.size(), steering_.size()};
   }
 
-  /// Variance of single points within a label, one per driver; label-major.
+  /// Variance of single points within a label, [label][column].
   std::vector<double>& spread() { return spread_; }
 
-  double operator()(std::uint32_t pixel, std::uint32_t a, std::uint32_t b) const {
-    const double* allowed_here = &allowed_[pixel * steering_channels_.size()];
-    const double* mean_a = table_.mean(a);
-    const double* mean_b = table_.mean(b);
-    double worst = 0.0;
-    for (std::size_t d = 0; d < steering_channels_.size(); ++d) {
-      const double difference = mean_a[steering_channels_[d]] - mean_b[steering_channels_[d]];
-      const double square = difference * difference + variance(a, d) + variance(b, d);
-      worst = std::max(worst, square / (allowed_here[d] * allowed_here[d]));
+  /// Of two labels' radiance.
+  struct Difference {
+    const double *mean_a, *mean_b, *variance_a, *variance_b;
+    double square(std::size_t column) const {
+      const double difference = mean_a[column] - mean_b[column];
+      return difference * difference + variance_a[column] + variance_b[column];
     }
+  };
+  Difference difference(std::uint32_t a, std::uint32_t b) const {
+    return {table_.mean(a), table_.mean(b), variance(a), variance(b)};
+  }
+
+  double operator()(std::uint32_t pixel, std::uint32_t a, std::uint32_t b) const {
+    const double* allowed_here = &allowed_[pixel * steering_.size()];
+    const Difference between = difference(a, b);
+    double worst = 0.0;
+    for (std::size_t d = 0; d < steering_.size(); ++d)
+      worst = std::max(worst, between.square(static_cast<std::size_t>(steering_[d])) /
+                                  (allowed_here[d] * allowed_here[d]));
     return std::sqrt(worst);
   }
 
@@ -61,13 +70,14 @@ class Contrast {
   }
 
  private:
-  double variance(std::uint32_t label, std::size_t driver) const {
-    const std::size_t i = label * steering_channels_.size() + driver;
-    return i < spread_.size() ? spread_[i] : 0.0;
+  const double* variance(std::uint32_t label) const {
+    const std::size_t i = label * table_.columns();
+    return i < spread_.size() ? &spread_[i] : none_.data();
   }
 
   const LabelTable& table_;
-  std::span<const int> steering_channels_;
+  const std::vector<int>& steering_;
+  std::vector<double> none_;  // what labels found later than the lattice have for a spread
   std::vector<double> allowed_, spread_;
 };
 
