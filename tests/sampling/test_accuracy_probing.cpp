@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "accuracy_scenes.h"
+#include "sampling/hash.h"
 
 namespace ifov::test {
 namespace {
@@ -60,6 +61,43 @@ TEST(AccuracyProbing, AGapBetweenTwoThatLookAlikeIsFound) {
       EXPECT_NEAR(result.mean[p], kCold + (kHot - kCold) * width, 0.1 * kRadiancePerKelvin)
           << p << " of seed " << seed;
   }
+}
+
+/// Of 120 pixels that a hot gap crosses: those whose intervals hold. It lies `beside` px left of where two surfaces meet that
+/// differ by 0.3 K and have some grain, too little for their border to be traced in place of stratified values.
+int held_with_gap(double beside) {
+  int held = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    Draw draw(seed);
+    const double border = 1.40 + 0.2 * draw(), slope = 0.1 * (draw() - 0.5), width = 0.025;
+    ShapeField field(
+        [=](double x, double y) -> Label {
+          const double left = border + slope * (y - 1.5);
+          return x >= left ? 3 : x < left - beside && x > left - beside - width ? 2 : 1;
+        },
+        [](Label l, double x, double y, int) {
+          const double grain =
+              unit_double(hash(static_cast<std::uint64_t>(1e9 * x), static_cast<std::uint64_t>(1e9 * y)));
+          return static_cast<float>(
+              l == 2 ? kHot : kCold + ((l == 3 ? 0.3 : 0.0) + 0.2 * grain) * kRadiancePerKelvin);
+        });
+    Rendering render = three_by_three(seed);
+    const TileResult result = render(field);
+    for (int y = 0; y < 3; ++y) {
+      const std::size_t p = static_cast<std::size_t>(3 * y + 1);
+      const double right = 2.0 - border - slope * (y + 0.5 - 1.5), gap = width;
+      const double truth =
+          kCold + (0.3 * right + 0.1 * (1.0 - gap)) * kRadiancePerKelvin + (kHot - kCold) * gap;
+      held += std::abs(result.mean[p] - truth) <= result.half_width[p];
+    }
+  }
+  return held;
+}
+
+// Few values would do for such a border, and overlook what lies along it.
+TEST(AccuracyProbing, AGapIsFoundWhereFewValuesWouldDo) {
+  EXPECT_GE(held_with_gap(0.0), 114);
+  EXPECT_LT(held_with_gap(0.1), 100);  // planted fault: nothing tells that there is one
 }
 
 // A slanted hot strip meets the lattice once on the left and once on the right of three pixels, where a chessboard makes

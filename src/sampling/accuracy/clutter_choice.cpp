@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sampling/accuracy/allowed_errors.h"
 #include "sampling/accuracy/basis/lattice.h"
@@ -24,6 +25,9 @@ namespace {
 constexpr double kDoubt = 0.05;
 /// The first round in clutter takes this share of what the lattice predicts, within these bounds.
 constexpr double kFirstShare = 0.6, kFewestClutter = 36.0, kMostFirstClutter = 400.0;
+/// Where no more values than this are predicted, and no more pairs of labels meet, gaps between them are looked for first.
+constexpr double kFewValues = 150.0;
+constexpr std::size_t kFewPairs = 3;
 /// First look in clutter: its values are as many as the prediction says, and its interval is as good as later ones.
 constexpr int kClutterTest = 2;
 
@@ -38,17 +42,24 @@ ClutterChoice::ClutterChoice(const Lattice& lattice, const LatticeValues& values
       steering_(steering),
       predicted_(static_cast<std::size_t>(lattice.domain().count()), 0.0f) {}
 
-void ClutterChoice::choose(const AllowedErrors& errors, const LabelSpread& spread, TracedPixels& pixels) {
+std::vector<std::uint8_t> ClutterChoice::choose(const AllowedErrors& errors, const LabelSpread& spread,
+                                                TracedPixels& pixels) {
+  std::vector<std::uint8_t> overlooking(pixels.size(), 0);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   const int k = lattice_.cells_per_pixel(), row = lattice_.columns() + 1;
   for (int p = 0; p < lattice_.domain().count(); ++p) {
     if (values_.only[p] != LatticeValues::kMixed) continue;
     const std::uint32_t* labels = &values_.labels[lattice_.first_vertex(p)];
     double crossings = 0.0, squares = 0.0;
+    pairs.clear();
     const auto compare = [&](std::uint32_t a, std::uint32_t b) {
       if (a == b) return;
       const double contrast = contrast_(static_cast<std::uint32_t>(p), a, b);
       crossings += 1.0;
       squares += contrast * contrast;
+      const std::pair<std::uint32_t, std::uint32_t> pair = std::minmax(a, b);
+      if (pairs.size() <= kFewPairs && std::find(pairs.begin(), pairs.end(), pair) == pairs.end())
+        pairs.push_back(pair);
     };
     for (int j = 0; j <= k; ++j, labels += row)
       for (int i = 0; i <= k; ++i) {
@@ -61,12 +72,31 @@ void ClutterChoice::choose(const AllowedErrors& errors, const LabelSpread& sprea
     const double contrast = std::sqrt(squares / (crossings * whole)),
                  border_px = crossings / crossings_per_length(k);
     const double strata = stratified_cost(contrast, border_px);
-    if (kTracingCostPerCrossing * crossings > std::max(recall_.clutter_to_come(p, strata), kFewestStratified))
-      pixels.abandon(static_cast<std::uint32_t>(p));
+    if (kTracingCostPerCrossing * crossings >
+        std::max(recall_.clutter_to_come(p, strata), kFewestStratified)) {
+      if (strata <= kFewValues && pairs.size() <= kFewPairs &&
+          !pixels.abandoned(static_cast<std::uint32_t>(p)))
+        overlooking[p] = 1;
+      else
+        pixels.abandon(static_cast<std::uint32_t>(p));
+    }
     predicted_[p] = static_cast<float>(strata);
     const double patience = kPatience * stratified_cost(contrast, std::max(border_px, kLeastBorder_px));
     pixels.limit_budget(static_cast<std::uint32_t>(p), std::max(patience, kFewestTraced));
   }
+  return overlooking;
+}
+
+void ClutterChoice::expect(int pixel, std::uint32_t label, TracedPixels& pixels) {
+  const int k = lattice_.cells_per_pixel(), row = lattice_.columns() + 1;
+  const std::uint32_t* labels = &values_.labels[lattice_.first_vertex(pixel)];
+  double contrast = 0.0;
+  for (int j = 0; j <= k; ++j, labels += row)
+    for (int i = 0; i <= k; ++i)
+      contrast = std::max(contrast, contrast_(static_cast<std::uint32_t>(pixel), label, labels[i]));
+  const double allowed = std::sqrt(pixels.allowed_variance(static_cast<std::uint32_t>(pixel)));
+  const double strata = stratified_cost(contrast / allowed, kLeastBorder_px);
+  predicted_[pixel] = std::max(predicted_[pixel], static_cast<float>(strata));
 }
 
 double ClutterChoice::first_round(const SourcePixel& pixel) const {

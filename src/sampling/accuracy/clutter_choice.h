@@ -24,8 +24,13 @@ class ClutterChoice {
   ClutterChoice(const Lattice& lattice, const LatticeValues& values, const Contrast& contrast,
                 const TileRecall& recall, const SteeringColumns& steering);
 
-  /// Abandons pixels that are cheaper so, and limits what tracing may spend on the others.
-  void choose(const AllowedErrors& errors, const LabelSpread& spread, TracedPixels& pixels);
+  /// Abandons pixels that are cheaper so, and limits what tracing may spend on the others. 1 for pixels that would be
+  /// cheaper so, but whose few values could overlook what lies between their few labels: they are left to the caller.
+  std::vector<std::uint8_t> choose(const AllowedErrors& errors, const LabelSpread& spread,
+                                   TracedPixels& pixels);
+
+  /// The pixel holds this label between those that the lattice has met there.
+  void expect(int pixel, std::uint32_t label, TracedPixels& pixels);
 
   /// Values that each source pixel would take as clutter; 0 where that was not asked or all its vertices have one label.
   std::span<const float> predicted() const { return predicted_; }

@@ -20,8 +20,10 @@ constexpr std::uint64_t kBetweenKey = 0x6265747765656e;
 
 }  // namespace
 
-/// The sides of the lattice whose ends have unlike labels that look alike.
-std::vector<LikeNeighbours::Meeting> LikeNeighbours::meetings(const std::vector<std::uint8_t>& worth) const {
+/// The sides of the lattice whose ends have unlike labels that look alike, or `of_all` labels; those of two labels in a
+/// pixel follow each other, by chance.
+std::vector<LikeNeighbours::Meeting> LikeNeighbours::meetings(const std::vector<std::uint8_t>& worth,
+                                                              bool of_all) const {
   const Lattice& lattice = tracer_.lattice();
   const std::vector<std::uint32_t>& own = values_.own.empty() ? values_.labels : values_.own;
   const int columns = lattice.columns(), rows = lattice.rows();
@@ -40,8 +42,8 @@ std::vector<LikeNeighbours::Meeting> LikeNeighbours::meetings(const std::vector<
             lattice.point(x + (vertical ? 0 : Lattice::side(0)), y + (vertical ? Lattice::side(0) : 0));
         const int pixel = lattice.pixel_at({0.5 * (from.x_px + to.x_px), 0.5 * (from.y_px + to.y_px)});
         if (!worth[pixel] || tracer_.pixels().abandoned(static_cast<std::uint32_t>(pixel))) continue;
-        if (tracer_.contradictions().matters(static_cast<std::uint32_t>(pixel), values_.labels[a],
-                                             values_.labels[b]))
+        if (!of_all && tracer_.contradictions().matters(static_cast<std::uint32_t>(pixel), values_.labels[a],
+                                                        values_.labels[b]))
           continue;
         found.push_back({pixel,
                          std::min(own[a], own[b]),
@@ -49,18 +51,28 @@ std::vector<LikeNeighbours::Meeting> LikeNeighbours::meetings(const std::vector<
                          hash(seed_, kBetweenKey, lattice.image_x(x), lattice.image_y(y), vertical),
                          {from, to, table_.label(own[a]), table_.label(own[b]), values_.labels[a]}});
       }
+  std::sort(found.begin(), found.end(), [](const Meeting& a, const Meeting& b) {
+    return std::tie(a.pixel, a.low, a.high, a.key) < std::tie(b.pixel, b.low, b.high, b.key);
+  });
   return found;
 }
 
+bool LikeNeighbours::same_labels(const Meeting& a, const Meeting& b) {
+  return std::tie(a.pixel, a.low, a.high) == std::tie(b.pixel, b.low, b.high);
+}
+
+Prober::Finds LikeNeighbours::gaps_in(const std::vector<std::uint8_t>& pixels) {
+  const std::vector<Meeting> all = meetings(pixels, true);
+  std::vector<Prober::Between> sides;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (i == 0 || !same_labels(all[i], all[i - 1])) sides.push_back(all[i].side);
+  return prober_.look_between(std::move(sides));
+}
+
 void LikeNeighbours::probe_between(const std::vector<std::uint8_t>& worth) {
-  std::vector<Meeting> left = meetings(worth);
-  std::sort(left.begin(), left.end(), [](const Meeting& a, const Meeting& b) {
-    return std::tie(a.pixel, a.low, a.high, a.key) < std::tie(b.pixel, b.low, b.high, b.key);
-  });
+  std::vector<Meeting> left = meetings(worth, false);
   std::vector<std::uint8_t> due(left.size());
-  for (std::size_t i = 0; i < left.size(); ++i)
-    due[i] = i == 0 || std::tie(left[i].pixel, left[i].low, left[i].high) !=
-                           std::tie(left[i - 1].pixel, left[i - 1].low, left[i - 1].high);
+  for (std::size_t i = 0; i < left.size(); ++i) due[i] = i == 0 || !same_labels(left[i], left[i - 1]);
   const Lattice& lattice = tracer_.lattice();
   const PixelRect& d = lattice.domain();
   std::vector<std::uint8_t> around(worth.size(), 0);

@@ -21,6 +21,8 @@ class LikeNeighbours {
   /// One side of the lattice is looked into for each two such labels that meet in a pixel of `worth`, chosen by chance;
   /// where that finds something, all sides there and around.
   void probe_between(const std::vector<std::uint8_t>& worth);
+  /// What lies between any two labels that meet in the pixels named (1), one side for each two of them.
+  Prober::Finds gaps_in(const std::vector<std::uint8_t>& pixels);
 
  private:
   /// A side of the lattice in a pixel, between two labels that look alike; in the order of `key` by chance.
@@ -30,7 +32,8 @@ class LikeNeighbours {
     std::uint64_t key;
     Prober::Between side;
   };
-  std::vector<Meeting> meetings(const std::vector<std::uint8_t>& worth) const;
+  static bool same_labels(const Meeting& a, const Meeting& b);
+  std::vector<Meeting> meetings(const std::vector<std::uint8_t>& worth, bool of_all) const;
 
   const EdgeTracer& tracer_;
   Prober& prober_;

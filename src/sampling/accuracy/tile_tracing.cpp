@@ -79,6 +79,7 @@ struct TileTracing::Parts {
   ClutterChoice clutter;
   std::unique_ptr<LabelSpread> spread;
   KnownDetail known;
+  Prober::Finds gaps;              // between labels of pixels that would else have been left to few values
   std::vector<int> not_looked_at;  // source pixels whose random points are asked when borders are traced
 };
 
@@ -135,15 +136,34 @@ void TileTracing::switch_clutter() {
   TracedPixels& pixels = parts_->tracer.pixels();
   for (std::size_t p = 0; p < known.full.size(); ++p)
     if (known.full[p]) pixels.abandon(static_cast<std::uint32_t>(p));
-  parts_->clutter.choose(parts_->errors, *parts_->spread, pixels);
+  const std::vector<std::uint8_t> overlooking =
+      parts_->clutter.choose(parts_->errors, *parts_->spread, pixels);
+  std::vector<std::uint8_t> worth = worth_probing();
+  for (std::size_t p = 0; p < worth.size(); ++p) worth[p] &= overlooking[p];
+  parts_->gaps = LikeNeighbours(parts_->tracer, parts_->prober, parts_->values, parts_->table, problem_.seed)
+                     .gaps_in(worth);
+  std::vector<std::uint8_t> gap(overlooking.size(), 0);
+  for (std::size_t i = 0; i < parts_->gaps.points.size(); ++i) {
+    const int pixel = parts_->lattice.pixel_at(parts_->gaps.points[i]);
+    gap[pixel] = 1;
+    parts_->clutter.expect(pixel, parts_->gaps.labels[i], pixels);
+  }
+  for (std::size_t p = 0; p < overlooking.size(); ++p)
+    if (overlooking[p] && !gap[p]) pixels.abandon(static_cast<std::uint32_t>(p));
+}
+
+std::vector<std::uint8_t> TileTracing::worth_probing() const {
+  std::vector<std::uint8_t> worth(static_cast<std::size_t>(parts_->lattice.domain().count()));
+  for (std::size_t p = 0; p < worth.size(); ++p)
+    worth[p] = parts_->grid.relative_weight(static_cast<int>(p)) > kLeastProbed;
+  return worth;
 }
 
 void TileTracing::trace_borders() {
   Prober& prober = parts_->prober;
   parts_->tracer.settle();
-  std::vector<std::uint8_t> worth(static_cast<std::size_t>(parts_->lattice.domain().count()));
-  for (std::size_t p = 0; p < worth.size(); ++p)
-    worth[p] = parts_->grid.relative_weight(static_cast<int>(p)) > kLeastProbed;
+  prober.take_in_expected(parts_->gaps.points, parts_->gaps.labels);
+  const std::vector<std::uint8_t> worth = worth_probing();
   LikeNeighbours(parts_->tracer, prober, parts_->values, parts_->table, problem_.seed).probe_between(worth);
   probe_around();
   if (options_.pilot_rays) {

@@ -53,6 +53,7 @@ class TileTracing {
  private:
   struct Parts;
 
+  std::vector<std::uint8_t> worth_probing() const;
   void probe_around();
   void leave_unsettled();
 

@@ -137,7 +137,6 @@ void Prober::follow_pilot_rays(std::span<const FocalPoint> seeds, std::span<cons
   take_in_expected(points, labels);
 }
 
-/// What shows up where it was sought is no sign of anything unknown beside it.
 void Prober::take_in_expected(const std::vector<FocalPoint>& points,
                               const std::vector<std::uint32_t>& labels) {
   TracedPixels::Signs signs = tracer_.pixels().signs();
@@ -147,8 +146,15 @@ void Prober::take_in_expected(const std::vector<FocalPoint>& points,
 }
 
 std::vector<FocalPoint> Prober::probe_between(std::vector<Between> sides) {
-  std::vector<FocalPoint> points, found;
-  std::vector<std::uint32_t> labels, found_labels;
+  Finds found = look_between(std::move(sides));
+  take_in_expected(found.points, found.labels);
+  return std::move(found.points);
+}
+
+Prober::Finds Prober::look_between(std::vector<Between> sides) {
+  Finds found;
+  std::vector<FocalPoint> points;
+  std::vector<std::uint32_t> labels;
   std::vector<Between> halves;
   while (!sides.empty()) {
     points.clear();
@@ -163,8 +169,8 @@ std::vector<FocalPoint> Prober::probe_between(std::vector<Between> sides) {
       const Label met = ledger_.own_label(i);
       if (met != side.first && met != side.last &&
           tracer_.contradictions().matters(pixel, side.as, labels[i])) {
-        found.push_back(points[i]);
-        found_labels.push_back(labels[i]);
+        found.points.push_back(points[i]);
+        found.labels.push_back(labels[i]);
         // Another like it may lie where the ends of a side announce one border, and three cross it.
         int& wanted = wanted_[pixel];
         wanted = std::max(wanted, std::min(static_cast<int>(kSurety / half), kMostWantedBeside));
@@ -176,7 +182,6 @@ std::vector<FocalPoint> Prober::probe_between(std::vector<Between> sides) {
     }
     sides.swap(halves);
   }
-  take_in_expected(found, found_labels);
   return found;
 }
 

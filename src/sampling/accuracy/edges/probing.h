@@ -30,9 +30,18 @@ class Prober {
     Label first, last;
     std::uint32_t as;
   };
+  /// Points that have met what nothing announced, and its labels.
+  struct Finds {
+    std::vector<FocalPoint> points;
+    std::vector<std::uint32_t> labels;
+  };
   /// Halves each side until it is known where the one label goes over into the other, or what lies between them: the points
-  /// where that was met.
+  /// where that was met, of which the model knows nothing yet.
+  Finds look_between(std::vector<Between> sides);
+  /// The same, and the model learns of it.
   std::vector<FocalPoint> probe_between(std::vector<Between> sides);
+  /// What shows up where it was sought is no sign of anything unknown beside it.
+  void take_in_expected(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels);
   /// Sends pilot rays at objects that no ray has met yet.
   void follow_pilot_rays(std::span<const FocalPoint> seeds, std::span<const std::uint32_t> objects);
   /// `worth`: the pixels of the domain where a find would matter.
@@ -57,7 +66,6 @@ class Prober {
   void points_along_side(int pixel, int dx, int dy, const std::vector<Met>& beyond,
                          std::vector<FocalPoint>& points) const;
   void look_beside_clutter(const std::vector<std::uint8_t>& worth);
-  void take_in_expected(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels);
   void take_in(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels,
                const std::vector<std::uint8_t>& contradicted);
 
