@@ -30,7 +30,7 @@ struct Material {
   /// (Kirchhoff).
   std::optional<radiometry::Spectrum> transmittance = std::nullopt;
   std::optional<bool> emitter =
-      std::nullopt;  ///< light is sought from it; none: where it outshines the scene
+      std::nullopt;  ///< light is sought from it; none: where it is twice as bright as the scene
   /// Index of the material whose further curve this is (a texture picks among them); it must have none itself.
   /// Labels and truth count this as that one.
   std::optional<std::uint32_t> curve_of = std::nullopt;

@@ -35,6 +35,7 @@ EmitterChoice::EmitterChoice(const SpectralScene& scene, double contrast, bool s
       wanted_(scene.scene().assignments.size(), false),
       mapped_(scene.scene().assignments.size(), false),
       declined_(scene.scene().assignments.size(), false),
+      said_(scene.scene().assignments.size(), false),
       brightest_(scene.scene().assignments.size(), 0.0),
       contrast_(scene.scene().assignments.size(), 0.0),
       unit_(scene.nodes().channel_count(), 0.0) {
@@ -59,6 +60,7 @@ void EmitterChoice::list_surfaces() {
     Surface surface;
     surface.assignment = assignment;
     surface.said = scene.materials[material].emitter;
+    surface.lamp = lamp != nullptr;
     surface.events = scene_.brightest(material) > 0.0 && !scene.materials[material].bsdf->is_delta();
     const auto emitted = [&](double temperature_k, const float* light) {
       std::fill(spectrum.begin(), spectrum.end(), 0.0f);
@@ -122,12 +124,15 @@ void EmitterChoice::find_contrasts(double contrast, bool shown) {
     const std::vector<double> sun = channels(scene_.sun_irradiance());
     for (std::size_t c = 0; c < lit.size(); ++c) lit[c] += sun[c] / std::numbers::pi;
   }
+  const auto needed = [&](const Surface& s) { return shown && s.lamp ? kShown : contrast; };
   // Areas are asked for where the coldest surface alone would do.
   std::vector<double> areas;
   for (std::size_t c = 0; c < unit_.size(); ++c) {
     double coldest = unit_[c];
     for (const Surface& s : surfaces_) coldest = std::min(coldest, s.coldest[c]);
-    if (!(unit_[c] > contrast * std::max(lit[c], coldest))) continue;
+    if (std::none_of(surfaces_.begin(), surfaces_.end(),
+                     [&](const Surface& s) { return s.hottest[c] > needed(s) * std::max(lit[c], coldest); }))
+      continue;
     if (areas.empty()) areas = scene_.scene().world->surface_areas_m2(wanted_.size());
     std::vector<std::size_t> parts(wanted_.size(), 0);
     for (const Surface& s : surfaces_) ++parts[s.assignment];
@@ -136,7 +141,7 @@ void EmitterChoice::find_contrasts(double contrast, bool shown) {
       levels.emplace_back(s.coldest[c], areas[s.assignment] / static_cast<double>(parts[s.assignment]));
     const double usual = std::max(lit[c], median(std::move(levels)));
     for (const Surface& s : surfaces_) {
-      if (!(s.hottest[c] > contrast * usual) || areas[s.assignment] <= 0.0) continue;
+      if (!(s.hottest[c] > needed(s) * usual) || areas[s.assignment] <= 0.0) continue;
       const bool wanted = !shown || std::any_of(surfaces_.begin(), surfaces_.end(), [&](const Surface& r) {
         return r.events && areas[r.assignment] > 0.0 &&
                r.albedo[c] * s.hottest[c] > kShown * (r.coldest[c] + r.albedo[c] * lit[c]);
@@ -152,7 +157,7 @@ void EmitterChoice::find_contrasts(double contrast, bool shown) {
     if (!shown || s.said != true || wanted_[s.assignment] ||
         std::none_of(s.hottest.begin(), s.hottest.end(), [](double radiance) { return radiance > 0.0; }))
       continue;
-    wanted_[s.assignment] = any_ = true;
+    wanted_[s.assignment] = said_[s.assignment] = any_ = true;
     contrast_[s.assignment] = std::max(contrast_[s.assignment], 1.0);
   }
   for (const Surface& s : surfaces_) {

@@ -13,10 +13,14 @@ class SpectralScene;
 /// their light by luck. A surface assignment is sought where it may be brighter than `kContrast` times both the light that falls on
 /// the scene (a white surface under Sun and sky) and the emission of the median surface, by area; and where some surface
 /// that scatters would show at least `kShown` of its own radiance and that light more if it saw nothing else; or where its material
-/// says so and it emits at all.
+/// says so and it emits at all. Lamps need no more than `kShown` of that contrast.
+/// A thing of contrast C that fills the share f of what a surface sees adds C f to it, and is met by one path in 1/f: what adds 1 % is
+/// met by one in 100 C.
 struct EmitterChoice {
-  static constexpr double kContrast = 20.0;
+  static constexpr double kContrast = 2.0;
   static constexpr double kShown = 0.1;
+  /// From here on what is left to chance is so rare and bright that no few paths tell of it.
+  static constexpr double kOutshining = 20.0;
 
   explicit EmitterChoice(const SpectralScene& scene) : EmitterChoice(scene, kContrast, true) {}
 
@@ -28,6 +32,10 @@ struct EmitterChoice {
       : EmitterChoice(scene, mirrors.contrast, false) {}
 
   bool any() const { return any_; }
+  /// Whether a surface assignment is wanted and so bright that pixels have to be told if it is not sought.
+  bool outshines(std::uint32_t assignment) const {
+    return wanted_[assignment] && (contrast_[assignment] > kOutshining || said_[assignment]);
+  }
   /// Whether a surface assignment is wanted, but a material of it says that its light be left to chance.
   bool declined(std::uint32_t assignment) const { return declined_[assignment]; }
   const geometry::WantedMaterials& wanted() const { return wanted_; }  ///< by surface assignment
@@ -54,12 +62,12 @@ struct EmitterChoice {
     std::uint32_t assignment = 0;
     std::optional<bool> said;                      // materials::Material::emitter
     std::vector<double> hottest, coldest, albedo;  // by channel
-    bool events = false;
+    bool events = false, lamp = false;
   };
   const SpectralScene& scene_;
   bool any_ = false;
   geometry::WantedMaterials wanted_;
-  std::vector<bool> mapped_, declined_;
+  std::vector<bool> mapped_, declined_, said_;
   std::vector<double> brightest_, contrast_;  // by surface assignment
   std::vector<Surface> surfaces_;
   std::vector<double> unit_;  // radiance of brightness 1, by channel

@@ -132,9 +132,15 @@ std::unique_ptr<const Emitters> Emitters::find(const SpectralScene& scene) {
 void Emitters::take(const SpectralScene& scene, const EmitterChoice& choice) {
   const geometry::World& world = *scene.scene().world;
   wanted_ = choice.wanted();
+  in_part_.assign(wanted_.size(), false);
   geometry::WantedMaterials declined(wanted_.size(), false);
-  for (std::uint32_t a = 0; a < wanted_.size(); ++a)
-    if (choice.declined(a)) wanted_[a] = false, declined[a] = declines_some_ = true;
+  for (std::uint32_t a = 0; a < wanted_.size(); ++a) {
+    outshone_ = outshone_ || choice.outshines(a);
+    if (!choice.declined(a)) continue;
+    wanted_[a] = false;
+    declined[a] = choice.outshines(a);
+    declines_some_ = declines_some_ || declined[a];
+  }
   patterns_.assign(wanted_.size(), nullptr);
   for (std::size_t a = 0; a < wanted_.size(); ++a)
     if (const scene::SurfaceAssignment& assignment = scene.scene().assignments[a];
@@ -145,22 +151,24 @@ void Emitters::take(const SpectralScene& scene, const EmitterChoice& choice) {
     period_ = *period;
   }
   if (declines_some_) leave_out(world, declined);
+  const std::size_t most = repeats_ ? kMost / 9 : kMost;
+  leave_many_faint(world, choice, most / 16);
   std::vector<SurfacePiece> pieces;
   std::vector<double> area(wanted_.size(), 0.0);
   bool too_many = false;
-  const std::size_t most = repeats_ ? kMost / 9 : kMost;
   world.visit_surfaces(choice.wanted(), [&](const SurfacePiece& piece) {
     const double part = geometry::area_m2(piece);
     area[piece.material] += part;
-    if (!(part > 0.0) || declined[piece.material]) return;
+    if (!(part > 0.0) || !wanted_[piece.material]) return;
     if (pieces.size() < most)
       pieces.push_back(piece);
     else
       too_many = true;
   });
   const std::vector<double> whole = world.surface_areas_m2(wanted_.size());
-  for (std::size_t c = 0; c < wanted_.size(); ++c)
-    passes_over_ = passes_over_ || (choice.wanted()[c] && area[c] < 0.99 * whole[c]);
+  for (std::uint32_t c = 0; c < wanted_.size(); ++c)
+    if (choice.wanted()[c] && area[c] < 0.99 * whole[c])
+      in_part_[c] = true, passes_over_ = passes_over_ || choice.outshines(c);
   if (too_many) {
     pieces.clear();
     passes_over_ = true;
@@ -178,6 +186,15 @@ void Emitters::take(const SpectralScene& scene, const EmitterChoice& choice) {
       add(piece, piece.kind == PieceKind::triangle && closure.closed(), radiance);
     }
   }
+}
+
+void Emitters::leave_many_faint(const geometry::World& world, const EmitterChoice& choice, std::size_t most) {
+  geometry::WantedMaterials faint(wanted_.size(), false);
+  for (std::uint32_t a = 0; a < wanted_.size(); ++a) faint[a] = wanted_[a] && !choice.outshines(a);
+  std::size_t count = 0;
+  world.visit_surfaces(faint, [&](const SurfacePiece&) { ++count; });
+  if (count <= most) return;
+  for (std::size_t a = 0; a < wanted_.size(); ++a) wanted_[a] = wanted_[a] && !faint[a];
 }
 
 void Emitters::leave_out(const geometry::World& world, const geometry::WantedMaterials& what) {

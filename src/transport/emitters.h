@@ -28,6 +28,8 @@ class Emitters {
   static std::unique_ptr<const Emitters> find(const SpectralScene& scene);
   ~Emitters();
 
+  /// Whether some are so bright that what is not sought of them is told (EmitterChoice::outshines()).
+  bool outshine() const { return outshone_; }
   /// 0 where all that there is is left out.
   std::size_t count() const { return emitters_.size(); }
   /// Whether some of what ought to be sought is not: on planes and height fields, of too many pieces, or because its material says so.
@@ -73,7 +75,9 @@ class Emitters {
   double point_density(const Receiver& receiver, const geometry::SurfacePoint& hit) const;
 
   /// Whether all that a surface assignment emits is sought.
-  bool seeks_all_of(std::uint32_t assignment) const { return !leaves_some() && wanted_[assignment]; }
+  bool seeks_all_of(std::uint32_t assignment) const {
+    return !leaves_some() && wanted_[assignment] && !in_part_[assignment];
+  }
 
   /// About what emitters send to a receiver, in a unit of its own.
   double reach(const Receiver& receiver) const;
@@ -90,6 +94,8 @@ class Emitters {
   };
   Emitters();
   void take(const SpectralScene& scene, const EmitterChoice& choice);
+  /// Leaves to chance what does not outshine the scene, where it has more pieces than this.
+  void leave_many_faint(const geometry::World& world, const EmitterChoice& choice, std::size_t most);
   void add(const geometry::SurfacePiece& piece, bool closed, double radiance);
   /// Puts together by place what is not sought.
   void leave_out(const geometry::World& world, const geometry::WantedMaterials& what);
@@ -99,8 +105,8 @@ class Emitters {
   Home at_home(const Receiver& receiver) const;
 
   geometry::World::Period period_;
-  bool repeats_ = false, passes_over_ = false, declines_some_ = false;
-  geometry::WantedMaterials wanted_;
+  bool repeats_ = false, passes_over_ = false, declines_some_ = false, outshone_ = false;
+  geometry::WantedMaterials wanted_, in_part_;  ///< in_part_: some of it is no piece: planes, height fields
   std::vector<const scene::RadiationPattern*> patterns_;  // of lamps, by surface assignment
   std::vector<Emitter> emitters_;
   std::vector<LeftOut> left_out_;

@@ -275,10 +275,10 @@ TEST(Emitters, PlantedFaultEnclosureGainsLight) {
 
 TEST(Emitters, OrdinaryScenesHaveNone) {
   {
-    SmallScene warm;  // 280 to 340 K under a cold sky
+    SmallScene warm;  // 280 to 310 K under a cold sky
     warm.place(geometry::Plane{}, warm.material(0.1, 280.0));
     warm.place(geometry::Box{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}, warm.material(0.9, 300.0));
-    warm.place(geometry::Sphere{{3.0, 0.0, 1.0}, 0.5}, warm.material(0.0, 340.0));
+    warm.place(geometry::Sphere{{3.0, 0.0, 1.0}, 0.5}, warm.material(0.0, 310.0));
     EXPECT_EQ(warm.build().emitters(), nullptr);
   }
   {

@@ -52,7 +52,7 @@ struct MaterialDocument {
   std::optional<ReliefDocument> relief;
   std::optional<TemperatureDocument> temperature;  ///< absent here and on the object: 0 K, emits nothing
   ScatteringDocument scattering;
-  std::optional<bool> emitter;  ///< light is sought from it; absent: where it outshines the scene
+  std::optional<bool> emitter;  ///< light is sought from it; absent: where it is twice as bright as the scene
   SourcePosition position;
 };
 

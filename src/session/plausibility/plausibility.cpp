@@ -18,8 +18,8 @@ void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log) {
   const transport::Emitters* emitters = scene.emitters();
   if (emitters == nullptr) return;
   if (emitters->count() > 0)
-    log.info(
-        format("emitters: faces that outshine the scene and whose light is sought: {}", emitters->count()));
+    log.info(format("emitters: lamps, and faces brighter than the scene, whose light is sought: {}",
+                    emitters->count()));
   if (emitters->declines_some())
     log.warn(
         "light of materials with \"emitter\": false that outshine the scene is found by random paths alone: pixels are marked "
@@ -29,12 +29,12 @@ void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log) {
         "light of some surfaces that outshine the scene is found by random paths alone: it is not sought from planes and "
         "terrain, nor from more than {} faces; of those beyond that number, pixels are marked that they may light",
         transport::Emitters::kMost));
-  if (emitters->count() > 0 && transport::EmitterMirrors::leave_some(scene.scene()))
+  if (emitters->outshine() && transport::EmitterMirrors::leave_some(scene.scene()))
     log.warn(
         "light of surfaces that outshine the scene is sought by way of one mirror that is flat, a ball or a round "
         "column, not of other shapes or of several in turn: what those throw of it on other surfaces is found by chance "
         "alone, and pixels near them may be less sure than they say");
-  if (emitters->count() > 0 && scene.materials().any_medium())
+  if (emitters->outshine() && scene.materials().any_medium())
     log.warn(
         "light of surfaces that outshine the scene is sought through panes, not through boundaries that refract it: what "
         "comes by way of such media is found by chance alone, and pixels near them may be less sure than they say");

@@ -13,8 +13,7 @@ namespace ifov::session {
 void refuse_rare_lobes(const io::DocumentSources& sources, const io::SceneDocument& written,
                        const transport::SpectralScene& scene) {
   const transport::Emitters* emitters = scene.emitters();
-  const bool sought = emitters != nullptr && (emitters->count() != 0 || emitters->leaves_some()),
-             sunlit = scene.scene().sun.has_value();
+  const bool sought = emitters != nullptr && emitters->outshine(), sunlit = scene.scene().sun.has_value();
   const auto refuse = [&](const materials::Material& material, const std::string& why) {
     SourcePosition position;
     for (const io::MaterialDocument& own : written.materials)

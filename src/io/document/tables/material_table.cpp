@@ -76,7 +76,7 @@ SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type
                 "without one, here or on the object, a surface emits nothing")
       .optional(
           "emitter", &MaterialDocument::emitter, boolean(),
-          "whether the light that it emits is sought from other surfaces; absent: where it outshines the scene; false leaves it to "
+          "whether the light that it emits is sought from other surfaces; absent: where it is twice as bright as the scene; false leaves it to "
           "chance, and pixels that it may light say so")
       .with_default("scattering", &MaterialDocument::scattering, scattering_type(), "\"lambertian\"",
                     "how the surface reflects: a model by its name or, with its parameters, as an object")
