@@ -160,7 +160,9 @@ TEST(ImagePooling, TakesFewerValuesForTheSameError) {
   scene.noise = 1.0;
   const Found pooled = render(scene, {.on = true}, 0), alone = render(scene, {.on = false}, 0);
   EXPECT_LT(pooled.values * pooled.squared, 0.75 * alone.values * alone.squared);
-  EXPECT_NEAR(std::sqrt(pooled.stated / pooled.squared), 1.0, 0.2);
+  // Where all that are alike are the same, more is stated than there is: by what is always left for differences.
+  EXPECT_GT(std::sqrt(pooled.stated / pooled.squared), 0.85);
+  EXPECT_LT(std::sqrt(pooled.stated / pooled.squared), 1.5);
 }
 
 TEST(ImagePooling, AuditFindsPooledShadows) {
