@@ -149,11 +149,12 @@ TEST(ImageSampler, IsUnbiasedPixelByPixel) {
   scene.wire_width_px = 0.05;
   scene.wire_radiance = 10.0;
   scene.wire_period = 2;
-  // The mean of 48 squares of standard normal numbers, half of them independent: 2.0 is 3.5 standard errors.
-  EXPECT_LT(mean_square_bias(scene, scene, 300), 2.0);
+  // The mean of 48 squares of standard normal numbers, the columns alike and pixels of one plan: other 300 seeds gave 0.6, 1.0 and 2.0,
+  // and the fault 123.
+  EXPECT_LT(mean_square_bias(scene, scene, 150), 3.0);
   TwoLevelField faulty = scene;
   faulty.rest_factor = 0.98;
-  EXPECT_GT(mean_square_bias(faulty, scene, 300), 2.0);
+  EXPECT_GT(mean_square_bias(faulty, scene, 150), 3.0);
 }
 
 TEST(ImageSampler, GivesTheSameInAnyTilesAndThreads) {
