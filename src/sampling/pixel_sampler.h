@@ -17,6 +17,8 @@ class PixelSampler {
   virtual void sample(const TileProblem& problem, Field& field, TileResult& result) const = 0;
   /// Pixels beyond the tile that the sampler looks at, besides the footprint's own half width.
   virtual int halo_px() const = 0;
+  /// Pixels are sampled in squares of so many that begin at the image's corner: one costs as much as all of its square.
+  virtual int block_px() const { return 1; }
   /// What it has to know of the whole image before its first tile, found by rays of its own; null where that is nothing. The same
   /// whoever asks: every process that takes tiles of an image does.
   virtual std::unique_ptr<const ImageSurvey> survey(const SurveyRequest& request) const;

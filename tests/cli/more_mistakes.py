@@ -238,6 +238,7 @@ MISTAKES = [
     ("probes in an image that is judged as a whole", changed("sampling", {"accuracy": {"error": "2 %", "of": "image", "probes": 4}}), ERROR,
      "'probes' is of errors pixel by pixel"),
     ("an audit of single pixels", changed("sampling", {"accuracy": {"error": "2 %", "audit": 200}}), ERROR, "an audit is of an image"),
+    ("pooling of single pixels", changed("sampling", {"accuracy": {"error": "2 %", "pooling": True}}), ERROR, "\"of\": \"image\" goes with it"),
     ("an audit larger than the image", changed("sampling", {"grid": {"elements": [2, 2], "audit": 90000}}), ERROR,
      "an audit of 90000 pixels is asked for, and the image has"),
     ("an audit of too few", changed("sampling", {"grid": {"elements": [2, 2], "audit": 5}}), ERROR, "20"),

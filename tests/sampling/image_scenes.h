@@ -20,6 +20,8 @@ class TwoLevelField : public sampling::Field {
  public:
   static constexpr int kColumns = 2;
   double border_slope = 0.37, border_period_px = 3.0, ripple = 0.05, noise = 0.3;
+  /// The second level is less by this share in every other stripe of two pixels, which neither materials nor the first level tell.
+  double canyon = 0.0;
   /// Bright spots of this radius and radiance in the middle of every so manyth pixel, which nothing announces.
   double wire_width_px = 0.0, wire_radiance = 0.0;
   int wire_period = 7;
@@ -104,7 +106,8 @@ class TwoLevelField : public sampling::Field {
            (wires && on_wire(x, y) ? wire_radiance : 0.0);
   }
   double rest_mean(double x, double y, int c) const {
-    return (bright(x, y) ? 0.2 : 0.3) * (c == 0 ? 1.0 : 0.5);
+    const double lit = std::fmod(x + 100.0, 4.0) < 2.0 ? 1.0 : 1.0 - canyon;
+    return (bright(x, y) ? 0.2 : 0.3) * (c == 0 ? 1.0 : 0.5) * lit;
   }
   double direct(const sampling::PathRequest& r, int c, bool wires = true) const {
     return direct_at(r.point.x_px, r.point.y_px, c, wires);

@@ -2,15 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ifov::sampling {
 
 namespace {
 
-constexpr int kSteps = 10, kBisections = 26, kWeightRounds = 2;
+constexpr int kSteps = 8, kBisections = 26, kWeightRounds = 2, kPoolingSteps = 4, kPriceSteps = 4;
+constexpr double kNeighbours = 3.0;
 constexpr double kPilotCount = Allocation::kPilotAcross * Allocation::kPilotDown;
 
+constexpr double kNotPooled = std::numeric_limits<double>::infinity();
+
 double square(double x) { return x * x; }
+
+/// What pooling leaves of a mean's variance `own`, as LikePixels::shrink() weighs it, where the others say as much as
+/// kNeighbours pixels and differ by `between`; and the derivative of what it leaves.
+double pooled_share(double own, double between) {
+  if (between == kNotPooled) return 1.0;
+  const double others = between + own / kNeighbours;
+  return others / (own + others);
+}
+double pooled_slope(double own, double between) {
+  const double others = between + own / kNeighbours, both = own + others;
+  return (others * others + own * own / kNeighbours) / (both * both);
+}
 
 /// Even numbers whose product is next to a number of strata, above or below it by its logarithm.
 void set_sides(double count, PixelPlan& plan) {
@@ -39,64 +55,61 @@ Allocation::Allocation(std::span<const SurveyedPixel> pixels, std::vector<double
   planned_.assign(columns, 0.0);
   std::vector<double> multiplier(judged.size(),
                                  1.0 / static_cast<double>(std::max<std::size_t>(1, judged.size())));
-  std::vector<double> direct_size(pixels.size()), rest_size(pixels.size()), true_direct(pixels.size()),
-      true_rest(pixels.size());
+  std::vector<Sizes> chosen_by(pixels.size()), judged_by(pixels.size());
   const double share = 1.0 / static_cast<double>(std::max<std::size_t>(1, pixels.size()));
-  // In units of the limit: what the pilot leaves whatever comes after it, and the rest, by column.
-  std::vector<double> pilot_direct(columns, 0.0), pilot_rest(columns, 0.0), error(columns);
-  for (const SurveyedPixel& pixel : pixels)
-    for (const std::size_t c : judged) {
-      pilot_direct[c] += share * pixel.judged_by.direct[c] / kPilotCount / limit[c];
-      pilot_rest[c] += share * pixel.judged_by.rest[c] / kPilotWhole / limit[c];
-    }
+  std::vector<double> error(columns);  // by column, over its limit
 
   const auto take_sizes = [&] {
     for (std::size_t k = 0; k < judged.size(); ++k)
       column_weight_[judged[k]] = multiplier[k] / limit[judged[k]];
     for (std::size_t p = 0; p < pixels.size(); ++p) {
-      direct_size[p] = this->direct_size(pixels[p].chosen_by.direct);
-      rest_size[p] = this->rest_size(pixels[p].chosen_by.rest);
-      true_direct[p] = this->direct_size(pixels[p].judged_by.direct);
-      true_rest[p] = this->rest_size(pixels[p].judged_by.rest);
+      chosen_by[p] = sizes(pixels[p].chosen_by);
+      judged_by[p] = sizes(pixels[p].judged_by);
     }
   };
-  // By column, over the limit, at the price that stands.
+  // At the price that stands.
   const auto take_errors = [&] {
     std::fill(error.begin(), error.end(), 0.0);
     planned_direct_ = planned_rest_ = 0.0;
     for (std::size_t p = 0; p < pixels.size(); ++p) {
-      const Numbers n = numbers(direct_size[p], rest_size[p]);
+      const Numbers n = numbers(chosen_by[p]);
       planned_direct_ += share * n.direct;
       planned_rest_ += share * n.rest;
-      const double of_direct = share * square(1.0 - pilot_direct_weight_) *
-                               std::pow(kPilotCount, kExponent - 1.0) * std::pow(n.direct, -kExponent),
-                   of_rest = share * square(1.0 - pilot_rest_weight_) / n.rest;
+      const LevelVariances& of = pixels[p].judged_by;
+      const double of_direct = direct_left(share, n.direct);
       for (const std::size_t c : judged)
-        error[c] +=
-            (pixels[p].judged_by.direct[c] * of_direct + pixels[p].judged_by.rest[c] * of_rest) / limit[c];
+        error[c] += (of.direct[c] * of_direct +
+                     share * rest_left(of.rest[c], of.between.empty() ? kNotPooled : of.between[c], n.rest)) /
+                    limit[c];
     }
-    for (const std::size_t c : judged)
-      error[c] += square(pilot_direct_weight_) * pilot_direct[c] + square(pilot_rest_weight_) * pilot_rest[c];
+  };
+  const auto left = [&](std::size_t p) {
+    const Numbers n = numbers(chosen_by[p]);
+    return direct_left(judged_by[p].direct, n.direct) +
+           rest_left(judged_by[p].rest, judged_by[p].between, n.rest);
   };
   // The multipliers say how columns share; the price is scanned on what they come to together.
   const auto take_price = [&] {
-    double low = -60.0, high = 60.0;
-    for (int k = 0; k < kBisections; ++k) {
-      price_ = std::exp(0.5 * (low + high));
+    double all = 0.0;
+    for (const double m : multiplier) all += m;
+    const auto over = [&] {
       double sum = 0.0;
-      for (std::size_t p = 0; p < pixels.size(); ++p) {
-        const Numbers n = numbers(direct_size[p], rest_size[p]);
-        sum += share * (true_direct[p] * square(1.0 - pilot_direct_weight_) *
-                            std::pow(kPilotCount, kExponent - 1.0) * std::pow(n.direct, -kExponent) +
-                        true_rest[p] * square(1.0 - pilot_rest_weight_) / n.rest);
+      for (std::size_t p = 0; p < pixels.size(); ++p) sum += share * left(p);
+      return sum / all;
+    };
+    if (price_ == 1.0) {
+      double low = -60.0, high = 60.0;
+      for (int k = 0; k < kBisections; ++k) {
+        price_ = std::exp(0.5 * (low + high));
+        (over() > 1.0 ? high : low) = std::log(price_);
       }
-      double of_pilot = 0.0, all = 0.0;
-      for (std::size_t k2 = 0; k2 < judged.size(); ++k2) {
-        of_pilot += multiplier[k2] * (square(pilot_direct_weight_) * pilot_direct[judged[k2]] +
-                                      square(pilot_rest_weight_) * pilot_rest[judged[k2]]);
-        all += multiplier[k2];
-      }
-      (sum + of_pilot > all ? high : low) = std::log(price_);
+      return;
+    }
+    // Near where it was: the error goes about with the root of the price.
+    for (int k = 0; k < kPriceSteps; ++k) {
+      const double now = over();
+      if (!(now > 0.0)) return;
+      price_ = std::clamp(price_ / (now * now), 1e-26, 1e26);
     }
   };
   for (int round = 0; round < kWeightRounds && !judged.empty(); ++round) {
@@ -112,11 +125,12 @@ Allocation::Allocation(std::span<const SurveyedPixel> pixels, std::vector<double
     // The weight of the pilot that leaves least, numbers being what they are.
     double main_direct = 0.0, main_rest = 0.0, of_direct = 0.0, of_rest = 0.0;
     for (std::size_t p = 0; p < pixels.size(); ++p) {
-      const Numbers n = numbers(direct_size[p], rest_size[p]);
-      main_direct += true_direct[p] * std::pow(kPilotCount, kExponent - 1.0) * std::pow(n.direct, -kExponent);
-      main_rest += true_rest[p] / n.rest;
-      of_direct += true_direct[p] / kPilotCount;
-      of_rest += true_rest[p] / kPilotWhole;
+      const Numbers n = numbers(chosen_by[p]);
+      main_direct +=
+          judged_by[p].direct * std::pow(kPilotCount, kExponent - 1.0) * std::pow(n.direct, -kExponent);
+      main_rest += judged_by[p].rest / n.rest;
+      of_direct += judged_by[p].direct / kPilotCount;
+      of_rest += judged_by[p].rest / kPilotWhole;
     }
     pilot_direct_weight_ = main_direct + of_direct > 0.0 ? main_direct / (main_direct + of_direct) : 0.0;
     pilot_rest_weight_ = main_rest + of_rest > 0.0 ? main_rest / (main_rest + of_rest) : 0.0;
@@ -129,10 +143,7 @@ Allocation::Allocation(std::span<const SurveyedPixel> pixels, std::vector<double
   // from the price, which moves all columns alike to first order.
   double sum = 0.0, squares = 0.0;
   for (std::size_t p = 0; p < pixels.size(); ++p) {
-    const Numbers n = numbers(direct_size[p], rest_size[p]);
-    const double of_pixel =
-        true_direct[p] * std::pow(kPilotCount, kExponent - 1.0) * std::pow(n.direct, -kExponent) +
-        true_rest[p] / n.rest;
+    const double of_pixel = left(p);
     sum += of_pixel;
     squares += of_pixel * of_pixel;
   }
@@ -151,31 +162,53 @@ Allocation::Allocation(std::span<const SurveyedPixel> pixels, std::vector<double
   planned_rest_ += kPilotWhole;
 }
 
-double Allocation::direct_size(std::span<const double> variance) const {
+double Allocation::size(std::span<const double> variance) const {
   double sum = 0.0;
   for (std::size_t c = 0; c < column_weight_.size(); ++c)
     if (column_weight_[c] > 0.0) sum += column_weight_[c] * variance[c];
   return sum;
 }
 
-double Allocation::rest_size(std::span<const double> variance) const { return direct_size(variance); }
+Allocation::Sizes Allocation::sizes(const LevelVariances& pixel) const {
+  return {size(pixel.direct), size(pixel.rest), pixel.between.empty() ? kNotPooled : size(pixel.between)};
+}
 
-Allocation::Numbers Allocation::numbers(double direct_size, double rest_size) const {
-  const double least = 4.0, most = static_cast<double>(most_);
+double Allocation::direct_left(double variance, double direct) const {
+  return variance * (square(pilot_direct_weight_) / kPilotCount + square(1.0 - pilot_direct_weight_) *
+                                                                      std::pow(kPilotCount, kExponent - 1.0) *
+                                                                      std::pow(direct, -kExponent));
+}
+
+double Allocation::rest_left(double variance, double between, double rest) const {
+  const double own =
+      variance * (square(pilot_rest_weight_) / kPilotWhole + square(1.0 - pilot_rest_weight_) / rest);
+  return own > 0.0 ? own * pooled_share(own, between) : 0.0;
+}
+
+Allocation::Numbers Allocation::numbers(const Sizes& sizes) const {
+  const double least = 4.0, most = static_cast<double>(most_),
+               least_rest = std::min<double>(most, sizes.between == kNotPooled ? kLeastWhole : kLeastPooled);
   const double scale = std::pow(kPilotCount, kExponent - 1.0) * square(1.0 - pilot_direct_weight_);
-  const double direct = std::pow(kExponent * direct_size * scale / price_, 1.0 / (1.0 + kExponent));
-  const double rest = std::sqrt(rest_size * square(1.0 - pilot_rest_weight_) / (price_ * rest_cost_));
-  Numbers n{std::clamp(direct, least, most), std::clamp(rest, double{kLeastWhole}, most)};
+  const double direct = std::pow(kExponent * sizes.direct * scale / price_, 1.0 / (1.0 + kExponent));
+  // Where what rest_left() leaves falls by the price of a value: at first as if nothing were pooled, then by what that lowers.
+  const double main = 1.0 - pilot_rest_weight_,
+               unpooled = std::sqrt(sizes.rest / (price_ * rest_cost_)) * main;
+  double rest = std::clamp(unpooled, least_rest, most);
+  for (int k = 0; k < kPoolingSteps && sizes.between != kNotPooled && sizes.rest > 0.0; ++k) {
+    const double own = sizes.rest * (square(pilot_rest_weight_) / kPilotWhole + square(main) / rest);
+    rest = std::clamp(unpooled * std::sqrt(pooled_slope(own, sizes.between)), least_rest, most);
+  }
+  Numbers n{std::clamp(direct, least, most), rest};
   n.direct = std::max(n.direct, n.rest);
   return n;
 }
 
-bool Allocation::is_cut(double direct_size, double rest_size) const {
-  return numbers(direct_size, rest_size).direct >= static_cast<double>(most_);
+bool Allocation::is_cut(const Sizes& sizes) const {
+  return numbers(sizes).direct >= static_cast<double>(most_);
 }
 
-PixelPlan Allocation::plan(double direct_size, double rest_size) const {
-  const Numbers n = numbers(direct_size, rest_size);
+PixelPlan Allocation::plan(const Sizes& sizes) const {
+  const Numbers n = numbers(sizes);
   PixelPlan plan;
   set_sides(n.direct, plan);
   plan.whole = std::min(plan.count(), static_cast<std::uint32_t>(std::lround(n.rest)));

@@ -12,6 +12,8 @@ namespace ifov::sampling {
 struct LevelVariances {
   std::vector<double> direct;  ///< within the strata of a pilot
   std::vector<double> rest;
+  std::vector<double>
+      between;  ///< of the rest's mean among like pixels, over which it is pooled; empty: it is not
 };
 
 /// A pixel twice: as a pilot shows it, by which its numbers of values are chosen, and as another does, by which what they lead to is
@@ -26,9 +28,11 @@ struct SurveyedPixel {
 class Allocation {
  public:
   /// Variances fall as n^-kExponent with n strata of the first level, 1/n in the second.
-  static constexpr double kExponent = 1.3;
-  static constexpr int kPilotAcross = 4, kPilotDown = 2, kMostSide = 64;
+  static constexpr double kExponent = 1.25;
+  static constexpr int kPilotAcross = 4, kPilotDown = 4, kMostSide = 64;
   static constexpr std::uint32_t kPilotWhole = 6, kLeastWhole = 4;
+  /// Where paths are pooled: bright ones are rare, and what a pilot has missed neighbours are not to miss, too.
+  static constexpr std::uint32_t kLeastPooled = 20;
   static constexpr PixelPlan pilot() { return {kPilotAcross, kPilotDown, kPilotWhole}; }
 
   /// `pixels` stand for all of the image. `limit`: of the mean squared error by column, infinite where it does not matter.
@@ -36,13 +40,15 @@ class Allocation {
   Allocation(std::span<const SurveyedPixel> pixels, std::vector<double> limit, double rest_cost,
              std::uint32_t most);
 
-  /// What the columns' variances come to in the units of this allocation.
-  double direct_size(std::span<const double> variance) const;
-  double rest_size(std::span<const double> variance) const;
+  /// A pixel's variances, columns put together, in the units of this allocation.
+  struct Sizes {
+    double direct, rest, between;  ///< the last infinite where nothing is pooled
+  };
+  Sizes sizes(const LevelVariances& pixel) const;
   /// The plan of a pixel of these sizes, beside its pilot.
-  PixelPlan plan(double direct_size, double rest_size) const;
+  PixelPlan plan(const Sizes& sizes) const;
   /// Whether the plan of a pixel is cut by `most`.
-  bool is_cut(double direct_size, double rest_size) const;
+  bool is_cut(const Sizes& sizes) const;
 
   double pilot_direct_weight() const { return pilot_direct_weight_; }
   double pilot_rest_weight() const { return pilot_rest_weight_; }
@@ -60,7 +66,11 @@ class Allocation {
   struct Numbers {
     double direct, rest;
   };
-  Numbers numbers(double direct_size, double rest_size) const;
+  Numbers numbers(const Sizes& sizes) const;
+  double size(std::span<const double> variance) const;
+  /// Mean squared errors that numbers of values leave, pilots included: of variances as of LevelVariances.
+  double direct_left(double variance, double direct) const;
+  double rest_left(double variance, double between, double rest) const;
 
   std::vector<double> column_weight_;  // multipliers over limits
   double price_ = 1.0;                 // of a value, as the reduction of error that it must bring

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "core/parallel.h"
 #include "core/run_control.h"
@@ -21,23 +23,70 @@ constexpr std::uint64_t kAuditPlaces = 0x6175646974ull, kAuditChoice = 0x63686f6
                         kAuditPaths = 0x68616c766573ull;
 constexpr std::size_t kCandidates = 3;  // for each pixel that is wanted
 
-/// The pixel as the image will have it: samplers make the same of it whatever tile it lies in.
+/// Pixels that are sampled at once: those of a block, or one.
+struct Cluster {
+  PixelRect block;
+  std::vector<std::size_t> candidates;
+};
+
+/// Candidates, and the blocks that they lie in: where blocks are large, several in each of fewer blocks, because one costs as much as
+/// all of its block. Each pixel has the same chance.
+std::vector<Place> candidate_places(const TileProblem& image, std::size_t count, int block_px,
+                                    std::vector<Cluster>& clusters) {
+  const PixelRect& all = image.image;
+  const std::uint64_t key = hash(image.seed, kAuditPlaces);
+  std::map<std::pair<int, int>, std::size_t> cluster_of;
+  std::vector<Place> places;
+  const auto add = [&](const Place& place) {
+    const int x = all.x0 + (place.i - all.x0) / block_px * block_px,
+              y = all.y0 + (place.j - all.y0) / block_px * block_px;
+    const auto [found, is_new] = cluster_of.try_emplace({y, x}, clusters.size());
+    if (is_new)
+      clusters.push_back({{x, y, std::min(x + block_px, all.x1), std::min(y + block_px, all.y1)}, {}});
+    clusters[found->second].candidates.push_back(places.size());
+    places.push_back(place);
+  };
+  if (block_px == 1 || static_cast<std::size_t>(all.count()) <= count) {
+    for (const Place& place : spread_places(all, count, key)) add(place);
+    return places;
+  }
+  // Places choose blocks, so that blocks are chosen by their pixels; of each that is chosen, some pixels are drawn.
+  constexpr std::size_t kOfBlock = 12;
+  const std::vector<Place> chosen = spread_places(all, (count + kOfBlock - 1) / kOfBlock, key);
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    const int x = all.x0 + (chosen[k].i - all.x0) / block_px * block_px,
+              y = all.y0 + (chosen[k].j - all.y0) / block_px * block_px;
+    const PixelRect block{x, y, std::min(x + block_px, all.x1), std::min(y + block_px, all.y1)};
+    for (const Place& place : spread_places(block, kOfBlock, hash(key, k))) add(place);
+  }
+  return places;
+}
+
+/// Pixels as the image will have them: samplers make the same of them whatever tile they lie in.
 void sample_alone(const PixelSampler& sampler, const ImageSurvey* survey, const TileProblem& image,
-                  const Place& place, Field& field, AuditedPixel& pixel) {
+                  const Cluster& cluster, std::span<const Place> places, Field& field,
+                  std::span<AuditedPixel> pixels) {
   TileProblem problem = image;
-  problem.tile = {place.i, place.j, place.i + 1, place.j + 1};
+  problem.tile = cluster.block;
   problem.survey = survey;
   TileResult result;
   sampler.sample(problem, field, result);
   const auto columns = static_cast<std::size_t>(result.columns);
-  pixel.value.assign(result.mean.begin(), result.mean.end());
-  pixel.variance.resize(columns);
-  for (std::size_t c = 0; c < columns; ++c) {
-    const double sum =
-        static_cast<double>(result.variance_geometry[c]) + static_cast<double>(result.variance_path[c]);
-    pixel.variance[c] = std::isfinite(sum) ? sum : 0.0;
+  const std::vector<Audit::PixelClass> classes = classes_of(result);
+  for (const std::size_t k : cluster.candidates) {
+    const auto at = static_cast<std::size_t>((places[k].j - cluster.block.y0) * cluster.block.width() +
+                                             places[k].i - cluster.block.x0);
+    AuditedPixel& pixel = pixels[k];
+    const auto value = result.mean.begin() + static_cast<std::ptrdiff_t>(at * columns);
+    pixel.value.assign(value, value + static_cast<std::ptrdiff_t>(columns));
+    pixel.variance.resize(columns);
+    for (std::size_t c = 0; c < columns; ++c) {
+      const double sum = static_cast<double>(result.variance_geometry[at * columns + c]) +
+                         static_cast<double>(result.variance_path[at * columns + c]);
+      pixel.variance[c] = std::isfinite(sum) ? sum : 0.0;
+    }
+    pixel.mixed = classes[at] == Audit::kMixed;
   }
-  pixel.mixed = classes_of(result).front() == Audit::kMixed;
 }
 
 void measure(const TileProblem& image, const Place& place, Field& field, AuditedPixel& pixel) {
@@ -80,11 +129,12 @@ void for_each_pixel(const SurveyRequest& request, std::size_t count, RayCounts& 
 std::vector<AuditedPixel> audited_pixels(const PixelSampler& sampler, const ImageSurvey* survey,
                                          const SurveyRequest& request, int wanted, RayCounts& rays) {
   const TileProblem& image = request.image;
-  const std::vector<Place> places = spread_places(image.image, kCandidates * static_cast<std::size_t>(wanted),
-                                                  hash(image.seed, kAuditPlaces));
+  std::vector<Cluster> clusters;
+  const std::vector<Place> places =
+      candidate_places(image, kCandidates * static_cast<std::size_t>(wanted), sampler.block_px(), clusters);
   std::vector<AuditedPixel> candidates(places.size());
-  for_each_pixel(request, places.size(), rays, [&](std::size_t k, Field& field) {
-    sample_alone(sampler, survey, image, places[k], field, candidates[k]);
+  for_each_pixel(request, clusters.size(), rays, [&](std::size_t k, Field& field) {
+    sample_alone(sampler, survey, image, clusters[k], places, field, candidates);
   });
   // Every column counts as much as another.
   const std::size_t columns = candidates.front().value.size();

@@ -15,6 +15,7 @@ class AuditedSampler final : public PixelSampler {
   AuditedSampler(std::unique_ptr<PixelSampler> sampler, int pixels);
   void sample(const TileProblem& problem, Field& field, TileResult& result) const override;
   int halo_px() const override { return sampler_->halo_px(); }
+  int block_px() const override { return sampler_->block_px(); }
   std::unique_ptr<const ImageSurvey> survey(const SurveyRequest& request) const override;
 
  private:

@@ -48,8 +48,9 @@ namespace {
 struct Surveyed {
   std::uint32_t material = 0;
   bool mixed = false;
-  std::vector<double> mean, direct_apart,
-      rest_apart;  // of the pilots' means: their mean, and half their difference
+  std::map<std::uint32_t, double> shares;
+  // Of the pilots' means: their mean, and half their difference.
+  std::vector<double> direct, rest, direct_apart, rest_apart;
   std::array<LevelVariances, 2> variances;
 };
 
@@ -71,8 +72,9 @@ void look(const SurveyRequest& request, std::span<const Place> places, Field& fi
     const std::span<const Label> own = std::span<const Label>(sums.labels).subspan(p * labels, labels);
     pixel.material = main_material(field, own);
     pixel.mixed = shows_several(field, own);
+    for (const Label label : own) pixel.shares[field.material_of(label)] += 1.0 / static_cast<double>(labels);
     for (std::vector<double>* row :
-         {&pixel.mean, &pixel.direct_apart, &pixel.rest_apart, &pixel.variances[0].direct,
+         {&pixel.direct, &pixel.rest, &pixel.direct_apart, &pixel.rest_apart, &pixel.variances[0].direct,
           &pixel.variances[0].rest, &pixel.variances[1].direct, &pixel.variances[1].rest})
       row->resize(columns);
     for (std::size_t c = 0; c < columns; ++c) {
@@ -83,7 +85,8 @@ void look(const SurveyRequest& request, std::span<const Place> places, Field& fi
       const auto half_difference = [&](const std::vector<float>& of) {
         return 0.5 * (static_cast<double>(of[a]) - static_cast<double>(of[b]));
       };
-      pixel.mean[c] = half_sum(sums.direct) + half_sum(sums.rest);
+      pixel.direct[c] = half_sum(sums.direct);
+      pixel.rest[c] = half_sum(sums.rest);
       pixel.direct_apart[c] = half_difference(sums.direct);
       pixel.rest_apart[c] = half_difference(sums.rest);
       for (const std::size_t h : {0, 1}) {
@@ -118,6 +121,49 @@ class Factor {
   int pixels_ = 0;
 };
 
+RestModel model_of(std::span<const Surveyed> found) {
+  std::vector<RestModel::Pixel> pixels;
+  for (const Surveyed& pixel : found) pixels.push_back({pixel.shares, pixel.direct, pixel.rest});
+  return RestModel(pixels);
+}
+
+/// What pixels differ by from the model: the product of what two pilots do, whose noise is not the same.
+void add_between(std::span<const Surveyed> found, ImagePlan::Kind& all,
+                 std::map<std::uint32_t, ImagePlan::Kind>& kinds, const RestModel& model) {
+  const std::size_t columns = found.front().direct.size();
+  struct Sum {
+    std::vector<double> products;
+    double pixels = 0.0;
+  };
+  Sum of_all{std::vector<double>(columns, 0.0)};
+  std::map<std::uint32_t, Sum> of_kind;
+  std::vector<double> predicted(columns);
+  for (const Surveyed& pixel : found) {
+    model.predict(pixel.shares, pixel.direct.data(), predicted.data());
+    Sum& own = of_kind.try_emplace(pixel.material, Sum{std::vector<double>(columns, 0.0)}).first->second;
+    for (Sum* sum : {&own, &of_all}) sum->pixels += 1.0;
+    for (std::size_t c = 0; c < columns; ++c) {
+      const double away = pixel.rest[c] - predicted[c],
+                   product = away * away - pixel.rest_apart[c] * pixel.rest_apart[c];
+      own.products[c] += product;
+      of_all.products[c] += product;
+    }
+  }
+  // Kinds of few pixels are told by all of them.
+  constexpr double kPrior = 16.0;
+  all.mean.between.resize(columns);
+  for (std::size_t c = 0; c < columns; ++c)
+    all.mean.between[c] = ImagePlan::kNearShare * std::max(0.0, of_all.products[c] / of_all.pixels);
+  for (auto& [material, kind] : kinds) {
+    const Sum& own = of_kind.at(material);
+    kind.mean.between.resize(columns);
+    for (std::size_t c = 0; c < columns; ++c)
+      kind.mean.between[c] =
+          std::max(0.0, (ImagePlan::kNearShare * own.products[c] + kPrior * all.mean.between[c]) /
+                            (own.pixels + kPrior));
+  }
+}
+
 }  // namespace
 
 void ImagePlan::moderate_pilot(LevelVariances& own, std::uint32_t material) const {
@@ -127,9 +173,11 @@ void ImagePlan::moderate_pilot(LevelVariances& own, std::uint32_t material) cons
         moderated(own.direct[c], Allocation::pilot().count() / 4.0, of_kind.direct[c], kDirectPrior);
     own.rest[c] = moderated(own.rest[c], Allocation::kPilotWhole - 1.0, of_kind.rest[c], kRestPrior);
   }
+  own.between = of_kind.between;
 }
 
-std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, std::uint32_t most_samples) {
+std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, std::uint32_t most_samples,
+                                                 bool pooling) {
   const TileProblem& image = request.image;
   const std::int64_t wanted = std::clamp<std::int64_t>(image.image.count() / 8, kLeastPixels, kMostPixels);
   const std::vector<Place> places =
@@ -148,14 +196,14 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
 
   std::unique_ptr<ImagePlan> plan(new ImagePlan());
   for (const RayCounts& count : rays) plan->rays += count;
-  const std::size_t columns = found.front().mean.size();
+  const std::size_t columns = found.front().direct.size();
   std::vector<double> mean(columns, 0.0);
   Factor pure(columns), mixed(columns), all(columns), rest(columns);
   for (const Surveyed& pixel : found) {
     Factor& own = pixel.mixed ? mixed : pure;
     for (Factor* factor : {&own, &all, &rest}) factor->count();
     for (std::size_t c = 0; c < columns; ++c) {
-      mean[c] += pixel.mean[c] / static_cast<double>(found.size());
+      mean[c] += (pixel.direct[c] + pixel.rest[c]) / static_cast<double>(found.size());
       const double direct = pixel.direct_apart[c], beyond = pixel.rest_apart[c],
                    direct_found = 2.0 * direct * (direct + 2.0 * beyond),
                    direct_told = 0.5 * (pixel.variances[0].direct[c] + pixel.variances[1].direct[c]) /
@@ -193,6 +241,10 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
   };
   average(plan->all_);
   for (auto& [material, kind] : plan->kinds_) average(kind);
+  if (pooling) {
+    plan->rest_model_ = std::make_unique<const RestModel>(model_of(found));
+    add_between(found, plan->all_, plan->kinds_, *plan->rest_model_);
+  }
 
   // What is asked of a pixel like the image's mean is asked of the image.
   plan->limits_.assign(columns, std::numeric_limits<double>::infinity());
@@ -203,6 +255,7 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
     for (const std::size_t h : {0, 1}) {
       SurveyedPixel surveyed{pixel.variances[h], pixel.variances[1 - h]};
       plan->moderate_pilot(surveyed.chosen_by, pixel.material);
+      surveyed.judged_by.between = surveyed.chosen_by.between;
       pixels.push_back(std::move(surveyed));
     }
   std::vector<double> squares(columns);

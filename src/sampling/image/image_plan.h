@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sampling/image/allocation.h"
+#include "sampling/image/rest_model.h"
 #include "sampling/image/survey.h"
 
 namespace ifov::sampling {
@@ -21,7 +22,8 @@ class ImagePlan final : public ImageSurvey {
   static constexpr int kLeastPixels = 256, kMostPixels = 1024;
 
   /// Needs the tolerance of the request's problem. Throws Cancelled.
-  static std::unique_ptr<const ImagePlan> find(const SurveyRequest& request, std::uint32_t most_samples);
+  static std::unique_ptr<const ImagePlan> find(const SurveyRequest& request, std::uint32_t most_samples,
+                                               bool pooling);
 
   const Allocation& allocation() const { return *allocation_; }
   /// Of the root mean square error by column; infinite where a column is not judged.
@@ -40,12 +42,17 @@ class ImagePlan final : public ImageSurvey {
   double direct_factor(bool mixed) const { return direct_factor_[mixed ? 1 : 0]; }
   double rest_factor() const { return rest_factor_; }
 
+  /// What the second level is where it is pooled; null where it is not.
+  const RestModel* rest_model() const { return rest_model_.get(); }
+
   /// A pilot's variances, factors included, put together with those of its pixel's kind.
   void moderate_pilot(LevelVariances& own, std::uint32_t material) const;
 
   /// Values of its own that those of its kind count for when a pixel's variance is told: few in the first level, because edges are
   /// where they are; more in the second, which is alike in a kind.
-  static constexpr double kDirectPrior = 2.0, kRestPrior = 7.0;
+  static constexpr double kDirectPrior = 4.0, kRestPrior = 7.0;
+  /// Share of what a pixel differs by from the survey's model that it also differs by from its neighbours.
+  static constexpr double kNearShare = 1.0;
   /// Degrees of freedom of own and kind put together.
   static double moderated(double own, double freedom, double of_kind, double prior) {
     return (freedom * own + prior * of_kind) / (freedom + prior);
@@ -57,6 +64,7 @@ class ImagePlan final : public ImageSurvey {
   std::unique_ptr<const Allocation> allocation_;
   std::array<double, 2> direct_factor_{1.0, 1.0};
   double rest_factor_ = 1.0;
+  std::unique_ptr<const RestModel> rest_model_;
   std::map<std::uint32_t, Kind> kinds_;
   Kind all_;
 };

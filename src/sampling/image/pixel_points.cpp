@@ -1,6 +1,7 @@
 #include "sampling/image/pixel_points.h"
 
 #include <array>
+#include <numeric>
 #include <utility>
 
 #include "sampling/hash.h"
@@ -12,7 +13,13 @@ namespace ifov::sampling {
 
 namespace {
 
-enum class Draw : std::uint64_t { across, down, first_four, of_four };
+enum class Draw : std::uint64_t { across, down, first_four, of_four, column, row };
+
+/// Which of the `count` slots of a line each of its cells takes: a permutation (Fisher and Yates).
+void permute(std::uint64_t key, std::size_t count, int* slots) {
+  std::iota(slots, slots + count, 0);
+  for (std::size_t k = count; k > 1; --k) std::swap(slots[k - 1], slots[hash(key, k) % k]);
+}
 
 }  // namespace
 
@@ -28,6 +35,11 @@ void PixelPoints::add(const PixelFootprint& footprint, int i, int j, std::uint64
   const std::uint64_t start = hash(key, Draw::first_four) % fours;
   const bool box = footprint.uniform();
   const double side = 2.0 * footprint.half_width_px();
+  const auto columns = static_cast<std::size_t>(plan.across), rows = static_cast<std::size_t>(plan.down);
+  across_.resize(count);
+  down_.resize(count);
+  for (std::size_t a = 0; a < columns; ++a) permute(hash(key, Draw::column, a), rows, &across_[a * rows]);
+  for (std::size_t b = 0; b < rows; ++b) permute(hash(key, Draw::row, b), columns, &down_[b * columns]);
   std::uint32_t followed = 0, others = plan.whole;
   for (std::uint32_t four = 0; four < fours; ++four) {
     const int a = 2 * static_cast<int>(four % static_cast<std::uint32_t>(plan.across / 2)),
@@ -46,8 +58,11 @@ void PixelPoints::add(const PixelFootprint& footprint, int i, int j, std::uint64
     }
     for (std::uint32_t k = 0; k < 4; ++k) {
       const int x = a + static_cast<int>(k % 2), y = b + static_cast<int>(k / 2);
-      const Point2 u{(x + unit_double(hash(key, Draw::across, x, y))) / plan.across,
-                     (y + unit_double(hash(key, Draw::down, x, y))) / plan.down};
+      const std::size_t of_column = static_cast<std::size_t>(x) * rows + static_cast<std::size_t>(y),
+                        of_row = static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x);
+      const Point2 u{
+          (x + (across_[of_column] + unit_double(hash(key, Draw::across, x, y))) / plan.down) / plan.across,
+          (y + (down_[of_row] + unit_double(hash(key, Draw::down, x, y))) / plan.across) / plan.down};
       const Point2 about =
           box ? Point2{(u.x - 0.5) * side, (u.y - 0.5) * side} : footprint_point(footprint, u);
       const std::uint32_t index = chosen[k] != 0 ? followed++ : others++;

@@ -24,9 +24,14 @@ struct PixelPoints {
   std::vector<std::uint32_t> counts;
 
   void clear();
-  /// Of pixel (i, j): jittered, one in each cell, in fours of cells side by side. Of which cells the path is followed is drawn so
-  /// that each has the same chance and every four about as many. `key`: of the pixel's random numbers and paths.
+  /// Of pixel (i, j): one in each cell, in fours of cells side by side, and one in each of as many thin columns and rows as there are
+  /// cells (multi-jittered sampling: Chiu, Shirley and Wang 1994). Of which cells the path is followed is drawn so that each has the
+  /// same chance and every four about as many. `key`: of the pixel's random numbers and paths.
   void add(const PixelFootprint& footprint, int i, int j, std::uint64_t key, const PixelPlan& plan);
+
+ private:
+  std::vector<int> across_,
+      down_;  // which thin column, column by column of cells; which thin row, row by row
 };
 
 }  // namespace ifov::sampling

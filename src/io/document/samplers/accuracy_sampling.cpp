@@ -43,6 +43,10 @@ SchemaType<std::shared_ptr<const SamplerSettings>> accuracy_type() {
           "audit", &AccuracySampling::audit, audit_type(),
           "of an image: how many of its pixels are measured once more by independent rays (each takes some "
           "400 values), from which half-widths and the image's error are calibrated; 200 do for most")
+      .with_default(
+          "pooling", &AccuracySampling::pooling, boolean(), "false",
+          "of an image: light from the sky and from other surfaces is shrunk towards what like pixels of the "
+          "same block of 8 x 8 have, as much as these are alike; errors of neighbours then go together")
       .with_default("confidence", &AccuracySampling::confidence, fraction({0.5, 1.0, false, true, {}}),
                     "0.95", "probability with which the interval holds the true value")
       .optional("channel", &AccuracySampling::channel, name_of("a channel"), "that is judged; without it all")
@@ -70,6 +74,8 @@ SchemaType<std::shared_ptr<const SamplerSettings>> accuracy_type() {
       if (const DocumentNode* audit = node.find("audit"))
         audit->fail_at_key(
             "an audit is of an image: \"of\": \"image\" goes with it; intervals of single pixels need none");
+      if (const DocumentNode* pooling = node.find("pooling"))
+        pooling->fail_at_key("pixels are pooled for an error of the image: \"of\": \"image\" goes with it");
       return;
     }
     for (const char* key : {"lattice", "probes", "pilot_rays", "thinnest", "clutter", "simultaneous"})
@@ -86,7 +92,9 @@ constinit const SamplerModel AccuracySampling::kModel{"accuracy", "as many rays 
 
 std::unique_ptr<sampling::PixelSampler> AccuracySampling::build() const {
   if (of_image())
-    return audited(std::make_unique<sampling::ImageSampler>(static_cast<std::uint32_t>(max_samples)), audit);
+    return audited(std::make_unique<sampling::ImageSampler>(static_cast<std::uint32_t>(max_samples),
+                                                            sampling::ImageSampler::Pooling{pooling}),
+                   audit);
   sampling::AccuracyOptions options;
   if (lattice) options.lattice = *lattice;
   options.probes_per_side = static_cast<int>(std::lround(std::sqrt(probes)));
@@ -98,7 +106,8 @@ std::unique_ptr<sampling::PixelSampler> AccuracySampling::build() const {
 }
 
 std::string AccuracySampling::description() const {
-  return of_image() ? "accuracy of the image" + audit_words(audit) : "accuracy";
+  if (!of_image()) return "accuracy";
+  return (pooling ? "accuracy of the image, pooled" : "accuracy of the image") + audit_words(audit);
 }
 
 }  // namespace ifov::io

@@ -19,6 +19,7 @@ struct AccuracySampling final : SamplerSettings {
   ErrorSize error{0.01, ErrorSize::Unit::fraction};
   Of of = Of::pixel;
   std::optional<int> audit;             ///< pixels that are measured once more; of images alone
+  bool pooling = false;                 ///< of what comes indirectly, over like neighbours; of images alone
   std::optional<DocumentName> channel;  ///< that is judged; absent: all channels
   double confidence = 0.95;
   bool simultaneous = false;    ///< confidence for all channels of a pixel at once
