@@ -7,6 +7,7 @@
 #include "core/version.h"
 #include "io/document/document.h"
 #include "io/scene_cache/scene_cache.h"
+#include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/atmosphere_budget.h"
 #include "render/tolerance/channel_brightness.h"
 #include "render/tolerance/node_budget.h"
