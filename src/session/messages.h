@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "core/run_control.h"
+#include "io/product_parts/image_error.h"
 #include "render/tile_sink.h"
 #include "sampling/reason_words.h"
 
 namespace ifov::io {
-struct ImageError;
 struct RunPlan;
 }  // namespace ifov::io
 

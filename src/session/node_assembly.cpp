@@ -12,6 +12,7 @@
 #include "session/assembly/atmosphere/atmosphere_assembly.h"
 #include "session/assembly/atmosphere/imported_assembly.h"
 #include "session/assembly/atmosphere/node_tolerance.h"
+#include "session/assembly/shared/colour_guess.h"
 #include "session/loaded/parts.h"
 #include "session/surface_spectra.h"
 #include "transport/spectral_scene.h"

@@ -133,7 +133,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   if (p.atmosphere) p.air = render::atmosphere_half_widths(*p.spectral_scene, *p.atmosphere);
   if (p.polarimetry) render::pass_optics(*p.polarimetry, p.air);
   if (!p.atmosphere) p.node_errors = render::node_half_widths(*p.spectral_scene);
-  p.tolerance = p.tolerance_of(p.plan);
+  p.make_tolerance();
   warn_of_atmosphere_errors(p, *log);
   p.info = image_info(document.scene.origin, *p.camera, p.channels, p.scene, p.map_offset_m);
   p.info.stokes = document.sensor.stokes;

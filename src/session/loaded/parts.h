@@ -90,6 +90,7 @@ struct Parts {
   render::RenderJob job(const SamplingPlan& sampling, const render::AccuracyTolerance* limits) const;
   /// What a plan's accuracy asks for; null where it asks for none.
   std::unique_ptr<render::AccuracyTolerance> tolerance_of(const SamplingPlan& sampling) const;
+  void make_tolerance();  ///< of its own plan
 };
 
 }  // namespace ifov::session

@@ -31,6 +31,8 @@ render::RenderJob Parts::job(const SamplingPlan& sampling, const render::Accurac
   return job;
 }
 
+void Parts::make_tolerance() { tolerance = tolerance_of(plan); }
+
 std::unique_ptr<render::AccuracyTolerance> Parts::tolerance_of(const SamplingPlan& sampling) const {
   if (!sampling.request) return nullptr;
   auto limits = std::make_unique<render::AccuracyTolerance>(

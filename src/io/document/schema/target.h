@@ -62,7 +62,9 @@ auto& reach(T& from, First first, Rest... rest) {
   if constexpr (sizeof...(Rest) == 0)
     return next;
   else if constexpr (is_optional<std::remove_reference_t<decltype(next)>>)
-    return reach(next ? *next : next.emplace(), rest...);
+    // Made here, since clang 14 takes a class within a class for one that cannot be made of nothing.
+    return reach(next ? *next : next.emplace(typename std::remove_reference_t<decltype(next)>::value_type{}),
+                 rest...);
   else
     return reach(next, rest...);
 }
