@@ -56,12 +56,13 @@ GlintSearch::GlintSearch(const sensor::Camera& camera, const geometry::SurfaceSu
     : camera_(camera), ball_(ball), margin_(margin_px), step_(0.0), steps_(steps), most_(most), seed_(seed) {}
 
 GlintSearch::GlintSearch(const sensor::Camera& camera, Vec3 towards_sun, double least_slope, double reach_rad,
-                         double margin_px, std::uint64_t seed, std::size_t most)
+                         double coarse, double margin_px, std::uint64_t seed, std::size_t most)
     : camera_(camera),
       towards_sun_(towards_sun),
       half_angle_(reach_rad),
       margin_(margin_px),
-      step_(kLobeStep * 2.0 * least_slope),
+      step_(coarse * kLobeStep * 2.0 * least_slope),
+      growth_(coarse * kLobeGrowth),
       lobes_(true),
       most_(most),
       seed_(seed) {}
@@ -206,7 +207,7 @@ void GlintSearch::divide(const Surface& surface, const Cell& whole, std::uint64_
         spread = std::max(spread, turn), side_px = std::max(side_px, px);
         const double nearest =
             std::min(length(c[k].from - towards_sun_), length(c[(k + 1) % 3].from - towards_sun_));
-        const double grown = lobes_ ? step + kLobeGrowth * nearest : step;
+        const double grown = lobes_ ? step + growth_ * nearest : step;
         const double longest_px = lobes_ ? kLongestOfLobe_px : kLongest_px;
         const double needed = std::max(turn / grown, wide > 0.0 ? px / longest_px : 0.0);
         if (needed > worst) worst = needed, longest = k;
@@ -228,8 +229,11 @@ void GlintSearch::divide(const Surface& surface, const Cell& whole, std::uint64_
         if (wide > 0.0) {
           broken_off_ = drawn_ >= most_;
           if (broken_off_) return;
-          draw(surface, cell, number, found);
-        } else
+          if (found)
+            draw(surface, cell, number, found);
+          else
+            ++drawn_;
+        } else if (found)
           solve(surface, cell, found);
         continue;
       }

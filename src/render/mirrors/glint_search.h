@@ -43,14 +43,14 @@ class GlintSearch {
 
   /// More triangles than `most` are not made. For the highlights of lobes whose micro-facets have these slopes, in place of mirrors: there is no border within which a
   /// highlight lies; triangles are finer the nearer their directions are to the Sun, and all are left that come nearer than
-  /// `reach_rad`.
+  /// `reach_rad`. `coarse`: steps are so many times as wide as usual.
   GlintSearch(const sensor::Camera& camera, math::Vec3 towards_sun, double least_slope, double reach_rad,
-              double margin_px, std::uint64_t seed, std::size_t most);
+              double coarse, double margin_px, std::uint64_t seed, std::size_t most);
 
   /// Whether there were more triangles than were to be made; those that were lie anywhere.
   bool broken_off() const { return broken_off_; }
 
-  /// Calls back with the points of one surface. `number` tells surfaces apart.
+  /// Calls back with the points of one surface. `number` tells surfaces apart. An empty callback: triangles are made, and no points.
   using Found = std::function<void(const GlintPoint&)>;
   void search(const geometry::SurfaceSurvey::Round& round, std::uint64_t number, const Found& found);
   void search(const geometry::SurfaceSurvey::Smooth& smooth, std::uint64_t number, const Found& found);
@@ -89,7 +89,7 @@ class GlintSearch {
   const sensor::Camera& camera_;
   std::optional<geometry::SurfaceSurvey::Ball> ball_;
   math::Vec3 towards_sun_{}, first_{}, second_{};
-  double half_angle_ = 0.0, margin_, step_;
+  double half_angle_ = 0.0, margin_, step_, growth_ = 0.0;
   bool lobes_ = false;
   double steps_ = 0.0;  // across a ball's half-angle
   std::size_t most_ = ~std::size_t{0};
