@@ -17,10 +17,11 @@ namespace ifov::render {
 namespace {
 
 /// Seconds of search; what is larger than that many pixels shows its highlights well enough.
-constexpr std::size_t kMostTriangles = std::size_t{1} << 18;
+constexpr std::size_t kMostTriangles = std::size_t{1} << 18, kMostCoarse = 2 * kMostTriangles;
 
-/// Of triangles, where there are more things than have room.
-constexpr std::array<double, 5> kCoarseness{1.0, 1.4, 2.0, 2.8, 4.0};
+/// Of triangles, where there are more things than have room. Most lie far from the highlight's middle, where little of its light is.
+constexpr std::array<GlintSearch::Coarseness, 6> kCoarseness{
+    {{1.0, 0.0}, {1.0, 0.5}, {1.4, 0.5}, {2.0, 0.5}, {2.8, 0.5}, {4.0, 0.5}}};
 
 /// Points traced together.
 constexpr std::size_t kTogether = 4096;
@@ -79,7 +80,8 @@ std::vector<Highlights::Thing> Highlights::things() const {
   return things;
 }
 
-GlintSearch Highlights::search_for(double coarse, double margin_px, std::uint64_t seed) const {
+GlintSearch Highlights::search_for(const GlintSearch::Coarseness& coarse, double margin_px,
+                                   std::uint64_t seed) const {
   const transport::SunLobes& lobes = *scene_.sun_lobes();
   return {camera_,
           scene_.scene().sun->direction,
@@ -103,10 +105,10 @@ bool Highlights::is_unsure_without(const Thing& thing) const {
          radius_px(lobes.survey().rounds[thing.rounds.front()].ball) * lobes.slopes().least < 1.0;
 }
 
-double Highlights::coarseness(const std::vector<Thing>& things, double margin_px) const {
-  double best = kCoarseness.front();
+GlintSearch::Coarseness Highlights::coarseness(const std::vector<Thing>& things, double margin_px) const {
+  GlintSearch::Coarseness best = kCoarseness.front();
   std::size_t fewest = things.size() + 1;
-  for (const double coarse : kCoarseness) {
+  for (const GlintSearch::Coarseness& coarse : kCoarseness) {
     GlintSearch count = search_for(coarse, margin_px, 0);
     std::size_t unsure = 0;
     for (const Thing& thing : things) {

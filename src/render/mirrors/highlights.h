@@ -38,7 +38,7 @@ class Highlights {
   std::size_t count() const { return lights_.lights().size(); }
 
   /// Objects of so many pixels that their highlights are left to paths, sorted: there is room for some 250,000 triangles of the
-  /// focal plane, taken by the smallest things first. Of many small things triangles are up to 4 times as wide, so that there is
+  /// focal plane, taken by the smallest things first. Of many small things triangles are wider, up to 4 times at the highlight's middle, so that there is
   /// room for all.
   const std::vector<std::uint32_t>& large() const { return large_; }
   /// Of these the ones in which a lobe that throws_rarely() may show highlights smaller than a pixel.
@@ -53,11 +53,11 @@ class Highlights {
   };
   /// The smallest first.
   std::vector<Thing> things() const;
-  GlintSearch search_for(double coarse, double margin_px, std::uint64_t seed) const;
+  GlintSearch search_for(const GlintSearch::Coarseness& coarse, double margin_px, std::uint64_t seed) const;
   static void search(const Thing& thing, const geometry::SurfaceSurvey& survey, GlintSearch& search,
                      const GlintSearch::Found& found);
   /// How wide triangles have to be, over usual: as little as leaves the fewest things unsure.
-  double coarseness(const std::vector<Thing>& things, double margin_px) const;
+  GlintSearch::Coarseness coarseness(const std::vector<Thing>& things, double margin_px) const;
   bool is_unsure_without(const Thing& thing) const;
   void trace(std::vector<GlintPoint>& points);
   void add(const GlintPoint& point, const float* channels);
