@@ -83,6 +83,15 @@ Wrap wrap_of(int code, const std::string& from, const std::string& file) {
   }
 }
 
+/// Numbers of the materials of which a part has colours by vertex.
+std::set<int> coloured_by_vertex(const tinygltf::Model& model) {
+  std::set<int> materials;
+  for (const tinygltf::Mesh& mesh : model.meshes)
+    for (const tinygltf::Primitive& primitive : mesh.primitives)
+      if (primitive.attributes.contains("COLOR_0")) materials.insert(primitive.material);
+  return materials;
+}
+
 }  // namespace
 
 std::vector<std::string> gltf_slot_names(const tinygltf::Model& model, bool unique) {
@@ -140,15 +149,6 @@ GltfPlacement gltf_placement(const tinygltf::Model& model, int material, const s
     fail_in_gltf(file,
                  format("material {}: there is no set {} of texture coordinates", material, placement.set));
   return placement;
-}
-
-/// Numbers of the materials of which a part has colours by vertex.
-std::set<int> coloured_by_vertex(const tinygltf::Model& model) {
-  std::set<int> materials;
-  for (const tinygltf::Mesh& mesh : model.meshes)
-    for (const tinygltf::Primitive& primitive : mesh.primitives)
-      if (primitive.attributes.contains("COLOR_0")) materials.insert(primitive.material);
-  return materials;
 }
 
 MeshMaterials read_gltf_materials(const std::filesystem::path& path, LogSink*) {
