@@ -165,6 +165,18 @@ std::string picture_of(const std::string& image) {
 const std::string kInline =
     picture_of("{\"uri\": \"data:image/png;base64," + std::string(test::kPictureWithHole) + "\"}");
 
+TEST(MaterialsOfGltf, SayThatColoursByVertexAreNotUsed) {
+  const auto not_used = [](std::string text, bool coloured) {
+    const std::string set = "\"TEXCOORD_1\": 2";
+    if (coloured) text.replace(text.find(set), set.size(), "\"COLOR_0\": 0");
+    const test::ScratchMesh file("a.gltf", text);
+    return named(read_mesh_materials(file.path()), "tile").not_used;
+  };
+  const std::string text = gltf_text(textured("", R"(, {"name": "other"})"), kInline);
+  EXPECT_EQ(not_used(text, true), std::vector<std::string>{"colours by vertex (COLOR_0)"});
+  EXPECT_TRUE(not_used(text, false).empty());
+}
+
 TEST(MaterialsOfGltf, AreBaseColours) {
   const test::ScratchMesh file("a.gltf", gltf_text(textured("", R"(, {"name": "tile"}, {})"), kInline));
   const MeshMaterials all = read_mesh_materials(file.path());

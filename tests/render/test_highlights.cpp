@@ -169,6 +169,41 @@ TEST(Highlights, ErrorsOfPixelsHold) {
   EXPECT_GE(held, 93);
 }
 
+/// 100 balls are more than there is room for at the usual steps; at wider ones their highlights stay whole, and none is left to paths.
+TEST(Highlights, OfManySmallThingsAreLookedAtMoreCoarsely) {
+  constexpr int kAcross = 10;
+  const auto lobe = std::make_shared<Lobe>(0.05, 0.0, true);
+  SmallScene scene;
+  const auto metal = scene.material(kFactor, 0.0, lobe);
+  for (int i = 0; i < kAcross; ++i)
+    for (int j = 0; j < kAcross; ++j)
+      scene.place(geometry::Sphere{{3.0 * i - 13.3, 3.0 * j - 13.6, 1.0}, kRadius}, metal);
+  scene.sun(kSun, kIrradiance, 0.00465);
+  const transport::SpectralScene& spectral = scene.build();
+  const auto camera = nadir_camera(10.0);
+  const render::Highlights highlights(spectral, camera, 0.5, 1);
+  EXPECT_TRUE(highlights.large().empty());
+  EXPECT_TRUE(highlights.unsure().empty());
+  sampling::TileResult tile;
+  tile.reset({0, 0, kSide, kSide}, 1);
+  highlights.add_to(sampling::PixelFootprint::box(1.0), nullptr, tile);
+  double mean = 0.0, variance = 0.0;
+  for (std::size_t k = 0; k < tile.mean.size(); ++k) {
+    mean += static_cast<double>(tile.mean[k]);
+    variance += static_cast<double>(tile.variance_path[k]);
+  }
+  const auto sent = [](const Lobe& of) {
+    return kAcross * kAcross / 100.0 * sent_by_ball([&](const BsdfEvent& event) {
+             return of.of(event) * transport::SunLobes::seen_share(of, event);
+           });
+  };
+  const double expected = sent(*lobe);
+  EXPECT_NEAR(mean, expected, 4.0 * std::sqrt(variance) + 1e-3 * expected);
+  EXPECT_LT(std::sqrt(variance), 2e-3 * expected);
+  // Planted fault: three of the balls' highlights are lost.
+  EXPECT_GT(std::abs(0.97 * expected - mean), 4.0 * std::sqrt(variance) + 1e-3 * expected);
+}
+
 /// Facets of a ball: what each shows is even, and together they show what the ball does.
 TEST(Highlights, FacetsAreFoundToo) {
   constexpr int kRings = 120;

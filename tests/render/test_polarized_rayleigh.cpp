@@ -204,12 +204,12 @@ TEST(PolarizedRayleigh, TheSkyIsTheSolversBetweenItsDirections) {
       }
     return off;
   };
-  // Linear between directions: four times as near with half the steps, and within 1e-4 with a quarter of them.
+  // Refined by cubic polynomials; linear between the standard directions 5.2e-4 are missed, and a degree of 0.014.
   const double coarse = worst(0, false), fine = worst(2, false);
-  EXPECT_LT(coarse, 1e-3);
-  EXPECT_LT(fine, 1e-4);
+  EXPECT_LT(coarse, 1e-4);
+  EXPECT_LT(fine, 2e-5);
   EXPECT_LT(fine, 0.25 * coarse);
-  EXPECT_LT(worst(0, true), 0.015);
+  EXPECT_LT(worst(0, true), 2e-3);
 }
 
 }  // namespace

@@ -37,13 +37,13 @@ TEST(SmallHighlights, AMirrorDomeIsWithinAPercentWhereverItStands) {
   for (const bool disc : {true, false}) {
     const DomeLight light{disc, 30.0};
     const JudgedDomes judged =
-        judge_domes(dome_mirror(0.8), light, mirror_dome_radiance(0.8, light), 5, small_study());
+        judge_domes(dome_mirror(0.8), light, mirror_dome_radiance(0.8, light), 25, small_study());
     EXPECT_EQ(judged.wrong_and_sure, 0) << disc;
     EXPECT_GE(judged.within, 0.95 * judged.count);
     // Planted fault: a mirror that sends 2 % more.
     if (!disc) continue;
     const JudgedDomes brighter =
-        judge_domes(dome_mirror(0.816), light, mirror_dome_radiance(0.8, light), 2, small_study());
+        judge_domes(dome_mirror(0.816), light, mirror_dome_radiance(0.8, light), 4, small_study());
     EXPECT_EQ(brighter.within, 0);
   }
 }
@@ -52,7 +52,7 @@ TEST(SmallHighlights, AMirrorDomeIsWithinAPercentWhereverItStands) {
 TEST(SmallHighlights, ARoughMetalDomeIsWithinAPercentWhereverItStands) {
   for (const auto& [roughness, disc] : {std::pair{0.02, true}, {0.05, false}, {0.1, true}, {0.2, false}}) {
     const JudgedDomes judged =
-        judge_domes(dome_metal(roughness), {disc, 0.0}, metal_dome_radiance(roughness), 2, small_study());
+        judge_domes(dome_metal(roughness), {disc, 0.0}, metal_dome_radiance(roughness), 4, small_study());
     EXPECT_EQ(judged.within, judged.count) << roughness;
     EXPECT_EQ(judged.wrong_and_sure, 0);
     EXPECT_LE(judged.samples, 200.0)

@@ -83,6 +83,15 @@ Wrap wrap_of(int code, const std::string& from, const std::string& file) {
   }
 }
 
+/// Numbers of the materials of which a part has colours by vertex.
+std::set<int> coloured_by_vertex(const tinygltf::Model& model) {
+  std::set<int> materials;
+  for (const tinygltf::Mesh& mesh : model.meshes)
+    for (const tinygltf::Primitive& primitive : mesh.primitives)
+      if (primitive.attributes.contains("COLOR_0")) materials.insert(primitive.material);
+  return materials;
+}
+
 }  // namespace
 
 std::vector<std::string> gltf_slot_names(const tinygltf::Model& model, bool unique) {
@@ -147,6 +156,7 @@ MeshMaterials read_gltf_materials(const std::filesystem::path& path, LogSink*) {
   const tinygltf::Model model = load_gltf(path, nullptr, GltfImages::kept);
   const std::vector<std::string> names = gltf_slot_names(model, true);
   Pictures pictures(model, path);
+  const std::set<int> coloured = coloured_by_vertex(model);
   MeshMaterials all;
   all.source = path.filename().string();
   for (std::size_t k = 0; k < model.materials.size(); ++k) {
@@ -186,6 +196,7 @@ MeshMaterials read_gltf_materials(const std::filesystem::path& path, LogSink*) {
     not_used(
         base.metallicFactor > 0.0 && source.extensions.find("KHR_materials_unlit") == source.extensions.end(),
         "metalness");
+    not_used(coloured.contains(static_cast<int>(k)), "colours by vertex (COLOR_0)");
     not_used(source.normalTexture.index >= 0, "normal map");
     not_used(source.emissiveTexture.index >= 0 ||
                  std::any_of(source.emissiveFactor.begin(), source.emissiveFactor.end(),

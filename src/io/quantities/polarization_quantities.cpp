@@ -142,10 +142,11 @@ double StokesEstimate::aop_deg() const {
 }
 
 double StokesEstimate::aop_error_deg() const {
-  const double any = 180.0 / std::sqrt(12.0), linear = std::hypot(q, u);
-  if (!(linear > 0.0)) return any;
+  const double any = 180.0 / std::sqrt(12.0), linear = std::hypot(q, u), noise = std::max(q_error, u_error);
+  // Noise alone has a direction, too: what is left without it turns the error.
+  if (!(linear > noise)) return any;
   const double across = (std::abs(u) * q_error + std::abs(q) * u_error) / linear;
-  return std::min(any, 0.5 * across / linear / kDegree);
+  return std::min(any, 0.5 * across / std::sqrt(linear * linear - noise * noise) / kDegree);
 }
 
 constinit const Quantity kStokes = of_stokes("stokes", "Stokes vector", Quantity::Role::radiance,

@@ -17,12 +17,14 @@ struct StokesEstimate {
 
   /// sqrt(Q^2 + U^2) / I; 0 of no light.
   double dolp() const;
-  /// At most: I, Q and U are of the same paths, and how their errors go together is not known.
+  /// At most, whatever the correlations of I, Q and U, which are of the same paths: a sum's standard error is no larger than its
+  /// parts' together.
   double dolp_error() const;
   /// What noise adds to the degree: p - sqrt(p^2 - s^2), and p below s, the standard error of Q and U over I (Wardle and
   /// Kronberg 1974, Astrophys. J. 194; Simmons and Stewart 1985, Astron. Astrophys. 142).
   double dolp_bias() const;
-  /// 1/2 atan2(U, Q), degrees from the image's x towards its upward direction, 0 to 180; its error at most that of an angle that may be any.
+  /// 1/2 atan2(U, Q), degrees from the image's x towards its upward direction, 0 to 180; its error likewise at most, with what is left of
+  /// Q and U without noise (as dolp_bias() has it), and that of an angle that may be any (180 / sqrt(12)) where nothing is.
   double aop_deg() const;
   double aop_error_deg() const;
 };

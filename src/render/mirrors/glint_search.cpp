@@ -28,6 +28,8 @@ constexpr double kNewton = 1e-2;
 constexpr int kDeepest = 80;
 /// Spread of directions over the slope of a lobe's micro-facets, and over the distance from the highlight's middle.
 constexpr double kLobeStep = 0.3, kLobeGrowth = 0.2;
+/// Wider triangles might hold a highlight that none of their corners is near.
+constexpr double kMostGrowth = 0.6;
 /// Sides of triangles of highlights, which are even across them.
 constexpr double kLongestOfLobe_px = 0.5;
 
@@ -56,12 +58,14 @@ GlintSearch::GlintSearch(const sensor::Camera& camera, const geometry::SurfaceSu
     : camera_(camera), ball_(ball), margin_(margin_px), step_(0.0), steps_(steps), most_(most), seed_(seed) {}
 
 GlintSearch::GlintSearch(const sensor::Camera& camera, Vec3 towards_sun, double least_slope, double reach_rad,
-                         double margin_px, std::uint64_t seed, std::size_t most)
+                         const Coarseness& coarseness, double margin_px, std::uint64_t seed, std::size_t most)
     : camera_(camera),
       towards_sun_(towards_sun),
       half_angle_(reach_rad),
       margin_(margin_px),
-      step_(kLobeStep * 2.0 * least_slope),
+      step_(coarseness.all * kLobeStep * 2.0 * least_slope),
+      growth_(coarseness.all * kLobeGrowth),
+      tail_(coarseness.tail / (2.0 * least_slope)),
       lobes_(true),
       most_(most),
       seed_(seed) {}
@@ -200,13 +204,18 @@ void GlintSearch::divide(const Surface& surface, const Cell& whole, std::uint64_
         wide = std::max({c[0].wide, c[1].wide, c[2].wide});
         step = std::min({c[0].wide, c[1].wide, c[2].wide}) / steps_;
       }
+      // Where steps differ much, sides that are judged each by itself make slivers.
+      const double of_all = std::min({length(c[0].from - towards_sun_), length(c[1].from - towards_sun_),
+                                      length(c[2].from - towards_sun_)});
       for (int k = 0; k < 3; ++k) {
         const double turn = length(c[k].off - c[(k + 1) % 3].off),
                      px = apart(c[k].image, c[(k + 1) % 3].image);
         spread = std::max(spread, turn), side_px = std::max(side_px, px);
-        const double nearest =
-            std::min(length(c[k].from - towards_sun_), length(c[(k + 1) % 3].from - towards_sun_));
-        const double grown = lobes_ ? step + kLobeGrowth * nearest : step;
+        const double nearest = tail_ > 0.0 ? of_all
+                                           : std::min(length(c[k].from - towards_sun_),
+                                                      length(c[(k + 1) % 3].from - towards_sun_));
+        const double grown =
+            lobes_ ? step + std::min(growth_ * (1.0 + tail_ * nearest), kMostGrowth) * nearest : step;
         const double longest_px = lobes_ ? kLongestOfLobe_px : kLongest_px;
         const double needed = std::max(turn / grown, wide > 0.0 ? px / longest_px : 0.0);
         if (needed > worst) worst = needed, longest = k;
@@ -228,8 +237,11 @@ void GlintSearch::divide(const Surface& surface, const Cell& whole, std::uint64_
         if (wide > 0.0) {
           broken_off_ = drawn_ >= most_;
           if (broken_off_) return;
-          draw(surface, cell, number, found);
-        } else
+          if (found)
+            draw(surface, cell, number, found);
+          else
+            ++drawn_;
+        } else if (found)
           solve(surface, cell, found);
         continue;
       }

@@ -41,16 +41,21 @@ class GlintSearch {
   GlintSearch(const sensor::Camera& camera, const geometry::SurfaceSurvey::Ball& ball, double margin_px,
               double steps, std::uint64_t seed, std::size_t most);
 
+  /// How much wider triangles of highlights are than usual: all of them, and those far from the highlight's middle, by the share
+  /// of the distance over the lobe's width.
+  struct Coarseness {
+    double all = 1.0, tail = 0.0;
+  };
   /// More triangles than `most` are not made. For the highlights of lobes whose micro-facets have these slopes, in place of mirrors: there is no border within which a
   /// highlight lies; triangles are finer the nearer their directions are to the Sun, and all are left that come nearer than
   /// `reach_rad`.
   GlintSearch(const sensor::Camera& camera, math::Vec3 towards_sun, double least_slope, double reach_rad,
-              double margin_px, std::uint64_t seed, std::size_t most);
+              const Coarseness& coarseness, double margin_px, std::uint64_t seed, std::size_t most);
 
   /// Whether there were more triangles than were to be made; those that were lie anywhere.
   bool broken_off() const { return broken_off_; }
 
-  /// Calls back with the points of one surface. `number` tells surfaces apart.
+  /// Calls back with the points of one surface. `number` tells surfaces apart. An empty callback: triangles are made, and no points.
   using Found = std::function<void(const GlintPoint&)>;
   void search(const geometry::SurfaceSurvey::Round& round, std::uint64_t number, const Found& found);
   void search(const geometry::SurfaceSurvey::Smooth& smooth, std::uint64_t number, const Found& found);
@@ -90,6 +95,7 @@ class GlintSearch {
   std::optional<geometry::SurfaceSurvey::Ball> ball_;
   math::Vec3 towards_sun_{}, first_{}, second_{};
   double half_angle_ = 0.0, margin_, step_;
+  double growth_ = 0.0, tail_ = 0.0;  // of the steps of lobes: over the distance, and over its square
   bool lobes_ = false;
   double steps_ = 0.0;  // across a ball's half-angle
   std::size_t most_ = ~std::size_t{0};

@@ -1,6 +1,7 @@
 #include "render/mirrors/highlights.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -16,7 +17,11 @@ namespace ifov::render {
 namespace {
 
 /// Seconds of search; what is larger than that many pixels shows its highlights well enough.
-constexpr std::size_t kMostTriangles = std::size_t{1} << 18;
+constexpr std::size_t kMostTriangles = std::size_t{1} << 18, kMostCoarse = 2 * kMostTriangles;
+
+/// Of triangles, where there are more things than have room. Most lie far from the highlight's middle, where little of its light is.
+constexpr std::array<GlintSearch::Coarseness, 6> kCoarseness{
+    {{1.0, 0.0}, {1.0, 0.5}, {1.4, 0.5}, {2.0, 0.5}, {2.8, 0.5}, {4.0, 0.5}}};
 
 /// Points traced together.
 constexpr std::size_t kTogether = 4096;
@@ -55,50 +60,83 @@ Highlights::Highlights(const transport::SpectralScene& scene, const sensor::Came
   lights_.sort();
 }
 
-void Highlights::find(std::uint64_t seed, double margin_px) {
-  const transport::SunLobes& lobes = *scene_.sun_lobes();
-  const scene::Sun& sun = *scene_.scene().sun;
-  // Parts of one object are sought together or not at all.
-  struct Thing {
-    double radius_m = 0.0;
-    std::vector<std::size_t> rounds, smooths;
+std::vector<Highlights::Thing> Highlights::things() const {
+  std::map<std::uint32_t, Thing> by_object;
+  const geometry::SurfaceSurvey& survey = scene_.sun_lobes()->survey();
+  const auto thing_of = [&](std::uint32_t object, const geometry::SurfaceSurvey::Ball& ball) -> Thing& {
+    Thing& thing = by_object[object];
+    thing.object = object;
+    thing.radius_m = std::max(thing.radius_m, ball.radius_m);
+    return thing;
   };
-  std::map<std::uint32_t, Thing> things;
-  const geometry::SurfaceSurvey& survey = lobes.survey();
-  for (std::size_t k = 0; k < survey.rounds.size(); ++k) {
-    Thing& thing = things[survey.rounds[k].object];
-    thing.radius_m = std::max(thing.radius_m, survey.rounds[k].ball.radius_m);
-    thing.rounds.push_back(k);
-  }
-  for (std::size_t k = 0; k < survey.smooths.size(); ++k) {
-    Thing& thing = things[survey.smooths[k].object];
-    thing.radius_m = std::max(thing.radius_m, survey.smooths[k].ball.radius_m);
-    thing.smooths.push_back(k);
-  }
-  std::vector<std::pair<double, std::uint32_t>> order;
-  for (const auto& [object, thing] : things) order.emplace_back(thing.radius_m, object);
-  std::sort(order.begin(), order.end());
+  for (std::size_t k = 0; k < survey.rounds.size(); ++k)
+    thing_of(survey.rounds[k].object, survey.rounds[k].ball).rounds.push_back(k);
+  for (std::size_t k = 0; k < survey.smooths.size(); ++k)
+    thing_of(survey.smooths[k].object, survey.smooths[k].ball).smooths.push_back(k);
+  std::vector<Thing> things;
+  for (auto& [object, thing] : by_object) things.push_back(std::move(thing));
+  std::stable_sort(things.begin(), things.end(),
+                   [](const Thing& a, const Thing& b) { return a.radius_m < b.radius_m; });
+  return things;
+}
 
-  GlintSearch search(camera_, sun.direction, lobes.slopes().least, lobes.seen_reach_rad(), margin_px, seed,
-                     kMostTriangles);
+GlintSearch Highlights::search_for(const GlintSearch::Coarseness& coarse, double margin_px,
+                                   std::uint64_t seed) const {
+  const transport::SunLobes& lobes = *scene_.sun_lobes();
+  return {camera_,
+          scene_.scene().sun->direction,
+          lobes.slopes().least,
+          lobes.seen_reach_rad(),
+          coarse,
+          margin_px,
+          seed,
+          kMostTriangles};
+}
+
+void Highlights::search(const Thing& thing, const geometry::SurfaceSurvey& survey, GlintSearch& search,
+                        const GlintSearch::Found& found) {
+  for (const std::size_t k : thing.rounds) search.search(survey.rounds[k], k, found);
+  for (const std::size_t k : thing.smooths) search.search(survey.smooths[k], survey.rounds.size() + k, found);
+}
+
+bool Highlights::is_unsure_without(const Thing& thing) const {
+  const transport::SunLobes& lobes = *scene_.sun_lobes();
+  return !thing.smooths.empty() ||
+         radius_px(lobes.survey().rounds[thing.rounds.front()].ball) * lobes.slopes().least < 1.0;
+}
+
+GlintSearch::Coarseness Highlights::coarseness(const std::vector<Thing>& things, double margin_px) const {
+  GlintSearch::Coarseness best = kCoarseness.front();
+  std::size_t fewest = things.size() + 1;
+  for (const GlintSearch::Coarseness& coarse : kCoarseness) {
+    GlintSearch count = search_for(coarse, margin_px, 0);
+    std::size_t unsure = 0;
+    for (const Thing& thing : things) {
+      search(thing, scene_.sun_lobes()->survey(), count, {});
+      unsure += count.broken_off() && is_unsure_without(thing);
+    }
+    if (unsure < fewest) fewest = unsure, best = coarse;
+    if (unsure == 0) break;
+  }
+  return best;
+}
+
+void Highlights::find(std::uint64_t seed, double margin_px) {
+  const std::vector<Thing> things = this->things();
+  GlintSearch search = search_for(coarseness(things, margin_px), margin_px, seed);
   std::vector<GlintPoint> points;
   const auto keep = [&](const GlintPoint& point) {
     points.push_back(point);
     if (points.size() == kTogether) trace(points);
   };
-  for (const auto& [radius_m, object] : order) {
-    const Thing& thing = things[object];
+  for (const Thing& thing : things) {
     const std::size_t before = lights_.lights().size();
-    for (const std::size_t k : thing.rounds) search.search(survey.rounds[k], k, keep);
-    for (const std::size_t k : thing.smooths)
-      search.search(survey.smooths[k], survey.rounds.size() + k, keep);
+    Highlights::search(thing, scene_.sun_lobes()->survey(), search, keep);
     trace(points);
     if (!search.broken_off()) continue;
     lights_.keep(before);
-    large_.push_back(object);
-    const auto ball = !thing.rounds.empty() ? survey.rounds[thing.rounds.front()].ball
-                                            : survey.smooths[thing.smooths.front()].ball;
-    if (!thing.smooths.empty() || radius_px(ball) * lobes.slopes().least < 1.0) unsure_.push_back(object);
+    large_.push_back(thing.object);
+    if (is_unsure_without(thing)) unsure_.push_back(thing.object);
   }
   std::sort(large_.begin(), large_.end());
   std::sort(unsure_.begin(), unsure_.end());

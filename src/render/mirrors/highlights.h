@@ -38,12 +38,27 @@ class Highlights {
   std::size_t count() const { return lights_.lights().size(); }
 
   /// Objects of so many pixels that their highlights are left to paths, sorted: there is room for some 250,000 triangles of the
-  /// focal plane, taken by the smallest things first.
+  /// focal plane, taken by the smallest things first. Of many small things triangles are wider, up to 4 times at the highlight's middle, so that there is
+  /// room for all.
   const std::vector<std::uint32_t>& large() const { return large_; }
   /// Of these the ones in which a lobe that throws_rarely() may show highlights smaller than a pixel.
   const std::vector<std::uint32_t>& unsure() const { return unsure_; }
 
  private:
+  /// Parts of one object, which are sought together or not at all.
+  struct Thing {
+    std::uint32_t object = 0;
+    double radius_m = 0.0;
+    std::vector<std::size_t> rounds, smooths;
+  };
+  /// The smallest first.
+  std::vector<Thing> things() const;
+  GlintSearch search_for(const GlintSearch::Coarseness& coarse, double margin_px, std::uint64_t seed) const;
+  static void search(const Thing& thing, const geometry::SurfaceSurvey& survey, GlintSearch& search,
+                     const GlintSearch::Found& found);
+  /// How wide triangles have to be, over usual: as little as leaves the fewest things unsure.
+  GlintSearch::Coarseness coarseness(const std::vector<Thing>& things, double margin_px) const;
+  bool is_unsure_without(const Thing& thing) const;
   void trace(std::vector<GlintPoint>& points);
   void add(const GlintPoint& point, const float* channels);
   void find(std::uint64_t seed, double margin_px);

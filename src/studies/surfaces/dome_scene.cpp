@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/format.h"
+#include "core/error.h"
 #include "io/document/document.h"
 #include "io/document/samplers/error_size.h"
 #include "io/document/shapes/flat_primitives.h"
@@ -24,6 +24,7 @@ using std::numbers::pi;
 using namespace domes;
 
 constexpr int kApart_px = 13;
+constexpr int kMostAcross = 4;        // domes of one picture
 constexpr std::uint64_t kShifts = 3;  // seed of the places
 
 io::SpectrumDocument constant_spectrum(double value, io::SpectrumOf quantity) {
@@ -60,7 +61,7 @@ double mirror_dome_radiance(double reflectance, const DomeLight& light) {
          (kIrradiance_w_m2_um / 4.0 + light.sky_radiance_w_m2_sr_um * 0.5 * pi);
 }
 
-io::Document dome_document(const io::MaterialDocument& surface, const DomeLight& light, int across,
+io::Document dome_document(const io::MaterialDocument& surface, const DomeLight& light, int across, int first,
                            double error, std::uint64_t seed) {
   const int pixels = kApart_px * across;
   io::Document document =
@@ -70,7 +71,7 @@ io::Document dome_document(const io::MaterialDocument& surface, const DomeLight&
   document.scene.objects = {object_of(io::PlanePrimitive(), "ground")};
   for (int k = 0; k < across * across; ++k) {
     const auto shift = [&](std::uint64_t axis) {
-      const std::uint64_t number = 2 * static_cast<std::uint64_t>(k) + axis;
+      const std::uint64_t number = 2 * static_cast<std::uint64_t>(first + k) + axis;
       return 0.19 * (sampling::unit_double(sampling::hash(kShifts, number)) - 0.5);
     };
     const auto [column, row] = dome_pixel(k, across);
@@ -89,24 +90,30 @@ io::Document dome_document(const io::MaterialDocument& surface, const DomeLight&
   return document;
 }
 
-JudgedDomes judge_domes(const io::MaterialDocument& surface, const DomeLight& light, double truth, int across,
+JudgedDomes judge_domes(const io::MaterialDocument& surface, const DomeLight& light, double truth, int shifts,
                         const StudyOptions& options) {
-  const SurfaceImage image =
-      render_surface(dome_document(surface, light, across, 0.01, options.seed), options);
+  const int across = std::clamp(static_cast<int>(std::ceil(std::sqrt(shifts))), 1, kMostAcross);
   JudgedDomes judged;
-  judged.count = across * across;
-  for (int k = 0; k < judged.count; ++k) {
-    const auto [column, row] = dome_pixel(k, across);
-    const std::size_t p = image.index(column, row);
-    const double value = static_cast<double>(image.radiance[p]), off = std::abs(value - truth);
-    judged.within += off <= 0.01 * truth;
-    judged.held += off <= static_cast<double>(image.half_width[p]);
-    judged.sure += image.converged[p];
-    judged.wrong_and_sure += image.converged[p] && off > 0.03 * truth;
-    judged.worst = std::max(judged.worst, off / truth);
-    judged.mean += value / truth / judged.count;
-    judged.samples += static_cast<double>(image.samples[p]) / judged.count;
+  for (std::uint64_t picture = 0; judged.count < shifts; ++picture) {
+    if (options.cancel != nullptr && options.cancel->cancelled()) throw Cancelled();
+    const SurfaceImage image = render_surface(
+        dome_document(surface, light, across, judged.count, 0.01, options.seed + picture), options);
+    for (int k = 0; k < across * across; ++k) {
+      const auto [column, row] = dome_pixel(k, across);
+      const std::size_t p = image.index(column, row);
+      const double value = static_cast<double>(image.radiance[p]), off = std::abs(value - truth);
+      judged.within += off <= 0.01 * truth;
+      judged.held += off <= static_cast<double>(image.half_width[p]);
+      judged.sure += image.converged[p];
+      judged.wrong_and_sure += image.converged[p] && off > 0.03 * truth;
+      judged.worst = std::max(judged.worst, off / truth);
+      judged.mean += value / truth;
+      judged.samples += static_cast<double>(image.samples[p]);
+    }
+    judged.count += across * across;
   }
+  judged.mean /= judged.count;
+  judged.samples /= judged.count;
   return judged;
 }
 

@@ -36,8 +36,9 @@ double mirror_dome_radiance(double reflectance, const DomeLight& light);
 /// The same of a dome of metal without sky: the sum over its disc of its BRDF, fine where the highlight is.
 double metal_dome_radiance(double roughness);
 
-/// across x across domes, so far from each other that none matters to the next, each off the middle of its pixel by chance.
-io::Document dome_document(const io::MaterialDocument& surface, const DomeLight& light, int across,
+/// across x across domes, so far from each other that none matters to the next, each off the middle of its pixel by chance; shifts
+/// are those from the number `first` on.
+io::Document dome_document(const io::MaterialDocument& surface, const DomeLight& light, int across, int first,
                            double error, std::uint64_t seed);
 
 /// What the pixels of all domes say, against the truth.
@@ -51,8 +52,9 @@ struct JudgedDomes {
   double worst = 0.0;      ///< largest error over the truth
   double samples = 0.0;    ///< mean number in a pixel
 };
-/// Renders dome_document() asking for 1 %.
-JudgedDomes judge_domes(const io::MaterialDocument& surface, const DomeLight& light, double truth, int across,
+/// Renders dome_document() asking for 1 %, as many pictures of up to 4 x 4 domes as hold `shifts` of them and more: of thousands in
+/// one picture highlights are looked at more coarsely.
+JudgedDomes judge_domes(const io::MaterialDocument& surface, const DomeLight& light, double truth, int shifts,
                         const StudyOptions& options);
 
 }  // namespace ifov::studies

@@ -1,4 +1,4 @@
-#include <cmath>
+#include <algorithm>
 #include <optional>
 
 #include "core/format.h"
@@ -39,13 +39,13 @@ ReportSection domes_section(const StudyOptions& options) {
       "A dome of 0.4 m in a pixel of 1 m, under the Sun, wherever it stands, at an accuracy of 1 %: nearly all light of the pixel comes "
       "from a spot of a few millimetres. Mirrors under a sky against rho (E R^2/4 + L pi R^2/2), metal of roughness 0.01 to 0.2 "
       "without sky against an integral over its disc.";
-  const int across = std::max(1, static_cast<int>(std::ceil(std::sqrt(options.trials))));
+  const int shifts = std::max(1, options.trials);
   const io::MaterialDocument mirror = dome_mirror(kDomeReflectance);
   for (const bool disc : {true, false}) {
     const DomeLight light{disc, kDomeSky};
     add_domes(format("dome_mirror_{}", disc ? "disc" : "point"),
               format("mirror, Sun a {}", disc ? "disc" : "point"),
-              judge_domes(mirror, light, mirror_dome_radiance(kDomeReflectance, light), across, options), {},
+              judge_domes(mirror, light, mirror_dome_radiance(kDomeReflectance, light), shifts, options), {},
               section.figures);
   }
   Plot plot;
@@ -58,7 +58,7 @@ ReportSection domes_section(const StudyOptions& options) {
   for (const double roughness : {0.01, 0.03, 0.05, 0.1, 0.2}) {
     const double truth = metal_dome_radiance(roughness);
     for (const bool disc : {true, false}) {
-      const JudgedDomes judged = judge_domes(dome_metal(roughness), {disc, 0.0}, truth, across, options);
+      const JudgedDomes judged = judge_domes(dome_metal(roughness), {disc, 0.0}, truth, shifts, options);
       add_domes(format("dome_metal_{:g}_{}", roughness, disc ? "disc" : "point"),
                 format("metal {:g}, Sun a {}", roughness, disc ? "disc" : "point"), judged, kMostDomeSamples,
                 section.figures);
