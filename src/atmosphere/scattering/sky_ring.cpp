@@ -6,6 +6,7 @@
 
 #include "atmosphere/linear_source.h"
 #include "atmosphere/scattering/beam_integral.h"
+#include "atmosphere/scattering/phase_function.h"
 #include "atmosphere/scattering/scattering_matrix.h"
 #include "atmosphere/scattering/spherical_functions.h"
 
@@ -17,15 +18,19 @@ class Walk {
  public:
   /// What of the source at the top and the bottom of each sublayer arrives.
   std::vector<double> top, bottom;
-  /// Sunlight on the way, times what molecules and aerosol of one asymmetry scatter of it.
+  /// Sunlight on the way, times what molecules scatter of it, aerosol by each phase function, and, where there are
+  /// none, aerosol of one asymmetry.
   double rayleigh = 0.0;
   struct Aerosol {
     double asymmetry, light;
   };
   std::vector<Aerosol> aerosol;
+  std::vector<double> by_function;
 
   explicit Walk(const ScatteringColumn& column)
-      : top(column.sublayers(), 0.0), bottom(column.sublayers(), 0.0), column_(column) {}
+      : top(column.sublayers(), 0.0), bottom(column.sublayers(), 0.0), column_(column) {
+    if (column.phases) by_function.assign(column.phases->functions.size(), 0.0);
+  }
 
   bool operator()(const PathPiece& piece) {
     const LinearSource step = LinearSource::over(piece.depth);
@@ -41,6 +46,12 @@ class Walk {
     depth_ += piece.depth;
     const ScatteringColumn::Mixture& mixture = column_.mixtures[column_.mixture_of[piece.sublayer]];
     rayleigh += light * mixture.rayleigh;
+    if (column_.phases) {
+      const double* share = column_.phases->shares(mixture.layer);
+      for (std::size_t f = 0; f < by_function.size(); ++f)
+        by_function[f] += light * mixture.aerosol * share[f];
+      return true;
+    }
     if (aerosol.empty() || aerosol.back().asymmetry != mixture.asymmetry)
       aerosol.push_back({mixture.asymmetry, 0.0});
     aerosol.back().light += light * mixture.aerosol;
@@ -115,6 +126,12 @@ ScatteringMatrix scattered_once(const SolvedColumn& solved, const Walk& walk, do
     const ScatteringMatrix particles = aerosol_matrix(cosine, part.asymmetry, solved.aerosol_polarization);
     light.a1 += part.light * particles.a1;
     light.b1 += part.light * particles.b1;
+  }
+  for (std::size_t f = 0; f < walk.by_function.size(); ++f) {
+    const ScatteringMatrix particles = particle_matrix(
+        cosine, solved.column.phases->functions[f].at(cosine), solved.aerosol_polarization);
+    light.a1 += walk.by_function[f] * particles.a1;
+    light.b1 += walk.by_function[f] * particles.b1;
   }
   light.a1 *= 0.25 / std::numbers::pi;
   light.b1 *= 0.25 / std::numbers::pi;
