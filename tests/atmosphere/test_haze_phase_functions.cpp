@@ -78,7 +78,9 @@ double worst_ratio(const Lowtran7& run, Haze haze) {
                 std::exp(-lit.true_beam_depth.back());
     }
     const double error = once / direct / run.ratio[k] - 1.0;
-    if (std::getenv("H20")) printf("%s%s %g-%g %.3f %.4f\n", haze==Haze::of_tables?"":"HG", run.type, run.sun_zenith_deg, run.tilt_deg, 1e4/kWavenumber_cm1[k], error);
+    if (std::getenv("H20"))
+      printf("%s%s %g-%g %.3f %.4f\n", haze == Haze::of_tables ? "" : "HG", run.type, run.sun_zenith_deg,
+             run.tilt_deg, 1e4 / kWavenumber_cm1[k], error);
     worst = std::max(worst, std::abs(error));
   }
   return worst;

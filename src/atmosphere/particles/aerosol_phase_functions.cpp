@@ -81,8 +81,8 @@ PhaseFunction AerosolPhaseFunctions::at(double wavelength_um) const {
     const double weight = moist ? above_ : 1.0 - above_;
     if (!(weight > 0.0)) continue;
     const std::vector<std::size_t>& number = *number_[moist ? 1 : 0];
-    const std::vector<double> &a = tables.functions.at(number[after - 1]),
-                              &b = tables.functions.at(number[after]);
+    const std::vector<double>&a = tables.functions.at(number[after - 1]),
+          &b = tables.functions.at(number[after]);
     for (std::size_t k = 0; k < values.size(); ++k)
       values[k] += weight * std::exp(std::lerp(a[k], b[k], longer));
   }

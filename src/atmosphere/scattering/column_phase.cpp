@@ -16,8 +16,8 @@ bool scatters_alike(const ScatteringColumn& column, const ScatteringColumn::Mixt
 PhaseExpansion mixed(const std::vector<PhaseExpansion>& functions, const double* share) {
   PhaseExpansion sum;
   for (std::size_t f = 0; f < functions.size(); ++f)
-    for (auto part : {&PhaseExpansion::beta, &PhaseExpansion::alpha, &PhaseExpansion::zeta,
-                      &PhaseExpansion::gamma}) {
+    for (auto part :
+         {&PhaseExpansion::beta, &PhaseExpansion::alpha, &PhaseExpansion::zeta, &PhaseExpansion::gamma}) {
       const std::vector<double>& from = functions[f].*part;
       std::vector<double>& to = sum.*part;
       to.resize(from.size(), 0.0);

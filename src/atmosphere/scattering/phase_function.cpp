@@ -80,7 +80,8 @@ double PhaseFunction::peak_mean(double exponent) const {
   double sum = 0.0;
   for (std::size_t k = 0; k < PhaseAngles::kPeakNodes; ++k) {
     const PhaseAngles::Node& node = angles_->nodes[k];
-    sum += node.weight * std::exp(std::lerp(logarithms_[0], logarithms_[1], std::pow(node.position, exponent)));
+    sum +=
+        node.weight * std::exp(std::lerp(logarithms_[0], logarithms_[1], std::pow(node.position, exponent)));
   }
   return sum;
 }
@@ -114,6 +115,22 @@ double PhaseFunction::at(double cosine) const {
   const std::size_t step = std::clamp<std::size_t>(above, 1, angle.size() - 1) - 1;
   return std::exp(
       logarithm(step, std::clamp((at - angle[step]) / (angle[step + 1] - angle[step]), 0.0, 1.0)));
+}
+
+double PhaseFunction::forward_for(double width, double height) const {
+  static const GaussNodes gauss = gauss_nodes(12);
+  // Cubes of the nodes: close to one another at the forward direction.
+  const auto place = [](double u) { return u * u * u; };
+  const auto share = [&](std::size_t k) { return 3.0 * gauss.weight[k] * std::pow(gauss.position[k], 2); };
+  double mean = 0.0;
+  for (std::size_t i = 0; i < gauss.position.size(); ++i)
+    for (std::size_t j = 0; j < gauss.position.size(); ++j) {
+      const double x = width * place(gauss.position[i]), y = height * place(gauss.position[j]);
+      mean += share(i) * share(j) * at(std::cos(std::hypot(x, y)));
+    }
+  const double beside = at(std::cos(width)), above = at(std::cos(height)),
+               across = at(std::cos(std::hypot(width, height)));
+  return std::max({4.0 * mean - beside - above - across, beside, above});
 }
 
 double PhaseFunction::moment(int l) const {

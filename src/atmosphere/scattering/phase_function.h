@@ -41,6 +41,10 @@ class PhaseFunction {
   PhaseFunction(std::shared_ptr<const PhaseAngles> angles, std::vector<double> logarithms);
 
   double at(double cosine) const;
+  /// What stands at the corner of a rectangle about the forward direction, of sides `width` and `height` (radians,
+  /// small), so that the function has its own mean over it where it is linear along both sides between the corners;
+  /// never less than at the next corner.
+  double forward_for(double width, double height) const;
   /// Mean over the sphere of the function times Legendre's polynomial l < PhaseAngles::kMoments: the asymmetry is
   /// moment 1.
   double moment(int l) const;

@@ -38,13 +38,13 @@ class ScatteringColumn {
   double sun_mu = 1.0;
   double depolarization = 0.0;
   std::shared_ptr<const AerosolPhases> phases;  ///< as in LayerOptics
-  std::vector<Mixture> mixtures;        ///< of the layers, top down
-  std::vector<double> altitude_km;      ///< [sublayers + 1], falling
-  std::vector<double> beam_depth;       ///< [sublayers + 1] along the sunbeam from space
-  std::vector<double> true_beam_depth;  ///< [sublayers + 1]
-  std::vector<double> depth;            ///< [sublayers] vertical
-  std::vector<double> true_depth;       ///< [sublayers] vertical
-  std::vector<std::size_t> mixture_of;  ///< [sublayers]
+  std::vector<Mixture> mixtures;                ///< of the layers, top down
+  std::vector<double> altitude_km;              ///< [sublayers + 1], falling
+  std::vector<double> beam_depth;               ///< [sublayers + 1] along the sunbeam from space
+  std::vector<double> true_beam_depth;          ///< [sublayers + 1]
+  std::vector<double> depth;                    ///< [sublayers] vertical
+  std::vector<double> true_depth;               ///< [sublayers] vertical
+  std::vector<std::size_t> mixture_of;          ///< [sublayers]
 
  private:
   void beam_lengths(double level_km, std::vector<double>& lengths, std::size_t first) const;

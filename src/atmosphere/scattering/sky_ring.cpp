@@ -119,7 +119,10 @@ Walk walk_of(const ScatteredField& field, double mu, double observer_km) {
 }
 
 /// What is scattered once along the walk; only a1 and b1 of it are told.
-ScatteringMatrix scattered_once(const SolvedColumn& solved, const Walk& walk, double cosine) {
+ScatteringMatrix scattered_once(const SolvedColumn& solved, const Walk& walk, double cosine,
+                                const SunCell& cell) {
+  constexpr double kTowardsSun = 1.0 - 1e-10;
+  const bool forward = cell.any() && cosine > kTowardsSun;
   const ScatteringMatrix molecules = rayleigh_matrix(cosine, solved.column.depolarization);
   ScatteringMatrix light{walk.rayleigh * molecules.a1, 0.0, 0.0, walk.rayleigh * molecules.b1};
   for (const Walk::Aerosol& part : walk.aerosol) {
@@ -128,8 +131,10 @@ ScatteringMatrix scattered_once(const SolvedColumn& solved, const Walk& walk, do
     light.b1 += part.light * particles.b1;
   }
   for (std::size_t f = 0; f < walk.by_function.size(); ++f) {
-    const ScatteringMatrix particles = particle_matrix(
-        cosine, solved.column.phases->functions[f].at(cosine), solved.aerosol_polarization);
+    const PhaseFunction& function = solved.column.phases->functions[f];
+    const double a1 =
+        forward ? function.forward_for(cell.along_zenith_rad, cell.along_azimuth_rad) : function.at(cosine);
+    const ScatteringMatrix particles = particle_matrix(cosine, a1, solved.aerosol_polarization);
     light.a1 += walk.by_function[f] * particles.a1;
     light.b1 += walk.by_function[f] * particles.b1;
   }
@@ -141,14 +146,14 @@ ScatteringMatrix scattered_once(const SolvedColumn& solved, const Walk& walk, do
 }  // namespace
 
 std::vector<double> sky_ring(const ScatteredField& field, double mu, std::span<const double> azimuth_rad,
-                             double observer_km) {
+                             double observer_km, const SunCell& cell) {
   const SolvedColumn& solved = field.solved();
   const Walk walk = walk_of(field, mu, observer_km);
   std::vector<double> radiance(azimuth_rad.size(), 0.0);
   if (field.sunlit())
     for (std::size_t a = 0; a < azimuth_rad.size(); ++a) {
       const double cosine = scattering_cosine({-solved.column.sun_mu, 0.0}, {mu, azimuth_rad[a]});
-      radiance[a] = scattered_once(solved, walk, cosine).a1;
+      radiance[a] = scattered_once(solved, walk, cosine, cell).a1;
     }
   for (const ModeMoments& moments : field.modes()) {
     const double light = mode_light(moments, solved.phase, walk, mu);
@@ -159,7 +164,8 @@ std::vector<double> sky_ring(const ScatteredField& field, double mu, std::span<c
 }
 
 std::vector<StokesVector> sky_ring_stokes(const ScatteredField& field, double mu,
-                                          std::span<const double> azimuth_rad, double observer_km) {
+                                          std::span<const double> azimuth_rad, double observer_km,
+                                          const SunCell& cell) {
   const SolvedColumn& solved = field.solved();
   const Walk walk = walk_of(field, mu, observer_km);
   const Propagation sunlight{-solved.column.sun_mu, 0.0};
@@ -167,8 +173,8 @@ std::vector<StokesVector> sky_ring_stokes(const ScatteredField& field, double mu
   if (field.sunlit())
     for (std::size_t a = 0; a < azimuth_rad.size(); ++a) {
       const Propagation direction{mu, azimuth_rad[a]};
-      light[a] = scatter_unpolarized(sunlight, direction,
-                                     scattered_once(solved, walk, scattering_cosine(sunlight, direction)));
+      light[a] = scatter_unpolarized(
+          sunlight, direction, scattered_once(solved, walk, scattering_cosine(sunlight, direction), cell));
     }
   for (const ModeMoments& moments : field.modes()) {
     const double i = mode_light(moments, solved.phase, walk, mu);

@@ -155,7 +155,8 @@ void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
         groundlit_sum += weights[z * azimuths + a] * node.groundlit.back();
       continue;
     }
-    const std::vector<double> ring = sky_ring(solved.sunlit(), down, directions_.azimuth_rad, ground_km);
+    const std::vector<double> ring = sky_ring(solved.sunlit(), down, directions_.azimuth_rad, ground_km,
+                                              directions_.sun_cell(*geometry_.sun_zenith_rad));
     for (std::size_t a = 0; a < azimuths; ++a) {
       node.sky.push_back(std::max(0.0, ring[a]));
       sky_sum += weights[z * azimuths + a] * node.sky.back();
