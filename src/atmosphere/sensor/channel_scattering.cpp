@@ -14,9 +14,10 @@ namespace ifov::atmosphere {
 namespace {
 
 constexpr std::array kDepths = {0.0, 0.06, 0.25, 0.8, 2.2, 6.0, 25.0};
-/// Channels wider than this in ln(wavelength) take a second wavelength, and one more for each further step.
-constexpr double kNarrow = 0.03, kStep = 0.06;
-constexpr std::size_t kMostWavelengths = 4;
+/// Channels wider than this in ln(wavelength) take a second wavelength, and one more for each further step: between the
+/// wavelengths of the table of phase functions haze changes linearly, and by kinks at them.
+constexpr double kNarrow = 0.03, kStep = 0.03;
+constexpr std::size_t kMostWavelengths = 6;
 /// Points that hold less of the channel do not decide how deep the solutions reach.
 constexpr double kLeastShare = 1e-5;
 constexpr double kDark = 1e-300;
