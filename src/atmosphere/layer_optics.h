@@ -26,7 +26,7 @@ struct LayerOptics {
   std::vector<double> aerosol_asymmetry;  ///< mean cosine of the aerosol's scattering angle
   /// How the aerosol of each layer scatters; null: by Henyey-Greenstein functions of the asymmetries.
   std::shared_ptr<const AerosolPhases> aerosol_phases = {};
-  double depolarization = 0.0279;         ///< of Rayleigh scattering at this wavelength
+  double depolarization = 0.0279;  ///< of Rayleigh scattering at this wavelength
   std::size_t layers() const { return gas_absorption.size(); }
 };
 
