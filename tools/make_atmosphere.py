@@ -5,8 +5,9 @@
 
 TABLES holds the coefficients of LOWTRAN7 (revision 4.2, 1992) as CSV: table_band_params, table_band_cprime,
 table_h2o_continuum, table_n2_continuum, table_o2_continuum_1395_1760, table_o3_uvvis, table_o3_hartley_huggins,
-table_model_atmospheres, table_aerosols_shettle_fenn and table_aerosol_profiles. The trace gases come from
-atmosphere_tables/trace_gases.csv beside this script. The absorption terms are computed here. Needs NumPy.
+table_model_atmospheres, table_aerosols_shettle_fenn, table_aerosol_profiles, table_phase_functions and
+table_phase_selector. The trace gases come from atmosphere_tables/trace_gases.csv beside this script. The absorption
+terms are computed here. Needs NumPy.
 """
 import csv
 import pathlib
@@ -97,6 +98,20 @@ def aerosols(tables):
         yield f"height {column}", [x for pair in pairs for x in pair], number, 16
 
 
+def phase_functions(tables):
+    content = rows(tables / "table_phase_functions.csv")
+    degrees = [key for key in content[0] if key != "number"]
+    yield "angles", degrees, number, 17
+    for row in content:
+        yield f"function {row['number']}", [row[key] for key in degrees], number, 17
+    content = rows(tables / "table_phase_selector.csv")
+    wavelengths = [key for key in content[0] if key not in ("model", "rh_percent")]
+    yield "wavelengths", wavelengths, number, 27
+    for row in content:
+        if row["model"] != "oceanic":
+            yield f"kind {row['model']} {row['rh_percent'] or '0'}", [row[key] for key in wavelengths], str, 27
+
+
 def absorption_terms(a, count):
     """k and weights whose sum of w exp(-k x) is nearest to exp(-x^a) in the largest error over x = 1e-7 to 1e3:
     damped least squares, points weighted up where the error is large."""
@@ -163,6 +178,10 @@ def main(tables, out):
         "@optics TYPE relative_humidity_percent: wavelength um, extinction, absorption (both over extinction at 550 nm), asymmetry.",
         "@height NAME: altitude km, extinction km-1 at 550 nm, where it is not 0.",
         "E. P. Shettle and R. W. Fenn, AFGL-TR-79-0214 (1979), as in"], aerosols(tables))
+    write(out / "phase_functions.txt", [
+        "Phase functions of aerosol. @angles: scattering angles, degrees. @function NUMBER: values in sr-1 at them.",
+        "@wavelengths: um. @kind TYPE relative_humidity_percent: the number of the function at each of them.",
+        "Mie's for the aerosols of E. P. Shettle and R. W. Fenn, AFGL-TR-79-0214 (1979), as in"], phase_functions(tables))
     write(out / "absorption_terms.txt", [
         "@terms a count largest_error: k and w of exp(-x^a) = sum of w exp(-k x), for every exponent a of the band model.",
         "Computed by tools/make_atmosphere.py; largest_error over x = 1e-7 to 1e3. Exponents of"], terms(tables))

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace ifov::atmosphere {
+
+struct AerosolPhases;
 
 /// Boundaries of the layers, from the ground up: n + 1 levels bound n layers.
 struct Levels {
@@ -21,7 +24,9 @@ struct LayerOptics {
   std::vector<double> aerosol_scattering;
   std::vector<double> aerosol_absorption;
   std::vector<double> aerosol_asymmetry;  ///< mean cosine of the aerosol's scattering angle
-  double depolarization = 0.0279;         ///< of Rayleigh scattering at this wavelength
+  /// How the aerosol of each layer scatters; null: by Henyey-Greenstein functions of the asymmetries.
+  std::shared_ptr<const AerosolPhases> aerosol_phases = {};
+  double depolarization = 0.0279;  ///< of Rayleigh scattering at this wavelength
   std::size_t layers() const { return gas_absorption.size(); }
 };
 

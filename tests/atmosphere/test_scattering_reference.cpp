@@ -42,12 +42,15 @@ struct Terms {
 };
 
 /// Mean over a channel of 5.6 nm, from three wavenumbers.
-Terms channel(const AtmosphereColumn& column, const ColumnSolver& solver, double centre_nm) {
+Terms channel(const AtmosphereColumn& column, const ColumnSolver& solver, double centre_nm,
+              bool henyey_greenstein = false) {
   Terms sum;
   for (const auto& [shift_nm, weight] : {std::pair{-2.8, 0.25}, {0.0, 0.5}, {2.8, 0.25}}) {
     const ColumnOptics optics = column.at(5.0 * std::round(0.2 * 1e7 / (centre_nm + shift_nm)));
     for (std::size_t term = 0; term < optics.terms(); ++term) {
-      const ColumnSolution solution = solver.solve(column.levels(), optics.term(term), kSunZenith_rad);
+      LayerOptics layers = optics.term(term);
+      if (henyey_greenstein) layers.aerosol_phases = nullptr;
+      const ColumnSolution solution = solver.solve(column.levels(), layers, kSunZenith_rad);
       const double share = weight * optics.weight(term);
       sum.path += share * solution.sunlit().path({1.0, 0.0}, 2.3).radiance().i * std::numbers::pi /
                   std::cos(kSunZenith_rad);
@@ -82,10 +85,32 @@ TEST(ScatteringReference, Modtran6PathRadianceAndSphericalAlbedo) {
     RecordProperty(scene.name.substr(0, 10) + "_path", std::to_string(worst_path));
     RecordProperty(scene.name.substr(0, 10) + "_albedo", std::to_string(worst_albedo));
     EXPECT_GT(channels, 15);
-    EXPECT_LT(worst_path, 0.05) << scene.name;
+    EXPECT_LT(worst_path, 0.03) << scene.name;
     EXPECT_LT(worst_albedo, 0.01) << scene.name;
     EXPECT_GT(worst_single, 0.3) << "light scattered once would pass for all";
   }
+}
+
+// Where haze scatters most of it, between the bands of water: with one number a layer for its phase function (the
+// planted fault) the path is 9 % too bright at 1.25 um and 16 % too dark at 2.15 um.
+TEST(ScatteringReference, Modtran6PathRadianceOfHazeInTheInfrared) {
+  const auto file = test::truth_file("atmosphere/modtran6_isofit_pasadena/" + kCases[0].name + ".chn");
+  if (!file) GTEST_SKIP() << "reference data not found: atmosphere/modtran6_isofit_pasadena/";
+  const AtmosphereColumn column = column_of(kCases[0]);
+  const ColumnSolver solver;
+  const auto rows = test::channel_rows(*file);
+  double planted = 0.0;
+  for (const double wanted_nm : {1008.0, 1068.0, 1248.0, 1609.0, 2150.0}) {
+    const auto& row = *std::min_element(rows.begin(), rows.end(), [&](const auto& a, const auto& b) {
+      return std::abs(a[0] - wanted_nm) < std::abs(b[0] - wanted_nm);
+    });
+    const double theirs = (row[14] + row[15]) / row[18];
+    EXPECT_NEAR(channel(column, solver, row[0]).path / theirs, 1.0, 0.05) << row[0];
+    const double off = channel(column, solver, row[0], true).path / theirs - 1.0;
+    RecordProperty("henyey_greenstein_" + std::to_string(static_cast<int>(row[0])), std::to_string(off));
+    planted = std::max(planted, std::abs(off));
+  }
+  EXPECT_GT(planted, 0.1);
 }
 
 }  // namespace ifov::atmosphere

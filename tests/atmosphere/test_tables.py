@@ -29,7 +29,8 @@ class Tables(unittest.TestCase):
             return [line for line in file.read_text().splitlines() if not line.startswith("#")]
 
     def test_files_are_what_the_tool_makes(self):
-        for make, name in (("bands", "gas_bands"), ("continua", "continua"), ("profiles", "profiles"), ("aerosols", "aerosols")):
+        for make, name in (("bands", "gas_bands"), ("continua", "continua"), ("profiles", "profiles"), ("aerosols", "aerosols"),
+                           ("phase_functions", "phase_functions")):
             with self.subTest(name):
                 kept = [line for line in (DATA / f"{name}.txt").read_text().splitlines() if not line.startswith("#")]
                 self.assertEqual(self.made(make), kept)

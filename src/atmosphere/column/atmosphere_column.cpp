@@ -6,6 +6,7 @@
 #include "atmosphere/column/light_limits.h"
 #include "atmosphere/particles/rayleigh.h"
 #include "atmosphere/profile/column_integral.h"
+#include "atmosphere/scattering/phase_function.h"
 #include "core/error.h"
 
 namespace ifov::atmosphere {
@@ -80,13 +81,18 @@ ColumnOptics AtmosphereColumn::at(double wavenumber_cm1) const {
   std::array<AerosolProperties, AerosolColumn::kRegions> properties;
   for (std::size_t r = 0; r < properties.size() && !aerosol_.empty(); ++r)
     properties[r] = aerosol_.properties(r, optics.wavelength_um);
+  const auto phases = std::make_shared<AerosolPhases>();
+  for (std::size_t r = 0; r < properties.size() && !aerosol_.empty(); ++r)
+    phases->functions.push_back(aerosol_.phase_function(r, optics.wavelength_um));
   for (std::size_t l = 0; l < levels_.layers(); ++l) {
     optics.continuum.push_back(continuum_depths(wavenumber_cm1, gases_[l], description_.gas_model).total());
     layers.rayleigh_scattering.push_back(cross_section * air_molecules_cm2_[l]);
     double scattering = 0.0, absorption = 0.0, forward = 0.0;
+    std::array<double, AerosolColumn::kRegions> scattered_by{};
     for (std::size_t r = 0; r < properties.size(); ++r) {
       const double scattered =
           aerosol_550_[l][r] * std::max(properties[r].extinction - properties[r].absorption, 0.0);
+      scattered_by[r] = scattered;
       scattering += scattered;
       forward += scattered * properties[r].asymmetry;
       absorption += aerosol_550_[l][r] * properties[r].absorption;
@@ -94,7 +100,11 @@ ColumnOptics AtmosphereColumn::at(double wavenumber_cm1) const {
     layers.aerosol_scattering.push_back(scattering);
     layers.aerosol_absorption.push_back(absorption);
     layers.aerosol_asymmetry.push_back(scattering > 0.0 ? forward / scattering : 0.0);
+    if (aerosol_.empty()) continue;
+    for (const double scattered : scattered_by)
+      phases->share.push_back(scattering > 0.0 ? scattered / scattering : 0.0);
   }
+  if (!aerosol_.empty()) layers.aerosol_phases = phases;
   return optics;
 }
 

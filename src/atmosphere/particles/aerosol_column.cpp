@@ -130,11 +130,19 @@ AerosolColumn::AerosolColumn(const AerosolDescription& description, const Profil
   for (std::vector<double>& extinction : heights.extinction_km)
     for (double& value : extinction) value *= factor;
   humidity_percent_ = mean_humidity(profile, heights.altitude_km, heights.extinction_km[0]);
-  const std::array<AerosolOptics, kRegions> optics{
-      AerosolOptics(type.optics, humidity_percent_), AerosolOptics("tropospheric", kTroposphereHumidity),
-      AerosolOptics(state.optics, 0.0), AerosolOptics("meteoric_dust", 0.0)};
-  for (std::size_t r = 0; r < kRegions; ++r)
-    regions_.push_back({heights.altitude_km, heights.extinction_km[r], optics[r]});
+  struct Kind {
+    std::string_view name;
+    double humidity_percent;
+  };
+  const std::array<Kind, kRegions> kinds{Kind{type.optics, humidity_percent_},
+                                         {"tropospheric", kTroposphereHumidity},
+                                         {state.optics, 0.0},
+                                         {"meteoric_dust", 0.0}};
+  for (std::size_t r = 0; r < kRegions; ++r) {
+    const auto& [name, humidity] = kinds[r];
+    regions_.push_back({heights.altitude_km, heights.extinction_km[r], AerosolOptics(name, humidity),
+                        AerosolPhaseFunctions(name, humidity)});
+  }
 }
 
 double AerosolColumn::thickness_550(std::size_t region, double first_km, double last_km) const {
@@ -155,6 +163,10 @@ double AerosolColumn::extinction_550_km(std::size_t region, double altitude) con
 
 AerosolProperties AerosolColumn::properties(std::size_t region, double wavelength_um) const {
   return regions_[region].optics.at(wavelength_um);
+}
+
+PhaseFunction AerosolColumn::phase_function(std::size_t region, double wavelength_um) const {
+  return regions_[region].phase_functions.at(wavelength_um);
 }
 
 }  // namespace ifov::atmosphere

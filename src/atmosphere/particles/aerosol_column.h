@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "atmosphere/particles/aerosol_optics.h"
+#include "atmosphere/particles/aerosol_phase_functions.h"
 #include "atmosphere/profile/profile.h"
 
 namespace ifov::atmosphere {
@@ -31,11 +32,13 @@ class AerosolColumn {
   /// Extinction at 550 nm, km-1, of a region at an altitude.
   double extinction_550_km(std::size_t region, double altitude) const;
   AerosolProperties properties(std::size_t region, double wavelength_um) const;
+  PhaseFunction phase_function(std::size_t region, double wavelength_um) const;
 
  private:
   struct Region {
     std::vector<double> altitude_km, extinction_km;
     AerosolOptics optics;
+    AerosolPhaseFunctions phase_functions;
   };
   std::vector<Region> regions_;
   double visibility_km_ = 0.0;

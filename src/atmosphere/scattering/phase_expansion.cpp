@@ -45,25 +45,42 @@ AerosolProjection::AerosolProjection(int count, double peak_polarization)
   }
 }
 
+void AerosolProjection::add_angle(const ScatteringMatrix& matrix, double weight, const double* d02,
+                                  const double* d22, const double* d2m2, PhaseExpansion& expansion) const {
+  for (int l = 0; l < count_; ++l) {
+    const double scale = 0.5 * (2.0 * l + 1.0) * weight;
+    const double sum = scale * (matrix.a2 + matrix.a3) * d22[l];
+    const double difference = scale * (matrix.a2 - matrix.a3) * d2m2[l];
+    expansion.alpha[l] += 0.5 * (sum + difference);
+    expansion.zeta[l] += 0.5 * (sum - difference);
+    expansion.gamma[l] += scale * matrix.b1 * d02[l];
+  }
+}
+
 PhaseExpansion AerosolProjection::expansion(double asymmetry) const {
   PhaseExpansion expansion = empty_expansion(count_);
   for (int angle = 0; angle < kAngles; ++angle) {
-    const ScatteringMatrix matrix = aerosol_matrix(cosine_[angle], asymmetry, peak_polarization_);
-    for (int l = 0; l < count_; ++l) {
-      const double scale = 0.5 * (2.0 * l + 1.0) * weight_[angle];
-      const std::size_t at = static_cast<std::size_t>(angle) * count_ + l;
-      const double sum = scale * (matrix.a2 + matrix.a3) * d22_[at];
-      const double difference = scale * (matrix.a2 - matrix.a3) * d2m2_[at];
-      expansion.alpha[l] += 0.5 * (sum + difference);
-      expansion.zeta[l] += 0.5 * (sum - difference);
-      expansion.gamma[l] += scale * matrix.b1 * d02_[at];
-    }
+    const std::size_t at = static_cast<std::size_t>(angle) * count_;
+    add_angle(aerosol_matrix(cosine_[angle], asymmetry, peak_polarization_), weight_[angle], &d02_[at],
+              &d22_[at], &d2m2_[at], expansion);
   }
   double power = 1.0;
   for (int l = 0; l < count_; ++l) {
     expansion.beta[l] = (2.0 * l + 1.0) * power;
     power *= asymmetry;
   }
+  return expansion;
+}
+
+PhaseExpansion AerosolProjection::expansion(const PhaseFunction& function) const {
+  PhaseExpansion expansion = empty_expansion(count_);
+  const PhaseAngles& angles = function.angles();
+  for (std::size_t k = 0; k < angles.nodes.size(); ++k) {
+    const std::size_t at = k * PhaseAngles::kMoments;
+    add_angle(particle_matrix(angles.nodes[k].cosine, function.at_nodes()[k], peak_polarization_),
+              2.0 * angles.nodes[k].weight, &angles.d02[at], &angles.d22[at], &angles.d2m2[at], expansion);
+  }
+  for (int l = 0; l < count_; ++l) expansion.beta[l] = (2.0 * l + 1.0) * function.moment(l);
   return expansion;
 }
 

@@ -3,8 +3,11 @@
 #include <vector>
 
 #include "atmosphere/gauss_nodes.h"
+#include "atmosphere/scattering/phase_function.h"
 
 namespace ifov::atmosphere {
+
+struct ScatteringMatrix;
 
 /// Expansion coefficients ("Greek constants", Siewert 2000) of a scattering matrix in generalised spherical
 /// functions, for l = 0 .. count - 1:
@@ -18,13 +21,19 @@ struct PhaseExpansion {
 /// Closed form; nothing beyond l = 2.
 PhaseExpansion rayleigh_expansion(int count, double depolarization);
 
-/// Projects aerosol_matrix onto the functions; the grid of angles is made once. Constant after construction.
+/// Projects aerosol_matrix onto the functions; the grid of angles is made once. Constant after construction. `count` is
+/// at most PhaseAngles::kMoments - 1.
 class AerosolProjection {
  public:
   AerosolProjection(int count, double peak_polarization);
+  /// Of a Henyey-Greenstein function.
   PhaseExpansion expansion(double asymmetry) const;
+  PhaseExpansion expansion(const PhaseFunction& function) const;
 
  private:
+  void add_angle(const ScatteringMatrix& matrix, double weight, const double* d02, const double* d22,
+                 const double* d2m2, PhaseExpansion& expansion) const;
+
   int count_;
   double peak_polarization_;
   std::vector<double> cosine_, weight_;

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "atmosphere/scattering/phase_function.h"
 #include "atmosphere/spherical_shells.h"
 
 namespace ifov::atmosphere {
@@ -15,7 +16,9 @@ void check(const Levels& levels, const LayerOptics& optics, double sun_zenith_ra
   const std::size_t n = optics.layers();
   if (n == 0 || levels.layers() != n || optics.rayleigh_scattering.size() != n ||
       optics.aerosol_scattering.size() != n || optics.aerosol_absorption.size() != n ||
-      optics.aerosol_asymmetry.size() != n) {
+      optics.aerosol_asymmetry.size() != n ||
+      (optics.aerosol_phases &&
+       optics.aerosol_phases->share.size() != n * optics.aerosol_phases->functions.size())) {
     throw std::invalid_argument("levels and layer optics must describe the same layers");
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -36,13 +39,20 @@ void add_difference(double factor, const std::vector<double>& a, const std::vect
   for (std::size_t k = first; k < sum.size(); ++k) to[k] += factor * (left[k] - right[k]);
 }
 
+/// The part of what a layer's aerosol scatters that delta-M takes for not scattered.
+double forward_peak(const LayerOptics& optics, std::size_t layer, int terms) {
+  if (!optics.aerosol_phases) return std::pow(std::abs(optics.aerosol_asymmetry[layer]), terms);
+  return std::max(optics.aerosol_phases->moment(layer, terms), 0.0);
+}
+
 }  // namespace
 
 ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad,
                                    const ScatteringOptions& options)
     : spherical(options.spherical_earth),
       sun_mu(std::cos(sun_zenith_rad)),
-      depolarization(optics.depolarization) {
+      depolarization(optics.depolarization),
+      phases(optics.aerosol_phases) {
   check(levels, optics, sun_zenith_rad);
   const std::size_t n = optics.layers();
   std::vector<double> scaled(n), whole(n);  // extinction per km, top down
@@ -51,10 +61,10 @@ ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& opti
     const double height = levels.altitude_km[layer + 1] - levels.altitude_km[layer];
     const double rayleigh = optics.rayleigh_scattering[layer], aerosol = optics.aerosol_scattering[layer];
     const double absorbed = optics.gas_absorption[layer] + optics.aerosol_absorption[layer];
-    const double peak = std::pow(std::abs(optics.aerosol_asymmetry[layer]), 2 * options.nodes_per_hemisphere);
+    const double peak = forward_peak(optics, layer, 2 * options.nodes_per_hemisphere);
     const double all = rayleigh + aerosol + absorbed, kept = all - peak * aerosol;
     const double inverse = kept > 0.0 ? 1.0 / kept : 0.0;
-    mixtures.push_back({rayleigh * inverse, aerosol * inverse, optics.aerosol_asymmetry[layer], peak});
+    mixtures.push_back({rayleigh * inverse, aerosol * inverse, optics.aerosol_asymmetry[layer], peak, layer});
     scaled[i] = kept / height;
     whole[i] = all / height;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "atmosphere/layer_optics.h"
@@ -11,7 +12,8 @@ namespace ifov::atmosphere {
 /// A column of layers cut into sublayers, from the top down, with the depth of the sunbeam at every boundary.
 ///
 /// Depths marked `true` are those of LayerOptics. All others are delta-M scaled (Wiscombe 1977): the part
-/// f = g^(2 nodes) of what aerosol scatters counts as not scattered at all.
+/// f, moment 2 nodes of the aerosol's phase function (g^(2 nodes) of a Henyey-Greenstein function), counts as not
+/// scattered at all.
 class ScatteringColumn {
  public:
   /// Sun zenith angle at the ground, below 90 degrees. Throws std::invalid_argument where sizes differ,
@@ -24,7 +26,8 @@ class ScatteringColumn {
     double rayleigh = 0.0;
     double aerosol = 0.0;  ///< before the forward peak is taken away
     double asymmetry = 0.0;
-    double peak = 0.0;  ///< f
+    double peak = 0.0;      ///< f
+    std::size_t layer = 0;  ///< from the ground up: of `phases`
   };
 
   std::size_t sublayers() const { return depth.size(); }
@@ -34,13 +37,14 @@ class ScatteringColumn {
   bool spherical = true;  ///< sunbeams and skies go through shells
   double sun_mu = 1.0;
   double depolarization = 0.0;
-  std::vector<Mixture> mixtures;        ///< of the layers, top down
-  std::vector<double> altitude_km;      ///< [sublayers + 1], falling
-  std::vector<double> beam_depth;       ///< [sublayers + 1] along the sunbeam from space
-  std::vector<double> true_beam_depth;  ///< [sublayers + 1]
-  std::vector<double> depth;            ///< [sublayers] vertical
-  std::vector<double> true_depth;       ///< [sublayers] vertical
-  std::vector<std::size_t> mixture_of;  ///< [sublayers]
+  std::shared_ptr<const AerosolPhases> phases;  ///< as in LayerOptics
+  std::vector<Mixture> mixtures;                ///< of the layers, top down
+  std::vector<double> altitude_km;              ///< [sublayers + 1], falling
+  std::vector<double> beam_depth;               ///< [sublayers + 1] along the sunbeam from space
+  std::vector<double> true_beam_depth;          ///< [sublayers + 1]
+  std::vector<double> depth;                    ///< [sublayers] vertical
+  std::vector<double> true_depth;               ///< [sublayers] vertical
+  std::vector<std::size_t> mixture_of;          ///< [sublayers]
 
  private:
   void beam_lengths(double level_km, std::vector<double>& lengths, std::size_t first) const;

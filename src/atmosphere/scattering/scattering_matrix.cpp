@@ -11,10 +11,14 @@ ScatteringMatrix rayleigh_matrix(double cosine, double depolarization) {
           1.5 * dipole * cosine, -0.75 * dipole * (1.0 - square)};
 }
 
+ScatteringMatrix particle_matrix(double cosine, double a1, double peak_polarization) {
+  const double shape = 1.0 / (1.0 + cosine * cosine);
+  return {a1, a1, 2.0 * cosine * shape * a1, -peak_polarization * (1.0 - cosine * cosine) * shape * a1};
+}
+
 ScatteringMatrix aerosol_matrix(double cosine, double asymmetry, double peak_polarization) {
   const double g = asymmetry, base = 1.0 + g * g - 2.0 * g * cosine;
-  const double a1 = (1.0 - g * g) / (base * std::sqrt(base)), shape = 1.0 / (1.0 + cosine * cosine);
-  return {a1, a1, 2.0 * cosine * shape * a1, -peak_polarization * (1.0 - cosine * cosine) * shape * a1};
+  return particle_matrix(cosine, (1.0 - g * g) / (base * std::sqrt(base)), peak_polarization);
 }
 
 double scattering_cosine(const Propagation& from, const Propagation& to) {

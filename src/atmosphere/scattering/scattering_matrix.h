@@ -16,8 +16,11 @@ struct ScatteringMatrix {
 /// dipoles, the rest isotropically and without polarization.
 ScatteringMatrix rayleigh_matrix(double cosine, double depolarization);
 
-/// Aerosol: a1 is the Henyey-Greenstein function of the asymmetry g; polarization has the shape of Rayleigh
-/// scattering, with the degree `peak_polarization` at 90 degrees (0 to 1), and a2 = a1, a3 = a1 2c/(1 + c^2).
+/// Aerosol that scatters `a1` in this direction; polarization has the shape of Rayleigh scattering, with the degree
+/// `peak_polarization` at 90 degrees (0 to 1), and a2 = a1, a3 = a1 2c/(1 + c^2).
+ScatteringMatrix particle_matrix(double cosine, double a1, double peak_polarization);
+
+/// The same with the Henyey-Greenstein function of the asymmetry g.
 ScatteringMatrix aerosol_matrix(double cosine, double asymmetry, double peak_polarization);
 
 /// Cosine of the angle between two directions.

@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "atmosphere/scattering/beam_integral.h"
+#include "atmosphere/scattering/phase_function.h"
 #include "atmosphere/scattering/scattering_matrix.h"
 
 namespace ifov::atmosphere {
@@ -17,22 +19,21 @@ class SingleScattering {
       : column_(column), cosine_(scattering_cosine({-column.sun_mu, 0.0}, direction)) {
     const Propagation sun{-column.sun_mu, 0.0};
     molecules_ = scatter_unpolarized(sun, direction, rayleigh_matrix(cosine_, column.depolarization));
-    // Stokes parameters of aerosol have everywhere the same ratios; only a1 depends on the asymmetry.
-    particles_ = scatter_unpolarized(sun, direction, aerosol_matrix(cosine_, 0.0, aerosol_polarization));
+    // Stokes parameters of aerosol have everywhere the same ratios; only a1 depends on the particles.
+    particles_ = scatter_unpolarized(sun, direction, particle_matrix(cosine_, 1.0, aerosol_polarization));
+    if (!column.phases) return;
+    for (const PhaseFunction& function : column.phases->functions) values_.push_back(function.at(cosine_));
   }
 
   bool operator()(const PathPiece& piece) {
     const ScatteringColumn::Mixture& mixture = column_.mixtures[column_.mixture_of[piece.sublayer]];
-    if (mixture.asymmetry != asymmetry_) {
-      asymmetry_ = mixture.asymmetry;
-      henyey_greenstein_ = aerosol_matrix(cosine_, asymmetry_, 0.0).a1;
-    }
+    if (&mixture != mixture_) enter(mixture);
     const double top = column_.beam_depth[piece.sublayer];
     const double beam = column_.beam_depth[piece.sublayer + 1] - top;
     const double light = beam_integral(piece.depth, depth_ + top + beam * piece.near_position,
                                        depth_ + top + beam * piece.far_position);
     rayleigh_sum_ += light * mixture.rayleigh;
-    aerosol_sum_ += light * mixture.aerosol * henyey_greenstein_;
+    aerosol_sum_ += light * mixture.aerosol * a1_;
     depth_ += piece.depth;
     true_depth_ += piece.true_depth;
     return true;
@@ -47,8 +48,20 @@ class SingleScattering {
   }
 
  private:
+  void enter(const ScatteringColumn::Mixture& mixture) {
+    if (!column_.phases && (mixture_ == nullptr || mixture.asymmetry != mixture_->asymmetry))
+      a1_ = aerosol_matrix(cosine_, mixture.asymmetry, 0.0).a1;
+    mixture_ = &mixture;
+    if (!column_.phases) return;
+    const double* share = column_.phases->shares(mixture.layer);
+    a1_ = 0.0;
+    for (std::size_t f = 0; f < values_.size(); ++f) a1_ += share[f] * values_[f];
+  }
+
   const ScatteringColumn& column_;
-  double cosine_, asymmetry_ = 0.0, henyey_greenstein_ = 1.0;
+  const ScatteringColumn::Mixture* mixture_ = nullptr;
+  std::vector<double> values_;  ///< of the column's phase functions
+  double cosine_, a1_ = 0.0;    ///< a1: of the aerosol of `mixture_`
   StokesVector molecules_, particles_;
   double rayleigh_sum_ = 0.0, aerosol_sum_ = 0.0, depth_ = 0.0, true_depth_ = 0.0;
 };

@@ -6,6 +6,7 @@
 
 #include "atmosphere/linear_source.h"
 #include "atmosphere/scattering/beam_integral.h"
+#include "atmosphere/scattering/phase_function.h"
 #include "atmosphere/scattering/scattering_matrix.h"
 #include "atmosphere/scattering/spherical_functions.h"
 
@@ -17,15 +18,19 @@ class Walk {
  public:
   /// What of the source at the top and the bottom of each sublayer arrives.
   std::vector<double> top, bottom;
-  /// Sunlight on the way, times what molecules and aerosol of one asymmetry scatter of it.
+  /// Sunlight on the way, times what molecules scatter of it, aerosol by each phase function, and, where there are
+  /// none, aerosol of one asymmetry.
   double rayleigh = 0.0;
   struct Aerosol {
     double asymmetry, light;
   };
   std::vector<Aerosol> aerosol;
+  std::vector<double> by_function;
 
   explicit Walk(const ScatteringColumn& column)
-      : top(column.sublayers(), 0.0), bottom(column.sublayers(), 0.0), column_(column) {}
+      : top(column.sublayers(), 0.0), bottom(column.sublayers(), 0.0), column_(column) {
+    if (column.phases) by_function.assign(column.phases->functions.size(), 0.0);
+  }
 
   bool operator()(const PathPiece& piece) {
     const LinearSource step = LinearSource::over(piece.depth);
@@ -41,6 +46,12 @@ class Walk {
     depth_ += piece.depth;
     const ScatteringColumn::Mixture& mixture = column_.mixtures[column_.mixture_of[piece.sublayer]];
     rayleigh += light * mixture.rayleigh;
+    if (column_.phases) {
+      const double* share = column_.phases->shares(mixture.layer);
+      for (std::size_t f = 0; f < by_function.size(); ++f)
+        by_function[f] += light * mixture.aerosol * share[f];
+      return true;
+    }
     if (aerosol.empty() || aerosol.back().asymmetry != mixture.asymmetry)
       aerosol.push_back({mixture.asymmetry, 0.0});
     aerosol.back().light += light * mixture.aerosol;
@@ -108,13 +119,24 @@ Walk walk_of(const ScatteredField& field, double mu, double observer_km) {
 }
 
 /// What is scattered once along the walk; only a1 and b1 of it are told.
-ScatteringMatrix scattered_once(const SolvedColumn& solved, const Walk& walk, double cosine) {
+ScatteringMatrix scattered_once(const SolvedColumn& solved, const Walk& walk, double cosine,
+                                const SunCell& cell) {
+  constexpr double kTowardsSun = 1.0 - 1e-10;
+  const bool forward = cell.any() && cosine > kTowardsSun;
   const ScatteringMatrix molecules = rayleigh_matrix(cosine, solved.column.depolarization);
   ScatteringMatrix light{walk.rayleigh * molecules.a1, 0.0, 0.0, walk.rayleigh * molecules.b1};
   for (const Walk::Aerosol& part : walk.aerosol) {
     const ScatteringMatrix particles = aerosol_matrix(cosine, part.asymmetry, solved.aerosol_polarization);
     light.a1 += part.light * particles.a1;
     light.b1 += part.light * particles.b1;
+  }
+  for (std::size_t f = 0; f < walk.by_function.size(); ++f) {
+    const PhaseFunction& function = solved.column.phases->functions[f];
+    const double a1 =
+        forward ? function.forward_for(cell.along_zenith_rad, cell.along_azimuth_rad) : function.at(cosine);
+    const ScatteringMatrix particles = particle_matrix(cosine, a1, solved.aerosol_polarization);
+    light.a1 += walk.by_function[f] * particles.a1;
+    light.b1 += walk.by_function[f] * particles.b1;
   }
   light.a1 *= 0.25 / std::numbers::pi;
   light.b1 *= 0.25 / std::numbers::pi;
@@ -124,14 +146,14 @@ ScatteringMatrix scattered_once(const SolvedColumn& solved, const Walk& walk, do
 }  // namespace
 
 std::vector<double> sky_ring(const ScatteredField& field, double mu, std::span<const double> azimuth_rad,
-                             double observer_km) {
+                             double observer_km, const SunCell& cell) {
   const SolvedColumn& solved = field.solved();
   const Walk walk = walk_of(field, mu, observer_km);
   std::vector<double> radiance(azimuth_rad.size(), 0.0);
   if (field.sunlit())
     for (std::size_t a = 0; a < azimuth_rad.size(); ++a) {
       const double cosine = scattering_cosine({-solved.column.sun_mu, 0.0}, {mu, azimuth_rad[a]});
-      radiance[a] = scattered_once(solved, walk, cosine).a1;
+      radiance[a] = scattered_once(solved, walk, cosine, cell).a1;
     }
   for (const ModeMoments& moments : field.modes()) {
     const double light = mode_light(moments, solved.phase, walk, mu);
@@ -142,7 +164,8 @@ std::vector<double> sky_ring(const ScatteredField& field, double mu, std::span<c
 }
 
 std::vector<StokesVector> sky_ring_stokes(const ScatteredField& field, double mu,
-                                          std::span<const double> azimuth_rad, double observer_km) {
+                                          std::span<const double> azimuth_rad, double observer_km,
+                                          const SunCell& cell) {
   const SolvedColumn& solved = field.solved();
   const Walk walk = walk_of(field, mu, observer_km);
   const Propagation sunlight{-solved.column.sun_mu, 0.0};
@@ -150,8 +173,8 @@ std::vector<StokesVector> sky_ring_stokes(const ScatteredField& field, double mu
   if (field.sunlit())
     for (std::size_t a = 0; a < azimuth_rad.size(); ++a) {
       const Propagation direction{mu, azimuth_rad[a]};
-      light[a] = scatter_unpolarized(sunlight, direction,
-                                     scattered_once(solved, walk, scattering_cosine(sunlight, direction)));
+      light[a] = scatter_unpolarized(
+          sunlight, direction, scattered_once(solved, walk, scattering_cosine(sunlight, direction), cell));
     }
   for (const ModeMoments& moments : field.modes()) {
     const double i = mode_light(moments, solved.phase, walk, mu);

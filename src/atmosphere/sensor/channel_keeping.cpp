@@ -1,6 +1,7 @@
 // The part of ChannelScattering that keeps solutions and takes them from what was kept.
 #include <span>
 
+#include "atmosphere/scattering/phase_function.h"
 #include "atmosphere/sensor/channel_scattering.h"
 
 namespace ifov::atmosphere {
@@ -24,6 +25,16 @@ std::vector<double> solution_question(const ScatteringOptions& options, const Se
     all.insert(all.end(), list->begin(), list->end());
   }
   all.push_back(optics.depolarization);
+  if (optics.aerosol_phases)
+    for (const PhaseFunction& function : optics.aerosol_phases->functions) {
+      all.push_back(function.peak_exponent());
+      for (const std::vector<double>* list : {&function.angles().angle_rad, &function.logarithms()}) {
+        all.push_back(static_cast<double>(list->size()));
+        all.insert(all.end(), list->begin(), list->end());
+      }
+    }
+  if (optics.aerosol_phases)
+    all.insert(all.end(), optics.aerosol_phases->share.begin(), optics.aerosol_phases->share.end());
   return all;
 }
 

@@ -34,7 +34,9 @@ void ChannelScattering::solve_polarization(const ColumnSolution& solved, double 
     node.sky_polarization.groundlit_q.push_back(
         groundlit_scale * sky_ring_stokes(solved.groundlit(), down, kAnyAzimuth, ground_km)[0].q);
     std::vector<StokesVector> ring(directions_.azimuth_rad.size());
-    if (sunlit_) ring = sky_ring_stokes(solved.sunlit(), down, directions_.azimuth_rad, ground_km);
+    if (sunlit_)
+      ring = sky_ring_stokes(solved.sunlit(), down, directions_.azimuth_rad, ground_km,
+                             directions_.sun_cell(*geometry_.sun_zenith_rad));
     for (const StokesVector& light : ring) {
       node.sky_polarization.q.push_back(scale * light.q);
       node.sky_polarization.u.push_back(scale * light.u);

@@ -14,9 +14,10 @@ namespace ifov::atmosphere {
 namespace {
 
 constexpr std::array kDepths = {0.0, 0.06, 0.25, 0.8, 2.2, 6.0, 25.0};
-/// Channels wider than this in ln(wavelength) take a second wavelength, and one more for each further step.
-constexpr double kNarrow = 0.03, kStep = 0.06;
-constexpr std::size_t kMostWavelengths = 4;
+/// Channels wider than this in ln(wavelength) take a second wavelength, and one more for each further step: between the
+/// wavelengths of the table of phase functions haze changes linearly, and by kinks at them.
+constexpr double kNarrow = 0.03, kStep = 0.03;
+constexpr std::size_t kMostWavelengths = 6;
 /// Points that hold less of the channel do not decide how deep the solutions reach.
 constexpr double kLeastShare = 1e-5;
 constexpr double kDark = 1e-300;
@@ -155,7 +156,8 @@ void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
         groundlit_sum += weights[z * azimuths + a] * node.groundlit.back();
       continue;
     }
-    const std::vector<double> ring = sky_ring(solved.sunlit(), down, directions_.azimuth_rad, ground_km);
+    const std::vector<double> ring = sky_ring(solved.sunlit(), down, directions_.azimuth_rad, ground_km,
+                                              directions_.sun_cell(*geometry_.sun_zenith_rad));
     for (std::size_t a = 0; a < azimuths; ++a) {
       node.sky.push_back(std::max(0.0, ring[a]));
       sky_sum += weights[z * azimuths + a] * node.sky.back();

@@ -198,7 +198,7 @@ class Estimate {
     const SkyDirections finer = halved(question_.directions);
     const std::size_t azimuths = finer.azimuth_rad.size();
     std::vector<double> radiance(finer.zenith_rad.size() * azimuths, 0.0);
-    double beam = 0.0;
+    double beam = 0.0, beyond_at_sun = 0.0;  // what the table has more at the Sun than the finer one
     if (given.emitted) {
       const ChannelEmission emitted(question_.column, given.points, question_.geometry, finer);
       for (std::size_t d = 0; d < radiance.size(); ++d)
@@ -215,15 +215,24 @@ class Estimate {
       const ColumnSolution solved = ColumnSolver(question_.scattering)
                                         .solve(question_.column.levels(), points.points[middle].layers(),
                                                *question_.geometry.sun_zenith_rad);
+      const double sun = *question_.geometry.sun_zenith_rad;
+      const SunCell cell = finer.sun_cell(sun);
       for (std::size_t z = 0; z < finer.zenith_rad.size(); ++z) {
         const std::vector<double> ring =
-            sky_ring(solved.sunlit(), -std::cos(finer.zenith_rad[z]), finer.azimuth_rad, ground_km);
+            sky_ring(solved.sunlit(), -std::cos(finer.zenith_rad[z]), finer.azimuth_rad, ground_km, cell);
         for (std::size_t a = 0; a < azimuths; ++a)
           radiance[z * azimuths + a] += points.irradiance[middle] * std::max(0.0, ring[a]);
       }
+      constexpr double kTowards[] = {0.0};
+      const auto at_sun = [&](const SunCell& own) {
+        return sky_ring(solved.sunlit(), -std::cos(sun), kTowards, ground_km, own)[0];
+      };
+      if (cell.any())
+        beyond_at_sun =
+            points.irradiance[middle] * (at_sun(question_.directions.sun_cell(sun)) - at_sun(cell));
     }
     return inclined_error(question_.directions, radiance, beam,
-                          question_.geometry.sun_zenith_rad.value_or(0.0));
+                          question_.geometry.sun_zenith_rad.value_or(0.0), beyond_at_sun);
   }
 
   const ErrorQuestion& question_;

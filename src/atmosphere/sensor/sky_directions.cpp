@@ -39,6 +39,12 @@ SkyDirections SkyDirections::standard(std::optional<double> sun_zenith_rad) {
   return directions;
 }
 
+SunCell SkyDirections::sun_cell(double sun_zenith_rad) const {
+  const auto sun = std::find(zenith_rad.begin(), zenith_rad.end(), sun_zenith_rad);
+  if (sun == zenith_rad.end() || sun == zenith_rad.begin() || sun + 1 == zenith_rad.end()) return {};
+  return {0.5 * (*(sun + 1) - *(sun - 1)), azimuth_rad[1] * std::sin(sun_zenith_rad)};
+}
+
 std::vector<double> SkyDirections::level_weights() const {
   const std::size_t zeniths = zenith_rad.size(), azimuths = azimuth_rad.size();
   std::vector<double> by_zenith(zeniths, 0.0), by_azimuth(azimuths, 0.0);

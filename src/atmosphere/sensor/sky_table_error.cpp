@@ -70,17 +70,19 @@ SkyDirections halved(const SkyDirections& table) {
 }
 
 double inclined_error(const SkyDirections& table, std::span<const double> radiance, double beam,
-                      double sun_zenith_rad) {
+                      double sun_zenith_rad, double beyond_at_sun) {
   const SkyDirections finer = halved(table);
   const std::size_t zeniths = finer.zenith_rad.size(), azimuths = finer.azimuth_rad.size();
   // The table's own sky at the finer directions: the mean of the two or four around.
-  std::vector<double> linear(radiance.size());
+  std::vector<double> linear(radiance.size()), known(radiance.begin(), radiance.end());
+  const auto sun = std::find(table.zenith_rad.begin(), table.zenith_rad.end(), sun_zenith_rad);
+  if (sun != table.zenith_rad.end())
+    known[2 * static_cast<std::size_t>(sun - table.zenith_rad.begin()) * azimuths] += beyond_at_sun;
   for (std::size_t z = 0; z < zeniths; ++z)
     for (std::size_t a = 0; a < azimuths; ++a) {
       const std::size_t up = z - z % 2, down = z + z % 2, left = a - a % 2, right = a + a % 2;
-      linear[z * azimuths + a] =
-          0.25 * (radiance[up * azimuths + left] + radiance[up * azimuths + right] +
-                  radiance[down * azimuths + left] + radiance[down * azimuths + right]);
+      linear[z * azimuths + a] = 0.25 * (known[up * azimuths + left] + known[up * azimuths + right] +
+                                         known[down * azimuths + left] + known[down * azimuths + right]);
     }
   Irradiances right, given;
   right.add(finer, radiance);

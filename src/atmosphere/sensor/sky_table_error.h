@@ -15,7 +15,8 @@ SkyDirections halved(const SkyDirections& table);
 /// halved(table), [zenith][azimuth]. Surfaces are inclined by 30, 60 and 90 degrees, towards the Sun, across
 /// and away; what the table gives a level surface is right (SensorAtmosphere scales it). Errors of the second
 /// order: those between the halved table's own directions count as a third of what is seen.
+/// `beyond_at_sun`: what the table has at the Sun beyond `radiance`.
 double inclined_error(const SkyDirections& table, std::span<const double> radiance, double beam,
-                      double sun_zenith_rad);
+                      double sun_zenith_rad, double beyond_at_sun = 0.0);
 
 }  // namespace ifov::atmosphere

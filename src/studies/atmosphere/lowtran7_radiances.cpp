@@ -190,9 +190,8 @@ void add_scattering(const AtmosphereOptions& options, AtmosphereSection& section
   plot.series = {once, all, ground};
   section.plots.push_back(
       {"lowtran7_solar", plot,
-       "Nadir, Sun at 45 degrees, 23 km visibility. Haze makes the difference of light scattered once beyond "
-       "0.5 um: the program has phase functions of its own, we "
-       "have Henyey and Greenstein's. Its multiple scattering has two streams and no polarization."});
+       "Nadir, Sun at 45 degrees, 23 km visibility. Light that we call scattered once has some in it that went into "
+       "haze's forward peak before. The program's multiple scattering has two streams and no polarization."});
 }
 
 }  // namespace

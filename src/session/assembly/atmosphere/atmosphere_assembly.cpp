@@ -14,6 +14,7 @@
 #include "io/document/sensor_document.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
+#include "session/assembly/atmosphere/flat_air.h"
 #include "session/assembly/atmosphere/node_tolerance.h"
 #include "session/assembly/shared/with_position.h"
 
@@ -33,10 +34,17 @@ double sensor_altitude_km(const io::ModelledAtmosphere& air, const sensor::Camer
 }
 
 void warn(const AtmosphereSubject& subject, const atmosphere::AtmosphereColumn& column,
-          const atmosphere::SensorAtmosphere& air, LogSink& log) {
+          const atmosphere::SensorAtmosphere& air, const atmosphere::LineOfSightRange& range, LogSink& log) {
   for (const std::string& remark : column.remarks()) log.warn(format("atmosphere: {}", remark));
   const std::string narrow = narrow_channels(subject.channels, air.unresolved_channels());
   if (!narrow.empty()) log.warn(narrow);
+  const double along = std::max(std::abs(range.along_low), std::abs(range.along_high));
+  const std::optional<scene::Sun>& sun = subject.scene.sun;
+  for (const std::string& warning :
+       flat_air_warnings(std::atan(std::hypot(along, range.across_high)),
+                         sun && sun->is_up() ? std::optional(sun->zenith_rad()) : std::nullopt,
+                         sun && sun->is_moon ? "Moon" : "Sun"))
+    log.warn(warning);
 }
 
 }  // namespace
@@ -174,9 +182,10 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
                                    : kNodeTolerance;
     inputs.geometry = sensor_geometry(subject.sources, modelled, sensor.camera, subject.camera,
                                       subject.scene.sun, ground_km);
-    inputs.lines_of_sight.emplace(
-        line_of_sight_range(subject.camera, subject.scene.sun, subject.scene.world->heights().high_m),
-        column.levels(), sensor_altitudes(modelled, subject.camera, ground_km));
+    const atmosphere::LineOfSightRange range =
+        line_of_sight_range(subject.camera, subject.scene.sun, subject.scene.world->heights().high_m);
+    inputs.lines_of_sight.emplace(range, column.levels(),
+                                  sensor_altitudes(modelled, subject.camera, ground_km));
     inputs.with_errors = true;
     inputs.polarized = subject.polarized;
     inputs.ground = subject.scene.materials[subject.scene.surroundings.material].reflectance;
@@ -184,7 +193,7 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
     inputs.kept = work.kept;
     inputs.progress = work.progress;
     auto air = std::make_unique<atmosphere::SensorAtmosphere>(column, inputs);
-    if (work.log != nullptr) warn(subject, column, *air, *work.log);
+    if (work.log != nullptr) warn(subject, column, *air, range, *work.log);
     return air;
   });
 }
