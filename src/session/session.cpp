@@ -11,7 +11,6 @@
 #include "render/tolerance/channel_brightness.h"
 #include "render/tolerance/node_budget.h"
 #include "sampling/region_interval.h"
-#include "sampling/tile.h"
 #include "sensor/camera.h"
 #include "session/assembly/atmosphere/atmosphere_cache.h"
 #include "session/assembly/atmosphere/weather_assembly.h"

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace ifov::atmosphere {
 namespace {
@@ -13,6 +14,8 @@ constexpr double kOneSlope = 1e-3;
 /// Of the finer positions, in slope, and how many there are at most.
 constexpr double kWantedStep = 0.03;
 constexpr std::size_t kMostWanted = 97;
+/// Images do not reach what is opposite lower Suns.
+constexpr double kSteepestSun_rad = 1.4;
 /// Lower surfaces are taken for ground.
 constexpr double kOneHeight_km = 0.02;
 /// Altitudes of the sensor that differ by less are one.
@@ -132,7 +135,7 @@ std::vector<LineOfSight> LineOfSightGrid::lines() const {
   return all;
 }
 
-std::vector<LineOfSight> LineOfSightGrid::checks() const {
+std::vector<LineOfSight> LineOfSightGrid::checks(std::optional<double> sun_zenith_rad) const {
   std::vector<LineOfSight> all;
   if (trivial()) return all;
   // Near the corners, where polynomials are worst, and within; heights between levels.
@@ -147,6 +150,16 @@ std::vector<LineOfSight> LineOfSightGrid::checks() const {
   };
   for (const auto& [a, c, h] : kPositions)
     all.push_back(line(at(along_, a), at(across_, c), h * highest_km_, at(sensor_, 1.0 - h)));
+  const auto holds = [](const LineOfSightAxis& axis, double slope) {
+    return slope >= axis.known().front() && slope <= axis.known().back();
+  };
+  constexpr double kBeside = 0.06;  // of the peak's half width
+  if (sun_zenith_rad && *sun_zenith_rad < kSteepestSun_rad)
+    for (const auto& [a, c] : {std::pair{0.0, 0.0}, {-kBeside, 0.5 * kBeside}, {kBeside, kBeside}}) {
+      const double along = std::tan(*sun_zenith_rad) + a;
+      if (holds(along_, along) && holds(across_, c))
+        all.push_back(line(along, c, 0.0, sensor_.known().back()));
+    }
   return all;
 }
 

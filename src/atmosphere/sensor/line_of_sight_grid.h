@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -65,8 +66,9 @@ class LineOfSightGrid {
   }
   /// At the known positions, [sensor][height][along][across].
   std::vector<LineOfSight> lines() const;
-  /// Some between them, for checks; none of a single line.
-  std::vector<LineOfSight> checks() const;
+  /// Some between them, for checks; none of a single line. Where the lines reach the point opposite the Sun, about which haze
+  /// has a narrow peak, some are there.
+  std::vector<LineOfSight> checks(std::optional<double> sun_zenith_rad) const;
   /// Weights of lines() at a line of sight.
   std::vector<double> weights(const LineOfSight& line) const;
   std::vector<double> weights(double sensor_km, double height_km, double along, double across) const;

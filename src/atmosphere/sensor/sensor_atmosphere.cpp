@@ -37,7 +37,7 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
     throw std::invalid_argument("polarized tables of the air need the polarized solver");
   if (!lines_of_sight_.trivial()) {
     geometry_.lines_of_sight = lines_of_sight_.lines();
-    const std::vector<LineOfSight> checks = lines_of_sight_.checks();
+    const std::vector<LineOfSight> checks = lines_of_sight_.checks(geometry_.sun_zenith_rad);
     geometry_.lines_of_sight.insert(geometry_.lines_of_sight.end(), checks.begin(), checks.end());
     geometry_.heights_km.assign(lines_of_sight_.height().known().begin() + 1,
                                 lines_of_sight_.height().known().end());

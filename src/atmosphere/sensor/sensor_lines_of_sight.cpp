@@ -60,7 +60,7 @@ AtmosphereError SensorAtmosphere::line_of_sight_error(std::size_t channel, const
   const auto sent = [&](double wavelength_um, double light) {
     return light + (1.0 - kGrey) * radiometry::planck_w_m2_sr_um(wavelength_um, kGrey_k);
   };
-  const std::vector<LineOfSight> checks = lines_of_sight_.checks();
+  const std::vector<LineOfSight> checks = lines_of_sight_.checks(geometry_.sun_zenith_rad);
   for (std::size_t k = 0; k < checks.size(); ++k) {
     const std::size_t s = lines_of_sight_.known_lines() + k;
     double surface = 0.0, path = 0.0, groundlit = 0.0;

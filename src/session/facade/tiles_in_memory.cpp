@@ -17,6 +17,7 @@
 #include "session/messages.h"
 #include "session/runs/plan_assembly.h"
 #include "session/runs/time_limit.h"
+#include "session/told_tiles.h"
 
 namespace ifov::session {
 namespace {

@@ -6,6 +6,7 @@
 #include "session/image_errors.h"
 #include "session/messages.h"
 #include "session/session.h"
+#include "session/told_tiles.h"
 
 namespace ifov::io {
 struct RunPlan;

@@ -74,8 +74,9 @@ SchemaType<std::shared_ptr<const SamplerSettings>> accuracy_type() {
       if (const DocumentNode* audit = node.find("audit"))
         audit->fail_at_key(
             "an audit is of an image: \"of\": \"image\" goes with it; intervals of single pixels need none");
-      if (const DocumentNode* pooling = node.find("pooling"))
-        pooling->fail_at_key("pixels are pooled for an error of the image: \"of\": \"image\" goes with it");
+      if (accuracy.pooling)
+        node.find("pooling")->fail_at_key(
+            "pixels are pooled for an error of the image: \"of\": \"image\" goes with it");
       return;
     }
     for (const char* key : {"lattice", "probes", "pilot_rays", "thinnest", "clutter", "simultaneous"})

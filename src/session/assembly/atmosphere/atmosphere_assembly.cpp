@@ -42,7 +42,9 @@ void warn(const AtmosphereSubject& subject, const atmosphere::AtmosphereColumn& 
   const std::optional<scene::Sun>& sun = subject.scene.sun;
   for (const std::string& warning :
        flat_air_warnings(std::atan(std::hypot(along, range.across_high)),
-                         sun && sun->is_up() ? std::optional(sun->zenith_rad()) : std::nullopt,
+                         air.geometry().sensor_altitude_km - column.levels().altitude_km.front(),
+                         sun && sun->is_up() && shines_in(subject.channels) ? std::optional(sun->zenith_rad())
+                                                                            : std::nullopt,
                          sun && sun->is_moon ? "Moon" : "Sun"))
     log.warn(warning);
 }
