@@ -36,6 +36,7 @@ EmitterChoice::EmitterChoice(const SpectralScene& scene, double contrast, bool s
       mapped_(scene.scene().assignments.size(), false),
       declined_(scene.scene().assignments.size(), false),
       said_(scene.scene().assignments.size(), false),
+      lamp_(scene.scene().assignments.size(), false),
       brightest_(scene.scene().assignments.size(), 0.0),
       contrast_(scene.scene().assignments.size(), 0.0),
       unit_(scene.nodes().channel_count(), 0.0) {
@@ -153,6 +154,7 @@ void EmitterChoice::find_contrasts(double contrast, bool shown) {
     }
   }
   for (const Surface& s : surfaces_) {
+    if (s.lamp) lamp_[s.assignment] = true;
     if (s.said == false) declined_[s.assignment] = wanted_[s.assignment];
     if (!shown || s.said != true || wanted_[s.assignment] ||
         std::none_of(s.hottest.begin(), s.hottest.end(), [](double radiance) { return radiance > 0.0; }))

@@ -36,6 +36,7 @@ struct EmitterChoice {
   bool outshines(std::uint32_t assignment) const {
     return wanted_[assignment] && (contrast_[assignment] > kOutshining || said_[assignment]);
   }
+  bool lamp(std::uint32_t assignment) const { return lamp_[assignment]; }
   /// Whether a surface assignment is wanted, but a material of it says that its light be left to chance.
   bool declined(std::uint32_t assignment) const { return declined_[assignment]; }
   const geometry::WantedMaterials& wanted() const { return wanted_; }  ///< by surface assignment
@@ -67,7 +68,7 @@ struct EmitterChoice {
   const SpectralScene& scene_;
   bool any_ = false;
   geometry::WantedMaterials wanted_;
-  std::vector<bool> mapped_, declined_, said_;
+  std::vector<bool> mapped_, declined_, said_, lamp_;
   std::vector<double> brightest_, contrast_;  // by surface assignment
   std::vector<Surface> surfaces_;
   std::vector<double> unit_;  // radiance of brightness 1, by channel

@@ -156,7 +156,10 @@ void Emitters::take(const SpectralScene& scene, const EmitterChoice& choice) {
   std::vector<SurfacePiece> pieces;
   std::vector<double> area(wanted_.size(), 0.0);
   bool too_many = false;
-  world.visit_surfaces(choice.wanted(), [&](const SurfacePiece& piece) {
+  geometry::WantedMaterials looked_through = wanted_;
+  for (std::uint32_t a = 0; a < looked_through.size(); ++a)
+    looked_through[a] = looked_through[a] || choice.outshines(a);
+  world.visit_surfaces(looked_through, [&](const SurfacePiece& piece) {
     const double part = geometry::area_m2(piece);
     area[piece.material] += part;
     if (!(part > 0.0) || !wanted_[piece.material]) return;
@@ -190,9 +193,17 @@ void Emitters::take(const SpectralScene& scene, const EmitterChoice& choice) {
 
 void Emitters::leave_many_faint(const geometry::World& world, const EmitterChoice& choice, std::size_t most) {
   geometry::WantedMaterials faint(wanted_.size(), false);
-  for (std::uint32_t a = 0; a < wanted_.size(); ++a) faint[a] = wanted_[a] && !choice.outshines(a);
-  std::size_t count = 0;
-  world.visit_surfaces(faint, [&](const SurfacePiece&) { ++count; });
+  bool any = false;
+  for (std::uint32_t a = 0; a < wanted_.size(); ++a) {
+    faint[a] = wanted_[a] && !choice.outshines(a) && !choice.lamp(a);
+    any = any || faint[a];
+  }
+  if (!any) return;
+  std::size_t count = world.triangle_count() + world.object_count();
+  if (count <= kMostLookedThrough) {
+    count = 0;
+    world.visit_surfaces(faint, [&](const SurfacePiece&) { ++count; });
+  }
   if (count <= most) return;
   for (std::size_t a = 0; a < wanted_.size(); ++a) wanted_[a] = wanted_[a] && !faint[a];
 }

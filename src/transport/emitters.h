@@ -23,6 +23,8 @@ class Emitters {
  public:
   /// More pieces than this are not sought.
   static constexpr std::size_t kMost = 1 << 20;
+  /// Faint things are not looked for among more triangles and objects than this, copies counted.
+  static constexpr std::size_t kMostLookedThrough = 4 << 20;
 
   /// Null where there is nothing to seek. Keeps no reference to the scene.
   static std::unique_ptr<const Emitters> find(const SpectralScene& scene);
