@@ -49,9 +49,10 @@ class OneTile final : public render::TileSink {
   sampling::TileResult result;
 };
 
-sampling::TileResult rendered(const Session& session, std::uint64_t seed = 1) {
+sampling::TileResult rendered(const Session& session, std::uint64_t seed = 1, bool seek = true) {
   render::RenderJob job = session.parts().job();
   job.seed = seed;
+  job.transport.seek_emitters = seek;
   render::RenderControl control;
   control.threads = 1;
   OneTile tile;
@@ -157,13 +158,7 @@ std::pair<int, int> in_daylight(bool seek) {
   const double intensity = kPower_w / 0.1001 / (4.0 * kPi);
   std::pair<int, int> held_and_sure;
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-    render::RenderJob job = session.parts().job();
-    job.seed = seed;
-    job.transport.seek_emitters = seek;
-    render::RenderControl control;
-    control.threads = 1;
-    OneTile tile;
-    render::render_image(job, control, tile);
+    const sampling::TileResult tile = rendered(session, seed, seek);
     constexpr int kGrid = 16;
     for (std::size_t p = 0; p < 24; ++p) {
       double lamp = 0.0;
@@ -173,9 +168,9 @@ std::pair<int, int> in_daylight(bool seek) {
         lamp += kReflectance / kPi * intensity * kHeight_m /
                 std::pow(x * x + y * y + kHeight_m * kHeight_m, 1.5) / (kGrid * kGrid);
       }
-      held_and_sure.first += std::abs(static_cast<double>(tile.result.mean[p]) - sunlit - lamp) <=
-                             static_cast<double>(tile.result.half_width[p]);
-      held_and_sure.second += tile.result.converged(p);
+      held_and_sure.first += std::abs(static_cast<double>(tile.mean[p]) - sunlit - lamp) <=
+                             static_cast<double>(tile.half_width[p]);
+      held_and_sure.second += tile.converged(p);
     }
   }
   return held_and_sure;
