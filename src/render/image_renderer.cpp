@@ -28,6 +28,7 @@
 #include "sampling/tile.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
+#include "transport/mirror_light.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {
@@ -117,7 +118,10 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   std::optional<PilotRays> pilot_rays;
   if (job.pilot_rays) {
     const scene::Scene& scene = job.scene.scene();
-    pilot_rays.emplace(*scene.world, scene.assignments.size(), job.camera, margin_px);
+    std::vector<math::Vec3> towards_sun;
+    if (scene.sun)
+      towards_sun = transport::fixed_disc_points(scene.sun->direction, scene.sun->half_angle_rad);
+    pilot_rays.emplace(*scene.world, scene.assignments.size(), job.camera, towards_sun, margin_px);
   }
 
   std::int64_t pixels = 0;

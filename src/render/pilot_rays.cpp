@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include "geometry/world.h"
@@ -12,6 +13,7 @@
 #include "sampling/pixel_sampler.h"
 #include "sampling/tile.h"
 #include "sensor/camera.h"
+#include "sensor/orthographic_camera.h"
 
 namespace ifov::render {
 
@@ -29,6 +31,10 @@ constexpr double kMostRaysOfOne = 1e5;
 
 /// Faces of meshes are looked through one by one, copies too, while there are no more of them than this.
 constexpr std::size_t kMostFaces = 2000000;
+/// Shadows of small things are looked for while there are no more rays to it than this; where there are more they are
+/// everywhere, and values meet them.
+constexpr std::size_t kMostShadowRays = 300000;
+
 /// A face narrower than this is followed by no sampler (AccuracyOptions::thinnest_px): a wall seen from above.
 constexpr double kThinnest_px = 1.0 / 80.0;
 
@@ -64,6 +70,7 @@ Outline outline_of(const geometry::World::PlacedObject& object, const sensor::Ca
 /// The image of a long thin triangle of a mesh: from a to b along its longest side, c beside it.
 struct ThinFace {
   sampling::FocalPoint a, b, c;
+  math::Point3 a_m, b_m, c_m;
   double length_px = 0.0;
   std::uint32_t object = 0, patch = 0, material = 0;
 };
@@ -86,6 +93,9 @@ bool is_long(const geometry::SurfacePiece& piece, const sensor::Camera& camera, 
   face.a = corner[first];
   face.b = corner[(first + 1) % 3];
   face.c = corner[(first + 2) % 3];
+  face.a_m = corner_m[first];
+  face.b_m = corner_m[(first + 1) % 3];
+  face.c_m = corner_m[(first + 2) % 3];
   face.object = piece.object;
   face.patch = piece.patch;
   face.material = piece.material;
@@ -150,7 +160,7 @@ void keep_strips(std::vector<ThinFace>& faces, const VisitWide& visit_wide) {
   faces.swap(kept);
 }
 
-/// Points in the middle of a triangle's image, all along it.
+/// Points in the middle of a triangle's image, all along it, and where they are in the scene.
 template <class Add>
 void points_along(const ThinFace& face, const Add& add) {
   const double ux = (face.b.x_px - face.a.x_px) / face.length_px,
@@ -160,15 +170,92 @@ void points_along(const ThinFace& face, const Add& add) {
   const int parts = static_cast<int>(std::min(std::ceil(face.length_px / kSpacing_px), kMostRaysOfOne));
   for (int k = 0; k < parts; ++k) {
     const double t = (k + 0.5) / parts * face.length_px;
-    const double height = across * (t < along ? t / along : (face.length_px - t) / (face.length_px - along));
-    add({face.a.x_px + t * ux - 0.5 * height * uy, face.a.y_px + t * uy + 0.5 * height * ux});
+    const bool before = t < along;
+    const double share = before ? t / along : (face.length_px - t) / (face.length_px - along);
+    const double height = across * share;
+    const math::Point3 end_m = before ? face.a_m : face.b_m;
+    add({face.a.x_px + t * ux - 0.5 * height * uy, face.a.y_px + t * uy + 0.5 * height * ux},
+        face.a_m + (0.5 * t / face.length_px) * (face.b_m - face.a_m) +
+            0.5 * ((end_m - face.a_m) + share * (face.c_m - end_m)));
   }
+}
+
+/// Calls `at` with points of the compact objects whose image is small in some direction, the number of the object (kNoObject of
+/// what is long and thin) and how far the object reaches about the point.
+template <class At>
+void visit_small_objects(const geometry::World& world, const sensor::Camera& camera, const At& at) {
+  for (std::size_t number = 0; number < world.object_count(); ++number) {
+    const geometry::World::PlacedObject object = world.object(number);
+    if (!object.compact) continue;
+    const Outline outline = outline_of(object, camera);
+    if (outline.width_px > kSeeded_px) continue;
+    const double parts =
+        std::min(std::ceil(outline.length_px / std::max(kSpacing_px, outline.width_px)), kMostRaysOfOne);
+    if (outline.length_px <= kSeeded_px || parts <= 1.0) {
+      at(object.pilot_point_m, static_cast<std::uint32_t>(number), object.radius_m);
+      continue;
+    }
+    double across_m = 0.0;
+    for (std::size_t side = 0; side < 3; ++side)
+      if (side != outline.along) across_m += math::length(object.half_sides_m[side]);
+    // What is thin may be met at one end and missed at the other.
+    const bool thin = outline.width_px < kSpacing_px;
+    for (int k = 0; k < static_cast<int>(parts); ++k)
+      at(object.centre_m + object.half_sides_m[outline.along] * ((2.0 * k + 1.0) / parts - 1.0),
+         thin ? sampling::Field::kNoObject : static_cast<std::uint32_t>(number), across_m);
+  }
+}
+
+/// Calls `at` with points of the image of long thin faces that are strips, and where they are in the scene.
+template <class At>
+void visit_strips(const geometry::World& world, std::size_t materials, const sensor::Camera& camera,
+                  const At& at) {
+  if (world.triangle_count() > kMostFaces) return;
+  const auto visit_long = [&](const auto& visitor) {
+    world.visit_surfaces(
+        geometry::WantedMaterials(materials, true), [&](const geometry::SurfacePiece& piece) {
+          ThinFace face;
+          bool thin = false;
+          if (piece.kind == geometry::PieceKind::triangle && is_long(piece, camera, face, thin))
+            visitor(face, thin);
+        });
+  };
+  std::vector<ThinFace> faces;
+  visit_long([&](const ThinFace& face, bool thin) {
+    if (thin) faces.push_back(face);
+  });
+  if (!faces.empty())
+    keep_strips(faces, [&](const auto& visitor) {
+      visit_long([&](const ThinFace& face, bool thin) {
+        if (!thin) visitor(face);
+      });
+    });
+  for (const ThinFace& face : faces) points_along(face, at);
+}
+
+/// The shadows on level ground, in pixels, as an image of the scene that is seen from the Sun; none where it does not shine
+/// down, or where the scene has no size.
+std::optional<sensor::OrthographicCamera> seen_from_sun(const geometry::World& world,
+                                                        const sensor::Camera& camera,
+                                                        math::Vec3 towards_sun) {
+  // At lower Suns shadows are longer still; that they are sought so far apart is enough.
+  constexpr double kLowest_rad = 1.4;
+  if (towards_sun.z <= 0.0) return std::nullopt;
+  const geometry::World::Bounds bounds = world.bounds();
+  sensor::OrthographicCamera::Settings settings;
+  settings.gsd_m = camera.gsd_m(bounds.low_m + 0.5 * (bounds.high_m - bounds.low_m));
+  if (!(settings.gsd_m > 0.0) || !std::isfinite(settings.gsd_m)) return std::nullopt;
+  settings.width_px = settings.height_px = 1;
+  settings.start_height_m = bounds.high_m.z;
+  settings.view_zenith_rad = std::min(std::acos(std::min(towards_sun.z, 1.0)), kLowest_rad);
+  settings.view_azimuth_rad = std::atan2(towards_sun.x, towards_sun.y);
+  return sensor::OrthographicCamera(settings);
 }
 
 }  // namespace
 
 PilotRays::PilotRays(const geometry::World& world, std::size_t materials, const sensor::Camera& camera,
-                     double margin_px) {
+                     std::span<const math::Vec3> towards_sun, double margin_px) {
   auto add_point = [&](sampling::FocalPoint point, std::uint32_t object) {
     if (point.x_px < -margin_px || point.y_px < -margin_px || point.x_px > camera.width_px() + margin_px ||
         point.y_px > camera.height_px() + margin_px)
@@ -179,46 +266,32 @@ PilotRays::PilotRays(const geometry::World& world, std::size_t materials, const 
     sampling::FocalPoint point;
     if (camera.project(position_m, point)) add_point(point, object);
   };
-  for (std::size_t number = 0; number < world.object_count(); ++number) {
-    const geometry::World::PlacedObject object = world.object(number);
-    if (!object.compact) continue;
-    const Outline outline = outline_of(object, camera);
-    if (outline.width_px > kSeeded_px) continue;
-    const double parts =
-        std::min(std::ceil(outline.length_px / std::max(kSpacing_px, outline.width_px)), kMostRaysOfOne);
-    if (outline.length_px <= kSeeded_px || parts <= 1.0) {
-      add(object.pilot_point_m, static_cast<std::uint32_t>(number));
-      continue;
-    }
-    // What is thin may be met at one end and missed at the other.
-    const bool thin = outline.width_px < kSpacing_px;
-    for (int k = 0; k < static_cast<int>(parts); ++k)
-      add(object.centre_m + object.half_sides_m[outline.along] * ((2.0 * k + 1.0) / parts - 1.0),
-          thin ? sampling::Field::kNoObject : static_cast<std::uint32_t>(number));
-  }
-  if (world.triangle_count() <= kMostFaces) {
-    const auto visit_long = [&](const auto& visitor) {
-      world.visit_surfaces(
-          geometry::WantedMaterials(materials, true), [&](const geometry::SurfacePiece& piece) {
-            ThinFace face;
-            bool thin = false;
-            if (piece.kind == geometry::PieceKind::triangle && is_long(piece, camera, face, thin))
-              visitor(face, thin);
-          });
-    };
-    std::vector<ThinFace> faces;
-    visit_long([&](const ThinFace& face, bool thin) {
-      if (thin) faces.push_back(face);
-    });
-    if (!faces.empty())
-      keep_strips(faces, [&](const auto& visitor) {
-        visit_long([&](const ThinFace& face, bool thin) {
-          if (!thin) visitor(face);
-        });
+  visit_small_objects(world, camera,
+                      [&](math::Point3 at_m, std::uint32_t object, double) { add(at_m, object); });
+  visit_strips(world, materials, camera, [&](sampling::FocalPoint point, math::Point3) {
+    add_point(point, sampling::Field::kNoObject);
+  });
+
+  if (!towards_sun.empty())
+    if (const auto sun = seen_from_sun(world, camera, towards_sun[0])) {
+      std::vector<math::Ray> rays;
+      const auto shade = [&](math::Point3 at_m, double beyond_m) {
+        if (rays.size() > kMostShadowRays) return;
+        for (const math::Vec3 towards : towards_sun)
+          rays.push_back({at_m - (1.01 * beyond_m) * towards, -1.0 * towards});
+      };
+      visit_small_objects(world, *sun,
+                          [&](math::Point3 at_m, std::uint32_t, double across_m) { shade(at_m, across_m); });
+      visit_strips(world, materials, *sun, [&](sampling::FocalPoint, math::Point3 at_m) {
+        shade(at_m, 1e-6 * (1.0 + math::length(at_m - math::Point3{})));
       });
-    for (const ThinFace& face : faces)
-      points_along(face, [&](sampling::FocalPoint point) { add_point(point, sampling::Field::kNoObject); });
-  }
+      if (rays.size() <= kMostShadowRays) {
+        std::vector<geometry::SurfacePoint> shaded(rays.size());
+        world.intersect(rays, shaded);
+        for (const geometry::SurfacePoint& point : shaded)
+          if (point.hit()) add(point.position_m, sampling::Field::kNoObject);
+      }
+    }
 
   lowest_row_ = static_cast<int>(std::floor(-margin_px));
   std::stable_sort(points_.begin(), points_.end(), [](const auto& a, const auto& b) {

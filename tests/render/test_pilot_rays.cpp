@@ -37,7 +37,7 @@ TEST(PilotRays, TilesGetThoseOfTheirOwnAndOfTheirMargin) {
     images.push_back({x, y});
   }
   const auto world = builder.build(1);
-  const render::PilotRays pilot_rays(*world, 1, camera(), 1.5);
+  const render::PilotRays pilot_rays(*world, 1, camera(), {}, 1.5);
   for (const sampling::PixelRect tile :
        {sampling::PixelRect{0, 0, 8, 8}, {8, 16, 24, 20}, {30, 30, 32, 32}}) {
     std::vector<std::uint32_t> expected;
@@ -69,7 +69,7 @@ std::size_t pilot_rays_in_band(int strips) {
   place(builder, std::move(mesh), {0.3, 0.1, 1.0});
   const auto world = builder.build(1);
   const render::PilotRays::Near near =
-      render::PilotRays(*world, 1, camera(), 1.5).near({0, 0, kSide, kSide}, 1.5);
+      render::PilotRays(*world, 1, camera(), {}, 1.5).near({0, 0, kSide, kSide}, 1.5);
   return static_cast<std::size_t>(
       std::count(near.objects.begin(), near.objects.end(), sampling::Field::kNoObject));
 }
@@ -78,6 +78,40 @@ std::size_t pilot_rays_in_band(int strips) {
 TEST(PilotRays, StripsAreSoughtAndWhatWasCutIntoThemIsNot) {
   EXPECT_GE(pilot_rays_in_band(1), 2u * 57u);
   EXPECT_EQ(pilot_rays_in_band(8), 0u);
+}
+
+/// Of `shape` 2 m above level ground at (-3, 0.3) with the Sun 45 deg up in the west: how many rays are sent to within 0.05 m of
+/// y = 0.3 and x from -1.6 to -0.4, where its shadow lies.
+std::size_t pilot_rays_in_shadow(geometry::Shape shape, bool sunlit) {
+  geometry::WorldBuilder builder;
+  place(builder, geometry::Plane{}, {});
+  place(builder, std::move(shape), {-3.0, 0.3, 2.0});
+  const auto world = builder.build(1);
+  const double s = std::sqrt(0.5);
+  const std::vector<math::Vec3> towards_sun = {{-s, 0.0, s}};
+  const render::PilotRays::Near near =
+      render::PilotRays(*world, 1, camera(), std::span(towards_sun).first(sunlit ? 1 : 0), 1.5)
+          .near({0, 0, kSide, kSide}, 1.5);
+  return static_cast<std::size_t>(std::count_if(near.points.begin(), near.points.end(), [](const auto& p) {
+    const double x = p.x_px - 0.5 * kSide, y = 0.5 * kSide - p.y_px;
+    return std::abs(y - 0.3) < 0.05 && x > -1.6 && x < -0.4;
+  }));
+}
+
+// A wire of 1 cm along x, a rod that stands up (a dot to the camera), a strip of a mesh and a ball of 5 cm.
+TEST(PilotRays, ShadowsOfSmallThingsAreSought) {
+  const auto rod = [](double x, double z) { return geometry::Box{{-x, -0.005, -z}, {x, 0.005, z}}; };
+  geometry::TriangleMesh strip;
+  strip.vertices_m = {{-0.5, -0.05, 0.0}, {0.5, -0.05, 0.0}, {0.5, 0.05, 0.0}, {-0.5, 0.05, 0.0}};
+  strip.vertices_m[0].x = strip.vertices_m[3].x = -0.6;
+  strip.vertices_m[1].x = strip.vertices_m[2].x = 0.6;
+  strip.triangles = {{0, 1, 2}, {0, 2, 3}};
+  for (const geometry::Shape& shape :
+       {geometry::Shape(rod(0.6, 0.005)), geometry::Shape(rod(0.005, 0.6)), geometry::Shape(strip)}) {
+    EXPECT_GE(pilot_rays_in_shadow(shape, true), 3u);
+    EXPECT_EQ(pilot_rays_in_shadow(shape, false), 0u);
+  }
+  EXPECT_EQ(pilot_rays_in_shadow(geometry::Sphere{{}, 0.05}, true), 1u);
 }
 
 }  // namespace

@@ -47,8 +47,8 @@ class Planted {
   Lattice lattice_{{0, 0, 2, 2}, 2};
   LabelTable table_{1};
   RayLedger ledger_{field_, nullptr, lattice_, table_, nullptr};
-  PointQueries queries_{ledger_, table_, 1};
   Contrast contrast_{table_, kSteering};
+  PointQueries queries_{ledger_, table_, contrast_, 1};
   Dither dither_;
   std::uint64_t asked_ = 0;
 

@@ -9,6 +9,7 @@
 #include "sampling/accuracy/basis/options.h"
 #include "sampling/accuracy/basis/ray_ledger.h"
 #include "sampling/accuracy/borders/contrast.h"
+#include "sampling/accuracy/borders/label_values.h"
 #include "sampling/accuracy/borders/steering_columns.h"
 #include "sampling/accuracy/borders/traced_pixels.h"
 #include "sampling/accuracy/clutter_choice.h"
@@ -121,11 +122,35 @@ void TileTracing::trace_lattice() {
   for (std::uint32_t label = 0; label < table.size(); ++label)
     for (int column = 0; column < static_cast<int>(table.columns()); ++column)
       variances.push_back(spread.local(label, column));
+  tell_uneven();
   parts_->errors.take_from_lattice();
   for (int p = 0; p < lattice.domain().count(); ++p)
     parts_->tracer.pixels().allow_variance(static_cast<std::uint32_t>(p),
                                            parts_->errors.border_variance(p, spread));
   parts_->tracer.plant(values.labels);
+}
+
+/// What the lattice met seldom of a label that is uneven says little of how its values differ.
+void TileTracing::tell_uneven() {
+  const LatticeValues& values = parts_->values;
+  std::vector<std::uint8_t> wanted(parts_->table.size());
+  for (std::uint32_t label = 0; label < wanted.size(); ++label)
+    wanted[label] = parts_->table.count(label) < LabelValues::kOfUneven &&
+                    parts_->table.merged(label) == label &&
+                    parts_->ledger.field().uneven(parts_->table.label(label));
+  std::vector<std::uint32_t> labels;
+  std::vector<FocalPoint> points;
+  const auto want = [&](std::uint32_t label, FocalPoint point) {
+    if (!wanted[label]) return;
+    wanted[label] = 0;
+    labels.push_back(label);
+    points.push_back(point);
+  };
+  for (std::size_t v = 0; v < values.labels.size(); ++v)
+    want(values.labels[v], parts_->lattice.vertex_point(v));
+  for (std::size_t i = 0; i < values.random.labels.size(); ++i)
+    want(values.random.labels[i], values.random.points[i]);
+  LabelValues(parts_->ledger, parts_->table, parts_->contrast, problem_.seed).take(labels, points);
 }
 
 void TileTracing::switch_clutter() {

@@ -51,6 +51,7 @@ class TileTracing {
   const LabelSpread& spread() const;
 
  private:
+  void tell_uneven();
   struct Parts;
 
   std::vector<std::uint8_t> worth_probing() const;

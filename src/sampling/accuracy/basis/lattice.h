@@ -58,6 +58,11 @@ class Lattice {
   std::size_t vertex_number(std::int32_t x, std::int32_t y) const {
     return static_cast<std::size_t>((y >> kMaxLevel) * (columns() + 1) + (x >> kMaxLevel));
   }
+  FocalPoint vertex_point(std::size_t number) const {
+    const auto row = static_cast<std::size_t>(columns()) + 1;
+    return point(static_cast<std::int32_t>(number % row) * side(0),
+                 static_cast<std::int32_t>(number / row) * side(0));
+  }
   /// The first of a pixel's cells among those of the lattice, row by row; rows are columns() apart.
   std::uint32_t first_cell(int pixel) const {
     const int width = domain_.width();

@@ -33,6 +33,13 @@ class Contrast {
 
   /// Variance of single points within a label, [label][column].
   std::vector<double>& spread() { return spread_; }
+  /// The same of a label whose values, few as they are, are known to differ so: no less than this.
+  void widen_spread(std::uint32_t label, std::span<const double> variances) {
+    const std::size_t first = label * table_.columns();
+    if (spread_.size() < first + variances.size()) spread_.resize(first + variances.size(), 0.0);
+    for (std::size_t c = 0; c < variances.size(); ++c)
+      spread_[first + c] = std::max(spread_[first + c], variances[c]);
+  }
 
   /// Of two labels' radiance.
   struct Difference {
@@ -77,7 +84,7 @@ class Contrast {
 
   const LabelTable& table_;
   const std::vector<int>& steering_;
-  std::vector<double> none_;  // what labels found later than the lattice have for a spread
+  std::vector<double> none_;  // what labels found later than the lattice have, but where they are uneven
   std::vector<double> allowed_, spread_;
 };
 

@@ -30,10 +30,10 @@ constexpr int kMaxPasses = 24;
 
 /// Each knows those above it that it needs, and none below.
 struct EdgeTracer::Parts {
-  Parts(const Lattice& lattice, RayLedger& ledger, LabelTable& table, const Contrast& contrast,
+  Parts(const Lattice& lattice, RayLedger& ledger, LabelTable& table, Contrast& contrast,
         const AccuracyOptions& options, const Dither& dither, std::uint64_t seed)
       : pixels(lattice.domain().count(), options.tracing_budget),
-        queries(ledger, table, seed),
+        queries(ledger, table, contrast, seed),
         tree(lattice, queries, pixels),
         edge_cells(pixels.size()),
         brackets(tree, contrast, pixels, queries, dither, options.initial_bracket_px, seed),
@@ -68,7 +68,7 @@ struct EdgeTracer::Parts {
   OpenBorders open;
 };
 
-EdgeTracer::EdgeTracer(const Lattice& lattice, RayLedger& ledger, LabelTable& table, const Contrast& contrast,
+EdgeTracer::EdgeTracer(const Lattice& lattice, RayLedger& ledger, LabelTable& table, Contrast& contrast,
                        const AccuracyOptions& options, const Dither& dither, std::uint64_t seed)
     : lattice_(lattice),
       ledger_(ledger),

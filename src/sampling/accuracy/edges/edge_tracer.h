@@ -23,7 +23,7 @@ struct AccuracyOptions;
 /// batch. It holds the parts that do so and says whose turn it is. docs/theory/accuracy_sampler.md, sections 2 to 4.
 class EdgeTracer {
  public:
-  EdgeTracer(const Lattice& lattice, RayLedger& ledger, LabelTable& table, const Contrast& contrast,
+  EdgeTracer(const Lattice& lattice, RayLedger& ledger, LabelTable& table, Contrast& contrast,
              const AccuracyOptions& options, const Dither& dither, std::uint64_t seed);
   ~EdgeTracer();
 
