@@ -102,5 +102,84 @@ TEST(AccuracyUneven, PlantedFaultOtherLabelsTellHowTheyVary) {
   EXPECT_GT(sum.far_off, 0.03 * sum.converged);
 }
 
+/// The shadow of a wire, all penumbra: a strip of label 2 across level ground in the Sun, in which half the paths meet it.
+class WireShadow final : public Field {
+ public:
+  WireShadow(double begin_px, double width_px, bool knows_uneven)
+      : begin_px_(begin_px), width_px_(width_px), knows_uneven_(knows_uneven) {}
+  int columns() const override { return 1; }
+  void labels(std::span<const FocalPoint> points, std::span<Label> labels) override {
+    for (std::size_t k = 0; k < points.size(); ++k) labels[k] = inside(points[k]) ? 2 : 1;
+  }
+  void values(std::span<const PathRequest> requests, std::span<Label> labels,
+              std::span<float> values) override {
+    for (std::size_t k = 0; k < requests.size(); ++k) {
+      const PathRequest& r = requests[k];
+      labels[k] = inside(r.point) ? 2 : 1;
+      const bool hidden = labels[k] == 2 && unit_double(hash(r.sequence, r.index, 7)) < 0.5;
+      values[k * static_cast<std::size_t>(stride())] = hidden ? kDark : kLit;
+    }
+  }
+  std::uint32_t material_of(Label) const override { return 0; }
+  bool uneven(Label label) const override { return knows_uneven_ && label == 2; }
+  RayCounts counts() const override { return {}; }
+
+  static constexpr float kLit = 100.0f, kDark = 10.0f;
+
+ private:
+  bool inside(FocalPoint p) const { return p.y_px >= begin_px_ && p.y_px < begin_px_ + width_px_; }
+  double begin_px_, width_px_;
+  bool knows_uneven_;
+};
+
+/// Of 40 strips 0.04 to 0.06 px wide, to which pilot rays are sent: pixels that are sure, and of them those that are off.
+Judged wire_shadows(bool knows_uneven) {
+  constexpr int kSide = 3;
+  const Percent tolerance;
+  const PixelFootprint box = PixelFootprint::box(1.0);
+  const int steering_channels[] = {0};
+  Judged sum;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const double begin = 1.3 + 0.05 * unit_double(hash(seed, 1)),
+                 width = 0.04 + 0.02 * unit_double(hash(seed, 2));
+    WireShadow field(begin, width, knows_uneven);
+    std::vector<FocalPoint> points;
+    for (double x = 0.1; x < kSide; x += 0.35) points.push_back({x, begin + 0.5 * width});
+    const std::vector<std::uint32_t> objects(points.size(), Field::kNoObject);
+    TileProblem problem;
+    problem.tile = {0, 0, kSide, kSide};
+    problem.image = {-4, -4, kSide + 4, kSide + 4};
+    problem.seed = seed;
+    problem.footprint = &box;
+    problem.tolerance = &tolerance;
+    problem.steering_channels = steering_channels;
+    problem.pilot_points = points;
+    problem.pilot_objects = objects;
+    TileResult result;
+    AccuracySampler().sample(problem, field, result);
+    const double truth = WireShadow::kLit - 0.5 * width * (WireShadow::kLit - WireShadow::kDark);
+    for (int i = 0; i < kSide; ++i) {
+      const auto at = static_cast<std::size_t>(kSide + i);
+      ++sum.pixels;
+      if (!result.converged(at)) continue;
+      ++sum.converged;
+      sum.off +=
+          std::abs(static_cast<double>(result.mean[at]) - truth) > static_cast<double>(result.half_width[at]);
+    }
+  }
+  return sum;
+}
+
+// The one value by which a label that is found late was known may be the Sun's, as on the ground beside it.
+TEST(AccuracyUneven, ThinPenumbraeThatPilotRaysMeetAreRight) {
+  const Judged sum = wire_shadows(true);
+  EXPECT_GT(sum.converged, 0.95 * sum.pixels);
+  EXPECT_LT(sum.off, 0.05 * sum.converged);
+}
+
+TEST(AccuracyUneven, PlantedFaultOneValueTellsOfAPenumbra) {
+  EXPECT_GT(wire_shadows(false).off, 0.25 * 3 * 40);
+}
+
 }  // namespace
 }  // namespace ifov::test

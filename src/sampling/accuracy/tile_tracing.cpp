@@ -197,6 +197,11 @@ void TileTracing::trace_borders() {
   }
   prober.probe_until_clean(worth);
   leave_unsettled();
+  const std::size_t columns = parts_->table.columns();
+  const std::vector<double>& known = parts_->contrast.spread();
+  for (std::uint32_t label = 0; label < known.size() / columns; ++label)
+    if (parts_->ledger.field().uneven(parts_->table.label(label)))
+      parts_->spread->learn(label, std::span(known).subspan(label * columns, columns));
 }
 
 /// In clutter the values will look.

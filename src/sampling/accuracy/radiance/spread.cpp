@@ -141,4 +141,21 @@ void LabelSpread::add_random_points(const Lattice& lattice, const LatticeValues&
   }
 }
 
+void LabelSpread::learn(std::uint32_t label, std::span<const double> variances) {
+  if (row_of(label) == labels_) {
+    if (label - labels_ >= late_.size()) late_.resize(label - labels_ + 1, labels_);
+    late_[label - labels_] = local_.size() / columns_;
+    for (std::vector<double>* table : {&local_, &total_, &rare_}) {
+      const std::vector<double> all(table->begin() + static_cast<std::ptrdiff_t>(labels_ * columns_),
+                                    table->begin() + static_cast<std::ptrdiff_t>((labels_ + 1) * columns_));
+      table->insert(table->end(), all.begin(), all.end());
+    }
+  }
+  for (std::size_t c = 0; c < columns_; ++c)
+    for (std::vector<double>* table : {&local_, &total_}) {
+      double& known = (*table)[row_of(label) * columns_ + c];
+      known = std::max(known, variances[c]);
+    }
+}
+
 }  // namespace ifov::sampling

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sampling/accuracy/basis/label_table.h"
@@ -17,8 +18,11 @@ class LabelSpread {
   /// `table` knows the means over the lattice and nothing else yet.
   LabelSpread(const Lattice& lattice, const LabelTable& table, const LatticeValues& at);
 
+  /// A label that is uneven by nature and that the lattice met seldom or never: its values differ by no less than this.
+  void learn(std::uint32_t label, std::span<const double> variances);
+
   /// Variance of a value about the plane through its neighbours: noise and fine texture. Labels found later
-  /// than the lattice have that of all labels.
+  /// than the lattice have that of all labels, but where more was learnt.
   double local(std::uint32_t label, int column) const { return row(local_, label)[column]; }
 
   /// Blocks of the lattice that lie in the label: what its own differences are known from.
@@ -35,7 +39,7 @@ class LabelSpread {
   double total(std::uint32_t label, int column) const { return row(total_, label)[column]; }
 
  protected:
-  // [label], and [label][column] with a last row for all labels together.
+  // [label], and [label][column] with a row for all labels together and then those of labels that were learnt of later.
   std::size_t columns_, labels_;
   std::vector<std::uint8_t> constant_;
   std::vector<double> blocks_;
@@ -44,8 +48,14 @@ class LabelSpread {
  private:
   void add_random_points(const Lattice& lattice, const LatticeValues& at, std::vector<double>& local_freedom);
   const double* row(const std::vector<double>& table, std::uint32_t label) const {
-    return &table[static_cast<std::size_t>(label < labels_ ? label : labels_) * columns_];
+    return &table[row_of(label) * columns_];
   }
+  std::size_t row_of(std::uint32_t label) const {
+    if (label < labels_) return label;
+    return label - labels_ < late_.size() ? late_[label - labels_] : labels_;
+  }
+
+  std::vector<std::size_t> late_;  // rows of labels from labels_ on
 };
 
 }  // namespace ifov::sampling
