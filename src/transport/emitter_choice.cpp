@@ -1,6 +1,8 @@
 #include "transport/emitter_choice.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -37,8 +39,10 @@ EmitterChoice::EmitterChoice(const SpectralScene& scene, double contrast, bool s
       declined_(scene.scene().assignments.size(), false),
       said_(scene.scene().assignments.size(), false),
       lamp_(scene.scene().assignments.size(), false),
-      brightest_(scene.scene().assignments.size(), 0.0),
       contrast_(scene.scene().assignments.size(), 0.0),
+      wanted_in_(scene.scene().assignments.size(), std::vector<bool>(scene.nodes().channel_count(), false)),
+      brightest_(scene.scene().assignments.size()),
+      group_of_(scene.nodes().channel_count(), 0),
       unit_(scene.nodes().channel_count(), 0.0) {
   if (!scene.scene().world) return;
   list_surfaces();
@@ -148,7 +152,7 @@ void EmitterChoice::find_contrasts(double contrast, bool shown) {
                r.albedo[c] * s.hottest[c] > kShown * (r.coldest[c] + r.albedo[c] * lit[c]);
       });
       if (!wanted) continue;
-      wanted_[s.assignment] = any_ = true;
+      wanted_[s.assignment] = any_ = wanted_in_[s.assignment][c] = true;
       contrast_[s.assignment] =
           std::max(contrast_[s.assignment], usual > 0.0 ? s.hottest[c] / usual : kEndless);
     }
@@ -160,14 +164,44 @@ void EmitterChoice::find_contrasts(double contrast, bool shown) {
         std::none_of(s.hottest.begin(), s.hottest.end(), [](double radiance) { return radiance > 0.0; }))
       continue;
     wanted_[s.assignment] = said_[s.assignment] = any_ = true;
+    wanted_in_[s.assignment].assign(unit_.size(), true);
     contrast_[s.assignment] = std::max(contrast_[s.assignment], 1.0);
   }
+  group_channels();
   for (const Surface& s : surfaces_) {
-    double mean = 0.0;
-    for (std::size_t c = 0; c < unit_.size(); ++c)
-      if (unit_[c] > 0.0) mean += s.hottest[c] / unit_[c] / static_cast<double>(unit_.size());
-    brightest_[s.assignment] = std::max(brightest_[s.assignment], mean);
+    const GroupedRadiance radiance = grouped(s.assignment, s.hottest);
+    for (std::size_t g = 0; g < groups_; ++g)
+      brightest_[s.assignment].of[g] = std::max(brightest_[s.assignment].of[g], radiance.of[g]);
   }
+}
+
+/// Channels go to the group whose first channel is most like them, or found one.
+void EmitterChoice::group_channels() {
+  // Shares of the brightest below the least are nothing; shares within the factor are alike.
+  constexpr double kLeast = 1e-8, kAlike = 4.0;
+  const auto share = [&](const Surface& s, std::size_t c) {
+    return wanted_in_[s.assignment][c] ? std::max(s.hottest[c] / unit_[c], kLeast) : kLeast;
+  };
+  const auto unlikeness = [&](std::size_t c, std::size_t d) {
+    double worst = 1.0;
+    for (const Surface& s : surfaces_)
+      if (wanted_[s.assignment])
+        worst = std::max({worst, share(s, c) / share(s, d), share(s, d) / share(s, c)});
+    return worst;
+  };
+  std::vector<std::size_t> firsts;
+  for (std::size_t c = 0; c < unit_.size() && any_; ++c) {
+    if (std::none_of(surfaces_.begin(), surfaces_.end(),
+                     [&](const Surface& s) { return wanted_in_[s.assignment][c]; }))
+      continue;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t g = 0; g < firsts.size(); ++g)
+      if (const double unlike = unlikeness(c, firsts[g]); unlike < least) least = unlike, group_of_[c] = g;
+    if (least <= kAlike || firsts.size() == GroupedRadiance::kMost) continue;
+    group_of_[c] = firsts.size();
+    firsts.push_back(c);
+  }
+  groups_ = std::max<std::size_t>(1, firsts.size());
 }
 
 std::vector<double> EmitterChoice::highest(std::uint32_t assignment) const {
@@ -178,13 +212,18 @@ std::vector<double> EmitterChoice::highest(std::uint32_t assignment) const {
   return highest;
 }
 
-double EmitterChoice::brightness(const float* emission) const {
-  if (emission == nullptr) return 0.0;
-  const std::vector<double> means = channels(emission);
-  double mean = 0.0;
+GroupedRadiance EmitterChoice::grouped(std::uint32_t assignment,
+                                       const std::vector<double>& by_channel) const {
+  GroupedRadiance mean;
+  std::array<double, GroupedRadiance::kMost> count{};
+  for (const std::size_t group : group_of_) ++count[group];
   for (std::size_t c = 0; c < unit_.size(); ++c)
-    if (unit_[c] > 0.0) mean += means[c] / unit_[c] / static_cast<double>(unit_.size());
+    if (wanted_in_[assignment][c]) mean.of[group_of_[c]] += by_channel[c] / unit_[c] / count[group_of_[c]];
   return mean;
+}
+
+GroupedRadiance EmitterChoice::brightness(std::uint32_t assignment, const float* emission) const {
+  return emission == nullptr ? GroupedRadiance{} : grouped(assignment, channels(emission));
 }
 
 }  // namespace ifov::transport

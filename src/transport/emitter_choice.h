@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/surface_piece.h"
+#include "transport/emitter_tree.h"
 
 namespace ifov::transport {
 
@@ -42,10 +43,13 @@ struct EmitterChoice {
   const geometry::WantedMaterials& wanted() const { return wanted_; }  ///< by surface assignment
   /// Whether what a surface assignment emits changes from point to point.
   bool mapped(std::uint32_t assignment) const { return mapped_[assignment]; }
-  /// A scale of radiance over the channels, for a spectrum of emission in nodes: the mean of shares of the brightest.
-  double brightness(const float* emission) const;
+  /// Groups of channels in which what is wanted shares out its light about alike.
+  std::size_t group_count() const { return groups_; }
+  /// A scale of radiance over the channels of each group in which a surface assignment is wanted, for a spectrum of emission in
+  /// nodes: the mean of shares of the brightest.
+  GroupedRadiance brightness(std::uint32_t assignment, const float* emission) const;
   /// At most, of a surface assignment.
-  double brightest(std::uint32_t assignment) const { return brightest_[assignment]; }
+  const GroupedRadiance& brightest(std::uint32_t assignment) const { return brightest_[assignment]; }
   /// How many times as bright a surface assignment may be as white under Sun and sky and as the median surface, in some channel; 0
   /// of one that is not wanted.
   double contrast(std::uint32_t assignment) const { return contrast_[assignment]; }
@@ -57,6 +61,8 @@ struct EmitterChoice {
   std::vector<double> channels(const float* nodes) const;
   void list_surfaces();
   void find_contrasts(double contrast, bool shown);
+  void group_channels();
+  GroupedRadiance grouped(std::uint32_t assignment, const std::vector<double>& by_channel) const;
 
   /// What a surface assignment may be somewhere.
   struct Surface {
@@ -69,7 +75,11 @@ struct EmitterChoice {
   bool any_ = false;
   geometry::WantedMaterials wanted_;
   std::vector<bool> mapped_, declined_, said_, lamp_;
-  std::vector<double> brightest_, contrast_;  // by surface assignment
+  std::vector<double> contrast_;              // by surface assignment
+  std::vector<std::vector<bool>> wanted_in_;  // by surface assignment and channel
+  std::vector<GroupedRadiance> brightest_;
+  std::size_t groups_ = 1;
+  std::vector<std::size_t> group_of_;  // by channel
   std::vector<Surface> surfaces_;
   std::vector<double> unit_;  // radiance of brightness 1, by channel
 };

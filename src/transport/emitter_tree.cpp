@@ -26,8 +26,9 @@ double first_probability(double a, double b) { return a + b > 0.0 ? a / (a + b) 
 
 }  // namespace
 
-EmitterTree::EmitterTree(std::span<const Emitter> emitters) : emitters_(emitters), order_(emitters.size()) {
-  assert(!emitters.empty());
+EmitterTree::EmitterTree(std::span<const Emitter> emitters, std::size_t groups)
+    : emitters_(emitters), groups_(groups), order_(emitters.size()) {
+  assert(!emitters.empty() && groups >= 1 && groups <= GroupedRadiance::kMost);
   std::iota(order_.begin(), order_.end(), 0u);
   leaf_of_.resize(emitters.size());
   nodes_.reserve(emitters.size());
@@ -38,7 +39,7 @@ EmitterTree::EmitterTree(std::span<const Emitter> emitters) : emitters_(emitters
 void EmitterTree::describe(Node& node, std::uint32_t first, std::uint32_t count) const {
   Vec3 low{1e300, 1e300, 1e300}, high = -low, axis{};
   bool flat = true;
-  node.power = 0.0;
+  node.power.fill(0.0);
   node.one_sided = true;
   for (std::uint32_t k = first; k < first + count; ++k) {
     const Emitter& e = emitters_[order_[k]];
@@ -46,7 +47,7 @@ void EmitterTree::describe(Node& node, std::uint32_t first, std::uint32_t count)
     const double r = e.shape.radius_m();
     low = {std::min(low.x, c.x - r), std::min(low.y, c.y - r), std::min(low.z, c.z - r)};
     high = {std::max(high.x, c.x + r), std::max(high.y, c.y + r), std::max(high.z, c.z + r)};
-    node.power += e.power;
+    for (std::size_t g = 0; g < groups_; ++g) node.power[g] += e.radiance.of[g] * e.shape.area_m2();
     node.one_sided = node.one_sided && e.shape.closed();
     flat = flat && e.shape.flat();
   }
@@ -105,7 +106,9 @@ void EmitterTree::build(std::uint32_t index, std::uint32_t first, std::uint32_t 
     Node a, b;
     describe(a, first, at - first);
     describe(b, at, first + count - at);
-    const double cost = a.power * a.radius_m * a.radius_m + b.power * b.radius_m * b.radius_m;
+    double cost = 0.0;
+    for (std::size_t g = 0; g < groups_; ++g)
+      cost += a.power[g] * a.radius_m * a.radius_m + b.power[g] * b.radius_m * b.radius_m;
     if (cost < least) least = cost, best = at;
   }
   const auto children = static_cast<std::uint32_t>(nodes_.size());
@@ -117,7 +120,25 @@ void EmitterTree::build(std::uint32_t index, std::uint32_t first, std::uint32_t 
   build(children + 1, best, first + count - best);
 }
 
-double EmitterTree::importance(const Node& node, const Receiver& receiver) const {
+double EmitterTree::mean(const Probabilities& of_groups) const {
+  double sum = 0.0;
+  for (std::size_t g = 0; g < groups_; ++g) sum += of_groups[g];
+  return sum / static_cast<double>(groups_);
+}
+
+double EmitterTree::reach(const Receiver& receiver) const {
+  return importance(nodes_[0], receiver) * mean(nodes_[0].power);
+}
+
+EmitterTree::Probabilities EmitterTree::beside(const Node& node, double importance, const Node& other,
+                                               double others) const {
+  Probabilities of{};
+  for (std::size_t g = 0; g < groups_; ++g)
+    of[g] = first_probability(node.power[g] * importance, other.power[g] * others);
+  return of;
+}
+
+double EmitterTree::importance(const Node& node, const Receiver& receiver) {
   const Vec3 to = node.centre_m - receiver.at_m;
   const double facing = highest_cosine(receiver.normal, to, node.radius_m);
   if (facing <= 0.0) return 0.0;
@@ -132,7 +153,7 @@ double EmitterTree::importance(const Node& node, const Receiver& receiver) const
     const double angle = std::max(0.0, std::acos(std::clamp(seen, -1.0, 1.0)) - spread);
     turned = std::max(kTurnedAway, std::cos(angle));
   }
-  return node.power * facing * turned / std::max(distance2, least2);
+  return facing * turned / std::max(distance2, least2);
 }
 
 /// How much of a lamp's brightest radiance goes to a receiver, about: its middle stands for all of it, and other parts of it
@@ -150,57 +171,66 @@ EmitterTree::Weights EmitterTree::weights(const Node& leaf, const Receiver& rece
   Weights w;
   for (std::uint32_t k = 0; k < leaf.count; ++k) {
     const Emitter& e = emitters_[order_[leaf.first + k]];
-    w.of[k] = e.radiance * e.shape.reach_sr(receiver) * towards(e, receiver);
-    w.sum += w.of[k];
+    const double reach = e.shape.reach_sr(receiver) * towards(e, receiver);
+    for (std::size_t g = 0; g < groups_; ++g) {
+      w.of[k][g] = e.radiance.of[g] * reach;
+      w.sum[g] += w.of[k][g];
+    }
   }
   return w;
 }
 
 EmitterTree::Choice EmitterTree::choose(const Receiver& receiver, double u) const {
+  constexpr double kBelowOne = 1.0 - 0x1p-53;
+  const auto groups = static_cast<double>(groups_);
+  const std::size_t group = std::min(static_cast<std::size_t>(u * groups), groups_ - 1);
+  u = std::clamp(u * groups - static_cast<double>(group), 0.0, kBelowOne);
   const Node* node = &nodes_[0];
-  Choice choice{0, 1.0, 0.0};
+  Probabilities probability;
+  probability.fill(1.0);
   while (node->count == 0) {
     const Node &a = nodes_[node->first], &b = nodes_[node->first + 1];
     const double in_a = importance(a, receiver), in_b = importance(b, receiver);
-    if (in_a + in_b <= 0.0) return {};
-    const double probability = first_probability(in_a, in_b);
-    const bool first = u < probability;
-    u = std::min(first ? u / probability : (u - probability) / (1.0 - probability), 1.0 - 0x1p-53);
-    choice.probability *= first ? probability : first_probability(in_b, in_a);
+    if (in_a * a.power[group] + in_b * b.power[group] <= 0.0) return {};
+    const Probabilities of_a = beside(a, in_a, b, in_b);
+    const bool first = u < of_a[group];
+    u = std::min(first ? u / of_a[group] : (u - of_a[group]) / (1.0 - of_a[group]), kBelowOne);
+    const Probabilities of = first ? of_a : beside(b, in_b, a, in_a);
+    for (std::size_t g = 0; g < groups_; ++g) probability[g] *= of[g];
     node = first ? &a : &b;
   }
   const Weights w = weights(*node, receiver);
-  if (!(w.sum > 0.0)) return {};
-  double left = u * w.sum;
+  if (!(w.sum[group] > 0.0)) return {};
+  double left = u * w.sum[group];
   std::uint32_t chosen = 0;
   for (std::uint32_t k = 0; k < node->count; ++k) {
-    if (w.of[k] <= 0.0) continue;
+    if (w.of[k][group] <= 0.0) continue;
     chosen = k;
-    if (left < w.of[k]) break;
-    left -= w.of[k];
+    if (left < w.of[k][group]) break;
+    left -= w.of[k][group];
   }
-  choice.emitter = order_[node->first + chosen];
-  choice.probability *= w.of[chosen] / w.sum;
-  choice.rest = std::clamp(left / w.of[chosen], 0.0, 1.0 - 0x1p-53);
-  return choice;
+  for (std::size_t g = 0; g < groups_; ++g)
+    probability[g] *= w.sum[g] > 0.0 ? w.of[chosen][g] / w.sum[g] : 0.0;
+  return {order_[node->first + chosen], mean(probability),
+          std::clamp(left / w.of[chosen][group], 0.0, kBelowOne)};
 }
 
 double EmitterTree::probability(const Receiver& receiver, std::uint32_t emitter) const {
   std::uint32_t index = leaf_of_[emitter];
   const Node& leaf = nodes_[index];
   const Weights w = weights(leaf, receiver);
-  if (!(w.sum > 0.0)) return 0.0;
-  double probability = 0.0;
+  Probabilities probability{};
   for (std::uint32_t k = 0; k < leaf.count; ++k)
-    if (order_[leaf.first + k] == emitter) probability = w.of[k] / w.sum;
-  while (index != 0 && probability > 0.0) {
+    for (std::size_t g = 0; g < groups_; ++g)
+      if (order_[leaf.first + k] == emitter && w.sum[g] > 0.0) probability[g] = w.of[k][g] / w.sum[g];
+  while (index != 0 && mean(probability) > 0.0) {
     const std::uint32_t parent = nodes_[index].parent, pair = nodes_[parent].first;
-    const std::uint32_t other = index == pair ? pair + 1 : pair;
-    probability *=
-        first_probability(importance(nodes_[index], receiver), importance(nodes_[other], receiver));
+    const Node &node = nodes_[index], &other = nodes_[index == pair ? pair + 1 : pair];
+    const Probabilities of = beside(node, importance(node, receiver), other, importance(other, receiver));
+    for (std::size_t g = 0; g < groups_; ++g) probability[g] *= of[g];
     index = parent;
   }
-  return probability;
+  return mean(probability);
 }
 
 }  // namespace ifov::transport

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,11 +13,17 @@ class RadiationPattern;
 
 namespace ifov::transport {
 
+/// Radiance in groups of channels, in each of which emitters share out their light alike; in units that all emitters share,
+/// one a group. A lamp and warm ground have little in common: in the channels where the lamp shines the ground does not.
+struct GroupedRadiance {
+  static constexpr std::size_t kMost = 4;
+  std::array<double, kMost> of{};
+};
+
 /// A piece that light is sought from.
 struct Emitter {
   EmitterShape shape;
-  double power = 0.0;  ///< radiance times area, in a unit that all emitters share
-  double radiance = 0.0;
+  GroupedRadiance radiance;
   std::int32_t column = 0, row = 0;  ///< of a periodic world: the copy, from the object's own place
   const scene::RadiationPattern* pattern = nullptr;  ///< of a lamp; null: the same in all directions
 };
@@ -25,11 +32,11 @@ struct Emitter {
 /// stood between: a binary tree whose nodes know the power, the bounding sphere and the cone of normals of what is in
 /// them, and leaves of a few emitters that are weighed one by one (Conty Estevez and Kulla 2018, "Importance sampling of
 /// many lights with adaptive tree splitting", without the splitting). So among a few emitters the probabilities are as good as
-/// EmitterShape::reach_sr.
+/// EmitterShape::reach_sr. Each group of channels has its own such probabilities, and the choice is by their mean.
 class EmitterTree {
  public:
-  /// Keeps a view of the emitters, which must outlive it unmoved; at least one.
-  explicit EmitterTree(std::span<const Emitter> emitters);
+  /// Keeps a view of the emitters, which must outlive it unmoved; at least one. `groups` of their radiance count.
+  explicit EmitterTree(std::span<const Emitter> emitters, std::size_t groups = 1);
 
   struct Choice {
     std::uint32_t emitter = 0;
@@ -42,32 +49,38 @@ class EmitterTree {
   /// Of choose() for an emitter.
   double probability(const Receiver& receiver, std::uint32_t emitter) const;
 
-  /// About what all of them would send there.
-  double reach(const Receiver& receiver) const { return importance(nodes_[0], receiver); }
+  /// About what all of them would send there, mean of the groups.
+  double reach(const Receiver& receiver) const;
 
  private:
   static constexpr std::size_t kInLeaf = 6;
   struct Node {
     math::Point3 centre_m;
     double radius_m = 0.0;
-    double power = 0.0;
-    math::Vec3 axis;              ///< of the cone of normals
-    double widest_cosine = -1.0;  ///< of its half-angle; -1: any direction
-    bool one_sided = false;       ///< of closed meshes: the other side counts little
+    std::array<double, GroupedRadiance::kMost> power{};  ///< radiance times area, by group
+    math::Vec3 axis;                                     ///< of the cone of normals
+    double widest_cosine = -1.0;                         ///< of its half-angle; -1: any direction
+    bool one_sided = false;                              ///< of closed meshes: the other side counts little
     std::uint32_t parent = 0, first = 0,
                   count = 0;  ///< of a leaf: within order_; else `first` of two nodes, count 0
   };
+  using Probabilities = std::array<double, GroupedRadiance::kMost>;
   struct Weights {
-    double of[kInLeaf];
-    double sum = 0.0;
+    double of[kInLeaf][GroupedRadiance::kMost];
+    Probabilities sum{};
   };
   void build(std::uint32_t node, std::uint32_t first, std::uint32_t count);
   void describe(Node& node, std::uint32_t first, std::uint32_t count) const;
-  double importance(const Node& node, const Receiver& receiver) const;
+  /// Times a node's power: about what it sends there.
+  static double importance(const Node& node, const Receiver& receiver);
+  /// Of a node, in each group, beside the other one of its parent.
+  Probabilities beside(const Node& node, double importance, const Node& other, double others) const;
+  double mean(const Probabilities& of_groups) const;
   static double towards(const Emitter& emitter, const Receiver& receiver);
   Weights weights(const Node& leaf, const Receiver& receiver) const;
 
   std::span<const Emitter> emitters_;
+  std::size_t groups_;
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> leaf_of_;  ///< by emitter

@@ -72,7 +72,8 @@ bool is_of(const SurfacePiece& piece, const SurfacePoint& hit) {
 }
 
 /// The mean of what a mapped piece emits, by rays that are sent at it from close by.
-double looked_at(const SpectralScene& scene, const EmitterChoice& choice, const SurfacePiece& piece) {
+GroupedRadiance looked_at(const SpectralScene& scene, const EmitterChoice& choice,
+                          const SurfacePiece& piece) {
   constexpr double kNear = 1e-3;
   std::vector<math::Ray> rays;
   const math::Transform& map = piece.scene_from_unit;
@@ -87,12 +88,17 @@ double looked_at(const SpectralScene& scene, const EmitterChoice& choice, const 
   std::vector<SurfacePoint> hits(rays.size());
   scene.scene().world->intersect(rays, hits);
   radiometry::SpectrumBlock scratch(3, scene.node_count());
-  double sum = 0.0;
-  for (std::size_t k = 0; k < hits.size(); ++k)
-    if (is_of(piece, hits[k]))
-      sum += choice.brightness(
-          scene.emission(scene.scene().resolve(hits[k]), -rays[k].direction, scratch.row(0)));
-  return std::max(sum / static_cast<double>(rays.size()), kLeastPart * choice.brightest(piece.material));
+  GroupedRadiance mean;
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    if (!is_of(piece, hits[k])) continue;
+    const GroupedRadiance one = choice.brightness(
+        piece.material, scene.emission(scene.scene().resolve(hits[k]), -rays[k].direction, scratch.row(0)));
+    for (std::size_t g = 0; g < mean.of.size(); ++g) mean.of[g] += one.of[g];
+  }
+  for (std::size_t g = 0; g < mean.of.size(); ++g)
+    mean.of[g] = std::max(mean.of[g] / static_cast<double>(rays.size()),
+                          kLeastPart * choice.brightest(piece.material).of[g]);
+  return mean;
 }
 
 /// Whether triangles of one object close on themselves, judged by the sum of their area vectors.
@@ -132,6 +138,7 @@ std::unique_ptr<const Emitters> Emitters::find(const SpectralScene& scene) {
 void Emitters::take(const SpectralScene& scene, const EmitterChoice& choice) {
   const geometry::World& world = *scene.scene().world;
   wanted_ = choice.wanted();
+  groups_ = choice.group_count();
   in_part_.assign(wanted_.size(), false);
   geometry::WantedMaterials declined(wanted_.size(), false);
   for (std::uint32_t a = 0; a < wanted_.size(); ++a) {
@@ -184,7 +191,7 @@ void Emitters::take(const SpectralScene& scene, const EmitterChoice& choice) {
       if (pieces[last].kind == PieceKind::triangle) closure.add(pieces[last]);
     for (; first < last; ++first) {
       const SurfacePiece& piece = pieces[first];
-      const double radiance =
+      const GroupedRadiance radiance =
           choice.mapped(piece.material) ? looked_at(scene, choice, piece) : choice.brightest(piece.material);
       add(piece, piece.kind == PieceKind::triangle && closure.closed(), radiance);
     }
@@ -243,11 +250,9 @@ void Emitters::leave_out(const geometry::World& world, const geometry::WantedMat
       }
 }
 
-void Emitters::add(const SurfacePiece& piece, bool closed, double radiance) {
+void Emitters::add(const SurfacePiece& piece, bool closed, const GroupedRadiance& radiance) {
   const auto put = [&](const SurfacePiece& placed, std::int32_t column, std::int32_t row) {
-    Emitter emitter{EmitterShape(placed, closed), 0.0, radiance, column, row, patterns_[piece.material]};
-    emitter.power = radiance * emitter.shape.area_m2();
-    emitters_.push_back(emitter);
+    emitters_.push_back({EmitterShape(placed, closed), radiance, column, row, patterns_[piece.material]});
     names_.push_back({piece.object, piece.primitive, piece.patch, column, row});
   };
   if (!repeats_) return put(piece, 0, 0);
@@ -268,7 +273,7 @@ void Emitters::finish() {
   std::iota(by_name_.begin(), by_name_.end(), 0u);
   std::sort(by_name_.begin(), by_name_.end(),
             [&](std::uint32_t a, std::uint32_t b) { return names_[a] < names_[b]; });
-  if (!emitters_.empty()) tree_ = std::make_unique<EmitterTree>(emitters_);
+  if (!emitters_.empty()) tree_ = std::make_unique<EmitterTree>(emitters_, groups_);
 }
 
 Emitters::Home Emitters::at_home(const Receiver& receiver) const {

@@ -98,7 +98,7 @@ class Emitters {
   void take(const SpectralScene& scene, const EmitterChoice& choice);
   /// Leaves to chance what does not outshine the scene, where it has more pieces than this.
   void leave_many_faint(const geometry::World& world, const EmitterChoice& choice, std::size_t most);
-  void add(const geometry::SurfacePiece& piece, bool closed, double radiance);
+  void add(const geometry::SurfacePiece& piece, bool closed, const GroupedRadiance& radiance);
   /// Puts together by place what is not sought.
   void leave_out(const geometry::World& world, const geometry::WantedMaterials& what);
   void finish();
@@ -111,6 +111,7 @@ class Emitters {
   geometry::WantedMaterials wanted_, in_part_;  ///< in_part_: some of it is no piece: planes, height fields
   std::vector<const scene::RadiationPattern*> patterns_;  // of lamps, by surface assignment
   std::vector<Emitter> emitters_;
+  std::size_t groups_ = 1;  // of their radiance
   std::vector<LeftOut> left_out_;
   std::vector<Name> names_;             // by emitter
   std::vector<std::uint32_t> by_name_;  // emitters, sorted by name

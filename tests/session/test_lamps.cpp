@@ -186,6 +186,39 @@ TEST(Lamps, InDaylightAreSought) {
   EXPECT_GE(deceived, 20);
 }
 
+// A small lamp over ground between slabs that are 40 K warmer, and outshine the ground at 1.6 um: they send a ten-thousandth of the
+// lamp's light there, but most of what is sought at 10 um.
+TEST(Lamps, AreSoughtBesideWarmThings) {
+  constexpr double kRadiance = 3e4, kRadius_m = 0.01, kHeight_m = 4.0;
+  std::string slabs;
+  for (int k = -8; k <= 8; ++k)
+    slabs += format(R"(, {{"box": {{"low": ["{0} m", "-8 m", "0 m"], "high": ["{1} m", "8 m", "5 cm"]}},
+                          "material": "warm"}})",
+                    k + 0.45, k + 0.55);
+  const Session session =
+      Session::load(io::parse_document(format(R"({{"ifov": 1, "scene": {{"materials": {{
+             "ground": {{"reflectance": {}, "temperature": "280 K"}}, "warm": {{"reflectance": 0, "temperature": "320 K"}}}},
+             "objects": [{{"plane": {{}}, "material": "ground"}}{}]}},
+           "light": {{"sky": {{"none": {{}}}}, "sources": [{{"sphere": {{"at": ["0 m", "0 m", "{} m"], "radius": "{} m",
+                                                                "radiance": "{} W m-2 sr-1 um-1"}}}}]}},
+           "sensor": {{"camera": {{"orthographic": {{"gsd": "0.25 m", "pixels": [3, 4], "center": ["0 m", "2 m"]}}}},
+                       "channels": [{{"name": "s", "monochromatic": {{"at": "1.6 um"}}}},
+                                    {{"name": "t", "monochromatic": {{"at": "10 um"}}}}]}},
+           "sampling": {{"accuracy": {{"error": "2 %"}}}}}})",
+                                              kReflectance, slabs, kHeight_m, kRadius_m, kRadiance),
+                                       "warm.json"),
+                    nullptr);
+  const sampling::TileResult tile = rendered(session);
+  for (std::size_t p = 0; p < 12; ++p) {
+    const double x = 0.25 * (static_cast<double>(p % 3) - 1.0), y = 2.375 - 0.25 * static_cast<double>(p / 3);
+    const double expected = kReflectance * kRadiance * kRadius_m * kRadius_m * kHeight_m /
+                            std::pow(x * x + y * y + kHeight_m * kHeight_m, 1.5);
+    EXPECT_TRUE(tile.converged(p));
+    EXPECT_NEAR(static_cast<double>(tile.mean[p * static_cast<std::size_t>(tile.columns)]), expected,
+                0.025 * expected);
+  }
+}
+
 TEST(Lamps, LumensAndTemperature) {
   const Session session =
       load(R"({"point": {"at": ["0 m", "0 m", "4 m"], "temperature": "2856 K", "flux": "1000 lm"}})");

@@ -173,18 +173,16 @@ std::vector<transport::Emitter> scattered_emitters(int count, std::mt19937& rand
         Transform::translation({20.0 * u(random), 20.0 * u(random), 5.0 + 6.0 * u(random)}) *
         Transform::rotation({u(random), u(random), 1.0}, 3.0 * u(random)) *
         Transform::scaling({0.3, 0.3, 0.3});
-    transport::Emitter emitter{EmitterShape(piece, k % 2 == 0), 0.0, 1.0 + k % 5, 0, 0};
-    emitter.power = emitter.radiance * emitter.shape.area_m2();
-    emitters.push_back(emitter);
+    emitters.push_back({EmitterShape(piece, k % 2 == 0), {{1.0 + k % 5, k % 7 == 0 ? 3.0 : 1e-9}}, 0, 0});
   }
   return emitters;
 }
 
 TEST(EmitterTree, ProbabilitiesAreThoseOfTheChoiceAndAddUpToOne) {
   std::mt19937 random(11);
-  for (const int count : {1, 5, 7, 300}) {
+  for (const auto& [count, groups] : {std::pair(1, 1), {5, 1}, {7, 2}, {300, 1}, {300, 2}}) {
     const std::vector<transport::Emitter> emitters = scattered_emitters(count, random);
-    const transport::EmitterTree tree(emitters);
+    const transport::EmitterTree tree(emitters, static_cast<std::size_t>(groups));
     for (const Receiver& receiver : {kLevel, kTilted}) {
       std::vector<double> measured(emitters.size(), 0.0);
       constexpr int kDraws = 40000;
@@ -217,7 +215,7 @@ TEST(EmitterTree, SeldomMissesWhatMatters) {
   const transport::EmitterTree tree(emitters);
   double sum = 0.0, square = 0.0;
   for (std::uint32_t e = 0; e < emitters.size(); ++e) {
-    const double reach = emitters[e].radiance * emitters[e].shape.reach_sr(kLevel);
+    const double reach = emitters[e].radiance.of[0] * emitters[e].shape.reach_sr(kLevel);
     if (reach <= 0.0) continue;
     const double probability = tree.probability(kLevel, e);
     ASSERT_GT(probability, 0.0);
@@ -225,6 +223,28 @@ TEST(EmitterTree, SeldomMissesWhatMatters) {
     square += reach * reach / probability;
   }
   EXPECT_LT(square / (sum * sum), 2.0);
+}
+
+// One in seven shines in the second group of channels, the others 3e9 times less there: a choice by all of them together sends
+// few rays there.
+TEST(EmitterTree, EachGroupOfChannelsHasItsShare) {
+  std::mt19937 random(13);
+  std::vector<transport::Emitter> emitters = scattered_emitters(300, random);
+  for (std::size_t e = 0; e < emitters.size(); ++e) emitters[e].radiance.of[0] = e % 7 == 0 ? 1e-3 : 1.0;
+  const auto variance = [&](std::size_t groups, std::size_t of) {
+    const transport::EmitterTree tree(emitters, groups);
+    double sum = 0.0, square = 0.0;
+    for (std::uint32_t e = 0; e < emitters.size(); ++e) {
+      const double reach = emitters[e].radiance.of[of] * emitters[e].shape.reach_sr(kLevel);
+      if (reach <= 0.0) continue;
+      sum += reach;
+      square += reach * reach / tree.probability(kLevel, e);
+    }
+    return square / (sum * sum);
+  };
+  EXPECT_LT(variance(2, 0), 4.0);
+  EXPECT_LT(variance(2, 1), 4.0);
+  EXPECT_GT(variance(1, 1), 1000.0);
 }
 
 /// By points: the area of a piece, and the solid angle in which it is seen, over that of directions.
