@@ -46,8 +46,10 @@ struct PathRecord {
     std::uint32_t also = PathVertex::kNone;
     std::uint32_t first = PathVertex::kNone, last = PathVertex::kNone;  ///< of its vertices
     math::Vec3 towards_sensor;
-    double sensor_height_m = 0.0;     ///< where the first segment starts
-    double seen_height_m = 0.0;       ///< of what the first segment met
+    double sensor_height_m = 0.0;  ///< where the first segment starts
+    double seen_height_m = 0.0;    ///< of what the first segment met
+    /// Where: x and y of it, or of where the segment comes through z = 0 if it met nothing.
+    double seen_x_m = 0.0, seen_y_m = 0.0;
     std::uint32_t seen_material = 0;  ///< its first constituent's, if it met anything
     bool met = false;                 ///< the first segment met something
     bool escaped = false;             ///< its last segment met nothing

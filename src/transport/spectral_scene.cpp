@@ -17,6 +17,7 @@
 #include "transport/mirrors/emitter_mirrors.h"
 #include "transport/mirrors/sun_lobes.h"
 #include "transport/mirrors/sun_mirrors.h"
+#include "transport/sky/adjacent_ground.h"
 #include "transport/sky/sky_dome.h"
 #include "transport/view_table.h"
 
@@ -117,10 +118,15 @@ std::vector<double> SpectralScene::couple(const Air& air, std::span<const double
     light_.row(kSunIrradiance)[n] = static_cast<float>(air.sun_irradiance()[n]);
     light_.row(kSky)[n] = static_cast<float>((all - direct) / std::numbers::pi);
     light_.row(kViewTransmittance)[n] = static_cast<float>(air.view_transmittance()[n]);
+    light_.row(kViewDiffuse)[n] = static_cast<float>(air.diffuse_transmittance()[n]);
     light_.row(kViewRadiance)[n] =
         static_cast<float>(air.view_radiance()[n] + ground[n] * air.diffuse_transmittance()[n]);
   }
   return ground;
+}
+
+void SpectralScene::set_adjacent_ground(std::unique_ptr<const AdjacentGround> adjacent) {
+  adjacent_ = std::move(adjacent);
 }
 
 void SpectralScene::light_heights(const atmosphere::SensorAtmosphere& air) {

@@ -24,6 +24,7 @@ struct SurfaceState;
 
 namespace ifov::transport {
 
+class AdjacentGround;
 class EmitterMirrors;
 class Emitters;
 class SkyDome;
@@ -100,6 +101,12 @@ class SpectralScene {
   const float* view_radiance() const { return light_.row(kViewRadiance); }
   /// Null where the two hold for all lines of sight and heights.
   const ViewTable* view_table() const { return view_table_.get(); }
+  /// Of the ground all around, scattered into the line of sight, for a radiance of 1; where no table holds.
+  const float* view_diffuse() const { return light_.row(kViewDiffuse); }
+  /// How the ground differs from place to place as the air sees it; null: it is as all around.
+  const AdjacentGround* adjacent_ground() const { return adjacent_.get(); }
+  /// Only before light is asked for.
+  void set_adjacent_ground(std::unique_ptr<const AdjacentGround> adjacent);
   /// A table that tells the path's polarization, also where one line of sight holds for all; null where the
   /// atmosphere's tables are unpolarized.
   const ViewTable* polarized_path() const;
@@ -145,7 +152,15 @@ class SpectralScene {
   std::vector<double> couple(const Air& air, std::span<const double> sky_irradiance,
                              std::span<const float> emitted);
 
-  enum LightRow { kSunIrradiance, kSky, kSurroundings, kViewTransmittance, kViewRadiance, kLightRows };
+  enum LightRow {
+    kSunIrradiance,
+    kSky,
+    kSurroundings,
+    kViewTransmittance,
+    kViewRadiance,
+    kViewDiffuse,
+    kLightRows
+  };
   const scene::Scene& scene_;
   const radiometry::SpectralNodes& nodes_;
   bool polarized_;
@@ -158,6 +173,7 @@ class SpectralScene {
   std::unique_ptr<radiometry::PlanckTable> planck_;        // only where a temperature map needs it
   std::unique_ptr<const SkyDome> dome_;
   std::unique_ptr<const ViewTable> view_table_, single_view_;
+  std::unique_ptr<const AdjacentGround> adjacent_;
   std::vector<double> heights_m_;                        // rising from 0; empty: all is as at the ground
   radiometry::SpectrumBlock sun_spectra_, sky_spectra_;  // by height
   bool has_view_path_ = false;

@@ -41,6 +41,8 @@ struct ModelledAtmosphere {
   atmosphere::AtmosphereDescription description;
   /// Above mean sea level; absent: a frame camera's own, else above the air.
   std::optional<double> sensor_altitude_km;
+  /// Whether the air is lit by the scene's own ground, place by place, and not by the surroundings alone.
+  bool adjacency = true;
 };
 
 /// What another code computed.

@@ -3,6 +3,7 @@
 #include "radiometry/polarization_frame.h"
 #include "transport/spectral_scene.h"
 #include "transport/spectrum_arithmetic.h"
+#include "transport/view_atmosphere.h"
 #include "transport/view_table.h"
 
 namespace ifov::transport {
@@ -40,6 +41,7 @@ void PolarizedAir::add_path(const PathRecord::Path& path, const radiometry::Pola
     spectra::add_scaled(light[0], scene_.view_radiance(), 1.0f, n);
   else
     for (std::size_t k = 0; k < at.count; ++k) spectra::add_scaled(light[0], at.radiance[k], at.weight[k], n);
+  add_adjacent_ground(scene_, path, table != nullptr ? &at : nullptr, light[0]);
   if (polarized == nullptr) return;
   const ViewTable::Polarization added = polarized->polarization(at, path.towards_sensor, frame);
   for (std::size_t k = 0; k < at.count; ++k) {
