@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "atmosphere/sensor/channel_spread.h"
-#include "atmosphere/sensor/sensor_atmosphere.h"
 #include "core/parallel.h"
 #include "geometry/world.h"
 #include "radiometry/spectral_nodes.h"
@@ -22,14 +21,15 @@ using atmosphere::GroundSpread;
 using transport::AdjacentGround;
 
 constexpr int kSightsAcross = 24;            // rays along each side of the image
-constexpr double kBeyondImage_px = 4.0;     // of what samplers look at beyond it
+constexpr double kBeyondImage_px = 4.0;      // of what samplers look at beyond it
 constexpr double kFarthestGround_m = 100e3;  // from the middle of the image: beyond, the rim holds
 constexpr double kSameGround = 1e-6;         // of a white surface: as if there were no difference
-constexpr std::size_t kErrorChecks = 8;     // along each side, between places of the grid
+constexpr std::size_t kErrorChecks = 8;      // along each side, between places of the grid
 
 /// Where the image's rays meet the ground, as a rectangle.
 std::optional<AdjacentGround::Area> seen_area(const geometry::World& world, const sensor::Camera& camera) {
-  std::vector<sampling::FocalPoint> points = sensor::grid_over(camera, kSightsAcross, kSightsAcross, kBeyondImage_px);
+  std::vector<sampling::FocalPoint> points =
+      sensor::grid_over(camera, kSightsAcross, kSightsAcross, kBeyondImage_px);
   points.push_back({0.5 * camera.width_px(), 0.5 * camera.height_px()});
   std::vector<math::Ray> rays(points.size());
   camera.rays(points, rays);
@@ -137,9 +137,13 @@ class Surrounding {
 /// Fills the grid's places from means over the ground about them.
 class Filling {
  public:
-  Filling(const transport::SpectralScene& scene, const atmosphere::SensorAtmosphere& air,
+  Filling(const transport::SpectralScene& scene, std::span<const double> spherical_albedo,
           const GroundLight& ground, const Surrounding& around, int threads)
-      : scene_(scene), air_(air), ground_(ground), around_(around), threads_(threads) {
+      : scene_(scene),
+        spherical_albedo_(spherical_albedo),
+        ground_(ground),
+        around_(around),
+        threads_(threads) {
     for (std::size_t c = 0; c < ground.channels(); ++c) first_node_.push_back(scene.nodes().first_node(c));
   }
 
@@ -156,7 +160,7 @@ class Filling {
             const double open = static_cast<double>(scene_.sky_radiance()[n]);
             radiance[n] = static_cast<float>(static_cast<double>(up[c]) * brightness);
             more[n] = open > 0.0 ? static_cast<float>(static_cast<double>(down[c]) * brightness *
-                                                      air_.spherical_albedo()[n] / open)
+                                                      spherical_albedo_[n] / open)
                                  : 0.0f;
           }
       }
@@ -169,7 +173,7 @@ class Filling {
 
  private:
   const transport::SpectralScene& scene_;
-  const atmosphere::SensorAtmosphere& air_;
+  std::span<const double> spherical_albedo_;
   const GroundLight& ground_;
   const Surrounding& around_;
   int threads_;
@@ -220,8 +224,8 @@ std::vector<double> path_errors(const transport::SpectralScene& scene, const Gro
 
 }  // namespace
 
-std::unique_ptr<const AdjacentGround> adjacent_ground(const transport::SpectralScene& scene,
-                                                      const atmosphere::SensorAtmosphere& air,
+std::shared_ptr<const AdjacentGround> adjacent_ground(const transport::SpectralScene& scene,
+                                                      std::span<const double> spherical_albedo,
                                                       const std::vector<atmosphere::ChannelSpread>& spreads,
                                                       const sensor::Camera& camera, int threads) {
   const geometry::World& world = *scene.scene().world;
@@ -236,13 +240,13 @@ std::unique_ptr<const AdjacentGround> adjacent_ground(const transport::SpectralS
   const double reach_m = 1e3 * GroundSpread::inner_edges_km().back();
   const Surrounding around(spreads, std::atan2(towards_sensor.y, towards_sensor.x), 0.5 * ground.cell_m(),
                            reach_m);
-  const Filling filling(scene, air, ground, around, threads);
+  const Filling filling(scene, spherical_albedo, ground, around, threads);
   const std::size_t across = ground.cells_across() / 2 + 1;
   AdjacentGround first(*area, across, scene.node_count());
   filling.fill(first, nullptr);
   std::vector<double> errors = path_errors(scene, ground, filling, first, spreads);
   // Ground under a brighter sky is brighter itself.
-  auto second = std::make_unique<AdjacentGround>(*area, across, scene.node_count());
+  auto second = std::make_shared<AdjacentGround>(*area, across, scene.node_count());
   filling.fill(*second, &first);
   second->path_error = std::move(errors);
   return second;

@@ -16,7 +16,7 @@ namespace ifov::render {
 namespace {
 
 constexpr std::size_t kLeastCellsAcross = 64, kMostCellsAcross = 256;
-constexpr double kFineCell_m = 100.0;   ///< cells need not be smaller for more of them
+constexpr double kFineCell_m = 100.0;     ///< cells need not be smaller for more of them
 constexpr double kCoarseReach_m = 150e3;  ///< of the coarsest raster
 constexpr std::size_t kMostLevels = 26, kDenseLevels = 3;
 constexpr std::size_t kCellSide = 2;  ///< rays along each side of a cell of the finest rasters

@@ -16,7 +16,6 @@
 #include "session/assembly/shared/colour_guess.h"
 #include "session/loaded/parts.h"
 #include "session/surface_spectra.h"
-#include "transport/sky/adjacent_ground.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::session {
@@ -85,7 +84,7 @@ void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmo
     AssembledAdjacency adjacency =
         assemble_adjacency(*document.atmosphere.modelled, document.scene.origin, subject, *parts.atmosphere,
                            *parts.spectral_scene, options.threads);
-    parts.spectral_scene->set_adjacent_ground(std::move(adjacency.ground));
+    parts.spectral_scene->set_adjacent(std::move(adjacency.ground));
     parts.ground_in_air = std::move(adjacency.statement);
     if (log != nullptr) log->info(parts.ground_in_air);
     return;

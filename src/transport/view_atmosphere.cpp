@@ -59,26 +59,18 @@ void dim(float* __restrict light, const ViewTable::Weights& at, std::size_t n) {
   }
 }
 
-}  // namespace
-
-void add_adjacent_ground(const SpectralScene& scene, const PathRecord::Path& path,
-                         const ViewTable::Weights* at, float* __restrict light) {
+/// What the ground about the place sends into the line of sight beside that all around; `at` null: without a table.
+void add_adjacent(const SpectralScene& scene, const PathRecord::Path& path, const ViewTable::Weights* at,
+                  float* light) {
   const AdjacentGround* adjacent = scene.adjacent_ground();
   if (adjacent == nullptr) return;
-  const std::size_t n = scene.stride();
-  const AdjacentGround::Corners corners = adjacent->at(path.seen_x_m, path.seen_y_m);
-  if (at == nullptr) {
-    spectra::add_product_of_scaled(light, scene.view_diffuse(), corners.radiance.data(),
-                                   corners.weight.data(), n);
-    return;
-  }
-  const std::array<const float*, 5> d = scene.view_table()->diffuse(*at);
-  const float *w = at->weight.data(), *v = corners.weight.data();
-  const auto* r = corners.radiance.data();
-  for (std::size_t i = 0; i < n; ++i)
-    light[i] += (d[0][i] * w[0] + d[1][i] * w[1] + d[2][i] * w[2] + d[3][i] * w[3] + d[4][i] * w[4]) *
-                (r[0][i] * v[0] + r[1][i] * v[1] + r[2][i] * v[2] + r[3][i] * v[3]);
+  if (at == nullptr)
+    adjacent->add(path.seen_x_m, path.seen_y_m, scene.view_diffuse(), light);
+  else
+    adjacent->add(path.seen_x_m, path.seen_y_m, scene.view_table()->diffuse(*at), at->weight, light);
 }
+
+}  // namespace
 
 void ViewAtmosphere::apply(const PathRecord::Path& path, float* first, float* second) const {
   const std::size_t n = scene_.stride();
@@ -86,7 +78,7 @@ void ViewAtmosphere::apply(const PathRecord::Path& path, float* first, float* se
     if (!path.met && path.towards_sensor.z <= 0.0) return;  // the sky itself
     const ViewTable::Weights at = table->at(path.towards_sensor, path.seen_height_m, path.sensor_height_m);
     see_through(first, at, n);
-    add_adjacent_ground(scene_, path, &at, first);
+    add_adjacent(scene_, path, &at, first);
     if (second != nullptr) dim(second, at, n);
   } else if (scene_.has_view_path()) {
     apply(path, first);
@@ -100,11 +92,11 @@ void ViewAtmosphere::apply(const PathRecord::Path& path, float* radiance) const 
     if (!path.met && path.towards_sensor.z <= 0.0) return;  // the sky itself
     const ViewTable::Weights at = table->at(path.towards_sensor, path.seen_height_m, path.sensor_height_m);
     see_through(radiance, at, n);
-    add_adjacent_ground(scene_, path, &at, radiance);
+    add_adjacent(scene_, path, &at, radiance);
   } else if (scene_.has_view_path()) {
     spectra::scale(radiance, scene_.view_transmittance(), n);
     spectra::add_scaled(radiance, scene_.view_radiance(), 1.0f, n);
-    add_adjacent_ground(scene_, path, nullptr, radiance);
+    add_adjacent(scene_, path, nullptr, radiance);
   }
 }
 

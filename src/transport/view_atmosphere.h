@@ -1,16 +1,10 @@
 #pragma once
 
 #include "transport/path_record.h"
-#include "transport/view_table.h"
 
 namespace ifov::transport {
 
 class SpectralScene;
-
-/// Adds what the ground about the place that a path sees sends into the line of sight beside the ground all around
-/// (AdjacentGround). `at`: of the scene's table; null where it has none.
-void add_adjacent_ground(const SpectralScene& scene, const PathRecord::Path& path,
-                         const ViewTable::Weights* at, float* light);
 
 /// What the air between a sensor and what its rays meet makes of the light of their paths.
 class ViewAtmosphere {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFirstEdge_km = 0.005, kEdgeRatio = 1.35;
 constexpr double kVertical_rad = 0.01;  ///< lines of sight as steep as this spread evenly to all sides
-constexpr int kDrawSteps = 1024;           ///< steps of cumulated phase functions, narrow forward
+constexpr int kDrawSteps = 1024;        ///< steps of cumulated phase functions, narrow forward
 constexpr int kMostEvents = 400;        ///< orders of scattering that are followed
 constexpr double kLeastWeight = 0.05;   ///< below it light goes on by chance
 

@@ -9,8 +9,7 @@
 
 namespace ifov::io {
 
-/// Between the scene and the camera (transmittance, path radiance) and between the Sun and the scene.
-/// What is absent changes nothing.
+/// Between scene and camera (transmittance, path radiance), Sun and scene. What is absent changes nothing.
 struct TabulatedAtmosphere {
   std::optional<SpectrumDocument> transmittance;
   std::optional<SpectrumDocument> path_radiance;
@@ -41,8 +40,8 @@ struct ModelledAtmosphere {
   atmosphere::AtmosphereDescription description;
   /// Above mean sea level; absent: a frame camera's own, else above the air.
   std::optional<double> sensor_altitude_km;
-  /// Whether the air is lit by the scene's own ground, place by place, and not by the surroundings alone.
-  bool adjacency = true;
+  bool adjacency =
+      true;  ///< the scene's own ground lights the air, place by place; false: surroundings alone
 };
 
 /// What another code computed.

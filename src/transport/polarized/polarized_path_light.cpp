@@ -147,7 +147,8 @@ void PolarizedPathLight::start_at_sky(const PathRecord::Path& path, const Polari
     }
     if (const AdjacentGround* adjacent = scene_.adjacent_ground();
         adjacent != nullptr && path.first != PathVertex::kNone)
-      adjacent->brighten(path.seen_x_m, path.seen_y_m, arriving_.rows[0]);  // what the ground adds is unpolarized
+      adjacent->brighten(path.seen_x_m, path.seen_y_m,
+                         arriving_.rows[0]);  // what the ground adds is unpolarized
   }
   const auto& disc = scene_.scene().sun;
   if (path.escaped_sees_sun && disc && disc->half_angle_rad > 0.0 && direction.z > 0.0 &&

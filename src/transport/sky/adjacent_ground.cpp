@@ -46,6 +46,25 @@ AdjacentGround::Corners AdjacentGround::at(double x_m, double y_m) const {
   return corners;
 }
 
+void AdjacentGround::add(double x_m, double y_m, const float* __restrict diffuse,
+                         float* __restrict light) const {
+  const Corners corners = at(x_m, y_m);
+  const float* v = corners.weight.data();
+  const auto* r = corners.radiance.data();
+  for (std::size_t i = 0; i < radiance_.stride(); ++i)
+    light[i] += diffuse[i] * ((r[0][i] * v[0] + r[1][i] * v[1]) + (r[2][i] * v[2] + r[3][i] * v[3]));
+}
+
+void AdjacentGround::add(double x_m, double y_m, const std::array<const float*, 5>& diffuse,
+                         const std::array<float, 5>& weight, float* __restrict light) const {
+  const Corners corners = at(x_m, y_m);
+  const float *w = weight.data(), *v = corners.weight.data();
+  const auto *d = diffuse.data(), *r = corners.radiance.data();
+  for (std::size_t i = 0; i < radiance_.stride(); ++i)
+    light[i] += ((d[0][i] * w[0] + d[1][i] * w[1]) + (d[2][i] * w[2] + d[3][i] * w[3]) + d[4][i] * w[4]) *
+                ((r[0][i] * v[0] + r[1][i] * v[1]) + (r[2][i] * v[2] + r[3][i] * v[3]));
+}
+
 void AdjacentGround::brighten(double x_m, double y_m, float* __restrict light) const {
   const Corners corners = at(x_m, y_m);
   const float* w = corners.weight.data();

@@ -34,6 +34,11 @@ class AdjacentGround {
   /// Beyond the grid its rim holds.
   Corners at(double x_m, double y_m) const;
 
+  /// Adds radiance() of a place times what the air scatters into the line of sight of ground of radiance 1: a spectrum, or up
+  /// to five with their weights (0 beyond their number).
+  void add(double x_m, double y_m, const float* diffuse, float* light) const;
+  void add(double x_m, double y_m, const std::array<const float*, 5>& diffuse,
+           const std::array<float, 5>& weight, float* light) const;
   /// Multiplies spectra of the sky's light by how bright the sky is over a place (1 + sky).
   void brighten(double x_m, double y_m, float* light) const;
 

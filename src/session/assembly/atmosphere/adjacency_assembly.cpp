@@ -59,7 +59,8 @@ AssembledAdjacency assemble_adjacency(const io::ModelledAtmosphere& written, con
   const atmosphere::AtmosphereColumn column = assemble_column(written, origin);
   const std::vector<atmosphere::ChannelSpread> spreads =
       atmosphere::channel_spreads(column, subject.channels, air.geometry(), threads);
-  AssembledAdjacency result{render::adjacent_ground(lit, air, spreads, subject.camera, threads), {}};
+  AssembledAdjacency result{
+      render::adjacent_ground(lit, air.spherical_albedo(), spreads, subject.camera, threads), {}};
   if (result.ground == nullptr) {
     result.statement = "ground in the air: as the surroundings everywhere";
     return result;

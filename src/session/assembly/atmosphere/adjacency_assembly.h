@@ -21,7 +21,7 @@ namespace ifov::session {
 
 /// The scene's own ground as the air spreads it, and one line that says what was done.
 struct AssembledAdjacency {
-  std::unique_ptr<const transport::AdjacentGround>
+  std::shared_ptr<const transport::AdjacentGround>
       ground;  ///< null: the surroundings are all that lights the air
   std::string statement;
 };
