@@ -109,6 +109,7 @@ std::vector<std::string> notes(const Parts& parts) {
     lines.push_back(parts.assumed_surroundings);
   else if (!parts.document.light.surroundings)
     lines.push_back("surroundings: black at 0 K (none declared) for rays that leave below the horizon");
+  if (!parts.ground_in_air.empty()) lines.push_back(parts.ground_in_air);
   return lines;
 }
 

@@ -9,6 +9,7 @@
 #include "io/document/document.h"
 #include "radiometry/spectral_nodes.h"
 #include "scene/lamp.h"
+#include "session/assembly/atmosphere/adjacency_assembly.h"
 #include "session/assembly/atmosphere/atmosphere_assembly.h"
 #include "session/assembly/atmosphere/imported_assembly.h"
 #include "session/assembly/atmosphere/node_tolerance.h"
@@ -80,6 +81,12 @@ void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmo
                             demands, {options.threads, kept, atmosphere_progress(options), log});
     parts.nodes = &parts.atmosphere->nodes();
     parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.atmosphere, polarized);
+    AssembledAdjacency adjacency =
+        assemble_adjacency(*document.atmosphere.modelled, document.scene.origin, subject, *parts.atmosphere,
+                           *parts.spectral_scene, options.threads);
+    parts.spectral_scene->set_adjacent(std::move(adjacency.ground));
+    parts.ground_in_air = std::move(adjacency.statement);
+    if (log != nullptr) log->info(parts.ground_in_air);
     return;
   }
   if (document.atmosphere.imported) {

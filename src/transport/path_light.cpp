@@ -6,6 +6,7 @@
 
 #include "math/vec3.h"
 #include "scene/scene.h"
+#include "transport/sky/adjacent_ground.h"
 #include "transport/sky/sky_dome.h"
 #include "transport/spectral_scene.h"
 #include "transport/spectrum_arithmetic.h"
@@ -167,6 +168,7 @@ void PathLight::add_open_sky(const PathRecord& record, const PathRecord::Path& p
     const float* left = scene_.sky_share(vertex.height_m, spectrum(kSkyShare));
     for (std::size_t i = 0; i < n_; ++i) difference[i] *= left[i];
   }
+  brighten(path, difference);
   spectra::add_scaled_product(sum, continuation_factor(record, vertex, nullptr), difference, path.sky_share,
                               n_);
 }
@@ -279,6 +281,11 @@ void PathLight::add_mirrored(const PathRecord& record, const PathVertex& vertex,
   }
 }
 
+void PathLight::brighten(const PathRecord::Path& path, float* light) const {
+  if (const AdjacentGround* adjacent = scene_.adjacent_ground())
+    adjacent->brighten(path.seen_x_m, path.seen_y_m, light);
+}
+
 void PathLight::add_escaped(const PathRecord::Path& path) {
   const bool direct = path.first == PathVertex::kNone;
   const math::Vec3 direction = path.escaped_direction;
@@ -291,6 +298,11 @@ void PathLight::add_escaped(const PathRecord::Path& path) {
     } else if (scene_.light_by_height()) {
       const float* share = scene_.sky_share(path.escaped_from_m, spectrum(kSkyShare));
       spectra::set_product(spectrum(kDimmed), throughput, share, n_);
+      brighten(path, spectrum(kDimmed));
+      spectra::add_product_of_scaled(sum, spectrum(kDimmed), sky.spectrum.data(), sky.weight.data(), n_);
+    } else if (scene_.adjacent_ground() != nullptr) {
+      std::memcpy(spectrum(kDimmed), throughput, n_ * sizeof(float));
+      brighten(path, spectrum(kDimmed));
       spectra::add_product_of_scaled(sum, spectrum(kDimmed), sky.spectrum.data(), sky.weight.data(), n_);
     } else {
       spectra::add_product_of_scaled(sum, throughput, sky.spectrum.data(), sky.weight.data(), n_);

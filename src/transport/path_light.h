@@ -67,6 +67,8 @@ class PathLight {
   const float* continuation_factor(const PathRecord& record, const PathVertex& vertex, const float* sun);
   void add_sought(const PathRecord& record, const PathVertex& vertex, const float* throughput);
   void add_escaped(const PathRecord::Path& path);
+  /// The sky's light on its way to a path's surfaces, for the ground about them (AdjacentGround).
+  void brighten(const PathRecord::Path& path, float* light) const;
   /// One path alone, without those that began as it.
   void one(const PathRecord& record, std::size_t k);
   /// Of one path, after its first surface: later ones and where it ends.

@@ -46,12 +46,13 @@ struct PathRecord {
     std::uint32_t also = PathVertex::kNone;
     std::uint32_t first = PathVertex::kNone, last = PathVertex::kNone;  ///< of its vertices
     math::Vec3 towards_sensor;
-    double sensor_height_m = 0.0;     ///< where the first segment starts
-    double seen_height_m = 0.0;       ///< of what the first segment met
-    std::uint32_t seen_material = 0;  ///< its first constituent's, if it met anything
-    bool met = false;                 ///< the first segment met something
-    bool escaped = false;             ///< its last segment met nothing
-    bool escaped_sees_sun = false;    ///< no sunlight was sent for where that segment starts
+    double sensor_height_m = 0.0;           ///< where the first segment starts
+    double seen_height_m = 0.0;             ///< of what the first segment met
+    double seen_x_m = 0.0, seen_y_m = 0.0;  ///< of that; of where it comes through z = 0 if it met nothing
+    std::uint32_t seen_material = 0;        ///< its first constituent's, if it met anything
+    bool met = false;                       ///< the first segment met something
+    bool escaped = false;                   ///< its last segment met nothing
+    bool escaped_sees_sun = false;          ///< no sunlight was sent for where that segment starts
     math::Vec3 escaped_direction;
     double escaped_from_m = 0.0;  ///< height at which that segment starts
     /// At least the throughput in any node; kept where there are mirrors (SunMirrors).
@@ -67,8 +68,7 @@ struct PathRecord {
     /// Whether it brings nothing.
     bool empty() const { return first == PathVertex::kNone && !escaped; }
   };
-  /// A surface whose spectra are not kept: materials side by side, a temperature from a map, or a model that depends on
-  /// direction.
+  /// A surface whose spectra are not kept: mixed, of mapped temperature, or of a model that depends on direction.
   struct Mixed {
     scene::ResolvedSurface surface;
     SurfaceLobe lobe;

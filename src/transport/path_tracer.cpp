@@ -14,6 +14,15 @@
 #include "transport/wide_sun.h"
 
 namespace ifov::transport {
+namespace {
+
+/// Where a ray comes through z = 0; where it starts, if it does not.
+math::Point3 on_the_ground(const math::Ray& ray) {
+  const double length_m = ray.direction.z < 0.0 ? std::max(0.0, -ray.origin_m.z / ray.direction.z) : 0.0;
+  return ray.origin_m + length_m * ray.direction;
+}
+
+}  // namespace
 
 PathTracer::PathTracer(const SpectralScene& scene, TransportOptions options)
     : scene_(scene), options_(options) {
@@ -62,6 +71,8 @@ const PathRecord& PathTracer::trace(std::span<const math::Ray> rays, std::span<c
         path.sensor_height_m = rays[k].origin_m.z;
         path.met = hits_[k].hit();
         path.seen_height_m = path.met ? hits_[k].position_m.z : 0.0;
+        const math::Point3 seen = path.met ? hits_[k].position_m : on_the_ground(rays[k]);
+        path.seen_x_m = seen.x, path.seen_y_m = seen.y;
       }
     }
     whole_ = depth == 0 ? whole : std::span<const std::uint8_t>{};

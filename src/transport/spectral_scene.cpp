@@ -29,7 +29,7 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::Spectr
       polarized_(polarized),
       materials_(scene.materials, nodes, polarized),
       emission_(scene.states.size(), nodes.node_count()),
-      light_(kLightRows, nodes.node_count()) {
+      light_(kRows, nodes.node_count()) {
   emit_surfaces();
   if (scene.sun) {
     const radiometry::Spectrum* product[] = {&scene.sun->irradiance, &scene.sun->transmittance};
@@ -56,7 +56,7 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Sensor
       polarized_(polarized),
       materials_(scene.materials, nodes_, polarized),
       emission_(scene.states.size(), nodes_.node_count()),
-      light_(kLightRows, nodes_.node_count()),
+      light_(kRows, nodes_.node_count()),
       has_view_path_(true) {
   emit_surfaces();
   radiometry::SpectrumBlock emitted(1, node_count());
@@ -81,7 +81,7 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Import
       polarized_(polarized),
       materials_(scene.materials, nodes_, polarized),
       emission_(scene.states.size(), nodes_.node_count()),
-      light_(kLightRows, nodes_.node_count()),
+      light_(kRows, nodes_.node_count()),
       has_view_path_(true) {
   emit_surfaces();
   std::vector<double> sky = air.sky_irradiance();
@@ -117,6 +117,7 @@ std::vector<double> SpectralScene::couple(const Air& air, std::span<const double
     light_.row(kSunIrradiance)[n] = static_cast<float>(air.sun_irradiance()[n]);
     light_.row(kSky)[n] = static_cast<float>((all - direct) / std::numbers::pi);
     light_.row(kViewTransmittance)[n] = static_cast<float>(air.view_transmittance()[n]);
+    light_.row(kDiffuse)[n] = static_cast<float>(air.diffuse_transmittance()[n]);
     light_.row(kViewRadiance)[n] =
         static_cast<float>(air.view_radiance()[n] + ground[n] * air.diffuse_transmittance()[n]);
   }

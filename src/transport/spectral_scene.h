@@ -24,6 +24,7 @@ struct SurfaceState;
 
 namespace ifov::transport {
 
+class AdjacentGround;
 class EmitterMirrors;
 class Emitters;
 class SkyDome;
@@ -53,15 +54,11 @@ class SpectralScene {
   std::size_t stride() const { return light_.stride(); }
 
   const materials::SpectralMaterials& materials() const { return materials_; }
-  /// Null where the Sun lights no mirror.
-  const SunMirrors* sun_mirrors() const { return mirrors_.get(); }
-  /// Null where the Sun lights nothing with a narrow lobe.
-  const SunLobes* sun_lobes() const { return lobes_.get(); }
+  const SunMirrors* sun_mirrors() const { return mirrors_.get(); }  ///< null: the Sun lights none
+  const SunLobes* sun_lobes() const { return lobes_.get(); }  ///< narrow ones; null: the Sun lights none
 
-  /// What the medium behind a material absorbs, 1/m, in nodes; null: nothing.
-  const float* absorption(std::uint32_t material) const;
-  /// Planck's radiance of a constituent's temperature, in `scratch` (stride() floats); null: it emits nothing. Of materials that depend
-  /// on direction.
+  const float* absorption(std::uint32_t material) const;  ///< of the medium behind it, 1/m; null: none
+  /// Planck's radiance of a constituent's temperature, in `scratch` (stride() floats); null: none.
   const float* black(const scene::Constituent& constituent, float* scratch) const;
 
   /// What of the light that meets a material goes on in any node, at most; 0 marks a black surface, which ends paths.
@@ -100,6 +97,10 @@ class SpectralScene {
   const float* view_radiance() const { return light_.row(kViewRadiance); }
   /// Null where the two hold for all lines of sight and heights.
   const ViewTable* view_table() const { return view_table_.get(); }
+  const float* view_diffuse() const { return light_.row(kDiffuse); }  ///< of ground of radiance 1
+  /// The ground as the air sees it, place by place; null: as all around. To be set before light is asked for.
+  const AdjacentGround* adjacent_ground() const { return adjacent_.get(); }
+  void set_adjacent(std::shared_ptr<const AdjacentGround> ground) { adjacent_ = std::move(ground); }
   /// A table that tells the path's polarization, also where one line of sight holds for all; null where the
   /// atmosphere's tables are unpolarized.
   const ViewTable* polarized_path() const;
@@ -145,7 +146,7 @@ class SpectralScene {
   std::vector<double> couple(const Air& air, std::span<const double> sky_irradiance,
                              std::span<const float> emitted);
 
-  enum LightRow { kSunIrradiance, kSky, kSurroundings, kViewTransmittance, kViewRadiance, kLightRows };
+  enum LightRow { kSunIrradiance, kSky, kSurroundings, kViewTransmittance, kViewRadiance, kDiffuse, kRows };
   const scene::Scene& scene_;
   const radiometry::SpectralNodes& nodes_;
   bool polarized_;
@@ -158,6 +159,7 @@ class SpectralScene {
   std::unique_ptr<radiometry::PlanckTable> planck_;        // only where a temperature map needs it
   std::unique_ptr<const SkyDome> dome_;
   std::unique_ptr<const ViewTable> view_table_, single_view_;
+  std::shared_ptr<const AdjacentGround> adjacent_;
   std::vector<double> heights_m_;                        // rising from 0; empty: all is as at the ground
   radiometry::SpectrumBlock sun_spectra_, sky_spectra_;  // by height
   bool has_view_path_ = false;

@@ -1,5 +1,6 @@
 #include "transport/view_atmosphere.h"
 
+#include "transport/sky/adjacent_ground.h"
 #include "transport/spectral_scene.h"
 #include "transport/spectrum_arithmetic.h"
 #include "transport/view_table.h"
@@ -58,6 +59,17 @@ void dim(float* __restrict light, const ViewTable::Weights& at, std::size_t n) {
   }
 }
 
+/// What the ground about the place sends into the line of sight beside that all around; `at` null: without a table.
+void add_adjacent(const SpectralScene& scene, const PathRecord::Path& path, const ViewTable::Weights* at,
+                  float* light) {
+  const AdjacentGround* adjacent = scene.adjacent_ground();
+  if (adjacent == nullptr) return;
+  if (at == nullptr)
+    adjacent->add(path.seen_x_m, path.seen_y_m, scene.view_diffuse(), light);
+  else
+    adjacent->add(path.seen_x_m, path.seen_y_m, scene.view_table()->diffuse(*at), at->weight, light);
+}
+
 }  // namespace
 
 void ViewAtmosphere::apply(const PathRecord::Path& path, float* first, float* second) const {
@@ -66,6 +78,7 @@ void ViewAtmosphere::apply(const PathRecord::Path& path, float* first, float* se
     if (!path.met && path.towards_sensor.z <= 0.0) return;  // the sky itself
     const ViewTable::Weights at = table->at(path.towards_sensor, path.seen_height_m, path.sensor_height_m);
     see_through(first, at, n);
+    add_adjacent(scene_, path, &at, first);
     if (second != nullptr) dim(second, at, n);
   } else if (scene_.has_view_path()) {
     apply(path, first);
@@ -77,10 +90,13 @@ void ViewAtmosphere::apply(const PathRecord::Path& path, float* radiance) const 
   const std::size_t n = scene_.stride();
   if (const ViewTable* table = scene_.view_table()) {
     if (!path.met && path.towards_sensor.z <= 0.0) return;  // the sky itself
-    see_through(radiance, table->at(path.towards_sensor, path.seen_height_m, path.sensor_height_m), n);
+    const ViewTable::Weights at = table->at(path.towards_sensor, path.seen_height_m, path.sensor_height_m);
+    see_through(radiance, at, n);
+    add_adjacent(scene_, path, &at, radiance);
   } else if (scene_.has_view_path()) {
     spectra::scale(radiance, scene_.view_transmittance(), n);
     spectra::add_scaled(radiance, scene_.view_radiance(), 1.0f, n);
+    add_adjacent(scene_, path, nullptr, radiance);
   }
 }
 

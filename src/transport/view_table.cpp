@@ -40,15 +40,18 @@ ViewTable::ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 
   const std::size_t nodes = atmosphere.node_count();
   transmittance_.resize(axes_[0].size() * axes_[1].size() * axes_[2].size() * axes_[3].size(), nodes);
   radiance_.resize(transmittance_.rows(), nodes);
-  std::vector<double> through(nodes), added(nodes);
+  diffuse_.resize(transmittance_.rows(), nodes);
+  std::vector<double> through(nodes), added(nodes), diffuse(nodes);
   each_row(atmosphere, [&](std::size_t row, const std::vector<double>& weight) {
     std::fill(through.begin(), through.end(), 0.0);
     std::fill(added.begin(), added.end(), 0.0);
+    std::fill(diffuse.begin(), diffuse.end(), 0.0);
     for (std::size_t line = 0; line < weight.size(); ++line) {
       if (weight[line] == 0.0) continue;
       const atmosphere::SensorAtmosphere::LightAlongLine line_of_sight = atmosphere.line_of_sight(line);
       for (std::size_t n = 0; n < nodes; ++n) {
         through[n] += weight[line] * line_of_sight.transmittance[n];
+        diffuse[n] += weight[line] * line_of_sight.diffuse_transmittance[n];
         added[n] += weight[line] *
                     (line_of_sight.radiance[n] + ground_radiance[n] * line_of_sight.diffuse_transmittance[n]);
       }
@@ -56,6 +59,7 @@ ViewTable::ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 
     for (std::size_t n = 0; n < nodes; ++n) {
       transmittance_.row(row)[n] = static_cast<float>(std::max(0.0, through[n]));
       radiance_.row(row)[n] = static_cast<float>(std::max(0.0, added[n]));
+      diffuse_.row(row)[n] = static_cast<float>(std::max(0.0, diffuse[n]));
     }
   });
   if (atmosphere.polarized()) polarize(atmosphere, ground_radiance);
@@ -99,6 +103,13 @@ void ViewTable::polarize(const atmosphere::SensorAtmosphere& atmosphere,
       u_.row(row)[n] = static_cast<float>(share * light[n].u);
     }
   });
+}
+
+std::array<const float*, 5> ViewTable::diffuse(const Weights& weights) const {
+  std::array<const float*, 5> rows;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    rows[k] = diffuse_.row(0) + (k < weights.count ? weights.radiance[k] - radiance_.row(0) : 0);
+  return rows;
 }
 
 ViewTable::Polarization ViewTable::polarization(const Weights& weights, math::Vec3 towards_sensor,

@@ -36,6 +36,10 @@ class ViewTable {
   /// sensor's does not matter where it has one alone. Beyond the table its rim holds.
   Weights at(math::Vec3 towards_sensor, double height_m, double sensor_height_m) const;
 
+  /// With the weights of at(): radiance of ground that is scattered into the line, for a radiance of 1. Rows beyond its
+  /// count may be read and have no weight.
+  std::array<const float*, 5> diffuse(const Weights& weights) const;
+
   /// Whether the atmosphere's tables are: stokes() and polarization() are then there.
   bool polarized() const { return q_.rows() > 0; }
   /// What the path adds, with its polarization, by node; returns the frame that it is about, the meridional one
@@ -60,7 +64,7 @@ class ViewTable {
   double sun_x_ = 0.0, sun_y_ = 1.0;  // horizontal direction of the Sun, unit
   std::array<std::vector<double>, 4>
       axes_;  // heights of sensor and surface in km above ground, along, across
-  radiometry::SpectrumBlock transmittance_, radiance_;
+  radiometry::SpectrumBlock transmittance_, radiance_, diffuse_;
   /// As radiance_, about frames carried from the vertical, where x is towards the Sun; of lines on the
   /// counterclockwise side. Empty where not asked for.
   radiometry::SpectrumBlock q_, u_;

@@ -33,7 +33,7 @@ std::string nadir(const std::string& material, const std::string& altitude, cons
   return format(
       R"({{"ifov": 1, "scene": {{"materials": {{"ground": {}}}, "objects": [{{"plane": {{}}, "material": "ground"}}]}},
       "light": {{"sun": {{"point": {{"zenith": "78.463 deg", "azimuth": "{}"}}}}, "surroundings": {{"reflectance": 0}}}},
-      "atmosphere": {{"profile": "US standard 1976", "aerosol": {{"type": "none"}}{}}},
+      "atmosphere": {{"profile": "US standard 1976", "aerosol": {{"type": "none"}}, "adjacency": false{}}},
       "sensor": {{"camera": {{"orthographic": {{"gsd": "1 m", "pixels": [1, 1]{}}}}}, "stokes": true, "channels": [{}]}},
       "sampling": {{"grid": {{"elements": [1, 1]}}}}}})",
       material, sun, altitude, camera, kBlue);
@@ -246,7 +246,7 @@ sampling::TileResult sky_at_60_deg(double from_sun_deg, double sun_zenith_deg, d
   return rendered_once(format(
       R"({{"ifov": 1, "scene": {{"materials": {{"mirror": {{"reflectance": 1, "scattering": "mirror"}}}}, "objects": [{{"plane": {{}}, "material": "mirror"}}]}},
       "light": {{"sun": {{"point": {{"zenith": "{} deg", "azimuth": "{} deg"}}}}, "surroundings": {{"reflectance": 0.2}}}},
-      "atmosphere": {{"profile": "US standard 1976", "aerosol": {{"type": "none"}}, "ozone": "{} DU", "sensor_altitude": "10 m"}},
+      "atmosphere": {{"profile": "US standard 1976", "aerosol": {{"type": "none"}}, "adjacency": false, "ozone": "{} DU", "sensor_altitude": "10 m"}},
       "sensor": {{"camera": {{"orthographic": {{"gsd": "1 m", "pixels": [1, 1], "view_zenith": "60 deg", "view_azimuth": "180 deg"}}}}, "stokes": true,
                   "channels": [{{"name": "uv", "monochromatic": {{"at": "{} um"}}}}]}},
       "sampling": {{"grid": {{"elements": [1, 1]}}}}}})",

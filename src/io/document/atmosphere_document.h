@@ -9,8 +9,7 @@
 
 namespace ifov::io {
 
-/// Between the scene and the camera (transmittance, path radiance) and between the Sun and the scene.
-/// What is absent changes nothing.
+/// Between scene and camera (transmittance, path radiance), Sun and scene. What is absent changes nothing.
 struct TabulatedAtmosphere {
   std::optional<SpectrumDocument> transmittance;
   std::optional<SpectrumDocument> path_radiance;
@@ -41,6 +40,8 @@ struct ModelledAtmosphere {
   atmosphere::AtmosphereDescription description;
   /// Above mean sea level; absent: a frame camera's own, else above the air.
   std::optional<double> sensor_altitude_km;
+  bool adjacency =
+      true;  ///< the scene's own ground lights the air, place by place; false: surroundings alone
 };
 
 /// What another code computed.

@@ -10,6 +10,7 @@
 #include "render/tolerance/accuracy_tolerance.h"
 #include "sampling/tile.h"
 #include "scene/scene.h"
+#include "transport/sky/adjacent_ground.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {
@@ -35,6 +36,8 @@ std::vector<AtmosphereHalfWidth> atmosphere_half_widths(const transport::Spectra
                                       &by_nodes = atmosphere.errors()[c].nodes;
     AtmosphereHalfWidth& air = all.emplace_back();
     air.path = error.path, air.surface = error.surface, air.sky = error.sky;
+    if (const transport::AdjacentGround* adjacent = scene.adjacent_ground())
+      air.path += adjacent->path_error[c];
     air.path_radiance = path[c];
     air.nodes_path = by_nodes.path, air.nodes_surface = by_nodes.surface, air.nodes_sky = by_nodes.sky;
     for (std::size_t n = nodes.first_node(c); n < nodes.first_node(c + 1); ++n) {

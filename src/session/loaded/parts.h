@@ -64,6 +64,7 @@ struct Parts {
       polarimetry;  ///< what the sensor does with it; null: radiance alone
   std::unique_ptr<sensor::Camera> camera;
   std::string assumed_surroundings;  ///< what they were taken to be where none are declared; empty: nothing
+  std::string ground_in_air;         ///< what of the ground lights a modelled atmosphere; empty without one
   std::shared_ptr<atmosphere::SensorAtmosphere> atmosphere;  ///< null without a modelled one
   std::unique_ptr<atmosphere::ImportedAtmosphere> imported;  ///< null without imported runs
   std::unique_ptr<radiometry::SpectralNodes> own_nodes;      ///< null with either

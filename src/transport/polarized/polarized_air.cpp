@@ -1,6 +1,7 @@
 #include "transport/polarized/polarized_air.h"
 
 #include "radiometry/polarization_frame.h"
+#include "transport/sky/adjacent_ground.h"
 #include "transport/spectral_scene.h"
 #include "transport/spectrum_arithmetic.h"
 #include "transport/view_table.h"
@@ -40,6 +41,12 @@ void PolarizedAir::add_path(const PathRecord::Path& path, const radiometry::Pola
     spectra::add_scaled(light[0], scene_.view_radiance(), 1.0f, n);
   else
     for (std::size_t k = 0; k < at.count; ++k) spectra::add_scaled(light[0], at.radiance[k], at.weight[k], n);
+  if (const AdjacentGround* adjacent = scene_.adjacent_ground()) {
+    if (table == nullptr)
+      adjacent->add(path.seen_x_m, path.seen_y_m, scene_.view_diffuse(), light[0]);
+    else
+      adjacent->add(path.seen_x_m, path.seen_y_m, table->diffuse(at), at.weight, light[0]);
+  }
   if (polarized == nullptr) return;
   const ViewTable::Polarization added = polarized->polarization(at, path.towards_sensor, frame);
   for (std::size_t k = 0; k < at.count; ++k) {

@@ -6,6 +6,7 @@
 
 #include "scene/scene.h"
 #include "transport/polarized/lobe_mueller.h"
+#include "transport/sky/adjacent_ground.h"
 #include "transport/sky/sky_dome.h"
 #include "transport/spectral_scene.h"
 #include "transport/spectrum_arithmetic.h"
@@ -144,6 +145,10 @@ void PolarizedPathLight::start_at_sky(const PathRecord::Path& path, const Polari
       for (std::size_t c = 0; c < (arriving_.polarized ? 3u : 1u); ++c)
         spectra::scale(arriving_.rows[c], share, n_);
     }
+    if (const AdjacentGround* adjacent = scene_.adjacent_ground();
+        adjacent != nullptr && path.first != PathVertex::kNone)
+      adjacent->brighten(path.seen_x_m, path.seen_y_m,
+                         arriving_.rows[0]);  // what the ground adds is unpolarized
   }
   const auto& disc = scene_.scene().sun;
   if (path.escaped_sees_sun && disc && disc->half_angle_rad > 0.0 && direction.z > 0.0 &&

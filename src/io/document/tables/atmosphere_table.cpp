@@ -172,9 +172,12 @@ SchemaType<AtmosphereDocument> atmosphere_type() {
       .optional(
           "sensor_altitude", modelled(&ModelledAtmosphere::sensor_altitude_km),
           quantity(kLength, Range::above(0.0, "m"), 1e-3),
-          "of the sensor above mean sea level; without it that of a frame camera, and above all air for an orthographic one");
+          "of the sensor above mean sea level; without it that of a frame camera, and above all air for an orthographic one")
+      .with_default(
+          "adjacency", modelled(&ModelledAtmosphere::adjacency), boolean(), "true",
+          "whether the scene's own ground lights the air about each pixel; `false`: the surroundings alone do");
   for (const char* key : {"levels", "ground_altitude", "water_vapour", "ozone", "co2", "ch4", "n2o",
-                          "aerosol", "sensor_altitude"})
+                          "aerosol", "sensor_altitude", "adjacency"})
     record.needs(key, "profile");
   SchemaType<AtmosphereDocument> type = record.type();
   return {type.description,
