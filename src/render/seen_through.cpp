@@ -86,7 +86,8 @@ void SeenThrough::follow(std::span<math::Ray> rays, std::span<geometry::SurfaceP
     for (std::size_t j = 0; j < next_.size(); ++j) {
       const std::uint32_t k = next_[j];
       if (ways_[j] == Way::bent_mirror) {
-        states[k] = sampling::hash(states[k], hits_[j].hit() ? 5u : 4u) | 1;
+        states[k] = hits_[j].hit() ? (sampling::hash(states[k], 5u) | kUnevenState) | 1
+                                   : (sampling::hash(states[k], 4u) & ~kUnevenState) | 1;
         continue;
       }
       rays[k] = rays_[j];
@@ -97,7 +98,7 @@ void SeenThrough::follow(std::span<math::Ray> rays, std::span<geometry::SurfaceP
         met = sampling::hash(hits[k].instance, hits[k].patch, material, hits[k].front ? 3u : 2u);
         going_.push_back(k);
       }
-      states[k] = sampling::hash(states[k], met) | 1;
+      states[k] = (sampling::hash(states[k], met) & ~kUnevenState) | 1;
     }
   }
 }

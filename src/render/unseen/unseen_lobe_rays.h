@@ -35,6 +35,9 @@ struct UnseenLobes::Told {
         highlights(pixels * channels, 0.0),
         thrown_wide(highlights),
         thrown_flat(highlights),
+        paths(pixels, 0.0),
+        first_moment(pixels, 0.0),
+        second_moment(pixels, 0.0),
         unknown(pixels, 0) {}
   void add(std::vector<double>& what, std::size_t pixel, double share,
            std::span<const double> radiance) const {
@@ -43,6 +46,9 @@ struct UnseenLobes::Told {
   std::size_t channels;
   std::vector<double> highlights, thrown_wide,
       thrown_flat;            ///< the latter by lobes as wide as finds what bends, what is flat
+  std::vector<double> paths;  ///< of a pixel, so far
+  /// By pixel: mean and mean square of what a scattered path of it finds of thrown light, over the usual radiance.
+  std::vector<double> first_moment, second_moment;
   std::vector<char> unknown;  ///< by pixel: not all that shines is known
 };
 

@@ -207,7 +207,7 @@ void UnseenLobes::add_highlights(const std::vector<Met>& level, const Grid& grid
         double fills_px2 = 1.0;
         for (const double wide : spread)
           fills_px2 *= std::min(1.0, 2.0 * core / (kLatticeAcross * std::max(wide, 1e-9)));
-        if (fills_px2 > kMet_px2) continue;
+        if (fills_px2 > kMet_px2 || fills_px2 * told.paths[pixel] > kKnown) continue;
         const double widest = std::min(kNothingKnown, std::max(spread[0], spread[1]));
         const double share = here.brightness * shown(here, target, 0.5 * kBeyondLattice * widest);
         if (!(share * part.contrast > kLeastShown) || !is_free(here, target, counts)) continue;
@@ -221,7 +221,7 @@ void UnseenLobes::add_thrown(const std::vector<Met>& level, std::uint64_t number
                              Told& told, sampling::RayCounts& counts) const {
   struct Sent {
     std::size_t pixel;
-    double weight, flat_slope;
+    double weight, flat_slope, spread;
   };
   std::vector<Sent> sent;
   std::vector<math::Ray> rays;
@@ -257,7 +257,7 @@ void UnseenLobes::add_thrown(const std::vector<Met>& level, std::uint64_t number
                         here.brightness * here.spread * std::abs(dot(here.normal, direction)) *
                             cone.solid_angle_sr() * all / views[picked] /
                             (std::numbers::pi * kThrownRays * kLatticeAcross * kLatticeAcross),
-                        kFlatSlope * std::sqrt(cone.solid_angle_sr())});
+                        kFlatSlope * std::sqrt(cone.solid_angle_sr()), here.brightness * here.spread});
         rays.push_back({.origin_m = from, .direction = direction, .time_s = here.time_s});
       }
     }
@@ -268,6 +268,7 @@ void UnseenLobes::add_thrown(const std::vector<Met>& level, std::uint64_t number
     const Met thrower = met(rays[k], hits[k]);
     if (!thrower.any || !(thrower.narrow > 0.0)) continue;
     if (!parts_.complete()) told.unknown[sent[k].pixel] = 1;
+    double found = 0.0;  // as a path finds it
     for (const Target& target : targets_) {
       const transport::ShiningParts::Part& part = parts_.parts()[target.part];
       const double wide = shown(thrower, target, kWideSlope),
@@ -275,9 +276,12 @@ void UnseenLobes::add_thrown(const std::vector<Met>& level, std::uint64_t number
       if (!(std::max(wide, flat) * sent[k].weight * part.contrast > kLeastShown) ||
           !is_free(thrower, target, counts))
         continue;
+      found += part.contrast * shown(thrower, target, 0.0);
       told.add(told.thrown_wide, sent[k].pixel, sent[k].weight * wide, parts_.highest(part.assignment));
       told.add(told.thrown_flat, sent[k].pixel, sent[k].weight * flat, parts_.highest(part.assignment));
     }
+    told.first_moment[sent[k].pixel] += sent[k].weight * found;
+    told.second_moment[sent[k].pixel] += sent[k].weight * sent[k].spread * found * found;
   }
 }
 
@@ -294,6 +298,8 @@ void UnseenLobes::settle(const AccuracyTolerance* tolerance, sampling::TileResul
   for (std::size_t k = 0; k < points.size(); ++k) rays.places.push_back(k);
   camera_.rays(points, rays.rays);
   Told told(static_cast<std::size_t>(tile.tile.count()), scene_.nodes().channel_count());
+  for (std::size_t p = 0; p < told.paths.size(); ++p)
+    told.paths[p] = static_cast<double>(tile.radiance_evaluations[p]);
   std::vector<Met> level, before;
   for (std::uint64_t number = 0; number < kMostLevels && !rays.rays.empty(); ++number) {
     before = std::move(level);
@@ -306,17 +312,23 @@ void UnseenLobes::settle(const AccuracyTolerance* tolerance, sampling::TileResul
   for (int y = 0; y < grid.height; ++y)
     for (int x = 0; x < grid.width; ++x) {
       const auto pixel = static_cast<std::size_t>(y * grid.width + x);
+      const auto around = [&](const std::vector<double>& what, std::size_t per_pixel, std::size_t c) {
+        double sum = 0.0;
+        int count = 0;
+        for (int j = std::max(0, y - 1); j <= std::min(grid.height - 1, y + 1); ++j)
+          for (int i = std::max(0, x - 1); i <= std::min(grid.width - 1, x + 1); ++i, ++count)
+            sum += what[static_cast<std::size_t>(j * grid.width + i) * per_pixel + c];
+        return sum / count;
+      };
+      const double first = around(told.first_moment, 1, 0), second = around(told.second_moment, 1, 0);
+      // As many paths as if each of them found all or nothing of it.
+      const bool known = told.paths[pixel] * first * first > kKnown * second && second > 0.0;
       for (std::size_t c = 0; c < told.channels; ++c) {
         const auto most = [&](const std::vector<double>& what) {
-          double around = 0.0;
-          int count = 0;
-          for (int j = std::max(0, y - 1); j <= std::min(grid.height - 1, y + 1); ++j)
-            for (int i = std::max(0, x - 1); i <= std::min(grid.width - 1, x + 1); ++i, ++count)
-              around += what[static_cast<std::size_t>(j * grid.width + i) * told.channels + c];
-          return std::max(what[pixel * told.channels + c], around / count);
+          return std::max(what[pixel * told.channels + c], around(what, told.channels, c));
         };
-        more[c] =
-            kCaution * (most(told.highlights) + std::max(most(told.thrown_wide), most(told.thrown_flat)));
+        const double thrown = known ? 0.0 : std::max(most(told.thrown_wide), most(told.thrown_flat));
+        more[c] = kCaution * (most(told.highlights) + thrown);
       }
       widening.widen(pixel, more, tile);
       if (told.unknown[pixel] != 0) tile.set(pixel, sampling::Reason::unseen_light);

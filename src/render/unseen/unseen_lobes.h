@@ -31,6 +31,8 @@ class UnseenLobes {
 
   /// A highlight that fills more of a pixel is met by paths.
   static constexpr double kMet_px2 = 0.5;
+  /// Light that so many of a pixel's paths have found is known as well as the pixel's error says.
+  static constexpr double kKnown = 30.0;
   /// As UnseenLight's: times what may be there, in the pixel or in the mean of its neighbourhood in the tile; less than a
   /// share of what was asked for is left alone.
   static constexpr double kCaution = 2.0, kNegligible = 0.1;
