@@ -99,8 +99,9 @@ std::array<sampling::TileResult, 2> rendered(const std::string& sampling, std::u
 
 TEST(NarrowLobes, PolishedMetalBesideHotThingsLoadsWithAWord) {
   Warnings warnings;
-  Session::load(io::parse_document(hot_beside_chrome(R"({"accuracy": {"error": "3 %"}})", metal(0.05)), "chrome.json"),
-                &warnings);
+  Session::load(
+      io::parse_document(hot_beside_chrome(R"({"accuracy": {"error": "3 %"}})", metal(0.05)), "chrome.json"),
+      &warnings);
   EXPECT_NE(warnings.text.find(
                 "material 'chrome' has a lobe of roughness 0.05: what lobes narrower than 0.1 throw on "
                 "other surfaces of the light of what outshines the scene, and small highlights of it, are "

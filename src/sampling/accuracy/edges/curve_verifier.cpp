@@ -153,8 +153,7 @@ void CurveVerifier::accept(CurveCheck& check) {
   curve.high = check.high;
   curve.bend = check.middle();
   curve.measured = check.measured;
-  curve.middle_width =
-      (check.confirmed ? check.smooth ? 0.4 : 0.5 : 1.0) * (check.high - check.low);
+  curve.middle_width = (check.confirmed ? check.smooth ? 0.4 : 0.5 : 1.0) * (check.high - check.low);
   curve.leg_width = check.corner ? 2.0 * std::max(check.tolerance, check.blur) : 0.0;
   cell.kind = CellKind::chord;
   pixels_.stir(cell.pixel);
