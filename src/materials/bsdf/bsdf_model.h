@@ -28,7 +28,7 @@ struct BsdfParameter {
   };
   std::string_view key, doc;
   Form form = Form::number;
-  double low = 0.0, high = 1.0;  ///< of numbers; of angles in deg, of lengths in mm
+  double low = 0.0, high = 1.0;        ///< of numbers; of angles in deg, of lengths in mm
   std::string_view default_json = {};  ///< empty: the document has to give it, unless it is optional
   bool optional = false;               ///< may be left out without a default; then the inputs lack it
   std::span<const std::string_view> (*choices)() = nullptr;  ///< of a word
