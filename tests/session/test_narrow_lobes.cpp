@@ -116,7 +116,7 @@ int wrong_and_sure(const sampling::TileResult& said, const sampling::TileResult&
     const double off = std::abs(static_cast<double>(said.mean[p] - truth.mean[p])),
                  known = static_cast<double>(said.half_width[p] + truth.half_width[p]);
     // A lobe's image of an edge is as blurred as the lobe is wide.
-    wrong += said.converged(p) && off > 2.0 * known;
+    wrong += said.converged(p) && off > 1.5 * known;
   }
   return wrong;
 }
