@@ -169,7 +169,8 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
     }
     labels[k] = label.pack();
     if (through_.any() && passed_[k] != 0)
-      labels[k] = SurfaceLabel::with_mirrored(labels[k], passed_[k] >> 20, false);
+      labels[k] = SurfaceLabel::with_mirrored(labels[k], passed_[k] >> 20,
+                                              (passed_[k] & SeenThrough::kUnevenState) != 0);
   }
   if (mirror_light_ != nullptr)
     mirror_light_->answer(counts_, [&](std::uint32_t k, std::uint64_t state, bool uneven) {

@@ -56,7 +56,7 @@ class SceneField final : public sampling::Field {
   /// of the scene; surface assignments that mix stand on none: BlendColumns::kNoMaterial.
   std::uint32_t material_of(sampling::Label label) const override;
   bool uneven(sampling::Label label) const override {
-    return SurfaceLabel::is_uneven(label, mirror_light_ != nullptr);
+    return SurfaceLabel::is_uneven(label, mirror_light_ != nullptr || through_.any_mirror());
   }
   /// The instance, where labels hold its whole number.
   std::uint32_t object_of(sampling::Label label) const override;

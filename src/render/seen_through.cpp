@@ -13,46 +13,70 @@ namespace {
 
 /// Surfaces that are looked through, one behind another.
 constexpr int kMostPassed = 8;
+/// Mirrors of them.
+constexpr std::uint8_t kMostReflections = 2;
 /// Of light: less shows nothing.
-constexpr double kFaint = 1e-3;
+constexpr double kFaint = 1e-3, kFaintImage = 0.02;
 
 }  // namespace
 
 SeenThrough::SeenThrough(const transport::SpectralScene& scene)
-    : scene_(scene), any_(scene.materials().any_pane() || scene.materials().any_medium()) {}
+    : scene_(scene),
+      passages_(scene.materials().any_pane() || scene.materials().any_medium()),
+      mirrors_(scene.scene().mirror_assignments()),
+      any_(passages_ || !mirrors_.empty()) {}
 
-bool SeenThrough::turn(math::Ray& ray, const geometry::SurfacePoint& hit, bool only_straight) const {
+SeenThrough::Way SeenThrough::turn(math::Ray& ray, const geometry::SurfacePoint& hit,
+                                   bool only_straight) const {
+  const bool mirrors = !only_straight && !mirrors_.empty() && mirrors_[hit.material];
+  if (!passages_ && !mirrors) return Way::none;
   const scene::ResolvedSurface surface = scene_.scene().resolve(hit);
   materials::BsdfEvent view = transport::delta_view(-ray.direction, hit, surface);
-  view.side = materials::Side::transmitted;
   for (const scene::Constituent& part : surface) {
     const materials::NodeBsdf* model = scene_.materials().directional(part.material);
     const materials::Bsdf& bsdf = *scene_.scene().materials[part.material].bsdf;
-    if (model == nullptr || bsdf.passage() == materials::Passage::none || !bsdf.is_delta()) continue;
+    if (!bsdf.is_delta()) continue;
+    const bool mirror = bsdf.passage() == materials::Passage::none;
+    if (mirror ? !mirrors : model == nullptr) continue;
     if (only_straight && bsdf.passage() != materials::Passage::straight) continue;
-    if (!(part.weight * model->highest_share(view, view.side) > kFaint)) continue;
+    view.side = mirror ? materials::Side::reflected : materials::Side::transmitted;
+    const double share =
+        model != nullptr ? model->highest_share(view, view.side) : scene_.brightest(part.material);
+    if (!(part.weight * share > (mirror ? kFaintImage : kFaint))) continue;
     const materials::BsdfSample sample = bsdf.sample(view, 0.5, 0.5);
     if (!(sample.weight > 0.0)) continue;
-    ray = ray.onward(transport::beyond_surface(hit), sample.incoming);
-    return true;
+    if (!mirror) {
+      ray = ray.onward(transport::beyond_surface(hit), sample.incoming);
+      return Way::through;
+    }
+    const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
+    if (!(math::dot(sample.incoming, outward) > 0.0)) continue;
+    ray = ray.onward(hit.position_m + hit.offset_m * outward, sample.incoming);
+    const bool flat =
+        hit.bend == geometry::Bend::none && !scene_.scene().assignments[hit.material].bends_normals();
+    return flat ? Way::flat_mirror : Way::bent_mirror;
   }
-  return false;
+  return Way::none;
 }
 
 void SeenThrough::follow(std::span<math::Ray> rays, std::span<geometry::SurfacePoint> hits,
                          std::span<std::uint64_t> states, sampling::RayCounts& counts) {
   going_.clear();
+  reflections_.assign(rays.size(), 0);
   for (std::uint32_t k = 0; k < rays.size(); ++k) {
     states[k] = 0;
     if (hits[k].hit()) going_.push_back(k);
   }
   for (int passed = 0; passed < kMostPassed && !going_.empty(); ++passed) {
     next_.clear();
+    ways_.clear();
     rays_.clear();
     for (const std::uint32_t k : going_) {
       math::Ray onward = rays[k];
-      if (!turn(onward, hits[k], false)) continue;
+      const Way way = turn(onward, hits[k], false);
+      if (way == Way::none || (way != Way::through && reflections_[k]++ >= kMostReflections)) continue;
       next_.push_back(k);
+      ways_.push_back(way);
       rays_.push_back(onward);
     }
     hits_.resize(rays_.size());
@@ -61,6 +85,11 @@ void SeenThrough::follow(std::span<math::Ray> rays, std::span<geometry::SurfaceP
     going_.clear();
     for (std::size_t j = 0; j < next_.size(); ++j) {
       const std::uint32_t k = next_[j];
+      if (ways_[j] == Way::bent_mirror) {
+        states[k] = hits_[j].hit() ? (sampling::hash(states[k], 5u) | kUnevenState) | 1
+                                   : (sampling::hash(states[k], 4u) & ~kUnevenState) | 1;
+        continue;
+      }
       rays[k] = rays_[j];
       hits[k] = hits_[j];
       std::uint64_t met = 1;
@@ -69,7 +98,7 @@ void SeenThrough::follow(std::span<math::Ray> rays, std::span<geometry::SurfaceP
         met = sampling::hash(hits[k].instance, hits[k].patch, material, hits[k].front ? 3u : 2u);
         going_.push_back(k);
       }
-      states[k] = sampling::hash(states[k], met) | 1;
+      states[k] = (sampling::hash(states[k], met) & ~kUnevenState) | 1;
     }
   }
 }
@@ -82,7 +111,7 @@ std::uint64_t SeenThrough::passed(math::Ray ray, sampling::RayCounts& counts) {
     scene_.scene().world->intersect({&ray, 1}, {&hit, 1});
     ++counts.shadow;
     if (!hit.hit()) return state;
-    if (!turn(ray, hit, true)) return 0;
+    if (turn(ray, hit, true) == Way::none) return 0;
     state = sampling::hash(state, scene_.scene().resolve(hit).constituents[0].material) | 1;
   }
   return 0;

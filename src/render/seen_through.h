@@ -14,28 +14,39 @@ class SpectralScene;
 
 namespace ifov::render {
 
-/// What lies behind panes and in media, for labels: so that edges which are seen, or throw shadows, through glass are found like
-/// others. An object serves one thread.
+/// What lies behind panes and in media, and what mirrors show, for labels: so that edges which are seen, or throw shadows, through
+/// glass or in a mirror are found like others. Flat mirrors show what stands before them as a window would; of what bends only
+/// whether it shows the sky is told, because it gathers so much in so little that all else would be clutter. An object serves one
+/// thread.
 class SeenThrough {
  public:
+  static constexpr std::uint64_t kUnevenState = 2;
+
   explicit SeenThrough(const transport::SpectralScene& scene);
 
-  /// Whether anything lets light pass.
+  /// Whether anything lets light pass, or reflects as a mirror.
   bool any() const { return any_; }
-  /// Replaces rays that met a pane or boundary, and what they met, by where they go on behind it and what they meet there;
-  /// `states`: by ray, the same 64 bits for what came the same way, 0 where nothing was passed.
+  bool any_mirror() const { return !mirrors_.empty(); }
+  /// Replaces rays that met a pane, a boundary or a flat mirror, and what they met, by where they go on and what they meet there;
+  /// `states`: by ray, the same 64 bits for what came the same way, 0 where nothing was passed; with kUnevenState where what is seen
+  /// may be many things.
   void follow(std::span<math::Ray> rays, std::span<geometry::SurfacePoint> hits,
               std::span<std::uint64_t> states, sampling::RayCounts& counts);
   /// Follows a ray that something blocks straight through panes: what those are that it passes, 0 where it is blocked.
   std::uint64_t passed(math::Ray ray, sampling::RayCounts& counts);
 
  private:
-  /// Turns a ray to where it goes on; false where nothing is seen through the surface.
-  bool turn(math::Ray& ray, const geometry::SurfacePoint& hit, bool only_straight) const;
+  enum class Way : std::uint8_t { none, through, flat_mirror, bent_mirror };
+  /// Turns a ray to where it goes on; none where nothing is seen through the surface, or in it.
+  Way turn(math::Ray& ray, const geometry::SurfacePoint& hit, bool only_straight) const;
 
   const transport::SpectralScene& scene_;
+  bool passages_ = false;
+  std::vector<bool> mirrors_;  // by surface assignment: it may reflect as a mirror; empty: none does
   bool any_ = false;
   std::vector<std::uint32_t> going_, next_;
+  std::vector<Way> ways_;
+  std::vector<std::uint8_t> reflections_;  // by ray
   std::vector<math::Ray> rays_;
   std::vector<geometry::SurfacePoint> hits_;
 };

@@ -10,6 +10,7 @@
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/unseen/unseen_emitters.h"
 #include "render/unseen/unseen_images.h"
+#include "render/unseen/unseen_lobes.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/pixel_limits.h"
 #include "sampling/tile.h"
@@ -37,7 +38,9 @@ UnsampledLight::UnsampledLight(const RenderJob& job, int threads, const CancelTo
     transport_.large_lobes = &highlights_->large();
     transport_.unsure_lobes = &highlights_->unsure();
   }
-  if (transport_.maximum_scatterings != 0) unseen_emitters_ = UnseenEmitters::find(job.scene, job.camera);
+  if (transport_.maximum_scatterings == 0) return;
+  unseen_emitters_ = UnseenEmitters::find(job.scene, job.camera);
+  unseen_lobes_ = UnseenLobes::find(job.scene, job.camera, job.seed);
 }
 
 UnsampledLight::~UnsampledLight() = default;
@@ -70,6 +73,7 @@ void UnsampledLight::add_to(sampling::TileResult& tile) const {
 void UnsampledLight::settle(sampling::TileResult& tile) const {
   if (unseen_emitters_ != nullptr) unseen_emitters_->settle(job_.tolerance, tile);
   if (unseen_images_ != nullptr) unseen_images_->settle(job_.tolerance, tile);
+  if (unseen_lobes_ != nullptr) unseen_lobes_->settle(job_.tolerance, tile);
 }
 
 }  // namespace ifov::render

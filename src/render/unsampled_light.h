@@ -21,6 +21,7 @@ class Highlights;
 class MirrorImages;
 class UnseenEmitters;
 class UnseenImages;
+class UnseenLobes;
 struct RenderJob;
 
 /// Light that a job's paths leave out: glints and images in mirrors, and highlights in narrow lobes, which are worked out beside them, and what may not be
@@ -52,6 +53,7 @@ class UnsampledLight {
   std::unique_ptr<const MirrorImages> mirror_images_;
   std::unique_ptr<const UnseenImages> unseen_images_;
   std::unique_ptr<const UnseenEmitters> unseen_emitters_;
+  std::unique_ptr<const UnseenLobes> unseen_lobes_;
 };
 
 }  // namespace ifov::render

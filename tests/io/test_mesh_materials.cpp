@@ -165,16 +165,39 @@ std::string picture_of(const std::string& image) {
 const std::string kInline =
     picture_of("{\"uri\": \"data:image/png;base64," + std::string(test::kPictureWithHole) + "\"}");
 
-TEST(MaterialsOfGltf, SayThatColoursByVertexAreNotUsed) {
-  const auto not_used = [](std::string text, bool coloured) {
-    const std::string set = "\"TEXCOORD_1\": 2";
-    if (coloured) text.replace(text.find(set), set.size(), "\"COLOR_0\": 0");
+/// As the material's colour, where they are all alike.
+TEST(MaterialsOfGltf, HaveTheColourOfTheirVertices) {
+  const auto tile = [](const char* colours) {
+    std::string text = gltf_text(textured(""), kInline);
+    const std::string set = "\"TEXCOORD_1\": 2", accessors = "\"accessors\": [";
+    if (colours != nullptr) text.replace(text.find(set), set.size(), colours);
+    // Six numbers of 0.5 in threes, and the triangle's coordinates less one.
+    text.replace(text.find(accessors), accessors.size(), R"("accessors": [
+      {"bufferView": 2, "componentType": 5126, "count": 2, "type": "VEC3"},)");
+    for (const char* name : {"\"POSITION\": 0", "\"TEXCOORD_0\": 1"}) {
+      const std::string from = name;
+      std::string to = from;
+      ++to.back();
+      text.replace(text.find(from), from.size(), to);
+    }
     const test::ScratchMesh file("a.gltf", text);
-    return named(read_mesh_materials(file.path()), "tile").not_used;
+    return named(read_mesh_materials(file.path()), "tile");
   };
-  const std::string text = gltf_text(textured("", R"(, {"name": "other"})"), kInline);
-  EXPECT_EQ(not_used(text, true), std::vector<std::string>{"colours by vertex (COLOR_0)"});
-  EXPECT_TRUE(not_used(text, false).empty());
+  EXPECT_EQ(tile(R"("COLOR_0": 0)").colour, (std::array{0.25, 0.5, 0.5}));
+  EXPECT_TRUE(tile(R"("COLOR_0": 0)").not_used.empty());
+  EXPECT_EQ(tile(nullptr).colour, (std::array{0.5, 1.0, 1.0}));
+  EXPECT_TRUE(tile(nullptr).not_used.empty());
+  EXPECT_EQ(tile(R"("COLOR_0": 1)").colour, (std::array{0.5, 1.0, 1.0}));
+  EXPECT_EQ(tile(R"("COLOR_0": 1)").not_used,
+            std::vector<std::string>{"colours that differ from vertex to vertex (COLOR_0)"});
+  try {
+    tile(R"("COLOR_0": 2)");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_TRUE(
+        after(error.what(), "a.gltf").starts_with(": accessor 2 (COLOR_0): its type does not suit its use"))
+        << error.what();
+  }
 }
 
 TEST(MaterialsOfGltf, AreBaseColours) {

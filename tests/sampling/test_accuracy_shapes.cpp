@@ -42,6 +42,50 @@ TEST(AccuracyShapes, DiscToAHundredthOfAKelvin) {
   EXPECT_GE(t.coverage(), 0.94);
 }
 
+/// A hot disc in a ring that is as cold as what lies around it: cells between the two borders have three labels and no model, so that
+/// curves beside them have no neighbour that tells how they bend. The mean of signed errors, in standard errors of it.
+double bias_in_a_ring(std::unique_ptr<sampling::PixelSampler> (*sampler)(const sampling::AccuracyOptions&),
+                      Trials& t) {
+  double sum = 0.0, squares = 0.0;
+  constexpr int kRings = 400;
+  for (int i = 0; i < kRings; ++i) {
+    Draw draw(7000 + static_cast<std::uint64_t>(i));
+    const DiscScene scene{1.5 + (draw() - 0.5) * 0.19, 1.5 + (draw() - 0.5) * 0.19, std::sqrt(0.08)};
+    ShapeField field(
+        [scene](double x, double y) {
+          const double square = (x - scene.x) * (x - scene.x) + (y - scene.y) * (y - scene.y);
+          return static_cast<sampling::Label>(square < 0.08 ? 1 : square < 0.16 ? 2 : 0);
+        },
+        [](sampling::Label label, double, double, int) {
+          return static_cast<float>(label == 1 ? kHot : kCold);
+        });
+    Rendering render = three_by_three(7000 + static_cast<std::uint64_t>(i));
+    render.half_width = 0.04 * scene.fraction() * (kHot - kCold);
+    render.sampler = sampler;
+    const sampling::TileResult result = render(field);
+    t.add(result, scene.truth(), field);
+    const double error = result.mean[4] - scene.truth();
+    sum += error;
+    squares += error * error;
+  }
+  const double mean = sum / kRings;
+  return mean / std::sqrt((squares / kRings - mean * mean) / kRings);
+}
+
+TEST(AccuracyShapes, BordersThatNothingContinuesAreNotTakenForStraight) {
+  Trials real, undithered;
+  const double bias = bias_in_a_ring(make_sampler<sampling::AccuracySampler>, real);
+  EXPECT_LT(std::abs(bias), 8.0);
+  EXPECT_GE(real.coverage(), 0.93);
+  EXPECT_LE(real.mean_samples(), 1200.0);
+  // Planted fault: middles are guessed to lie on the chord.
+  const double straight = bias_in_a_ring(make_sampler<SamplerOf<Undithered>>, undithered);
+  EXPECT_LT(straight, -16.0);
+  RecordProperty("bias", std::to_string(bias));
+  RecordProperty("straight", std::to_string(straight));
+  RecordProperty("samples", std::to_string(real.mean_samples()));
+}
+
 TEST(AccuracyShapes, TurnedSquare) {
   Trials t;
   for (int i = 0; i < kTrials; ++i) {

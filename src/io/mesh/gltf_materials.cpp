@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "io/files/input_file.h"
 #include "io/files/inputs.h"
+#include "io/mesh/gltf_accessor.h"
 #include "io/mesh/gltf_file.h"
 #include "io/mesh/mesh_materials.h"
 #include "io/raster/picture.h"
@@ -83,13 +84,49 @@ Wrap wrap_of(int code, const std::string& from, const std::string& file) {
   }
 }
 
-/// Numbers of the materials of which a part has colours by vertex.
-std::set<int> coloured_by_vertex(const tinygltf::Model& model) {
-  std::set<int> materials;
+/// Linear red, green, blue and opacity by which vertices multiply a material's colour.
+struct VertexColour {
+  std::array<double, 4> factor{1.0, 1.0, 1.0, 1.0};
+  bool known = false, differs = false;
+
+  /// Nearer than half a step of 8 bits is alike.
+  void add(const std::array<double, 4>& colour) {
+    constexpr double kAlike = 0.5 / 255.0;
+    for (std::size_t c = 0; c < factor.size(); ++c)
+      differs = differs || (known && std::abs(colour[c] - factor[c]) > kAlike);
+    if (!known) factor = colour;
+    known = true;
+  }
+};
+
+/// By number of the material; of parts without such colours white.
+std::map<int, VertexColour> vertex_colours(const tinygltf::Model& model, const std::string& file) {
+  std::map<int, VertexColour> colours;
   for (const tinygltf::Mesh& mesh : model.meshes)
-    for (const tinygltf::Primitive& primitive : mesh.primitives)
-      if (primitive.attributes.contains("COLOR_0")) materials.insert(primitive.material);
-  return materials;
+    for (const tinygltf::Primitive& primitive : mesh.primitives) {
+      VertexColour& own = colours[primitive.material];
+      const auto found = primitive.attributes.find("COLOR_0");
+      if (found == primitive.attributes.end()) {
+        own.add({1.0, 1.0, 1.0, 1.0});
+        continue;
+      }
+      const bool opacity =
+          found->second >= 0 && static_cast<std::size_t>(found->second) < model.accessors.size() &&
+          model.accessors[static_cast<std::size_t>(found->second)].type == TINYGLTF_TYPE_VEC4;
+      const GltfAccessor vertices(model, found->second, opacity ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3,
+                                  "COLOR_0", file);
+      for (std::size_t k = 0; k < vertices.count(); ++k) {
+        std::array<double, 4> colour{1.0, 1.0, 1.0, 1.0};
+        for (std::size_t c = 0; c < (opacity ? 4u : 3u); ++c) {
+          colour[c] = vertices.value(k, c);
+          if (!(colour[c] >= 0.0 && colour[c] <= 1.0))
+            fail_in_gltf(file, format("accessor {} (COLOR_0): vertex {} holds {:g}; expected 0 to 1",
+                                      found->second, k, colour[c]));
+        }
+        own.add(colour);
+      }
+    }
+  return colours;
 }
 
 }  // namespace
@@ -156,7 +193,7 @@ MeshMaterials read_gltf_materials(const std::filesystem::path& path, LogSink*) {
   const tinygltf::Model model = load_gltf(path, nullptr, GltfImages::kept);
   const std::vector<std::string> names = gltf_slot_names(model, true);
   Pictures pictures(model, path);
-  const std::set<int> coloured = coloured_by_vertex(model);
+  const std::map<int, VertexColour> by_vertex = vertex_colours(model, file);
   MeshMaterials all;
   all.source = path.filename().string();
   for (std::size_t k = 0; k < model.materials.size(); ++k) {
@@ -170,8 +207,13 @@ MeshMaterials read_gltf_materials(const std::filesystem::path& path, LogSink*) {
     for (const double value : base.baseColorFactor)
       if (!(value >= 0.0 && value <= 1.0))
         fail_in_gltf(file, format("{}: baseColorFactor holds {:g}; expected 0 to 1", from, value));
-    for (std::size_t c = 0; c < 3; ++c) material.colour[c] = base.baseColorFactor[c];
-    material.opacity = base.baseColorFactor[3];
+    const auto found = by_vertex.find(static_cast<int>(k));
+    const VertexColour vertices = found != by_vertex.end() ? found->second : VertexColour{};
+    const auto factor = [&](std::size_t c) {
+      return base.baseColorFactor[c] * (vertices.differs ? 1.0 : vertices.factor[c]);
+    };
+    for (std::size_t c = 0; c < 3; ++c) material.colour[c] = factor(c);
+    material.opacity = factor(3);
     if (source.alphaMode == "MASK")
       material.alpha = AlphaMode::mask;
     else if (source.alphaMode == "BLEND")
@@ -196,7 +238,7 @@ MeshMaterials read_gltf_materials(const std::filesystem::path& path, LogSink*) {
     not_used(
         base.metallicFactor > 0.0 && source.extensions.find("KHR_materials_unlit") == source.extensions.end(),
         "metalness");
-    not_used(coloured.contains(static_cast<int>(k)), "colours by vertex (COLOR_0)");
+    not_used(vertices.differs, "colours that differ from vertex to vertex (COLOR_0)");
     not_used(source.normalTexture.index >= 0, "normal map");
     not_used(source.emissiveTexture.index >= 0 ||
                  std::any_of(source.emissiveFactor.begin(), source.emissiveFactor.end(),

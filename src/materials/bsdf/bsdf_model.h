@@ -28,8 +28,7 @@ struct BsdfParameter {
   };
   std::string_view key, doc;
   Form form = Form::number;
-  double low = 0.0,
-         high = 1.0;  ///< of a number, of a spectrum's, an angle in degrees, or a length in millimetres
+  double low = 0.0, high = 1.0;        ///< of numbers; of angles in deg, of lengths in mm
   std::string_view default_json = {};  ///< empty: the document has to give it, unless it is optional
   bool optional = false;               ///< may be left out without a default; then the inputs lack it
   std::span<const std::string_view> (*choices)() = nullptr;  ///< of a word
@@ -53,8 +52,7 @@ struct BsdfInputs {
 
 /// A model of the registry: whoever reads documents, explains them or makes materials asks this.
 struct BsdfModel {
-  std::string_view key;  ///< in documents
-  std::string_view doc;
+  std::string_view key, doc;  ///< in documents
   std::vector<BsdfParameter> parameters;
   /// Throws InputError where the inputs contradict each other.
   std::shared_ptr<const Bsdf> (*make)(const BsdfInputs& inputs);

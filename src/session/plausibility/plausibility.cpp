@@ -1,7 +1,12 @@
 #include "session/plausibility/plausibility.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "core/format.h"
 #include "geometry/world/surface_survey.h"
+#include "materials/bsdf/narrow_lobes.h"
+#include "materials/material.h"
 #include "scene/scene.h"
 #include "session/loaded/parts.h"
 #include "session/plausibility/light_warnings.h"
@@ -34,6 +39,16 @@ void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log) {
         "light of surfaces that outshine the scene is sought by way of one mirror that is flat, a ball or a round "
         "column, not of other shapes or of several in turn: what those throw of it on other surfaces is found by chance "
         "alone, and pixels near them may be less sure than they say");
+  const std::vector<materials::Material>& materials = scene.scene().materials;
+  const auto rare = std::find_if(materials.begin(), materials.end(), [](const materials::Material& material) {
+    return materials::throws_rarely(*material.bsdf);
+  });
+  if (emitters->outshine() && rare != materials.end())
+    log.warn(format(
+        "material '{}' has a lobe of roughness {:g}: what lobes narrower than {:g} throw on other surfaces of the light "
+        "of what outshines the scene, and small highlights of it, are found by chance alone; pixels are marked "
+        "that it may reach",
+        rare->name, rare->bsdf->lobe_slopes().least, materials::kLeastFoundSlope));
   if (emitters->outshine() && scene.materials().any_medium())
     log.warn(
         "light of surfaces that outshine the scene is sought through panes, not through boundaries that refract it: what "

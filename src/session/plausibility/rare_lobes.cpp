@@ -22,13 +22,6 @@ void refuse_rare_lobes(const io::DocumentSources& sources, const io::SceneDocume
   };
   for (const materials::Material& material : scene.scene().materials) {
     const materials::Bsdf& bsdf = *material.bsdf;
-    if (sought && materials::throws_rarely(bsdf))
-      refuse(
-          material,
-          format(
-              "has a lobe of roughness {:g}; where lamps or hot things outshine the scene it has to be {:g} or "
-              "more: what a narrower one throws of their light is found so seldom that pixels would not know it",
-              bsdf.lobe_slopes().least, materials::kLeastFoundSlope));
     if (sought && bsdf.passed_spread() > 0.0)
       refuse(
           material,

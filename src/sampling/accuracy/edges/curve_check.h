@@ -19,7 +19,7 @@ constexpr double kLooseCurve = 0.05;
 constexpr double kCornerNear = 0.4, kCornerFar = 1.5;
 
 /// One tentative curve on its way through verification. Its middle is looked for on a line through the
-/// chord's middle; beyond the curve on that line the label is `far`, before it `near`.
+/// chord's middle; beyond the curve on that line the label is `far`, before it `near`. It is `guessed` where nothing predicts it.
 struct CurveCheck {
   enum class Stage { middle, far_side, bisect, legs, done };
   std::uint32_t cell = 0;
@@ -29,8 +29,8 @@ struct CurveCheck {
   double chord = 0.0, least = 0.0, most = 0.0, tolerance = 0.0, predicted = 0.0;
   double low = 0.0, high = 0.0, blur = 0.0;
   std::uint32_t far = 0, near = 0;
-  bool smooth = false, beyond_wrong = false, has_apex = false, corner = false, confirmed = false,
-       measured = false;
+  bool smooth = false, guessed = false, beyond_wrong = false, has_apex = false, corner = false,
+       confirmed = false, measured = false;
   Point2 apex;
   std::size_t first_point = 0;
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sampling/accuracy/basis/dither.h"
 #include "sampling/accuracy/borders/border_model.h"
 #include "sampling/accuracy/borders/contrast.h"
 #include "sampling/accuracy/borders/traced_pixels.h"
 #include "sampling/accuracy/edges/curve_check.h"
 #include "sampling/accuracy/edges/narrow_features.h"
+#include "sampling/hash.h"
 
 namespace ifov::sampling {
 
@@ -26,6 +28,8 @@ constexpr double kTrustedAnyway = 0.16;
 constexpr double kSeenWidth = 0.5;
 /// Only borders that go on, and gently so, may stay unverified: sagitta over chord, by either neighbour.
 constexpr double kGentleBend = 0.1;
+/// What the phase of a guessed middle is keyed by, beside its cell.
+constexpr std::uint64_t kMiddleDither = 0x6d6964646c65ull;
 
 /// A corner that the neighbours do not speak against: its height over the chord, and that of the leg over the chord's middle.
 struct PossibleCorner {
@@ -170,6 +174,14 @@ CurvePredictor::Verdict CurvePredictor::predict(CurveCheck& check) const {
     check.predicted = std::clamp(check.predicted, check.least, check.most);
   }
   const double disagreement = std::abs(curvature[0] - curvature[1]) * check.chord * check.chord / 8.0;
+  // No neighbour tells how it bends. Borders bend one way more often than the other: a middle that is taken to lie on the
+  // chord and confirmed within the tolerance would be off to the same side every time.
+  if (neighbours == 0) {
+    const std::uint64_t key =
+        hash(seed_, lattice.image_x(cell.x), lattice.image_y(cell.y), cell.level, kMiddleDither);
+    check.guessed = true;
+    check.predicted = (2.0 * dither_.phase(key) - 1.0) * check.tolerance;
+  }
   check.smooth = neighbours == 2 && disagreement <= std::max(1.5 * std::max(check.tolerance, blur),
                                                              0.35 * std::abs(check.predicted));
   return Verdict::look;

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstdint>
+
 namespace ifov::sampling {
 
 class BorderModel;
 class Contrast;
+class Dither;
 class NarrowFeatures;
 class TracedPixels;
 struct CurveCheck;
@@ -12,8 +15,13 @@ struct CurveCheck;
 class CurvePredictor {
  public:
   CurvePredictor(const BorderModel& model, const NarrowFeatures& features, const Contrast& contrast,
-                 const TracedPixels& pixels)
-      : model_(model), features_(features), contrast_(contrast), pixels_(pixels) {}
+                 const TracedPixels& pixels, const Dither& dither, std::uint64_t seed)
+      : model_(model),
+        features_(features),
+        contrast_(contrast),
+        pixels_(pixels),
+        dither_(dither),
+        seed_(seed) {}
 
   enum class Verdict {
     look,    ///< rays have to confirm it, as the check says
@@ -28,6 +36,8 @@ class CurvePredictor {
   const NarrowFeatures& features_;
   const Contrast& contrast_;
   const TracedPixels& pixels_;
+  const Dither& dither_;
+  std::uint64_t seed_;
 };
 
 }  // namespace ifov::sampling

@@ -97,7 +97,8 @@ void CurveVerifier::weigh_answers(CurveCheck& check, const std::uint32_t* seen) 
       return;
     case CurveCheck::Stage::bisect:
       (seen[0] == check.far ? check.high : check.low) = check.middle();
-      if (check.high - check.low > check.tolerance) return;
+      // Halves of twice the tolerance are not to depend on rounding.
+      if (check.high - check.low > 1.000001 * check.tolerance) return;
       check.measured = true;
       check.stage = CurveCheck::Stage::legs;
       if (check.middle() > 1.001 * check.most || check.middle() < 1.001 * check.least)

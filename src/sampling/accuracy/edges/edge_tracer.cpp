@@ -42,7 +42,7 @@ struct EdgeTracer::Parts {
         contradictions(model, contrast, pixels),
         complex(tree, features, contrast, pixels, options.thinnest_px),
         growth(tree, brackets, model, edge_cells, complex, features, contrast, pixels),
-        curve_predictor(model, features, contrast, pixels),
+        curve_predictor(model, features, contrast, pixels, dither, seed),
         curve_verifier(tree, model, curve_predictor, features, contrast, pixels, queries),
         junction_predictor(model),
         junction_verifier(tree, model, junction_predictor, complex, pixels, queries),
