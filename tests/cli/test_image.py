@@ -31,7 +31,7 @@ SCENE = """{
       {"name": "T", "monochromatic": {"at": "10 um"}}
     ]
   },
-  "sampling": {"accuracy": {"error": "0.4 %", "of": "image", "pooling": true, "audit": 20}, "tile": 9},
+  "sampling": {"accuracy": {"error": "0.7 %", "of": "image", "pooling": true, "audit": 20}, "tile": 9},
   "output": {"formats": ["envi"]}
 }
 """
