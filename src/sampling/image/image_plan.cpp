@@ -97,7 +97,8 @@ void look(const SurveyRequest& request, std::span<const Place> places, Field& fi
   }
 }
 
-/// True over told, every column counting as much: means of sums of squares, twice the square of half a difference being the variance.
+/// True over told by column: sums of squares, twice the square of half a difference being the variance. What few pixels tell of one
+/// column is put together with what they tell of all.
 class Factor {
  public:
   explicit Factor(std::size_t columns) : found_(columns, 0.0), told_(columns, 0.0) {}
@@ -106,17 +107,23 @@ class Factor {
     told_[c] += told;
   }
   void count() { ++pixels_; }
-  double of(double otherwise) const {
+  std::vector<double> of(std::vector<double> otherwise) const {
     constexpr int kFewest = 30;
-    constexpr double kLeast = 0.2, kMost = 4.0;
+    constexpr double kOfAll = 60.0;  // pixels
     double sum = 0.0;
     int columns = 0;
     for (std::size_t c = 0; c < told_.size(); ++c)
       if (told_[c] > 0.0) sum += found_[c] / told_[c], ++columns;
-    return pixels_ < kFewest || columns == 0 ? otherwise : std::clamp(sum / columns, kLeast, kMost);
+    if (pixels_ < kFewest || columns == 0) return otherwise;
+    for (std::size_t c = 0; c < told_.size(); ++c) {
+      const double all = sum / columns, own = told_[c] > 0.0 ? found_[c] / told_[c] : all;
+      otherwise[c] = std::clamp((pixels_ * own + kOfAll * all) / (pixels_ + kOfAll), kLeast, kMost);
+    }
+    return otherwise;
   }
 
  private:
+  static constexpr double kLeast = 0.2, kMost = 4.0;
   std::vector<double> found_, told_;
   int pixels_ = 0;
 };
@@ -215,8 +222,9 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
       rest.add(c, 2.0 * beyond * beyond, rest_told);
     }
   }
-  plan->direct_factor_ = {pure.of(all.of(1.0)), mixed.of(all.of(1.0))};
-  plan->rest_factor_ = rest.of(1.0);
+  const std::vector<double> one(columns, 1.0), of_direct = all.of(one);
+  plan->direct_factor_ = {pure.of(of_direct), mixed.of(of_direct)};
+  plan->rest_factor_ = rest.of(one);
 
   const auto add = [&](Kind& kind, const LevelVariances& pixel) {
     kind.mean.direct.resize(columns, 0.0);
@@ -229,8 +237,10 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
   };
   for (Surveyed& pixel : found)
     for (LevelVariances& variances : pixel.variances) {
-      for (double& value : variances.direct) value *= plan->direct_factor(pixel.mixed);
-      for (double& value : variances.rest) value *= plan->rest_factor_;
+      for (std::size_t c = 0; c < columns; ++c) {
+        variances.direct[c] *= plan->direct_factor(pixel.mixed, c);
+        variances.rest[c] *= plan->rest_factor(c);
+      }
       add(plan->all_, variances);
       add(plan->kinds_[pixel.material], variances);
     }
