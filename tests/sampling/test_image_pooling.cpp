@@ -70,7 +70,9 @@ Shrunk shrunk(double between, double noise, double trust) {
 TEST(LikePixels, ShrinkByWhatPixelsDifferBy) {
   const Shrunk alike = shrunk(0.0, 0.2, 1.0);
   EXPECT_LT(alike.after, 0.35 * alike.before);
-  EXPECT_NEAR(std::sqrt(alike.stated / alike.after), 1.0, 0.25);
+  // Pixels of scenes are never so alike: some of the error that they are taken to have is not there.
+  EXPECT_GT(std::sqrt(alike.stated / alike.after), 1.0);
+  EXPECT_LT(std::sqrt(alike.stated / alike.after), 1.35);
   // Where pixels differ by more than their noise nothing is gained and nothing lost.
   const Shrunk unlike = shrunk(0.6, 0.2, 1.0);
   EXPECT_LT(unlike.after, 1.05 * unlike.before);
