@@ -6,6 +6,7 @@
 
 #include "image_scenes.h"
 #include "sampling/hash.h"
+#include "sampling/image/allocation.h"
 #include "sampling/image/audit.h"
 #include "sampling/image/audited_sampler.h"
 #include "sampling/image/image_sampler.h"
@@ -69,7 +70,9 @@ Shrunk shrunk(double between, double noise, double trust) {
 TEST(LikePixels, ShrinkByWhatPixelsDifferBy) {
   const Shrunk alike = shrunk(0.0, 0.2, 1.0);
   EXPECT_LT(alike.after, 0.35 * alike.before);
-  EXPECT_NEAR(std::sqrt(alike.stated / alike.after), 1.0, 0.25);
+  // Pixels of scenes are never so alike: some of the error that they are taken to have is not there.
+  EXPECT_GT(std::sqrt(alike.stated / alike.after), 1.0);
+  EXPECT_LT(std::sqrt(alike.stated / alike.after), 1.35);
   // Where pixels differ by more than their noise nothing is gained and nothing lost.
   const Shrunk unlike = shrunk(0.6, 0.2, 1.0);
   EXPECT_LT(unlike.after, 1.05 * unlike.before);
@@ -115,6 +118,20 @@ TEST(RestModel, FindsSharesAndTheFirstLevel) {
   d = {2.0, 4.0};
   model.predict(Shares{{77, 1.0}}, d.data(), found.data());
   EXPECT_NEAR(found[0], 2.4, 0.2);
+}
+
+TEST(Allocation, RarePixelsOfAnEasyColumnGetTheirValues) {
+  // The first column is dear in all pixels; the second only noisy in a few, and within its limit whatever they get: a tree's near
+  // infrared in a street. What takes that error away costs next to nothing.
+  const LevelVariances street{{4.0, 0.01}, {0.5, 0.01}, {0.0, 0.0}},
+      tree{{4.0, 0.01}, {0.5, 60.0}, {0.0, 60.0}};
+  std::vector<SurveyedPixel> pixels;
+  for (int p = 0; p < 100; ++p)
+    pixels.push_back(p % 50 == 0 ? SurveyedPixel{tree, tree} : SurveyedPixel{street, street});
+  const Allocation allocation(pixels, {0.02, 0.1}, 2.0, 10000);
+  for (const double planned : allocation.planned()) EXPECT_LE(planned, 1.01);
+  EXPECT_GT(allocation.plan(allocation.sizes(tree)).whole, 60u);
+  EXPECT_LT(allocation.plan(allocation.sizes(street)).whole, 40u);
 }
 
 struct Found {

@@ -75,10 +75,11 @@ void ImageBlock::choose() {
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const std::span<const Label> labels = pilot_labels(k);
     materials_.push_back(main_material(field_, labels));
-    const double direct_factor = plan_.direct_factor(shows_several(field_, labels));
+    const bool mixed = shows_several(field_, labels);
     for (std::size_t c = 0; c < columns_; ++c) {
-      variances.direct[c] = direct_factor * static_cast<double>(pilot_.direct_variance[k * stride_ + c]);
-      variances.rest[c] = plan_.rest_factor() * static_cast<double>(pilot_.rest_variance[k * stride_ + c]);
+      variances.direct[c] =
+          plan_.direct_factor(mixed, c) * static_cast<double>(pilot_.direct_variance[k * stride_ + c]);
+      variances.rest[c] = plan_.rest_factor(c) * static_cast<double>(pilot_.rest_variance[k * stride_ + c]);
     }
     if (pooled) {
       own.push_back(allocation.sizes(variances).direct);
@@ -136,7 +137,7 @@ void ImageBlock::take_rest(std::size_t k) {
   const double whole = plans_[k].whole, freedom = whole + Allocation::kPilotWhole - 2.0;
   for (std::size_t c = 0; c < columns_; ++c) {
     const std::size_t at = k * stride_ + c;
-    const double own = plan_.rest_factor() *
+    const double own = plan_.rest_factor(c) *
                        ((whole - 1.0) * static_cast<double>(main_.rest_variance[at]) +
                         (Allocation::kPilotWhole - 1.0) * static_cast<double>(pilot_.rest_variance[at])) /
                        freedom,
@@ -180,11 +181,10 @@ void ImageBlock::estimate(std::size_t k) {
   estimate.variance_path.assign(columns_, 0.0);
   double direct_size = 0.0, rest_size = 0.0;  // of the pixel's variance, all columns together
   const bool mixed = estimate.materials.size() > 1;
-  const double direct_factor = plan_.direct_factor(mixed);
   for (std::size_t c = 0; c < columns_; ++c) {
     const std::size_t at = k * stride_ + c;
     estimate.mean[c] = static_cast<double>(direct_[at]) + static_cast<double>(rest_[at]);
-    const double own = direct_factor *
+    const double own = plan_.direct_factor(mixed, c) *
                        (fours * static_cast<double>(main_.direct_variance[at]) +
                         kPilotFours * finer * static_cast<double>(pilot_.direct_variance[at])) /
                        (fours + kPilotFours),

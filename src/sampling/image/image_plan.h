@@ -39,8 +39,8 @@ class ImagePlan final : public ImageSurvey {
   /// What variances that samples tell of themselves have to be multiplied by, of pixels of one material and of others: from pilots that
   /// were drawn twice, whose means differ by what is true. Where borders run, fours tell too much; nets tell too much of the second
   /// level. With the first level's goes what the two have in common.
-  double direct_factor(bool mixed) const { return direct_factor_[mixed ? 1 : 0]; }
-  double rest_factor() const { return rest_factor_; }
+  double direct_factor(bool mixed, std::size_t column) const { return direct_factor_[mixed ? 1 : 0][column]; }
+  double rest_factor(std::size_t column) const { return rest_factor_[column]; }
 
   /// What the second level is where it is pooled; null where it is not.
   const RestModel* rest_model() const { return rest_model_.get(); }
@@ -62,8 +62,8 @@ class ImagePlan final : public ImageSurvey {
   ImagePlan() = default;
   std::vector<double> limits_;
   std::unique_ptr<const Allocation> allocation_;
-  std::array<double, 2> direct_factor_{1.0, 1.0};
-  double rest_factor_ = 1.0;
+  std::array<std::vector<double>, 2> direct_factor_;
+  std::vector<double> rest_factor_;
   std::unique_ptr<const RestModel> rest_model_;
   std::map<std::uint32_t, Kind> kinds_;
   Kind all_;

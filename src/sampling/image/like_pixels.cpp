@@ -16,7 +16,7 @@ constexpr float kPriorPixels = 2.0f;
 /// How much any pixel of the block tells of how much a pixel differs, beside those that show the same, which tell 1.
 constexpr float kAnyPixel = 0.05f;
 /// However alike pixels seem, they differ by this share of their means' variance: what the block tells of it is not exact.
-constexpr float kLeastBetween = 0.1f;
+constexpr float kLeastBetween = 0.2f;
 
 double difference(const std::map<std::uint32_t, double>& a, const std::map<std::uint32_t, double>& b) {
   double sum = 0.0;
