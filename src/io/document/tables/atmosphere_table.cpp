@@ -172,9 +172,14 @@ SchemaType<AtmosphereDocument> atmosphere_type() {
       .optional(
           "sensor_altitude", modelled(&ModelledAtmosphere::sensor_altitude_km),
           quantity(kLength, Range::above(0.0, "m"), 1e-3),
-          "of the sensor above mean sea level; without it that of a frame camera, and above all air for an orthographic one");
+          "of the sensor above mean sea level; without it that of a frame camera, and above all air for an orthographic one")
+      .with_default(
+          "interval", modelled(&ModelledAtmosphere::interval), word({"numerical", "with model"}),
+          "\"numerical\"",
+          "what intervals hold of the air: how exactly this model is computed, or how far the model is from the "
+          "air besides; what is asked for is judged by the former");
   for (const char* key : {"levels", "ground_altitude", "water_vapour", "ozone", "co2", "ch4", "n2o",
-                          "aerosol", "sensor_altitude"})
+                          "aerosol", "sensor_altitude", "interval"})
     record.needs(key, "profile");
   SchemaType<AtmosphereDocument> type = record.type();
   return {type.description,
