@@ -180,6 +180,9 @@ ChannelModelError channel_model_error(const AtmosphereColumn& column, std::span<
   const double ground = profile.ground_km(), top = kTopOfAtmosphereKm;
   const double sensor = std::clamp(geometry.sensor_altitude_km, ground, top);
   const double view_slant = 1.0 / std::cos(geometry.view_zenith_rad);
+  constexpr double kLastLit_um =
+      5.0;  // beyond, what surfaces reflect of the Sun is a hundredth of what they emit
+  const bool sunlit = geometry.sun_zenith_rad && bins.front().wavelength_um < kLastLit_um;
   const bool glows = bins.back().wavelength_um >= kFirstThermal_um;
   const double end = std::max(sensor, ground + 1e-6);
 
@@ -215,7 +218,7 @@ ChannelModelError channel_model_error(const AtmosphereColumn& column, std::span<
     const LayerOptics& layers = optics.at(bins[b].bin).scattering;
     const double haze = view_slant * haze_depth_below(layers, column.levels(), end);
     seen_less += share * std::exp(-one + table.of_depth(um, {view_air, view_water, one, haze}));
-    if (geometry.sun_zenith_rad) {
+    if (sunlit) {
       const double two = gas_depth(nu, both, model);
       lit += share * std::exp(-two);
       lit_less += share * std::exp(-two + table.of_depth(

@@ -41,9 +41,7 @@ struct ModelledAtmosphere {
   atmosphere::AtmosphereDescription description;
   /// Above mean sea level; absent: a frame camera's own, else above the air.
   std::optional<double> sensor_altitude_km;
-  /// What intervals of radiance hold: "numerical", what this model of the air may be off by in numbers; "with model",
-  /// how far the model is from the air besides (docs/theory/atmosphere_model_error.md).
-  std::string interval = "numerical";
+  std::string interval = "numerical";  ///< or "with model": intervals hold how far the model is from the air
 };
 
 /// What another code computed.

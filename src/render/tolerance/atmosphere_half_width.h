@@ -34,22 +34,11 @@ struct AtmosphereHalfWidth {
     const double all = std::max(radiance / passed, before);  // at least what would leave so much, unpolarized
     return passed * (sum(path, surface, sky, all) + of_polarization_alone(all));
   }
-  /// How far the model itself may be off, beside all that, which is of the numbers
-  /// (docs/theory/atmosphere_model_error.md): of surfaces' light on its way to the sensor and of sunlight on its way to
-  /// them, relative; of sunlight the path scatters, and of emission beside depths, W m-2 sr-1 um-1; what the path emits
-  /// more with less absorption; of skylight, relative.
-  double model_surface = 0.0, model_sunlight = 0.0, model_path = 0.0, model_emission = 0.0, model_sky = 0.0;
-  double model_counted = 0.0;  ///< 1: intervals hold it
-
-  /// Of radiance, by the model's error alone.
-  double of_model(double radiance, double before = 0.0) const {
-    if (!(passed > 0.0)) return model_sum(radiance);
-    return passed * model_sum(std::max(radiance / passed, before));
-  }
-  /// What of it the interval has.
-  double in_interval(double radiance, double before = 0.0) const {
-    return model_counted > 0.0 ? of_model(radiance, before) : 0.0;
-  }
+  /// By the model's own error (docs/theory/atmosphere_model_error.md); model_counted 1: intervals hold it.
+  double model_surface = 0.0, model_sunlight = 0.0, model_path = 0.0, model_emission = 0.0, model_sky = 0.0,
+         model_counted = 0.0;
+  double of_model(double radiance, double before = 0.0) const;
+  double in_interval(double radiance, double before = 0.0) const;
   /// The nodes' part of it.
   double of_nodes(double radiance) const {
     if (!(passed > 0.0)) return sum(nodes_path, nodes_surface, nodes_sky, radiance);
@@ -60,17 +49,7 @@ struct AtmosphereHalfWidth {
   double of_polarization_alone(double radiance) const {
     return sum(polarization_path * path_radiance, 0.0, polarization_sky, radiance);
   }
-  /// Air that absorbs less shows more of the ground and less of itself: where both are as bright nothing is seen of it, but
-  /// for kApart of each, because not all gases err alike.
-  double model_sum(double radiance) const {
-    constexpr double kApart = 0.25;
-    const double from_surface = std::max(0.0, radiance - path_radiance),
-                 ground = model_surface * from_surface,
-                 contrast = std::max(ground + model_emission, -ground - model_emission),
-                 apart = kApart * (ground + std::max(model_emission, -model_emission));
-    return std::max(contrast, apart) + model_sunlight * from_surface + model_path +
-           model_sky * std::min(from_surface, white_in_sky);
-  }
+  double model_sum(double radiance) const;
   double sum(double of_path, double of_surface, double of_sky, double radiance) const {
     const double from_surface = std::max(0.0, radiance - path_radiance);
     return of_path + of_surface * from_surface + of_sky * std::min(from_surface, white_in_sky);
