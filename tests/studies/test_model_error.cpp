@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
-#include "atmosphere/sensor/model_error.h"
+#include "atmosphere/sensor/model_error_table.h"
 #include "core/error.h"
 #include "studies/atmosphere/atmosphere_results.h"
 #include "studies/atmosphere/model_comparisons.h"

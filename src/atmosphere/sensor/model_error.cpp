@@ -8,6 +8,7 @@
 
 #include "atmosphere/column/light_limits.h"
 #include "atmosphere/gas/gas_transmittance.h"
+#include "atmosphere/sensor/model_error_table.h"
 #include "atmosphere/sensor/sensor_geometry.h"
 #include "atmosphere/tables/table_text.h"
 #include "core/error.h"

@@ -12,6 +12,7 @@
 #include "atmosphere/sensor/channel_lights.h"
 #include "atmosphere/sensor/error_estimate.h"
 #include "atmosphere/sensor/model_error.h"
+#include "atmosphere/sensor/model_error_table.h"
 #include "core/parallel.h"
 #include "radiometry/channel_grid.h"
 #include "radiometry/planck.h"

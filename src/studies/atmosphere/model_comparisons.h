@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "atmosphere/sensor/model_error.h"
+#include "atmosphere/sensor/model_error_table.h"
 
 namespace ifov::studies {
 
