@@ -36,8 +36,56 @@ std::string atmosphere_error_note(std::span<const render::AtmosphereHalfWidth> a
       100.0 * low, 100.0 * high);
 }
 
+std::string model_error_note(std::span<const render::AtmosphereHalfWidth> air,
+                             std::span<const radiometry::Channel> channels) {
+  double low = 1e300, high = 0.0;
+  std::size_t worst = 0;
+  for (std::size_t c = 0; c < air.size(); ++c) {
+    const double share = air[c].of_model(air[c].grey_radiance) / air[c].grey_radiance;
+    low = std::min(low, share);
+    if (share > high) high = share, worst = c;
+  }
+  return format(
+      "error of the model of the air: {:.2g} to {:.2g} % of a grey surface's radiance, most in '{}'; intervals {}",
+      100.0 * low, 100.0 * high, channels[worst].name,
+      air[worst].model_counted > 0.0 ? "hold it"
+                                     : "do not hold it (\"interval\": \"with model\" in the atmosphere)");
+}
+
+namespace {
+
+/// The judged channels whose model is further from the air than what is asked for.
+void warn_of_model_errors(const Parts& parts, LogSink& log) {
+  const render::AccuracyRequest& request = *parts.plan.request;
+  std::size_t worst = 0, count = 0;
+  double most = 1.0;
+  for (std::size_t c = 0; c < parts.air.size(); ++c) {
+    const double grey = parts.air[c].grey_radiance, numbers = parts.air[c].of(grey);
+    if (!parts.tolerance->judged(static_cast<int>(c)) || !(numbers > 0.0)) continue;
+    const double share = parts.tolerance->atmosphere_share(c, grey) * parts.air[c].of_model(grey) / numbers;
+    if (share <= 1.0) continue;
+    ++count;
+    if (share > most) most = share, worst = c;
+  }
+  if (count == 0) return;
+  const std::string text = format(
+      "the model of the air is not as near to the air as what is asked for: over a grey surface it may be off by {} in "
+      "'{}'{}, whatever rays are traced; {} is then the accuracy of the numbers alone",
+      in_units(request, request.error * most), parts.channels[worst].name,
+      count > 1 ? format(" and by more than asked for in {} more", count - 1) : std::string(),
+      in_units(request, request.error));
+  // Who wants the model's error in intervals compares with the air; others compare images of the model.
+  if (parts.air[worst].model_counted > 0.0)
+    log.warn(text);
+  else
+    log.info(text);
+}
+
+}  // namespace
+
 void warn_of_atmosphere_errors(const Parts& parts, LogSink& log) {
   if (parts.air.empty() || !parts.tolerance) return;
+  warn_of_model_errors(parts, log);
   constexpr std::size_t kNamed = 4;
   std::size_t count = 0;
   double worst = 0.0;

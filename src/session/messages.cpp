@@ -101,7 +101,10 @@ std::vector<std::string> notes(const Parts& parts) {
                           ? "polarization: sky and path of imported runs are taken to be unpolarized"
                           : "polarization: the sky is unpolarized without a modelled atmosphere");
   }
-  if (!parts.air.empty()) lines.push_back(atmosphere_error_note(parts.air));
+  if (!parts.air.empty()) {
+    lines.push_back(atmosphere_error_note(parts.air));
+    lines.push_back(model_error_note(parts.air, parts.channels));
+  }
   for (const std::string& line :
        scale_statements(parts.map_scales, ground_sample_m(*parts.camera, *parts.scene.world)))
     lines.push_back(line);

@@ -130,6 +130,8 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   warn_of_light_left_out(p, *log);
   p.brightness = std::make_unique<render::ChannelBrightness>(*p.nodes);
   if (p.atmosphere) p.air = render::atmosphere_half_widths(*p.spectral_scene, *p.atmosphere);
+  if (document.atmosphere.modelled && document.atmosphere.modelled->interval == "with model")
+    for (render::AtmosphereHalfWidth& air : p.air) air.model_counted = 1.0;
   if (p.polarimetry) render::pass_optics(*p.polarimetry, p.air);
   if (!p.atmosphere) p.node_errors = render::node_half_widths(*p.spectral_scene);
   p.make_tolerance();

@@ -52,6 +52,37 @@ TEST_F(AtmosphereBudget, IsThePathAndWhatSurfacesSend) {
   EXPECT_DOUBLE_EQ(one_.of_nodes(110.0), 0.04 + 0.2 + 0.02);
 }
 
+// Ground as bright as the air behind which it lies hides the model's error, but for a quarter; other ground shows it.
+TEST_F(AtmosphereBudget, TheModelsErrorIsOfTheContrast) {
+  AtmosphereHalfWidth air = one_;
+  air.model_surface = 0.1, air.model_emission = -2.0, air.model_path = 0.5, air.model_sky = 0.05;
+  EXPECT_DOUBLE_EQ(air.of_model(30.0),
+                   0.25 * 4.0 + 0.5 + 1.0);  // 20 from the ground: 2 more of it, 2 less of the air
+  EXPECT_DOUBLE_EQ(air.of_model(110.0), 8.0 + 0.5 + 1.0);
+  EXPECT_DOUBLE_EQ(air.of_model(10.0), 2.0 + 0.5);
+  EXPECT_EQ(air.in_interval(30.0), 0.0);
+  air.model_counted = 1.0;
+  EXPECT_DOUBLE_EQ(air.in_interval(30.0), air.of_model(30.0));
+}
+
+// It widens intervals, and what was asked for is judged by the numbers.
+TEST_F(AtmosphereBudget, TheModelsErrorWidensAfterTheJudgement) {
+  const auto widened = [&](double counted) {
+    std::vector<AtmosphereHalfWidth> air = air_;
+    for (AtmosphereHalfWidth& one : air) one.model_surface = 0.1, one.model_counted = counted;
+    const AccuracyTolerance limits = tolerance(0.02);
+    sampling::TileResult result = tile(110.0f, 0.5f);
+    widen(air, &limits, result);
+    return result;
+  };
+  const sampling::TileResult without = widened(0.0), with = widened(1.0);
+  EXPECT_FLOAT_EQ(with.half_width[0], without.half_width[0] + 10.0f);
+  EXPECT_FLOAT_EQ(with.half_width[1], without.half_width[1] + 10.0f);
+  EXPECT_EQ(with.worst_ratio[0], without.worst_ratio[0]);
+  EXPECT_EQ(with.reasons, without.reasons);
+  EXPECT_TRUE(with.converged(0));
+}
+
 TEST_F(AtmosphereBudget, LeavesTheRestToTheSampler) {
   const AccuracyTolerance limits = tolerance(0.02);
   std::vector<double> mean{60.0, 60.0}, limit(2);

@@ -17,6 +17,18 @@ struct AtmosphereError {
   }
 };
 
+/// What the model's own error makes of a channel (docs/theory/atmosphere_model_error.md): what is true may lie anywhere
+/// between what was computed and what less (or as much more) absorption shows. Radiances in W m-2 sr-1 um-1.
+struct ChannelModelError {
+  double surface = 0.0;   ///< of light from surfaces on its way to the sensor, relative
+  double sunlight = 0.0;  ///< of reflected sunlight on its way down, relative
+  double scattered = 0.0,
+         scattered_floor = 0.0;  ///< of sunlight scattered into the path, relative, and beside that
+  double emission = 0.0, emission_less = 0.0;   ///< what the path emits; its change with less absorption
+  double emission_other = 0.0;                  ///< how far it may be off beside that
+  double sky_emission = 0.0, sky_change = 0.0;  ///< mean over a level surface's view; how far that may be off
+};
+
 /// The same by where it comes from (docs/theory/atmosphere_error.md).
 struct AtmosphereErrors {
   AtmosphereError absorption;  ///< few absorption terms, layers of finite thickness
@@ -24,6 +36,8 @@ struct AtmosphereErrors {
   AtmosphereError nodes;       ///< few spectral nodes
   AtmosphereError sky;         ///< linear between the directions of the sky's table
   AtmosphereError lines_of_sight;  ///< between the lines of sight of the path's table
+
+  ChannelModelError model = {};  ///< not in total(), which is of the numbers
 
   AtmosphereError total() const {
     AtmosphereError sum = absorption;

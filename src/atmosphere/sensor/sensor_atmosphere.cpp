@@ -11,6 +11,8 @@
 #include "atmosphere/column/light_limits.h"
 #include "atmosphere/sensor/channel_lights.h"
 #include "atmosphere/sensor/error_estimate.h"
+#include "atmosphere/sensor/model_error.h"
+#include "atmosphere/sensor/model_error_table.h"
 #include "core/parallel.h"
 #include "radiometry/channel_grid.h"
 #include "radiometry/planck.h"
@@ -127,6 +129,7 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
       bins, channels);
   for (std::size_t c = 0; c < errors_.size(); ++c) {
     errors_[c].nodes.surface = nodes_.worst_error(c);
+    errors_[c].model = channel_model_error(column, bins[c], optics, alone, ModelErrorTable::built_in());
     errors_[c].lines_of_sight = line_of_sight_error(c, channels[c], inputs.ground);
   }
 }

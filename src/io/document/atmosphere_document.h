@@ -42,6 +42,7 @@ struct ModelledAtmosphere {
   std::optional<double> sensor_altitude_km;
   bool adjacency =
       true;  ///< the scene's own ground lights the air, place by place; false: surroundings alone
+  std::string interval = "numerical";  ///< or "with model": intervals hold how far the model is from the air
 };
 
 /// What another code computed.

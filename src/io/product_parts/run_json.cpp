@@ -39,6 +39,15 @@ void write_accuracy(JsonWriter& json, const RunRecord& record) {
 }
 
 void write_air(JsonWriter& json, const render::AtmosphereHalfWidth& air) {
+  json.object("model", [&] {
+    json.member("emission", air.model_emission);
+    json.member("in_interval", air.model_counted > 0.0);
+    json.member("of_grey_surface", air.of_model(air.grey_radiance));
+    json.member("path", air.model_path);
+    json.member("sky", air.model_sky);
+    json.member("sunlight", air.model_sunlight);
+    json.member("surface", air.model_surface);
+  });
   json.object("nodes", [&] {
     json.member("path", air.nodes_path);
     json.member("sky", air.nodes_sky);
@@ -63,6 +72,7 @@ void write_channel(JsonWriter& json, const render::ChannelInfo& channel, const C
   if (s.parts)
     json.object("mean_half_width_parts", [&] {
       json.member("air", s.parts->air);
+      if (channel.air && channel.air->model_counted > 0.0) json.member("model", s.parts->model);
       json.member("nodes", s.parts->nodes);
       json.member("sampling", s.parts->sampling);
     });

@@ -29,6 +29,7 @@ struct RunOutcome {
 struct HalfWidthParts {
   double sampling = 0.0;  ///< rays and what they cannot tell
   double air = 0.0;       ///< how the air was computed
+  double model = 0.0;     ///< the model of the air, where the interval holds its error
   double nodes = 0.0;     ///< few spectral nodes for a channel
 };
 

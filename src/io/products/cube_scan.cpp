@@ -29,7 +29,8 @@ std::optional<HalfWidthParts> parts_of(const std::optional<render::AtmosphereHal
   HalfWidthParts parts;
   parts.nodes = air->of_nodes(s.mean);
   parts.air = air->of(s.mean) - parts.nodes;
-  parts.sampling = std::max(0.0, s.mean_half_width - air->of(s.mean));
+  parts.model = air->in_interval(s.mean);
+  parts.sampling = std::max(0.0, s.mean_half_width - air->of(s.mean) - parts.model);
   return parts;
 }
 

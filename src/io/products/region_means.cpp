@@ -52,8 +52,9 @@ RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& r
       radiance.read(line, band, value);
       if (half_width) half_width->read(line, band, widths);
       if (const auto b = static_cast<std::size_t>(band); b < air.size() && air[b])
-        std::transform(value.begin(), value.end(), of_air.begin(),
-                       [&](float mean) { return static_cast<float>(air[b]->of(mean)); });
+        std::transform(value.begin(), value.end(), of_air.begin(), [&](float mean) {
+          return static_cast<float>(air[b]->of(mean) + air[b]->in_interval(mean));
+        });
       else
         std::fill(of_air.begin(), of_air.end(), 0.0f);
       for (std::size_t x = 0; x < width; ++x)

@@ -31,6 +31,17 @@ void put_atmosphere_half_width(const FinishedTile& of, ValueSink& sink) {
   sink.put(air);
 }
 
+void put_model_error(const FinishedTile& of, ValueSink& sink) {
+  const auto& channels = of.image.channels;
+  const sampling::TileLayer* const layer = of.tile.layer(render::StokesLayers::kBefore);
+  const std::span<const float> before = layer == nullptr ? std::span<const float>{} : layer->values<float>();
+  std::vector<float> model(of.tile.mean.size(), 0.0f);
+  for (std::size_t i = 0; i < model.size(); ++i)
+    if (const auto& channel = channels[i % channels.size()]; channel.air)
+      model[i] = static_cast<float>(channel.air->of_model(of.tile.mean[i], before.empty() ? 0.0 : before[i]));
+  sink.put(model);
+}
+
 }  // namespace
 
 constinit const Quantity kRadiance{.name = "radiance",
@@ -78,5 +89,17 @@ constinit const Quantity kAtmosphereHalfWidth{
     .band_names = {},
     .needs = {.errors = true, .air = true},
     .values = put_atmosphere_half_width};
+
+constinit const Quantity kAtmosphereModelError{
+    .name = "air_model_error",
+    .what = "how far the radiance may be off because the model of the air is not the air",
+    .unit = "",
+    .role = Quantity::Role::error,
+    .statistic = Quantity::Statistic::half_width,
+    .type = EnviType::float32,
+    .bands = Quantity::Bands::channels,
+    .band_names = {},
+    .needs = {.errors = true, .air = true},
+    .values = put_model_error};
 
 }  // namespace ifov::io::quantities

@@ -8,5 +8,7 @@ namespace ifov::io::quantities {
 extern const Quantity kRadiance, kStandardError, kHalfWidth;
 /// The part of the half-width that the air's computation adds.
 extern const Quantity kAtmosphereHalfWidth;
+/// What the model of the air may be off by, in intervals or not.
+extern const Quantity kAtmosphereModelError;
 
 }  // namespace ifov::io::quantities

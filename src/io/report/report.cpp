@@ -186,7 +186,9 @@ class Page {
         "\u00b5m</th>"
         "<th>FWHM, \u00b5m</th><th>Mean</th><th>Std. dev.</th><th>Minimum</th><th>Maximum</th>"
         "<th>Half-width, mean</th><th>largest</th>{}</tr></thead><tbody>",
-        split ? "<th>Mean by sampling</th><th>by the air</th><th>by nodes</th>" : "");
+        split
+            ? "<th>Mean by sampling</th><th>by the air</th><th>by nodes</th><th>by the model of the air</th>"
+            : "");
     for (std::size_t c = 0; c < record_.image.channels.size(); ++c) {
       const auto& channel = record_.image.channels[c];
       const auto& s = record_.statistics.channels.at(c);
@@ -195,8 +197,8 @@ class Page {
                              s.maximum, s.mean_half_width, s.largest_half_width})
         html += format("<td>{}</td>", figure(v));
       if (split)
-        for (const double HalfWidthParts::*part :
-             {&HalfWidthParts::sampling, &HalfWidthParts::air, &HalfWidthParts::nodes})
+        for (const double HalfWidthParts::*part : {&HalfWidthParts::sampling, &HalfWidthParts::air,
+                                                   &HalfWidthParts::nodes, &HalfWidthParts::model})
           html += format("<td>{}</td>", s.parts ? figure(*s.parts.*part) : "");
       html += "</tr>";
     }
@@ -206,7 +208,8 @@ class Page {
                escape_html(shown_unit(record_.image.radiance_unit)),
                split
                    ? " More rays narrow the part of sampling alone; that of the air, of how it was computed, and that of "
-                     "the nodes, few wavelengths that stand for a channel, are of the mean radiance."
+                     "the nodes, few wavelengths that stand for a channel, are of the mean radiance; so is that of the model of the "
+                     "air, 0 where intervals are of the numbers alone."
                    : "");
   }
 
@@ -331,6 +334,14 @@ class Page {
       json.member("sky", channel.air->sky);
       json.member("path_radiance", channel.air->path_radiance);
       json.member("white_in_sky", channel.air->white_in_sky);
+      if (!(channel.air->model_counted > 0.0)) return;
+      json.object("model", [&] {
+        json.member("surface", channel.air->model_surface);
+        json.member("sunlight", channel.air->model_sunlight);
+        json.member("emission", channel.air->model_emission);
+        json.member("path", channel.air->model_path);
+        json.member("sky", channel.air->model_sky);
+      });
     });
   }
 

@@ -15,7 +15,11 @@ const char* const kReportQualityScript = R"js(
   // mean is that of sampling/region_interval.h.
   function airWidth(b, l) {
     const a = meta.channels[b].air, own = a ? Math.max(0, l - a.path_radiance) : 0;
-    return a ? a.path + a.surface * own + a.sky * Math.min(own, a.white_in_sky) : 0;
+    if (!a) return 0;
+    const m = a.model, ground = m ? m.surface * own : 0, sky = Math.min(own, a.white_in_sky);
+    const model = m ? Math.max(Math.abs(ground + m.emission), (ground + Math.abs(m.emission)) / 4) + m.sunlight * own +
+      m.path + m.sky * sky : 0;
+    return a.path + a.surface * own + a.sky * sky + model;
   }
   function pixelLooked() {
     const i = state.y * W + state.x;

@@ -35,7 +35,13 @@ constexpr std::pair<const char*, double render::AtmosphereHalfWidth::*> kAtmosph
     {"nodes_path", &render::AtmosphereHalfWidth::nodes_path},
     {"nodes_surface", &render::AtmosphereHalfWidth::nodes_surface},
     {"nodes_sky", &render::AtmosphereHalfWidth::nodes_sky},
-    {"grey_radiance", &render::AtmosphereHalfWidth::grey_radiance}};
+    {"grey_radiance", &render::AtmosphereHalfWidth::grey_radiance},
+    {"model_surface", &render::AtmosphereHalfWidth::model_surface},
+    {"model_sunlight", &render::AtmosphereHalfWidth::model_sunlight},
+    {"model_path", &render::AtmosphereHalfWidth::model_path},
+    {"model_emission", &render::AtmosphereHalfWidth::model_emission},
+    {"model_sky", &render::AtmosphereHalfWidth::model_sky},
+    {"model_counted", &render::AtmosphereHalfWidth::model_counted}};
 
 void write_members(JsonWriter& json, const render::ImageInfo& image) {
   json.member("width_px", image.width_px);

@@ -21,6 +21,29 @@ namespace {
 /// (tests/transport/test_polarized_light.cpp).
 constexpr double kPathPolarization = 3e-3, kSkyPolarization = 0.02;
 
+/// By channel, from the ground to the sensor.
+std::vector<double> transmittances(const transport::SpectralScene& scene) {
+  const radiometry::SpectralNodes& nodes = scene.nodes();
+  std::vector<double> seen(nodes.channel_count(), 0.0);
+  for (std::size_t c = 0; c < seen.size(); ++c)
+    for (std::size_t n = nodes.first_node(c); n < nodes.first_node(c + 1); ++n)
+      seen[c] += nodes.node_weight(n) * scene.view_transmittance()[n];
+  return seen;
+}
+
+void add_model_error(const atmosphere::ChannelModelError& model, double transmittance,
+                     AtmosphereHalfWidth& air) {
+  air.model_surface = model.surface;
+  air.model_sunlight = model.sunlight;
+  air.model_emission = model.emission_less;
+  const double scattered = std::max(0.0, air.path_radiance - model.emission);
+  air.model_path = model.scattered * scattered + model.scattered_floor + model.emission_other;
+  if (!(air.white_in_sky > 0.0)) return;
+  const double warm = std::min(air.white_in_sky, transmittance * model.sky_emission);
+  const double of_warm = model.sky_emission > 0.0 ? model.sky_change / model.sky_emission : 0.0;
+  air.model_sky = (of_warm * warm + model.scattered * (air.white_in_sky - warm)) / air.white_in_sky;
+}
+
 }  // namespace
 
 std::vector<AtmosphereHalfWidth> atmosphere_half_widths(const transport::SpectralScene& scene,
@@ -31,6 +54,7 @@ std::vector<AtmosphereHalfWidth> atmosphere_half_widths(const transport::Spectra
   const std::vector<double> white = scene.white_reflected(), path = scene.path_radiance();
   std::vector<double> planck(nodes.node_count());
   nodes.planck(kGrey_k, planck);
+  const std::vector<double> seen = transmittances(scene);
   for (std::size_t c = 0; c < atmosphere.errors().size(); ++c) {
     const atmosphere::AtmosphereError error = atmosphere.errors()[c].total(),
                                       &by_nodes = atmosphere.errors()[c].nodes;
@@ -50,6 +74,7 @@ std::vector<AtmosphereHalfWidth> atmosphere_half_widths(const transport::Spectra
         if (material.bsdf->polarizes()) air.polarization_sky = kSkyPolarization;
     }
     air.grey_radiance += air.path_radiance + kGrey * white[c];
+    add_model_error(atmosphere.errors()[c].model, seen[c], air);
   }
   return all;
 }
@@ -82,7 +107,18 @@ void widen(std::span<const AtmosphereHalfWidth> air, const AccuracyTolerance* to
             c < channels ? air[c].of(mean[c], before) : air[channel].of_polarization(mean[channel], before);
       half_width[c] += static_cast<float>(more[c]);
     }
-    if (tolerance == nullptr) continue;
+    // What was asked for is judged by the numbers, which is what more or other computing may lower; the model's error is
+    // told of the same pixel beside it.
+    const auto add_model = [&] {
+      for (std::size_t c = 0; c < channels; ++c) {
+        const double before = optics ? static_cast<double>(tile.mean[p * columns + told + c]) : 0.0;
+        half_width[c] += static_cast<float>(air[c].in_interval(mean[c], before));
+      }
+    };
+    if (tolerance == nullptr) {
+      add_model();
+      continue;
+    }
     tolerance->asked(mean, limit);
     double worst = 0.0;
     bool no_room = false;
@@ -96,6 +132,7 @@ void widen(std::span<const AtmosphereHalfWidth> air, const AccuracyTolerance* to
     constexpr double kRounding = 1e-5;
     // What else kept a pixel from its limit is not the air's fault, unless the air alone would have.
     if (worst > 1.0 + kRounding && (no_room || tile.converged(p))) tile.set(p, sampling::Reason::air);
+    add_model();
   }
 }
 

@@ -34,6 +34,11 @@ struct AtmosphereHalfWidth {
     const double all = std::max(radiance / passed, before);  // at least what would leave so much, unpolarized
     return passed * (sum(path, surface, sky, all) + of_polarization_alone(all));
   }
+  /// By the model's own error (docs/theory/atmosphere_model_error.md); model_counted 1: intervals hold it.
+  double model_surface = 0.0, model_sunlight = 0.0, model_path = 0.0, model_emission = 0.0, model_sky = 0.0,
+         model_counted = 0.0;
+  double of_model(double radiance, double before = 0.0) const;
+  double in_interval(double radiance, double before = 0.0) const;
   /// The nodes' part of it.
   double of_nodes(double radiance) const {
     if (!(passed > 0.0)) return sum(nodes_path, nodes_surface, nodes_sky, radiance);
@@ -44,6 +49,7 @@ struct AtmosphereHalfWidth {
   double of_polarization_alone(double radiance) const {
     return sum(polarization_path * path_radiance, 0.0, polarization_sky, radiance);
   }
+  double model_sum(double radiance) const;
   double sum(double of_path, double of_surface, double of_sky, double radiance) const {
     const double from_surface = std::max(0.0, radiance - path_radiance);
     return of_path + of_surface * from_surface + of_sky * std::min(from_surface, white_in_sky);

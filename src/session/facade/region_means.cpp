@@ -42,6 +42,14 @@ std::vector<std::optional<render::AtmosphereHalfWidth>> air_of(const Record& run
     if (known["path"].is_number())
       air.back() = {known["path"].number(), known["surface"].number(), known["sky"].number(),
                     known["path_radiance"].number(), known["white_in_sky"].number()};
+    const Record model = known["model"];
+    if (!known["path"].is_number() || !model["surface"].is_number()) continue;
+    air.back()->model_surface = model["surface"].number();
+    air.back()->model_sunlight = model["sunlight"].number();
+    air.back()->model_path = model["path"].number();
+    air.back()->model_emission = model["emission"].number();
+    air.back()->model_sky = model["sky"].number();
+    air.back()->model_counted = model["in_interval"].boolean() ? 1.0 : 0.0;
   }
   return air;
 }

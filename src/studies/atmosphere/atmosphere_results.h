@@ -11,6 +11,8 @@
 
 namespace ifov::studies {
 
+struct ModelComparison;
+
 /// Published and computed reference data, one folder of small files, which are read in place.
 class ReferenceData {
  public:
@@ -57,6 +59,7 @@ AtmosphereSection terms_section(const AtmosphereOptions& options);
 AtmosphereSection scattering_section(const AtmosphereOptions& options);
 AtmosphereSection solar_codes_section(const AtmosphereOptions& options);
 AtmosphereSection thermal_codes_section(const AtmosphereOptions& options);
+AtmosphereSection model_section(const std::vector<ModelComparison>& comparisons);
 AtmosphereSection broadband_section(const AtmosphereOptions& options);
 AtmosphereSection nodes_section(const AtmosphereOptions& options);
 AtmosphereSection rendered_section(const AtmosphereOptions& options);

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/format.h"
 #include "studies/atmosphere/atmosphere_results.h"
+#include "studies/atmosphere/model_comparisons.h"
 #include "studies/common/report_figures.h"
 #include "studies/common/study_files.h"
 
@@ -63,6 +64,8 @@ StudyOutcome run_atmosphere_study(const StudyOptions& options) {
     sections.push_back(section(choices));
     if (options.log != nullptr) options.log->info(sections.back().title);
   }
+  const std::vector<ModelComparison> comparisons = model_comparisons(reference, options.is_quick() ? 24 : 6);
+  sections.push_back(model_section(comparisons));
   FigureTable all;
   for (const AtmosphereSection& section : sections) all.append(section.figures);
   StudyOutcome outcome{all.text(), {}, all.all_met()};
@@ -71,6 +74,7 @@ StudyOutcome run_atmosphere_study(const StudyOptions& options) {
     outcome.files.push_back(options.output_folder / name);
   };
   keep("figures.json", all.json());
+  keep("model_comparisons.csv", comparisons_csv(comparisons));
   ReportFigures drawn;
   keep("report.html", sections_page(kTitle, sections, drawn));
   for (const auto& file : drawn.write(options.output_folder)) outcome.files.push_back(file);

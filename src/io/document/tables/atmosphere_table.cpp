@@ -175,9 +175,14 @@ SchemaType<AtmosphereDocument> atmosphere_type() {
           "of the sensor above mean sea level; without it that of a frame camera, and above all air for an orthographic one")
       .with_default(
           "adjacency", modelled(&ModelledAtmosphere::adjacency), boolean(), "true",
-          "whether the scene's own ground lights the air about each pixel; `false`: the surroundings alone do");
+          "whether the scene's own ground lights the air about each pixel; `false`: the surroundings alone do")
+      .with_default(
+          "interval", modelled(&ModelledAtmosphere::interval), word({"numerical", "with model"}),
+          "\"numerical\"",
+          "what intervals hold of the air: how exactly this model is computed, or how far the model is from the "
+          "air besides; what is asked for is judged by the former");
   for (const char* key : {"levels", "ground_altitude", "water_vapour", "ozone", "co2", "ch4", "n2o",
-                          "aerosol", "sensor_altitude", "adjacency"})
+                          "aerosol", "sensor_altitude", "adjacency", "interval"})
     record.needs(key, "profile");
   SchemaType<AtmosphereDocument> type = record.type();
   return {type.description,
