@@ -98,9 +98,10 @@ class Surrounding {
   }
 
   /// Means over the ground about a place, by channel, of what is seen along the line of sight and what comes back. `sky`:
-  /// what the sky is brighter by, by place; null: nothing.
+  /// what the sky is brighter by, by place; null: nothing. `squares`: mean squares of what is seen along it; or null.
   void mean(const GroundLight& ground, double x_m, double y_m, std::size_t finest, const AdjacentGround* sky,
-            const std::vector<std::size_t>& first_node, float* up, float* down) const {
+            const std::vector<std::size_t>& first_node, float* up, float* down, float* squares) const {
+    if (squares != nullptr) std::fill_n(squares, channels_, 0.0f);
     std::fill_n(up, channels_, 0.0f);
     std::fill_n(down, channels_, 0.0f);
     for (std::size_t k = 0; k < places_.size(); ++k) {
@@ -122,6 +123,7 @@ class Surrounding {
         }
         up[c] += of_up[c] * value;
         down[c] += of_down[c] * value;
+        if (squares != nullptr) squares[c] += of_up[c] * value * value;
       }
     }
   }
@@ -168,8 +170,9 @@ class Filling {
     });
   }
   void mean(double x_m, double y_m, std::size_t finest, const AdjacentGround* sky, std::vector<float>& up,
-            std::vector<float>& down) const {
-    around_.mean(ground_, x_m, y_m, finest, sky, first_node_, up.data(), down.data());
+            std::vector<float>& down, std::vector<float>* squares = nullptr) const {
+    around_.mean(ground_, x_m, y_m, finest, sky, first_node_, up.data(), down.data(),
+                 squares != nullptr ? squares->data() : nullptr);
   }
 
  private:
@@ -189,19 +192,20 @@ std::vector<double> path_errors(const transport::SpectralScene& scene, const Gro
                                 const std::vector<atmosphere::ChannelSpread>& spreads) {
   const std::size_t channels = ground.channels(), across = grid.across();
   const radiometry::SpectralNodes& nodes = scene.nodes();
-  std::vector<float> up(channels), down(channels), coarse(channels);
-  std::vector<double> cells(channels, 0.0), lines(channels, 0.0);
+  std::vector<float> up(channels), down(channels), coarse(channels), squares(channels);
+  std::vector<double> cells(channels, 0.0), lines(channels, 0.0), photons(channels, 0.0);
   for (std::size_t j = 0; j < kErrorChecks; ++j)
     for (std::size_t i = 0; i < kErrorChecks; ++i) {
       const std::size_t column = (across - 2) * (2 * i + 1) / (2 * kErrorChecks),
                         row = (across - 2) * (2 * j + 1) / (2 * kErrorChecks);
       const double x = 0.5 * (grid.x_m(column) + grid.x_m(column + 1)),
                    y = 0.5 * (grid.y_m(row) + grid.y_m(row + 1));
-      filling.mean(x, y, 0, nullptr, up, down);
+      filling.mean(x, y, 0, nullptr, up, down, &squares);
       filling.mean(x, y, 1, nullptr, coarse, down);
       const AdjacentGround::Corners at = grid.at(x, y);
       for (std::size_t c = 0; c < channels; ++c) {
         cells[c] += square(static_cast<double>(up[c] - coarse[c]));
+        photons[c] += std::max(0.0, static_cast<double>(squares[c]) - square(static_cast<double>(up[c])));
         const std::size_t n = nodes.first_node(c);
         float between = 0.0f;
         for (std::size_t k = 0; k < 4; ++k) between += at.weight[k] * at.radiance[k][n];
@@ -216,12 +220,11 @@ std::vector<double> path_errors(const transport::SpectralScene& scene, const Gro
     for (std::size_t n = nodes.first_node(c); n < nodes.first_node(c + 1); ++n)
       diffuse +=
           nodes.node_weight(n) * static_cast<double>(scene.view_diffuse()[n]) * ground.node_brightness()[n];
-    const GroundSpread& spread = spreads[c].up;
-    const double photons =
-        spread.transmittance() > 0.0 ? spread.standard_error() / spread.transmittance() : 0.0;
+    // Shares of photons add up to 1: what is uncertain of their mean is how far from it their ground is.
+    const double effective = spreads[c].up.effective_photons();
+    const double of_photons = effective > 0.0 ? photons[c] / effective : 0.0;
     constexpr double kPlaces = static_cast<double>(kErrorChecks * kErrorChecks);
-    errors[c] =
-        diffuse * (kConfident * std::sqrt((cells[c] + lines[c]) / kPlaces) + photons * ground.contrast(c));
+    errors[c] = diffuse * kConfident * std::sqrt((cells[c] + lines[c] + of_photons) / kPlaces);
   }
   return errors;
 }

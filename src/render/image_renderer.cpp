@@ -28,7 +28,7 @@
 #include "sampling/tile.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
-#include "transport/mirror_light.h"
+#include "transport/mirrors/sun_disc.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {

@@ -10,6 +10,7 @@
 #include "sampling/warp.h"
 #include "sensor/camera.h"
 #include "transport/mirror_light.h"
+#include "transport/mirrors/sun_disc.h"
 #include "transport/path_tracer.h"
 #include "transport/spectral_scene.h"
 

@@ -9,12 +9,19 @@
 #include "geometry/surface_point.h"
 #include "geometry/world.h"
 #include "geometry/world/surface_survey.h"
-#include "transport/emitter_tree.h"
+#include "transport/shapes/emitter_shape.h"
+
+namespace ifov::scene {
+class RadiationPattern;
+}
 
 namespace ifov::transport {
 
+class EmitterTree;
 class SpectralScene;
+struct Emitter;
 struct EmitterChoice;
+struct GroupedRadiance;
 
 /// What of a scene light is sought from by next-event estimation: the pieces of surface that EmitterChoice names. Each is
 /// drawn from by EmitterTree and EmitterShape; what paths find by scattering is weighed against that by density().
@@ -33,7 +40,7 @@ class Emitters {
   /// Whether some are so bright that what is not sought of them is told (EmitterChoice::outshines()).
   bool outshine() const { return outshone_; }
   /// 0 where all that there is is left out.
-  std::size_t count() const { return emitters_.size(); }
+  std::size_t count() const { return names_.size(); }
   /// Whether some of what ought to be sought is not: on planes and height fields, of too many pieces, or because its material says so.
   bool leaves_some() const { return passes_over_ || declines_some_; }
   /// Whether some because its material says so.

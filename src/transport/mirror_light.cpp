@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "sampling/random.h"
-#include "sampling/warp.h"
+#include "sampling/hash.h"
 #include "transport/delta_events.h"
+#include "transport/mirrors/sun_disc.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::transport {
@@ -17,20 +16,6 @@ namespace {
 constexpr double kLeast = 1.0 / 64.0;
 
 }  // namespace
-
-std::vector<math::Vec3> fixed_disc_points(math::Vec3 towards_sun, double half_angle_rad) {
-  if (half_angle_rad <= 0.0) return {towards_sun};
-  constexpr double kRim = 0.97;
-  const sampling::TangentFrame frame(towards_sun);
-  const double sine = kRim * std::sin(half_angle_rad);
-  std::vector<math::Vec3> points;
-  for (int k = 0; k < 3; ++k) {
-    const double turn = 2.0 * std::numbers::pi * k / 3.0;
-    points.push_back(math::normalized(
-        frame.to_world({sine * std::cos(turn), sine * std::sin(turn), std::sqrt(1.0 - sine * sine)})));
-  }
-  return points;
-}
 
 std::unique_ptr<MirrorLight> MirrorLight::find(const SpectralScene& scene, const SunImages& images,
                                                int reflections) {

@@ -12,10 +12,6 @@ namespace ifov::transport {
 
 class SpectralScene;
 
-/// Three points near the rim of the Sun's disc about a direction, or that itself for a point Sun. They tell "all of it
-/// is seen" from "none" and "some"; where they are wrong labels are, which costs rays and nothing else.
-std::vector<math::Vec3> fixed_disc_points(math::Vec3 towards_sun, double half_angle_rad);
-
 /// What sunlight mirrors throw on surfaces, for labels: so that the rims of such light, and the gradients in it, are
 /// found like those of shadows. Of flat mirrors it says which images of which points of the disc are seen, of round
 /// ones how bright all are together, in steps of two.

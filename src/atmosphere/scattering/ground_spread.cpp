@@ -237,6 +237,7 @@ GroundSpread::GroundSpread(const std::vector<double>& altitude_km, const LayerOp
   const double n = static_cast<double>(photons);
   transmittance_ = sum / n;
   standard_error_ = std::sqrt(std::max(0.0, squares / n - transmittance_ * transmittance_) / n);
+  if (squares > 0.0) effective_photons_ = sum * sum / squares;
   if (sum > 0.0)
     for (double& share : shares_) share /= sum;
 }

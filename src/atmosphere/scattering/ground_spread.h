@@ -36,6 +36,8 @@ class GroundSpread {
   /// t_d (or S) of this column, and the standard error of either.
   double transmittance() const { return transmittance_; }
   double standard_error() const { return standard_error_; }
+  /// So many photons of one weight would tell shares as well: (sum w)^2 / sum w^2.
+  double effective_photons() const { return effective_photons_; }
   /// Shares [ring][sector], which add up to 1 (all 0 where nothing is scattered down).
   std::span<const double> shares() const { return shares_; }
   /// What comes from within a distance, between edges as if even over the logarithm; within the first edge even over
@@ -44,7 +46,7 @@ class GroundSpread {
 
  private:
   std::vector<double> shares_;
-  double transmittance_ = 0.0, standard_error_ = 0.0;
+  double transmittance_ = 0.0, standard_error_ = 0.0, effective_photons_ = 0.0;
 };
 
 }  // namespace ifov::atmosphere

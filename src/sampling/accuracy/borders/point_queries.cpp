@@ -1,6 +1,7 @@
 #include "sampling/accuracy/borders/point_queries.h"
 
 #include "sampling/accuracy/basis/label_table.h"
+#include "sampling/accuracy/borders/label_values.h"
 
 namespace ifov::sampling {
 
@@ -26,7 +27,7 @@ void PointQueries::value_new_labels() {
     }
   valued_ = table_.size();
   if (wanted.empty()) return;
-  values_.take(wanted, points);
+  LabelValues(ledger_, table_, contrast_, seed_).take(wanted, points);
   first_seen_point_.resize(table_.size(), points.back());
 }
 

@@ -5,15 +5,16 @@
 #include <vector>
 
 #include "sampling/accuracy/basis/ray_ledger.h"
-#include "sampling/accuracy/borders/label_values.h"
 
 namespace ifov::sampling {
+
+class Contrast;
 
 /// Asks for the labels of points, a batch at a time, and for first values of each label that is new.
 class PointQueries {
  public:
   PointQueries(RayLedger& ledger, LabelTable& table, Contrast& contrast, std::uint64_t seed)
-      : ledger_(ledger), table_(table), values_(ledger, table, contrast, seed) {}
+      : ledger_(ledger), table_(table), contrast_(contrast), seed_(seed) {}
 
   /// The next batch, to be filled; empty after each question.
   std::vector<FocalPoint>& points() { return points_; }
@@ -32,7 +33,8 @@ class PointQueries {
 
   RayLedger& ledger_;
   LabelTable& table_;
-  LabelValues values_;
+  Contrast& contrast_;
+  std::uint64_t seed_;
   std::vector<FocalPoint> points_;
   std::vector<std::uint32_t> labels_;
   std::vector<FocalPoint> first_seen_point_;  // by label
