@@ -17,7 +17,7 @@ namespace ifov::render {
 namespace {
 
 /// Seconds of search; what is larger than that many pixels shows its highlights well enough.
-constexpr std::size_t kMostTriangles = std::size_t{1} << 18, kMostCoarse = 2 * kMostTriangles;
+constexpr std::size_t kMostTriangles = std::size_t{1} << 18;
 
 /// Of triangles, where there are more things than have room. Most lie far from the highlight's middle, where little of its light is.
 constexpr std::array<GlintSearch::Coarseness, 6> kCoarseness{

@@ -77,16 +77,60 @@ void check_members(const DocumentNode& node, const ValueDescription& record) {
   }
 }
 
-Written written_members(const ValueDescription& record, Writing& writing, std::span<const std::string> only,
-                        const std::function<WrittenMember(std::size_t)>& write) {
+RecordRows::RecordRows(std::string name, std::string doc) {
+  description_.form = Form::record;
+  description_.expected = "an object";
+  description_.short_name = name;
+  description_.name = std::move(name);
+  description_.doc = std::move(doc);
+}
+
+std::shared_ptr<const RecordRows> RecordRows::shared() const {
+  return std::make_shared<const RecordRows>(*this);
+}
+
+void RecordRows::add(FieldDescription field, Read read, Write write, Written unwritten) {
+  description_.fields.push_back(std::move(field));
+  rows_.push_back({std::move(read), std::move(write), std::move(unwritten)});
+}
+
+void RecordRows::add_former_name(std::string name) {
+  description_.fields.back().former.push_back(std::move(name));
+}
+
+void RecordRows::add_need(std::string key, std::string other) {
+  description_.needs.emplace_back(std::move(key), std::move(other));
+}
+
+void RecordRows::read(void* record, const DocumentNode& node) const {
+  check_members(node, description_);
+  for (const SetDefault& set_default : defaults_) set_default(record);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const DocumentNode* member = node.find(description_.fields[i].key);
+    if (member != nullptr) rows_[i].read(record, *member);
+  }
+  for (const Check& check : checks_) check(record, node);
+}
+
+WrittenMember RecordRows::written_member(std::size_t row, const void* record, Writing& writing) const {
+  const FieldDescription& field = description_.fields[row];
+  const bool has_default = !field.default_json.empty();
+  WrittenMember member = rows_[row].write(record, !field.required && !has_default, writing);
+  if (member.is_given)
+    member.is_given =
+        !member.value || member.value != rows_[row].unwritten || (has_default && writing.all_keys);
+  return member;
+}
+
+Written RecordRows::written(const void* record, Writing& writing, std::span<const std::string> only) const {
   JsonValue::Members members;
-  std::vector<bool> group_given(record.group_required.size());
-  for (std::size_t i = 0; i < record.fields.size(); ++i) {
-    const FieldDescription& field = record.fields[i];
+  std::vector<bool> group_given(description_.group_required.size());
+  for (std::size_t i = 0; i < description_.fields.size(); ++i) {
+    const FieldDescription& field = description_.fields[i];
     const bool in_group = field.group >= 0;
     if (!only.empty() && std::find(only.begin(), only.end(), field.key) == only.end()) continue;
     if (in_group && group_given[static_cast<std::size_t>(field.group)]) continue;
-    WrittenMember member = write(i);
+    WrittenMember member = written_member(i, record, writing);
     if (!member.is_given && !field.required) continue;
     if (member.value) {
       members.emplace_back(field.key, std::move(*member.value));
@@ -99,8 +143,8 @@ Written written_members(const ValueDescription& record, Writing& writing, std::s
     if (!in_group) return std::nullopt;
   }
   for (std::size_t g = 0; g < group_given.size(); ++g) {
-    if (group_given[g] || !record.group_required[g]) continue;
-    if (writing.fault.empty()) writing.fault = list_names(keys_of(record, static_cast<int>(g)));
+    if (group_given[g] || !description_.group_required[g]) continue;
+    if (writing.fault.empty()) writing.fault = list_names(keys_of(description_, static_cast<int>(g)));
     return std::nullopt;
   }
   return members;

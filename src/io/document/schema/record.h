@@ -31,33 +31,68 @@ struct WrittenMember {
   Written value = std::nullopt;
 };
 
-/// The members of an object from its rows, each `write(i)`. Nothing where one cannot be written or a required one is not
-/// given; of keys that exclude each other the first that can be is written. `only` some keys, or all where it is empty.
-Written written_members(const ValueDescription& record, Writing& writing, std::span<const std::string> only,
-                        const std::function<WrittenMember(std::size_t)>& write);
+/// The rows of a Record, which alone knows the type of the values that are passed here by address: this is compiled once and
+/// not for each record.
+class RecordRows {
+ public:
+  using Read = SharedFunction<void(void* record, const DocumentNode& member)>;
+  /// Nothing for a value that is absent, or that is empty where `only_if_any`.
+  using Write = SharedFunction<WrittenMember(const void* record, bool only_if_any, Writing&)>;
+  using SetDefault = SharedFunction<void(void* record)>;
+  using Check = SharedFunction<void(const void* record, const DocumentNode&)>;
+
+  RecordRows(std::string name, std::string doc);
+
+  const ValueDescription& description() const { return description_; }
+  std::shared_ptr<const RecordRows> shared() const;
+
+  /// `unwritten` is what the row writes for what a record holds without its key.
+  void add(FieldDescription field, Read read, Write write, Written unwritten);
+  void add_default(SetDefault set) { defaults_.push_back(std::move(set)); }
+  void add_check(Check check) { checks_.push_back(std::move(check)); }
+  void add_group(bool is_required) { description_.group_required.push_back(is_required); }
+  int last_group() const { return static_cast<int>(description_.group_required.size()) - 1; }
+  bool last_group_is_required() const { return description_.group_required.back(); }
+  void add_former_name(std::string name);
+  void add_need(std::string key, std::string other);
+
+  void read(void* record, const DocumentNode& node) const;
+
+  /// An object of the rows' members. Nothing where one cannot be written or a required one is not given; of keys that
+  /// exclude each other the first that can be is written. `only` some keys, or all where it is empty.
+  Written written(const void* record, Writing& writing, std::span<const std::string> only) const;
+
+ private:
+  struct Row {
+    Read read;
+    Write write;
+    Written unwritten;
+  };
+
+  WrittenMember written_member(std::size_t row, const void* record, Writing& writing) const;
+
+  ValueDescription description_;
+  std::vector<Row> rows_;  ///< one for each of the description's fields
+  std::vector<SetDefault> defaults_;
+  std::vector<Check> checks_;
+};
 
 /// The table of an object's keys: written once, it reads a T, writes it, and describes it for schema and reference.
 template <class T>
 class Record {
  public:
-  Record(std::string name, std::string doc) {
-    description_.form = ValueDescription::Form::record;
-    description_.expected = "an object";
-    description_.short_name = name;
-    description_.name = std::move(name);
-    description_.doc = std::move(doc);
-  }
+  Record(std::string name, std::string doc) : rows_(std::move(name), std::move(doc)) {}
 
   /// Where a value goes and comes from is said by its target (target.h).
   template <class V, class Target>
   Record& required(std::string key, Target target, const SchemaType<V>& type, std::string doc) {
-    return add({std::move(key), std::move(doc), type.description, true, {}, -1}, target, type);
+    return add({std::move(key), std::move(doc), type.description, true, {}, -1}, target, type, std::nullopt);
   }
 
   template <class V, class Target>
   Record& optional(std::string key, Target target, const SchemaType<V>& type, std::string doc) {
-    set_unwritten<V>(target, type);
-    return add({std::move(key), std::move(doc), type.description, false, {}, -1}, target, type);
+    return add({std::move(key), std::move(doc), type.description, false, {}, -1}, target, type,
+               unwritten<V>(target, type));
   }
 
   /// Without the key, the value is what this JSON text would have given.
@@ -66,10 +101,10 @@ class Record {
                        std::string doc) {
     const DocumentTree tree = parse_json(json, "default of " + key);
     const V value = type.read(*tree.root);
-    defaults_.push_back([target, value](T& record) { store(record, target, value); });
+    rows_.add_default([target, value](void* record) { store(*static_cast<T*>(record), target, value); });
     Writing writing;
-    unwritten_ = type.write(value, writing);
-    return add({std::move(key), std::move(doc), type.description, false, std::move(json), -1}, target, type);
+    return add({std::move(key), std::move(doc), type.description, false, std::move(json), -1}, target, type,
+               type.write(value, writing));
   }
 
   /// The cases that follow exclude each other: exactly one of them is given (at most one).
@@ -78,64 +113,56 @@ class Record {
 
   template <class V, class Target>
   Record& one(std::string key, Target target, const SchemaType<V>& type, std::string doc) {
-    const int group = static_cast<int>(description_.group_required.size()) - 1;
-    if (!description_.group_required.back()) set_unwritten<V>(target, type);
-    return add({std::move(key), std::move(doc), type.description, false, {}, group}, target, type);
+    return add({std::move(key), std::move(doc), type.description, false, {}, rows_.last_group()}, target,
+               type, rows_.last_group_is_required() ? std::nullopt : unwritten<V>(target, type));
   }
 
   /// The key above was called `name` and is still read under it (docs/developer/versions.md says how long).
   Record& formerly(std::string name) {
-    description_.fields.back().former.push_back(std::move(name));
+    rows_.add_former_name(std::move(name));
     return *this;
   }
 
   /// `key` is given only beside `other`.
   Record& needs(std::string key, std::string other) {
-    description_.needs.emplace_back(std::move(key), std::move(other));
+    rows_.add_need(std::move(key), std::move(other));
     return *this;
   }
 
   /// Called after all keys are read: (const T&, const DocumentNode&).
-  Record& check(std::function<void(const T&, const DocumentNode&)> condition) {
-    checks_.push_back(std::move(condition));
+  template <class Condition>
+  Record& check(Condition condition) {
+    rows_.add_check([condition](const void* record, const DocumentNode& node) {
+      condition(*static_cast<const T*>(record), node);
+    });
     return *this;
   }
 
   SchemaType<T> type() const {
-    auto description = std::make_shared<const ValueDescription>(description_);
-    return {
-        description,
-        [description, readers = readers_, defaults = defaults_, checks = checks_](const DocumentNode& node) {
-          check_members(node, *description);
-          T record{};
-          if constexpr (requires { record.position = node.position(); }) record.position = node.position();
-          for (const auto& set_default : defaults) set_default(record);
-          for (std::size_t i = 0; i < readers.size(); ++i) {
-            const DocumentNode* member = node.find(description->fields[i].key);
-            if (member != nullptr) readers[i](record, *member);
-          }
-          for (const auto& condition : checks) condition(record, node);
-          return record;
-        },
-        [description, writers = writers_](const T& record, Writing& writing) {
-          return written_members(*description, writing, {},
-                                 [&](std::size_t i) { return writers[i](record, writing); });
-        }};
+    const std::shared_ptr<const RecordRows> rows = rows_.shared();
+    return {ValueDescriptionPtr(rows, &rows->description()),
+            [rows](const DocumentNode& node) {
+              T record{};
+              if constexpr (requires { record.position = node.position(); })
+                record.position = node.position();
+              rows->read(&record, node);
+              return record;
+            },
+            [rows](const T& record, Writing& writing) { return rows->written(&record, writing, {}); }};
   }
 
   /// The members of some keys alone; of all where there are none.
   Written written(const T& record, Writing& writing, std::span<const std::string> only) const {
-    return written_members(description_, writing, only,
-                           [&](std::size_t i) { return writers_[i](record, writing); });
+    return rows_.written(&record, writing, only);
   }
 
  private:
   /// Without its key, a row says what a T has anyway: what that is needs no writing.
   template <class V, class Target>
-  void set_unwritten(const Target& target, const SchemaType<V>& type) {
+  static Written unwritten(const Target& target, const SchemaType<V>& type) {
     const std::optional<V> value = load<V>(T{}, target);
     Writing writing;
-    if (value) unwritten_ = type.write(*value, writing);
+    return value ? type.write(*value, writing) : std::nullopt;
   }
 
   template <class V>
@@ -148,35 +175,27 @@ class Record {
   }
 
   template <class Target, class V>
-  Record& add(FieldDescription field, Target target, const SchemaType<V>& type) {
-    const bool has_default = !field.default_json.empty(), is_required = field.required;
-    description_.fields.push_back(std::move(field));
-    readers_.push_back([target, read = type.read](T& record, const DocumentNode& node) {
-      store(record, target, read(node));
-    });
-    writers_.push_back(
-        [target, write = type.write, has_default, is_required,
-         unwritten = std::exchange(unwritten_, std::nullopt)](const T& record, Writing& writing) {
-          const std::optional<V> value = load<V>(record, target);
-          if (!value || (!is_required && !has_default && is_nothing(*value))) return WrittenMember{};
-          WrittenMember member{true, write(*value, writing)};
-          member.is_given = !member.value || member.value != unwritten || (has_default && writing.all_keys);
-          return member;
-        });
+  Record& add(FieldDescription field, Target target, const SchemaType<V>& type, Written unwritten) {
+    rows_.add(
+        std::move(field),
+        [target, read = type.read](void* record, const DocumentNode& node) {
+          store(*static_cast<T*>(record), target, read(node));
+        },
+        [target, write = type.write](const void* record, bool only_if_any, Writing& writing) {
+          const std::optional<V> value = load<V>(*static_cast<const T*>(record), target);
+          if (!value || (only_if_any && is_nothing(*value))) return WrittenMember{};
+          return WrittenMember{true, write(*value, writing)};
+        },
+        std::move(unwritten));
     return *this;
   }
 
   Record& group(bool required) {
-    description_.group_required.push_back(required);
+    rows_.add_group(required);
     return *this;
   }
 
-  ValueDescription description_;
-  std::vector<std::function<void(T&, const DocumentNode&)>> readers_;
-  std::vector<std::function<WrittenMember(const T&, Writing&)>> writers_;
-  Written unwritten_;  ///< of the next row: what it writes where its key is left out
-  std::vector<std::function<void(T&)>> defaults_;
-  std::vector<std::function<void(const T&, const DocumentNode&)>> checks_;
+  RecordRows rows_;
 };
 
 /// Whether the node's JSON type is one that the description takes.

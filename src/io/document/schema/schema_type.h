@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,20 +22,31 @@ namespace ifov::io {
 template <class Signature>
 class SharedFunction;
 
-/// A function that its copies share: what a type captures of others, and those of others, is not copied with it.
+/// A function that its copies share: what a type captures of others, and those of others, is not copied with it. There are
+/// some thousand of them, each made of a lambda of its own, so that what std::function and std::make_shared instantiate for
+/// each would take the compiler longer than all the rest.
 template <class Result, class... Arguments>
 class SharedFunction<Result(Arguments...)> {
  public:
   template <class F>
-  requires(!std::is_same_v<F, SharedFunction> && std::is_invocable_r_v<Result, const F&, Arguments...>)
-      SharedFunction(F function)  // implicit, as std::function's
-      : function_(std::make_shared<const std::function<Result(Arguments...)>>(std::move(function))) {}
+  requires(!std::is_same_v<F, SharedFunction>) SharedFunction(F function)  // implicit, as std::function's
+      : held_(static_cast<const void*>(new F(std::move(function))), &destroy<F>), call_(&call<F>) {}
   Result operator()(Arguments... arguments) const {
-    return (*function_)(std::forward<Arguments>(arguments)...);
+    return call_(held_.get(), std::forward<Arguments>(arguments)...);
   }
 
  private:
-  std::shared_ptr<const std::function<Result(Arguments...)>> function_;
+  template <class F>
+  static void destroy(const void* function) {
+    delete static_cast<const F*>(function);
+  }
+  template <class F>
+  static Result call(const void* function, Arguments... arguments) {
+    return (*static_cast<const F*>(function))(std::forward<Arguments>(arguments)...);
+  }
+
+  std::shared_ptr<const void> held_;
+  Result (*call_)(const void*, Arguments...);
 };
 
 /// How a value of a document is described, read as a V and written. `read` throws InputError. What `write` gives is read
