@@ -117,4 +117,24 @@ void make_lamps(WildDraft& draft) {
   }
 }
 
+void make_night(WildDraft& draft) {
+  RandomStream& random = draft.random;
+  draft.warm("ground", random.between(0.5, 0.95), random.between(275.0, 290.0));
+  draft.objects.push_back(R"({"plane": {}, "material": "ground"})");
+  draft.warm("slab", random.between(0.6, 0.98), random.between(300.0, 330.0));
+  draft.warm("lamp", 1.0, random.between(800.0, 1300.0));
+  draft.channels = R"({"name": "1.6 um", "top_hat": {"from": "1.55 um", "to": "1.65 um"}},
+      {"name": "11 um", "top_hat": {"from": "10.5 um", "to": "11.5 um"}})";
+  const double pitch = draft.in_step(random.magnitude(0.5, 4.0)), width = pitch * random.between(0.1, 0.5);
+  const int each_side = static_cast<int>(std::min(30.0, 22.0 / pitch));
+  const double start = random.uniform();
+  for (int k = -each_side; k <= each_side; ++k)
+    draft.box({start + k * pitch, -22.0, 0.0}, {start + k * pitch + width, 22.0, random.magnitude(0.02, 0.3)},
+              "slab");
+  const double radius = random.magnitude(0.01, 0.1), height = random.magnitude(1.0, 8.0) + radius;
+  const double x = random.between(-4.0, 4.0), y = random.between(-4.0, 4.0);
+  draft.sphere({x, y, height}, radius, "lamp");
+  draft.hints.lamps.push_back({draft.place(x, y, height), radius * draft.gsd_m});
+}
+
 }  // namespace ifov::benchmarks

@@ -20,6 +20,7 @@ void make_ball(WildDraft& draft);    ///< a mirror sphere on the ground
 void make_hemisphere(WildDraft& draft);
 void make_hot_sphere(WildDraft& draft);  ///< small, above cool ground
 void make_lamps(WildDraft& draft);       ///< small hot spheres in a canyon
+void make_night(WildDraft& draft);       ///< a small hot sphere over ground with warm slabs, at 1.6 and 11 um
 
 void make_mixture(WildDraft& draft);  ///< side by side in every place, each with a temperature map
 void make_wide(WildDraft& draft);     ///< channels of up to 1000 um

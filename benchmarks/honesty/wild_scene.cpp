@@ -13,14 +13,14 @@ namespace {
 
 using Maker = void (*)(WildDraft&);
 
-constexpr std::array<std::string_view, 20> kKinds{
-    "rows_map", "gaps",  "facade",     "hot_sphere", "mixture",   "walls",   "rows_boxes",
-    "ball",     "wide",  "panels",     "texture",    "rows_mesh", "yard",    "lamps",
-    "colours",  "wires", "hemisphere", "blocks",     "airy",      "overhead"};
-constexpr std::array<Maker, 20> kMakers{
-    nullptr,      make_gaps,  make_facade,     make_hot_sphere, make_mixture, make_walls,   nullptr,
-    make_ball,    make_wide,  make_panels,     make_texture,    nullptr,      make_yard,    make_lamps,
-    make_colours, make_wires, make_hemisphere, make_blocks,     make_airy,    make_overhead};
+constexpr std::array<std::string_view, 21> kKinds{
+    "rows_map", "gaps",  "facade",     "hot_sphere", "mixture",   "walls",    "rows_boxes",
+    "ball",     "wide",  "panels",     "texture",    "rows_mesh", "yard",     "lamps",
+    "colours",  "wires", "hemisphere", "blocks",     "airy",      "overhead", "night"};
+constexpr std::array<Maker, 21> kMakers{
+    nullptr,      make_gaps,  make_facade,     make_hot_sphere, make_mixture, make_walls,    nullptr,
+    make_ball,    make_wide,  make_panels,     make_texture,    nullptr,      make_yard,     make_lamps,
+    make_colours, make_wires, make_hemisphere, make_blocks,     make_airy,    make_overhead, make_night};
 
 WildScene rows(RowsScene::Form form, RandomStream& random, const std::string& name,
                const std::filesystem::path& folder) {
@@ -34,7 +34,7 @@ WildDraft::Light light_of(std::string_view kind, RandomStream& random) {
   if (kind == "facade" || kind == "yard" || kind == "ball" || kind == "hemisphere" || kind == "colours" ||
       kind == "airy" || kind == "overhead")
     return WildDraft::Light::solar;
-  if (kind == "hot_sphere" || kind == "lamps" || kind == "mixture" || kind == "wide")
+  if (kind == "hot_sphere" || kind == "lamps" || kind == "mixture" || kind == "wide" || kind == "night")
     return WildDraft::Light::thermal;
   return random.with(0.6) ? WildDraft::Light::solar : WildDraft::Light::thermal;
 }

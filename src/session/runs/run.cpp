@@ -12,6 +12,7 @@
 #include "io/run_state/run_state.h"
 #include "render/image_renderer.h"
 #include "session/loaded/parts.h"
+#include "session/messages.h"
 #include "session/runs/coordinator.h"
 #include "session/runs/plan_assembly.h"
 #include "session/runs/rank_messages.h"

@@ -7,6 +7,7 @@
 
 #include "io/product_parts/run_record.h"
 #include "io/run_state/run_plan.h"
+#include "session/messages.h"
 
 namespace ifov::session {
 namespace {

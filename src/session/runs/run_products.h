@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "io/products/product_writer.h"
+#include "sampling/reason_words.h"
 #include "session/image_errors.h"
-#include "session/messages.h"
 #include "session/session.h"
 #include "session/told_tiles.h"
 

@@ -54,8 +54,8 @@ void check_group(const DocumentNode& node, const std::vector<std::string>& keys,
   }
 }
 
-}  // namespace
-
+/// Fails unless the node is an object with known keys, all required ones, and of each group of keys that
+/// exclude each other exactly (or at most) one. Keys under former names are found under their own from here on.
 void check_members(const DocumentNode& node, const ValueDescription& record) {
   if (node.type() != Type::object) node.fail_expected(record.expected);
   take_former_names(node, record);
@@ -76,6 +76,8 @@ void check_members(const DocumentNode& node, const ValueDescription& record) {
     }
   }
 }
+
+}  // namespace
 
 RecordRows::RecordRows(std::string name, std::string doc) {
   description_.form = Form::record;

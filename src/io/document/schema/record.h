@@ -14,10 +14,6 @@
 
 namespace ifov::io {
 
-/// Fails unless the node is an object with known keys, all required ones, and of each group of keys that
-/// exclude each other exactly (or at most) one. Keys under former names are found under their own from here on.
-void check_members(const DocumentNode& node, const ValueDescription& record);
-
 /// Index of the one case whose tags the node has; `fallback` where it has none (-1: an error that lists the
 /// tags).
 int find_case(const DocumentNode& node, const ValueDescription& cases,
@@ -42,7 +38,6 @@ class RecordRows {
   using Check = SharedFunction<void(const void* record, const DocumentNode&)>;
 
   RecordRows(std::string name, std::string doc);
-
   const ValueDescription& description() const { return description_; }
   std::shared_ptr<const RecordRows> shared() const;
 
