@@ -6,10 +6,42 @@
 #include <map>
 #include <utility>
 
+#include "core/late_library.h"
 #include "geometry/polygon_triangulation.h"
 
 namespace ifov::io {
 namespace {
+
+namespace late {
+
+constinit LateLibrary geos{IFOV_LATE_GEOS_C};
+// What the compiler is told of a function beside its type (printf's formats) is not a part of the type.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wignored-attributes"
+#define IFOV_GEOS(name) constinit LateFunction<decltype(&::name)> name{geos, #name};
+IFOV_GEOS(GEOSConstrainedDelaunayTriangulation_r)
+IFOV_GEOS(GEOSContext_setErrorMessageHandler_r)
+IFOV_GEOS(GEOSContext_setNoticeMessageHandler_r)
+IFOV_GEOS(GEOSCoordSeq_create_r)
+IFOV_GEOS(GEOSCoordSeq_getSize_r)
+IFOV_GEOS(GEOSCoordSeq_getXY_r)
+IFOV_GEOS(GEOSCoordSeq_setXY_r)
+IFOV_GEOS(GEOSGeom_createLinearRing_r)
+IFOV_GEOS(GEOSGeom_createPolygon_r)
+IFOV_GEOS(GEOSGeom_destroy_r)
+IFOV_GEOS(GEOSGeom_getCoordSeq_r)
+IFOV_GEOS(GEOSGeom_getDimensions_r)
+IFOV_GEOS(GEOSGetExteriorRing_r)
+IFOV_GEOS(GEOSGetGeometryN_r)
+IFOV_GEOS(GEOSGetNumGeometries_r)
+IFOV_GEOS(GEOSMakeValid_r)
+IFOV_GEOS(GEOS_finish_r)
+IFOV_GEOS(GEOS_init_r)
+IFOV_GEOS(GEOSisValid_r)
+#undef IFOV_GEOS
+#pragma GCC diagnostic pop
+
+}  // namespace late
 
 using geometry::Triangle;
 using math::Point3;
@@ -50,12 +82,12 @@ class Plane {
 
 class Geos {
  public:
-  Geos() : handle_(GEOS_init_r()) {
+  Geos() : handle_(late::GEOS_init_r()) {
     // Failures are returned as null; without handlers GEOS keeps quiet about them.
-    GEOSContext_setErrorMessageHandler_r(handle_, nullptr, nullptr);
-    GEOSContext_setNoticeMessageHandler_r(handle_, nullptr, nullptr);
+    late::GEOSContext_setErrorMessageHandler_r(handle_, nullptr, nullptr);
+    late::GEOSContext_setNoticeMessageHandler_r(handle_, nullptr, nullptr);
   }
-  ~Geos() { GEOS_finish_r(handle_); }
+  ~Geos() { late::GEOS_finish_r(handle_); }
   Geos(const Geos&) = delete;
   Geos& operator=(const Geos&) = delete;
 
@@ -67,15 +99,15 @@ class Geos {
     while (kept.size() > 1 && kept.front() == kept.back()) kept.pop_back();
     if (kept.size() < 3) return nullptr;
     kept.push_back(kept.front());
-    GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(handle_, static_cast<unsigned>(kept.size()), 2);
+    GEOSCoordSequence* sequence = late::GEOSCoordSeq_create_r(handle_, static_cast<unsigned>(kept.size()), 2);
     for (std::size_t k = 0; k < kept.size(); ++k)
-      GEOSCoordSeq_setXY_r(handle_, sequence, static_cast<unsigned>(k), kept[k].first, kept[k].second);
-    return GEOSGeom_createLinearRing_r(handle_, sequence);
+      late::GEOSCoordSeq_setXY_r(handle_, sequence, static_cast<unsigned>(k), kept[k].first, kept[k].second);
+    return late::GEOSGeom_createLinearRing_r(handle_, sequence);
   }
 
   GEOSContextHandle_t handle() const { return handle_; }
   void destroy(GEOSGeometry* geometry) const {
-    if (geometry != nullptr) GEOSGeom_destroy_r(handle_, geometry);
+    if (geometry != nullptr) late::GEOSGeom_destroy_r(handle_, geometry);
   }
 
  private:
@@ -110,22 +142,23 @@ class PieceCollector {
   }
 
   void add_all(const GEOSGeometry* geometry) {
-    const int count = GEOSGetNumGeometries_r(geos_.handle(), geometry);
-    for (int k = 0; k < count; ++k) add(GEOSGetGeometryN_r(geos_.handle(), geometry, k));
+    const int count = late::GEOSGetNumGeometries_r(geos_.handle(), geometry);
+    for (int k = 0; k < count; ++k) add(late::GEOSGetGeometryN_r(geos_.handle(), geometry, k));
   }
 
  private:
   void add(const GEOSGeometry* triangle) {
-    const GEOSGeometry* ring = GEOSGetExteriorRing_r(geos_.handle(), triangle);
+    const GEOSGeometry* ring = late::GEOSGetExteriorRing_r(geos_.handle(), triangle);
     if (ring == nullptr) return;
-    const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(geos_.handle(), ring);
+    const GEOSCoordSequence* sequence = late::GEOSGeom_getCoordSeq_r(geos_.handle(), ring);
     unsigned size = 0;
-    if (sequence == nullptr || GEOSCoordSeq_getSize_r(geos_.handle(), sequence, &size) == 0 || size != 4)
+    if (sequence == nullptr || late::GEOSCoordSeq_getSize_r(geos_.handle(), sequence, &size) == 0 ||
+        size != 4)
       return;
     Triangle t{};
     std::pair<double, double> p[3];
     for (unsigned k = 0; k < 3; ++k) {
-      GEOSCoordSeq_getXY_r(geos_.handle(), sequence, k, &p[k].first, &p[k].second);
+      late::GEOSCoordSeq_getXY_r(geos_.handle(), sequence, k, &p[k].first, &p[k].second);
       t[k] = index(p[k]);
     }
     const double area = (p[1].first - p[0].first) * (p[2].second - p[0].second) -
@@ -170,20 +203,20 @@ std::optional<PolygonPieces> cut_polygon(std::span<const std::vector<Point3>> ri
     if (made == nullptr && flat_rings.empty()) return pieces;
     if (made != nullptr) flat_rings.push_back(made);
   }
-  Owned polygon(geos, GEOSGeom_createPolygon_r(geos.handle(), flat_rings[0], flat_rings.data() + 1,
-                                               static_cast<unsigned>(flat_rings.size() - 1)));
+  Owned polygon(geos, late::GEOSGeom_createPolygon_r(geos.handle(), flat_rings[0], flat_rings.data() + 1,
+                                                     static_cast<unsigned>(flat_rings.size() - 1)));
   if (polygon.get() == nullptr) return std::nullopt;
-  if (GEOSisValid_r(geos.handle(), polygon.get()) != 1) {
-    polygon.replace(GEOSMakeValid_r(geos.handle(), polygon.get()));
+  if (late::GEOSisValid_r(geos.handle(), polygon.get()) != 1) {
+    polygon.replace(late::GEOSMakeValid_r(geos.handle(), polygon.get()));
     pieces.repaired = true;
     if (polygon.get() == nullptr) return std::nullopt;
   }
   PieceCollector collector(geos, plane, pieces);
-  const int parts = GEOSGetNumGeometries_r(geos.handle(), polygon.get());
+  const int parts = late::GEOSGetNumGeometries_r(geos.handle(), polygon.get());
   for (int k = 0; k < parts; ++k) {
-    const GEOSGeometry* part = GEOSGetGeometryN_r(geos.handle(), polygon.get(), k);
-    if (GEOSGeom_getDimensions_r(geos.handle(), part) != 2) continue;
-    const Owned triangles(geos, GEOSConstrainedDelaunayTriangulation_r(geos.handle(), part));
+    const GEOSGeometry* part = late::GEOSGetGeometryN_r(geos.handle(), polygon.get(), k);
+    if (late::GEOSGeom_getDimensions_r(geos.handle(), part) != 2) continue;
+    const Owned triangles(geos, late::GEOSConstrainedDelaunayTriangulation_r(geos.handle(), part));
     if (triangles.get() == nullptr) return std::nullopt;
     collector.add_all(triangles.get());
   }

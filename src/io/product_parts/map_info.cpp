@@ -1,12 +1,12 @@
 #include "io/product_parts/map_info.h"
 
-#include <cpl_error.h>
-#include <ogr_spatialref.h>
-
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 #include "core/error.h"
+#include "io/raster/gdal_reference.h"
+#include "io/raster/quiet_gdal.h"
 
 namespace ifov::io {
 namespace {
@@ -15,13 +15,14 @@ bool is_local(const render::ImageInfo& info) {
   return info.map_projection.empty() || info.map_projection == "Arbitrary";
 }
 
-OGRSpatialReference reference(const render::ImageInfo& info) {
-  const CPLErrorHandlerPusher quiet(CPLQuietErrorHandler);
-  OGRSpatialReference result;
+ReferenceHandle reference(const render::ImageInfo& info) {
+  const QuietGdal quiet;
+  ReferenceHandle result(late::OSRNewSpatialReference(nullptr));
   const std::string& text = info.map_projection;
+  char* wkt = const_cast<char*>(text.c_str());
   const bool known = text.starts_with("EPSG:")
-                         ? result.importFromEPSG(std::atoi(text.c_str() + 5)) == OGRERR_NONE
-                         : result.importFromWkt(text.c_str()) == OGRERR_NONE;
+                         ? late::OSRImportFromEPSG(result.get(), std::atoi(text.c_str() + 5)) == OGRERR_NONE
+                         : late::OSRImportFromWkt(result.get(), &wkt) == OGRERR_NONE;
   if (!known)
     throw InputError(format(
         "the map projection \"{}\" is not known; expected \"Arbitrary\", an EPSG code or well-known text",
@@ -33,9 +34,9 @@ std::string text_of(const render::ImageInfo& info, const char* form) {
   if (is_local(info)) return {};
   char* text = nullptr;
   const char* const options[] = {form, nullptr};
-  reference(info).exportToWkt(&text, options);
+  late::OSRExportToWktEx(reference(info).get(), &text, options);
   std::string result = text == nullptr ? "" : text;
-  CPLFree(text);
+  late::VSIFree(text);
   return result;
 }
 
@@ -55,9 +56,9 @@ std::string esri_coordinate_system_text(const render::ImageInfo& info) {
 }
 
 MapSystem map_system(const render::ImageInfo& info) {
-  const OGRSpatialReference system = reference(info);
-  const char* const code = system.GetAuthorityCode(nullptr);
-  const char* const name = system.GetName();
+  const ReferenceHandle system = reference(info);
+  const char* const code = late::OSRGetAuthorityCode(system.get(), nullptr);
+  const char* const name = late::OSRGetName(system.get());
   return {name != nullptr ? name : "", coordinate_system_text(info), code != nullptr ? std::atoi(code) : 0};
 }
 
@@ -70,15 +71,15 @@ std::vector<std::string> envi_map_info(const render::ImageInfo& info) {
                                  format("{:.10g}", info.gsd_m),
                                  format("{:.10g}", info.gsd_m)};
   if (!is_local(info)) {
-    const OGRSpatialReference system = reference(info);
+    const ReferenceHandle system = reference(info);
     int north = 1;
-    if (const int zone = system.GetUTMZone(&north); zone != 0) {
+    if (const int zone = late::OSRGetUTMZone(system.get(), &north); zone != 0) {
       items[0] = "UTM";
       items.insert(items.end(), {format("{}", zone), north != 0 ? "North" : "South"});
-    } else if (const char* name = system.GetAttrValue("PROJECTION")) {
+    } else if (const char* name = late::OSRGetAttrValue(system.get(), "PROJECTION", 0)) {
       items[0] = name;
     }
-    if (const char* datum = system.GetAttrValue("DATUM"))
+    if (const char* datum = late::OSRGetAttrValue(system.get(), "DATUM", 0))
       items.push_back(std::string(datum) == "WGS_1984" ? "WGS-84" : datum);
   }
   items.push_back("units=Meters");

@@ -1,19 +1,16 @@
 #include "io/products/geotiff.h"
 
-#include <cpl_conv.h>
-#include <cpl_error.h>
-#include <gdal_priv.h>
-
 #include <filesystem>
 #include <limits>
-#include <memory>
+#include <string>
 #include <vector>
 
 #include "core/error.h"
+#include "io/product_parts/gdal_view.h"
 #include "io/product_parts/map_info.h"
 #include "io/product_parts/product_headers.h"
-#include "io/products/gdal_view.h"
 #include "io/quantities/radiance_quantities.h"
+#include "io/raster/gdal_functions.h"
 #include "io/raster/gdal_setup.h"
 
 namespace ifov::io {
@@ -21,23 +18,23 @@ namespace {
 
 /// GDAL reports here instead of printing; the first failure is kept.
 struct FirstFailure {
-  FirstFailure() { CPLPushErrorHandlerEx(remember, this); }
-  ~FirstFailure() { CPLPopErrorHandler(); }
+  FirstFailure() { late::CPLPushErrorHandlerEx(remember, this); }
+  ~FirstFailure() { late::CPLPopErrorHandler(); }
   FirstFailure(const FirstFailure&) = delete;
   FirstFailure& operator=(const FirstFailure&) = delete;
 
   static void CPL_STDCALL remember(CPLErr severity, CPLErrorNum, const char* message) {
-    auto* self = static_cast<FirstFailure*>(CPLGetErrorHandlerUserData());
+    auto* self = static_cast<FirstFailure*>(late::CPLGetErrorHandlerUserData());
     if (severity >= CE_Failure && self->message.empty()) self->message = message;
   }
   std::string message;
 };
 
-GDALDriver& cog_driver() {
+GDALDriverH cog_driver() {
   prepare_gdal();
-  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("COG");
+  const GDALDriverH driver = late::GDALGetDriverByName("COG");
   if (driver == nullptr) throw SystemError("this GDAL cannot write GeoTIFF");
-  return *driver;
+  return driver;
 }
 
 /// Sides of tiles: all channels of a tile lie side by side in the file, and many of them are read and written in smaller
@@ -66,35 +63,35 @@ void clear_passing_files(const std::filesystem::path& part) {
   }
 }
 
-void describe(GDALDataset& data, const RunRecord& record) {
+void set(GDALMajorObjectH object, const char* name, const std::string& value) {
+  late::GDALSetMetadataItem(object, name, value.c_str(), nullptr);
+}
+
+void describe(GDALDatasetH data, const RunRecord& record) {
   const auto& info = record.image;
   if (info.has_map) {
     auto transform = geotransform(info);
-    data.SetGeoTransform(transform.data());
+    late::GDALSetGeoTransform(data, transform.data());
     const std::string system = coordinate_system_text(info);
-    if (!system.empty()) data.SetProjection(system.c_str());
+    if (!system.empty()) late::GDALSetProjection(data, system.c_str());
   }
   if (const std::string& time = record.identity.acquisition.time; !time.empty())
-    data.SetMetadataItem("acquisition_time", time.c_str());
+    set(data, "acquisition_time", time);
   const std::vector<int> picture = picture_channels(info);
-  data.SetMetadataItem("TIFFTAG_SOFTWARE", format("ifov {}", record.identity.version).c_str());
-  data.SetMetadataItem(
-      "TIFFTAG_IMAGEDESCRIPTION",
+  set(data, "TIFFTAG_SOFTWARE", format("ifov {}", record.identity.version));
+  set(data, "TIFFTAG_IMAGEDESCRIPTION",
       format("radiance in {}; document {}; seed {}; {}", info.radiance_unit, record.identity.document_path,
-             record.identity.seed, record.outcome.accuracy_statement)
-          .c_str());
-  for (int b = 1; b <= data.GetRasterCount(); ++b) {
+             record.identity.seed, record.outcome.accuracy_statement));
+  for (int b = 1; b <= late::GDALGetRasterCount(data); ++b) {
     const auto& channel = info.channels[static_cast<std::size_t>(b - 1)];
-    GDALRasterBand& band = *data.GetRasterBand(b);
-    band.SetDescription(channel.name.c_str());
-    band.SetUnitType(info.radiance_unit.c_str());
-    band.SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
-    band.SetColorInterpretation(colour_of(b - 1, picture));
-    const std::string centre = format("{:.10g}", channel.centre_um),
-                      fwhm = format("{:.10g}", channel.fwhm_um);
-    band.SetMetadataItem("wavelength", centre.c_str());
-    band.SetMetadataItem("wavelength_units", "Micrometers");
-    band.SetMetadataItem("fwhm", fwhm.c_str());
+    const GDALRasterBandH band = late::GDALGetRasterBand(data, b);
+    late::GDALSetDescription(band, channel.name.c_str());
+    late::GDALSetRasterUnitType(band, info.radiance_unit.c_str());
+    late::GDALSetRasterNoDataValue(band, std::numeric_limits<double>::quiet_NaN());
+    late::GDALSetRasterColorInterpretation(band, colour_of(b - 1, picture));
+    set(band, "wavelength", format("{:.10g}", channel.centre_um));
+    set(band, "wavelength_units", "Micrometers");
+    set(band, "fwhm", format("{:.10g}", channel.fwhm_um));
   }
 }
 
@@ -113,13 +110,13 @@ void write_geotiff(PartFile& file, const RasterView& radiance, const RunRecord& 
   const char* const options[] = {block.c_str(),   "COMPRESS=DEFLATE", "LEVEL=1",
                                  "PREDICTOR=YES", "BIGTIFF=IF_SAFER", "OVERVIEW_RESAMPLING=AVERAGE",
                                  nullptr};
-  const std::unique_ptr<GDALDataset> source = gdal_view(radiance);
-  describe(*source, record);
+  const GdalView source(radiance);
+  describe(source.dataset(), record);
   const NoSidecars none;  // what the format cannot hold would go to a file beside it
   clear_passing_files(file.part_path());
-  GDALDataset* const written = cog_driver().CreateCopy(file.part_path().c_str(), source.get(), FALSE,
-                                                       const_cast<char**>(options), nullptr, nullptr);
-  if (written != nullptr) GDALClose(written);
+  const GDALDatasetH written = late::GDALCreateCopy(cog_driver(), file.part_path().c_str(), source.dataset(),
+                                                    FALSE, const_cast<char**>(options), nullptr, nullptr);
+  if (written != nullptr) late::GDALClose(written);
   if (!failure.message.empty() || written == nullptr)
     throw SystemError(format("{}: cannot be written: {}", file.part_path().string(), failure.message));
 }

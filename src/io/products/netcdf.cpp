@@ -1,7 +1,5 @@
 #include "io/products/netcdf.h"
 
-#include <netcdf.h>
-
 #include <array>
 #include <limits>
 #include <optional>
@@ -10,6 +8,7 @@
 
 #include "core/error.h"
 #include "io/product_parts/product_headers.h"
+#include "io/products/netcdf_functions.h"
 #include "io/products/netcdf_map.h"
 #include "io/quantities/quantity.h"
 #include "io/quantities/quantity_set.h"
@@ -25,11 +24,11 @@ class Writer {
     constexpr std::uint64_t kMostOfVariable = (std::uint64_t{1} << 32) - 4;
     const std::uint64_t bytes = 4 * static_cast<std::uint64_t>(info_.width_px) *
                                 static_cast<std::uint64_t>(info_.height_px) * info_.channels.size();
-    require(nc_create(path.c_str(), NC_CLOBBER | (bytes > kMostOfVariable ? NC_64BIT_DATA : NC_64BIT_OFFSET),
-                      &file_));
+    require(late::nc_create(
+        path.c_str(), NC_CLOBBER | (bytes > kMostOfVariable ? NC_64BIT_DATA : NC_64BIT_OFFSET), &file_));
   }
   ~Writer() {
-    if (file_ >= 0) nc_abort(file_);
+    if (file_ >= 0) late::nc_abort(file_);
   }
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
@@ -37,11 +36,11 @@ class Writer {
   void write() {
     define();
     int before = 0;
-    require(nc_set_fill(file_, NC_NOFILL, &before));
-    require(nc_enddef(file_));
+    require(late::nc_set_fill(file_, NC_NOFILL, &before));
+    require(late::nc_enddef(file_));
     write_coordinates();
     for (const auto& [variable, view] : cubes_) write_cube(variable, *view);
-    const int status = nc_close(file_);
+    const int status = late::nc_close(file_);
     file_ = -1;
     require(status);
   }
@@ -49,22 +48,22 @@ class Writer {
  private:
   void require(int status) const {
     if (status != NC_NOERR)
-      throw SystemError(format("{}: cannot be written: {}", path_, nc_strerror(status)));
+      throw SystemError(format("{}: cannot be written: {}", path_, late::nc_strerror(status)));
   }
   void text(int variable, const char* name, const std::string& value) const {
-    require(nc_put_att_text(file_, variable, name, value.size(), value.c_str()));
+    require(late::nc_put_att_text(file_, variable, name, value.size(), value.c_str()));
   }
   int variable(const char* name, nc_type type, const std::vector<int>& dimensions) const {
     int id = 0;
-    require(nc_def_var(file_, name, type, static_cast<int>(dimensions.size()), dimensions.data(), &id));
+    require(late::nc_def_var(file_, name, type, static_cast<int>(dimensions.size()), dimensions.data(), &id));
     return id;
   }
 
   void define() {
     std::array<int, 3> size{};  // wavelength, y, x
-    require(nc_def_dim(file_, "wavelength", info_.channels.size(), &size[0]));
-    require(nc_def_dim(file_, "y", static_cast<std::size_t>(info_.height_px), &size[1]));
-    require(nc_def_dim(file_, "x", static_cast<std::size_t>(info_.width_px), &size[2]));
+    require(late::nc_def_dim(file_, "wavelength", info_.channels.size(), &size[0]));
+    require(late::nc_def_dim(file_, "y", static_cast<std::size_t>(info_.height_px), &size[1]));
+    require(late::nc_def_dim(file_, "x", static_cast<std::size_t>(info_.width_px), &size[2]));
     text(NC_GLOBAL, "Conventions", "CF-1.8");
     text(NC_GLOBAL, "title", "synthetic radiance image");
     text(NC_GLOBAL, "source",
@@ -96,7 +95,7 @@ class Writer {
   void define_names(int wavelength_size) {
     for (const auto& channel : info_.channels) name_length_ = std::max(name_length_, channel.name.size());
     int length = 0;
-    require(nc_def_dim(file_, "name_length", name_length_, &length));
+    require(late::nc_def_dim(file_, "name_length", name_length_, &length));
     name_ = variable("channel", NC_CHAR, {wavelength_size, length});
     text(name_, "long_name", "name of the channel");
   }
@@ -107,7 +106,7 @@ class Writer {
     if (stokes) dimensions.insert(dimensions.begin(), stokes_size());
     const int id = variable(std::string(quantity.name).c_str(), NC_FLOAT, dimensions);
     const float gap = std::numeric_limits<float>::quiet_NaN();
-    require(nc_put_att_float(file_, id, "_FillValue", NC_FLOAT, 1, &gap));
+    require(late::nc_put_att_float(file_, id, "_FillValue", NC_FLOAT, 1, &gap));
     text(id, "long_name", std::string(quantity.what));
     if (quantity.statistic == Quantity::Statistic::half_width)
       text(id, "comment", format("of the {:g} % interval", 100.0 * record_.identity.confidence));
@@ -124,14 +123,14 @@ class Writer {
   /// The dimension of I, Q, U and V, made where it is needed.
   int stokes_size() {
     if (stokes_dimension_ >= 0) return stokes_dimension_;
-    require(nc_def_dim(file_, "stokes", 4, &stokes_dimension_));
+    require(late::nc_def_dim(file_, "stokes", 4, &stokes_dimension_));
     stokes_ = variable("stokes_component", NC_CHAR, {stokes_dimension_});
     text(stokes_, "long_name", "component of the Stokes vector");
     return stokes_dimension_;
   }
 
   void write_coordinates() const {
-    if (stokes_dimension_ >= 0) require(nc_put_var_text(file_, stokes_, "IQUV"));
+    if (stokes_dimension_ >= 0) require(late::nc_put_var_text(file_, stokes_, "IQUV"));
     std::vector<double> centres, widths;
     std::string names;
     for (const auto& channel : info_.channels) {
@@ -139,9 +138,9 @@ class Writer {
       widths.push_back(channel.fwhm_um);
       names += channel.name + std::string(name_length_ - channel.name.size(), '\0');
     }
-    require(nc_put_var_double(file_, wavelength_, centres.data()));
-    require(nc_put_var_double(file_, fwhm_, widths.data()));
-    require(nc_put_var_text(file_, name_, names.c_str()));
+    require(late::nc_put_var_double(file_, wavelength_, centres.data()));
+    require(late::nc_put_var_double(file_, fwhm_, widths.data()));
+    require(late::nc_put_var_text(file_, name_, names.c_str()));
     if (map_) map_->write(file_, info_);
   }
 
@@ -155,8 +154,8 @@ class Writer {
         const std::size_t start[] = {at / channels, at % channels, static_cast<std::size_t>(y), 0},
                           count[] = {1, 1, 1, line.size()};
         const bool stokes = static_cast<std::size_t>(view.bands) > channels;
-        require(nc_put_vara_float(file_, variable, stokes ? start : start + 1, stokes ? count : count + 1,
-                                  line.data()));
+        require(late::nc_put_vara_float(file_, variable, stokes ? start : start + 1,
+                                        stokes ? count : count + 1, line.data()));
       }
   }
 

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <gdal.h>
-
 #include <memory>
 #include <string>
+
+#include "io/raster/gdal_functions.h"
 
 namespace ifov::io {
 
 struct CloseDataset {
-  void operator()(void* dataset) const { GDALClose(dataset); }
+  void operator()(void* dataset) const { late::GDALClose(dataset); }
 };
 using Dataset = std::unique_ptr<void, CloseDataset>;
 

@@ -1,10 +1,5 @@
 #include "io/raster/gdal_setup.h"
 
-#include <cpl_conv.h>
-#include <cpl_vsi.h>
-#include <gdal.h>
-#include <gdal_frmts.h>
-#include <ogr_srs_api.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -14,6 +9,7 @@
 
 #include "core/error.h"
 #include "io/files/input_file.h"
+#include "io/raster/gdal_functions.h"
 
 namespace ifov::io {
 namespace {
@@ -21,13 +17,20 @@ namespace {
 constexpr std::string_view kPrefix = "/vsiifov/";
 constexpr GIntBig kCache_bytes = GIntBig{64} << 20;
 
-using Register = void (*)();
-#define IFOV_DRIVER(name) GDALRegister_##name,
-constexpr Register kDrivers[] = {
-    // read and written
-    GDALRegister_GTiff, GDALRegister_COG, GDALRegister_PNG, GDALRegister_MEM,
-    // read
-    IFOV_RASTER_DRIVERS GDALRegister_netCDF};
+#define IFOV_DRIVER(name) reinterpret_cast<Register>(late::gdal.function("GDALRegister_" #name)),
+using Register = decltype(&::GDALRegister_GTiff);
+void register_drivers() {
+  for (const auto register_one : {// read and written
+                                  IFOV_DRIVER(GTiff) IFOV_DRIVER(COG) IFOV_DRIVER(PNG) IFOV_DRIVER(MEM)
+                                  // read
+                                  IFOV_RASTER_DRIVERS IFOV_DRIVER(netCDF)})
+    register_one();
+  // Virtual rasters are made (gdal_view) and never opened: they could name any file. Their maker registers their driver, but for
+  // where there is one of its name, such as this, which opens nothing.
+  const GDALDriverH nothing = late::GDALCreateDriver();
+  late::GDALSetDescription(nothing, "VRT");
+  late::GDALRegisterDriver(nothing);
+}
 #undef IFOV_DRIVER
 
 struct OpenFile {
@@ -97,7 +100,7 @@ int close_input(void* file) {
 }
 
 void install_inputs() {
-  VSIFilesystemPluginCallbacksStruct* const calls = VSIAllocFilesystemPluginCallbacksStruct();
+  VSIFilesystemPluginCallbacksStruct* const calls = late::VSIAllocFilesystemPluginCallbacksStruct();
   calls->stat = look_at;
   calls->open = open_input;
   calls->tell = tell;
@@ -105,8 +108,8 @@ void install_inputs() {
   calls->read = read;
   calls->eof = is_at_end;
   calls->close = close_input;
-  VSIInstallPluginHandler(kPrefix.data(), calls);  // keeps the address of the prefix
-  VSIFreeFilesystemPluginCallbacksStruct(calls);
+  late::VSIInstallPluginHandler(kPrefix.data(), calls);  // keeps the address of the prefix
+  late::VSIFreeFilesystemPluginCallbacksStruct(calls);
 }
 
 }  // namespace
@@ -114,10 +117,10 @@ void install_inputs() {
 void prepare_gdal() {
   static std::once_flag once;
   std::call_once(once, [] {
-    for (const Register one : kDrivers) one();
+    register_drivers();
     install_inputs();
-    OSRSetPROJEnableNetwork(FALSE);
-    GDALSetCacheMax64(kCache_bytes);
+    late::OSRSetPROJEnableNetwork(FALSE);
+    late::GDALSetCacheMax64(kCache_bytes);
   });
 }
 
@@ -131,7 +134,7 @@ std::string without_input_prefix(std::string message) {
   return message;
 }
 
-NoSidecars::NoSidecars() { CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", "NO"); }
-NoSidecars::~NoSidecars() { CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", nullptr); }
+NoSidecars::NoSidecars() { late::CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", "NO"); }
+NoSidecars::~NoSidecars() { late::CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", nullptr); }
 
 }  // namespace ifov::io

@@ -1,8 +1,5 @@
 #include "io/raster/map_reference.h"
 
-#include <cpl_conv.h>
-#include <ogr_srs_api.h>
-
 #include <cmath>
 #include <filesystem>
 #include <system_error>
@@ -10,46 +7,44 @@
 #include <vector>
 
 #include "core/error.h"
+#include "io/raster/gdal_reference.h"
 #include "io/raster/quiet_gdal.h"
 
 namespace ifov::io {
 
 namespace {
 
-struct ReleaseReference {
-  void operator()(void* reference) const { OSRDestroySpatialReference(reference); }
-};
 struct ReleaseTransform {
-  void operator()(void* transform) const { OCTDestroyCoordinateTransformation(transform); }
+  void operator()(void* transform) const { late::OCTDestroyCoordinateTransformation(transform); }
 };
 
 }  // namespace
 
 struct MapReference::Content {
-  std::unique_ptr<void, ReleaseReference> handle;
+  ReferenceHandle handle;
 };
 
 MapReference::MapReference(const std::string& text) : content_(std::make_unique<Content>()) {
   const QuietGdal gdal;
-  content_->handle.reset(OSRNewSpatialReference(nullptr));
+  content_->handle.reset(late::OSRNewSpatialReference(nullptr));
   // PROJ's own tables only: the text is not looked up as a file or an address.
   std::error_code error;
   const bool as_wkt = text.find('[') != std::string::npos;
   const bool elsewhere = text.find('/') != std::string::npos || std::filesystem::exists(text, error);
   char* wkt = const_cast<char*>(text.c_str());
   const bool known =
-      as_wkt ? OSRImportFromWkt(content_->handle.get(), &wkt) == OGRERR_NONE
-             : !elsewhere && OSRSetFromUserInput(content_->handle.get(), text.c_str()) == OGRERR_NONE;
+      as_wkt ? late::OSRImportFromWkt(content_->handle.get(), &wkt) == OGRERR_NONE
+             : !elsewhere && late::OSRSetFromUserInput(content_->handle.get(), text.c_str()) == OGRERR_NONE;
   if (!known)
     throw InputError(
         format("'{}' is no coordinate reference system that PROJ knows ({}); expected one such as "
                "\"EPSG:25832\"",
                text, gdal.message()));
-  OSRSetAxisMappingStrategy(content_->handle.get(), OAMS_TRADITIONAL_GIS_ORDER);
+  late::OSRSetAxisMappingStrategy(content_->handle.get(), OAMS_TRADITIONAL_GIS_ORDER);
 }
 MapReference::MapReference() : content_(std::make_unique<Content>()) {
-  content_->handle.reset(OSRNewSpatialReference(nullptr));
-  OSRSetAxisMappingStrategy(content_->handle.get(), OAMS_TRADITIONAL_GIS_ORDER);
+  content_->handle.reset(late::OSRNewSpatialReference(nullptr));
+  late::OSRSetAxisMappingStrategy(content_->handle.get(), OAMS_TRADITIONAL_GIS_ORDER);
 }
 MapReference::~MapReference() = default;
 MapReference::MapReference(MapReference&&) noexcept = default;
@@ -61,33 +56,35 @@ MapReference MapReference::around(double latitude_deg, double longitude_deg, Map
   const double longitude = std::remainder(longitude_deg, 360.0);
   void* const handle = result.content_->handle.get();
   const std::string name = format("Local map about {:.6f} {:.6f}", latitude_deg, longitude);
-  if (OSRSetProjCS(handle, name.c_str()) != OGRERR_NONE ||
-      OSRSetWellKnownGeogCS(handle, "WGS84") != OGRERR_NONE ||
-      OSRSetTM(handle, latitude_deg, longitude, 1.0, false_origin.x, false_origin.y) != OGRERR_NONE)
+  if (late::OSRSetProjCS(handle, name.c_str()) != OGRERR_NONE ||
+      late::OSRSetWellKnownGeogCS(handle, "WGS84") != OGRERR_NONE ||
+      late::OSRSetTM(handle, latitude_deg, longitude, 1.0, false_origin.x, false_origin.y) != OGRERR_NONE)
     throw SystemError(
         format("PROJ makes no map projection about {:g}, {:g}: {}", latitude_deg, longitude, gdal.message()));
   return result;
 }
 
-bool MapReference::is_projected() const { return OSRIsProjected(content_->handle.get()) != 0; }
-bool MapReference::is_geographic() const { return OSRIsGeographic(content_->handle.get()) != 0; }
-double MapReference::metres_per_unit() const { return OSRGetLinearUnits(content_->handle.get(), nullptr); }
+bool MapReference::is_projected() const { return late::OSRIsProjected(content_->handle.get()) != 0; }
+bool MapReference::is_geographic() const { return late::OSRIsGeographic(content_->handle.get()) != 0; }
+double MapReference::metres_per_unit() const {
+  return late::OSRGetLinearUnits(content_->handle.get(), nullptr);
+}
 
 std::string MapReference::name() const {
-  const char* name = OSRGetName(content_->handle.get());
+  const char* name = late::OSRGetName(content_->handle.get());
   return name != nullptr ? name : "unnamed";
 }
 
 std::string MapReference::wkt() const {
   char* text = nullptr;
-  OSRExportToWkt(content_->handle.get(), &text);
+  late::OSRExportToWkt(content_->handle.get(), &text);
   const std::string result = text != nullptr ? text : "";
-  CPLFree(text);
+  late::VSIFree(text);
   return result;
 }
 
 bool MapReference::same_as(const MapReference& other) const {
-  return OSRIsSame(content_->handle.get(), other.content_->handle.get()) != 0;
+  return late::OSRIsSame(content_->handle.get(), other.content_->handle.get()) != 0;
 }
 
 struct MapTransform::Content {
@@ -101,7 +98,7 @@ MapTransform::MapTransform(const MapReference& from, const MapReference& to)
   content_->from = from.name();
   content_->to = to.name();
   content_->handle.reset(
-      OCTNewCoordinateTransformation(from.content_->handle.get(), to.content_->handle.get()));
+      late::OCTNewCoordinateTransformation(from.content_->handle.get(), to.content_->handle.get()));
   if (!content_->handle)
     throw InputError(
         format("there is no way from '{}' to '{}': {}", content_->from, content_->to, gdal.message()));
@@ -116,8 +113,8 @@ void MapTransform::apply(std::span<MapPoint> points) const {
     x.push_back(point.x);
     y.push_back(point.y);
   }
-  OCTTransformEx(content_->handle.get(), static_cast<int>(points.size()), x.data(), y.data(), nullptr,
-                 done.data());
+  late::OCTTransformEx(content_->handle.get(), static_cast<int>(points.size()), x.data(), y.data(), nullptr,
+                       done.data());
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (done[k] == 0 || !std::isfinite(x[k]) || !std::isfinite(y[k]))
       throw InputError(format("the point {}, {} of '{}' has no place in '{}'", points[k].x, points[k].y,

@@ -1,7 +1,5 @@
 #include "io/raster/netcdf_variable.h"
 
-#include <gdal.h>
-
 #include <functional>
 #include <memory>
 #include <numeric>
@@ -9,6 +7,7 @@
 #include "core/error.h"
 #include "core/format.h"
 #include "io/files/input_file.h"
+#include "io/raster/gdal_functions.h"
 #include "io/raster/gdal_setup.h"
 #include "io/raster/netcdf_lock.h"
 #include "io/raster/quiet_gdal.h"
@@ -22,27 +21,30 @@ NetcdfVariable read_netcdf_variable(const std::filesystem::path& path, const std
   const char* drivers[] = {"netCDF", nullptr};
   const std::scoped_lock lock(netcdf_mutex());
   const std::unique_ptr<void, decltype(&GDALClose)> dataset(
-      GDALOpenEx(path.c_str(), GDAL_OF_MULTIDIM_RASTER, drivers, nullptr, nullptr), &GDALClose);
+      late::GDALOpenEx(path.c_str(), GDAL_OF_MULTIDIM_RASTER, drivers, nullptr, nullptr), late::GDALClose);
   if (!dataset)
     throw InputError(format("{}: cannot be read: {}", path.string(), quiet.message()), {path.string(), 0, 0});
-  const std::unique_ptr<GDALGroupHS, decltype(&GDALGroupRelease)> root(GDALDatasetGetRootGroup(dataset.get()),
-                                                                       &GDALGroupRelease);
+  const std::unique_ptr<GDALGroupHS, decltype(&GDALGroupRelease)> root(
+      late::GDALDatasetGetRootGroup(dataset.get()), late::GDALGroupRelease);
   const std::unique_ptr<GDALMDArrayHS, decltype(&GDALMDArrayRelease)> array(
-      root ? GDALGroupOpenMDArray(root.get(), name.c_str(), nullptr) : nullptr, &GDALMDArrayRelease);
+      root ? late::GDALGroupOpenMDArray(root.get(), name.c_str(), nullptr) : nullptr,
+      late::GDALMDArrayRelease);
   if (!array)
     throw InputError(format("{}: there is no variable '{}'", path.string(), name), {path.string(), 0, 0});
   NetcdfVariable variable;
   std::size_t count = 0;
-  GDALDimensionHS** dimensions = GDALMDArrayGetDimensions(array.get(), &count);
-  for (std::size_t k = 0; k < count; ++k) variable.dimensions.push_back(GDALDimensionGetSize(dimensions[k]));
-  GDALReleaseDimensions(dimensions, count);
+  GDALDimensionHS** dimensions = late::GDALMDArrayGetDimensions(array.get(), &count);
+  for (std::size_t k = 0; k < count; ++k)
+    variable.dimensions.push_back(late::GDALDimensionGetSize(dimensions[k]));
+  late::GDALReleaseDimensions(dimensions, count);
   variable.values.resize(std::accumulate(variable.dimensions.begin(), variable.dimensions.end(),
                                          std::size_t{1}, std::multiplies<>()));
   const std::vector<GUInt64> start(count, 0);
   const std::unique_ptr<GDALExtendedDataTypeHS, decltype(&GDALExtendedDataTypeRelease)> type(
-      GDALExtendedDataTypeCreate(GDT_Float64), &GDALExtendedDataTypeRelease);
-  if (GDALMDArrayRead(array.get(), start.data(), variable.dimensions.data(), nullptr, nullptr, type.get(),
-                      variable.values.data(), variable.values.data(), 8 * variable.values.size()) == 0)
+      late::GDALExtendedDataTypeCreate(GDT_Float64), late::GDALExtendedDataTypeRelease);
+  if (late::GDALMDArrayRead(array.get(), start.data(), variable.dimensions.data(), nullptr, nullptr,
+                            type.get(), variable.values.data(), variable.values.data(),
+                            8 * variable.values.size()) == 0)
     throw InputError(format("{}: '{}' cannot be read: {}", path.string(), name, quiet.message()),
                      {path.string(), 0, 0});
   return variable;

@@ -1,13 +1,11 @@
 #include "io/raster/picture.h"
 
-#include <cpl_vsi.h>
-#include <gdal.h>
-
 #include <algorithm>
 #include <atomic>
 
 #include "core/error.h"
 #include "io/raster/gdal_dataset.h"
+#include "io/raster/gdal_functions.h"
 #include "io/raster/gdal_setup.h"
 #include "io/raster/quiet_gdal.h"
 #include "io/raster/raster.h"
@@ -25,11 +23,11 @@ class MemoryFile {
   explicit MemoryFile(const std::string& bytes) {
     static std::atomic<std::uint64_t> count{0};
     path_ = format("/vsimem/ifov_picture_{}", count.fetch_add(1));
-    VSILFILE* const file = VSIFileFromMemBuffer(
+    VSILFILE* const file = late::VSIFileFromMemBuffer(
         path_.c_str(), reinterpret_cast<GByte*>(const_cast<char*>(bytes.data())), bytes.size(), FALSE);
-    if (file != nullptr) VSIFCloseL(file);
+    if (file != nullptr) late::VSIFCloseL(file);
   }
-  ~MemoryFile() { VSIUnlink(path_.c_str()); }
+  ~MemoryFile() { late::VSIUnlink(path_.c_str()); }
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
   const char* path() const { return path_.c_str(); }
@@ -41,16 +39,16 @@ class MemoryFile {
 /// One band, as bytes.
 std::vector<std::uint8_t> band_bytes(GDALDatasetH dataset, int band, const Picture& picture,
                                      const std::string& name, const QuietGdal& gdal) {
-  const GDALRasterBandH handle = GDALGetRasterBand(dataset, band);
+  const GDALRasterBandH handle = late::GDALGetRasterBand(dataset, band);
   const std::size_t cells =
       static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
   std::vector<std::uint8_t> bytes(cells);
   const auto read = [&](void* into, GDALDataType type) {
-    if (GDALRasterIO(handle, GF_Read, 0, 0, picture.width, picture.height, into, picture.width,
-                     picture.height, type, 0, 0) != CE_None)
+    if (late::GDALRasterIO(handle, GF_Read, 0, 0, picture.width, picture.height, into, picture.width,
+                           picture.height, type, 0, 0) != CE_None)
       refuse_picture(name, format("the image is damaged: {}", gdal.message()));
   };
-  switch (GDALGetRasterDataType(handle)) {
+  switch (late::GDALGetRasterDataType(handle)) {
     case GDT_Byte: read(bytes.data(), GDT_Byte); break;
     case GDT_UInt16: {
       std::vector<std::uint16_t> words(cells);
@@ -62,7 +60,7 @@ std::vector<std::uint8_t> band_bytes(GDALDatasetH dataset, int band, const Pictu
     }
     default:
       refuse_picture(name, format("its numbers are {}; expected an image of 8 or 16 bits",
-                                  GDALGetDataTypeName(GDALGetRasterDataType(handle))));
+                                  late::GDALGetDataTypeName(late::GDALGetRasterDataType(handle))));
   }
   return bytes;
 }
@@ -82,9 +80,9 @@ Picture decode_picture(const std::string& bytes, const std::string& name, std::s
     refuse_picture(
         name, format("not an image of a kind that is read ({}): {}", raster_driver_list(), gdal.message()));
   Picture picture;
-  picture.width = GDALGetRasterXSize(dataset.get());
-  picture.height = GDALGetRasterYSize(dataset.get());
-  const int bands = GDALGetRasterCount(dataset.get());
+  picture.width = late::GDALGetRasterXSize(dataset.get());
+  picture.height = late::GDALGetRasterYSize(dataset.get());
+  const int bands = late::GDALGetRasterCount(dataset.get());
   if (picture.width < 1 || picture.height < 1 || bands < 1 || bands > 4)
     refuse_picture(name, format("an image of {} x {} cells with {} bands; expected 1 to 4", picture.width,
                                 picture.height, bands));
@@ -104,13 +102,13 @@ Picture decode_picture(const std::string& bytes, const std::string& name, std::s
   picture.cells.resize(cells);
   picture.has_alpha = bands == 2 || bands == 4;
   const GDALColorTableH palette =
-      bands == 1 ? GDALGetRasterColorTable(GDALGetRasterBand(dataset.get(), 1)) : nullptr;
+      bands == 1 ? late::GDALGetRasterColorTable(late::GDALGetRasterBand(dataset.get(), 1)) : nullptr;
   if (palette != nullptr) {
-    const int count = GDALGetColorEntryCount(palette);
+    const int count = late::GDALGetColorEntryCount(palette);
     for (std::size_t k = 0; k < cells; ++k) {
       if (values[0][k] >= count)
         refuse_picture(name, format("cell {} has entry {} of a palette of {}", k, values[0][k], count));
-      const GDALColorEntry& entry = *GDALGetColorEntry(palette, values[0][k]);
+      const GDALColorEntry& entry = *late::GDALGetColorEntry(palette, values[0][k]);
       picture.cells[k] =
           packed(static_cast<unsigned>(entry.c1) & 255u, static_cast<unsigned>(entry.c2) & 255u,
                  static_cast<unsigned>(entry.c3) & 255u, static_cast<unsigned>(entry.c4) & 255u);

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <cpl_error.h>
-
 #include <string>
 
+#include "io/raster/gdal_functions.h"
 #include "io/raster/gdal_setup.h"
 
 namespace ifov::io {
@@ -12,14 +11,14 @@ namespace ifov::io {
 class QuietGdal {
  public:
   QuietGdal() {
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-    CPLErrorReset();
+    late::CPLPushErrorHandler(late::CPLQuietErrorHandler);
+    late::CPLErrorReset();
   }
-  ~QuietGdal() { CPLPopErrorHandler(); }
+  ~QuietGdal() { late::CPLPopErrorHandler(); }
   QuietGdal(const QuietGdal&) = delete;
   QuietGdal& operator=(const QuietGdal&) = delete;
   std::string message() const {
-    std::string text = without_input_prefix(CPLGetLastErrorMsg());
+    std::string text = without_input_prefix(late::CPLGetLastErrorMsg());
     while (text.ends_with('\n')) text.pop_back();
     return text.empty() ? "GDAL gives no reason" : text;
   }

@@ -1,7 +1,5 @@
 #include "io/raster/raster.h"
 
-#include <gdal.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -12,6 +10,7 @@
 #include "io/files/input_file.h"
 #include "io/files/inputs.h"
 #include "io/raster/gdal_dataset.h"
+#include "io/raster/gdal_functions.h"
 #include "io/raster/gdal_setup.h"
 #include "io/raster/quiet_gdal.h"
 
@@ -33,28 +32,29 @@ constexpr const char* kDrivers[] = {IFOV_RASTER_DRIVERS nullptr};
 void check_blocks(GDALDatasetH dataset, const std::string& name, std::size_t values) {
   constexpr std::size_t kAlways_bytes = std::size_t{64} << 20, kMostTimes = 4;
   int width = 0, height = 0;
-  const GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
-  GDALGetBlockSize(band, &width, &height);
-  const auto value_bytes = static_cast<std::size_t>(GDALGetDataTypeSizeBytes(GDALGetRasterDataType(band)));
-  const char* interleave = GDALGetMetadataItem(dataset, "INTERLEAVE", "IMAGE_STRUCTURE");
+  const GDALRasterBandH band = late::GDALGetRasterBand(dataset, 1);
+  late::GDALGetBlockSize(band, &width, &height);
+  const auto value_bytes =
+      static_cast<std::size_t>(late::GDALGetDataTypeSizeBytes(late::GDALGetRasterDataType(band)));
+  const char* interleave = late::GDALGetMetadataItem(dataset, "INTERLEAVE", "IMAGE_STRUCTURE");
   const bool all_bands = interleave != nullptr && std::string_view(interleave) == "PIXEL";
   const std::size_t block_bytes = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                                   value_bytes *
-                                  static_cast<std::size_t>(all_bands ? GDALGetRasterCount(dataset) : 1);
+                                  static_cast<std::size_t>(all_bands ? late::GDALGetRasterCount(dataset) : 1);
   if (block_bytes > std::max(kAlways_bytes, kMostTimes * values * value_bytes))
     fail(name, format("the raster is damaged: its blocks have {} x {} cells, it has {} x {}", width, height,
-                      GDALGetRasterXSize(dataset), GDALGetRasterYSize(dataset)));
+                      late::GDALGetRasterXSize(dataset), late::GDALGetRasterYSize(dataset)));
 }
 
 /// GDAL looks for every row of a text that is cut short, which takes it minutes. A number and what parts it from the next
 /// are two bytes.
 void check_text(GDALDatasetH dataset, const std::string& name, std::size_t values) {
-  const std::string_view driver = GDALGetDriverShortName(GDALGetDatasetDriver(dataset));
+  const std::string_view driver = late::GDALGetDriverShortName(late::GDALGetDatasetDriver(dataset));
   if (driver != "AAIGrid" && driver != "GSAG") return;
   const std::uint64_t file_bytes = InputFile(name).size();
   if (file_bytes / 2 + 1 < values)
     fail(name, format("the raster is damaged: {} bytes cannot hold {} x {} numbers", file_bytes,
-                      GDALGetRasterXSize(dataset), GDALGetRasterYSize(dataset)));
+                      late::GDALGetRasterXSize(dataset), late::GDALGetRasterYSize(dataset)));
 }
 
 /// A small file that announces a large raster must give its last row before memory is taken for all of them.
@@ -63,16 +63,17 @@ void check_end(GDALDatasetH dataset, const std::string& name, std::size_t values
   const std::uint64_t file_bytes = InputFile(name).size();
   if (values * sizeof(float) < kSmall_bytes || values * sizeof(float) / kMostCompressed_times < file_bytes)
     return;
-  const int width = GDALGetRasterXSize(dataset), height = GDALGetRasterYSize(dataset);
+  const int width = late::GDALGetRasterXSize(dataset), height = late::GDALGetRasterYSize(dataset);
   std::vector<float> row(static_cast<std::size_t>(width));
-  if (GDALRasterIO(GDALGetRasterBand(dataset, GDALGetRasterCount(dataset)), GF_Read, 0, height - 1, width, 1,
-                   row.data(), width, 1, GDT_Float32, 0, 0) != CE_None)
+  if (late::GDALRasterIO(late::GDALGetRasterBand(dataset, late::GDALGetRasterCount(dataset)), GF_Read, 0,
+                         height - 1, width, 1, row.data(), width, 1, GDT_Float32, 0, 0) != CE_None)
     fail(name, format("the raster is damaged: {}", gdal.message()));
 }
 
 /// Applies the factor and offset that the file states for a band, where it states any.
 void scale(GDALRasterBandH band, std::optional<double> nodata, std::span<float> values) {
-  const double factor = GDALGetRasterScale(band, nullptr), offset = GDALGetRasterOffset(band, nullptr);
+  const double factor = late::GDALGetRasterScale(band, nullptr),
+               offset = late::GDALGetRasterOffset(band, nullptr);
   if (factor == 1.0 && offset == 0.0) return;
   for (float& value : values)
     if (!nodata || static_cast<double>(value) != *nodata)
@@ -90,13 +91,14 @@ class RasterFile {
     if (!dataset_)
       fail(name_,
            format("not a raster of a kind that is read ({}): {}", raster_driver_list(), gdal_.message()));
-    frame_.width = GDALGetRasterXSize(dataset_.get());
-    frame_.height = GDALGetRasterYSize(dataset_.get());
-    frame_.bands = GDALGetRasterCount(dataset_.get());
+    frame_.width = late::GDALGetRasterXSize(dataset_.get());
+    frame_.height = late::GDALGetRasterYSize(dataset_.get());
+    frame_.bands = late::GDALGetRasterCount(dataset_.get());
     if (frame_.width < 1 || frame_.height < 1 || frame_.bands < 1) fail(name_, "the raster has no pixels");
     std::array<double, 6> transform{};
-    if (GDALGetGeoTransform(dataset_.get(), transform.data()) == CE_None) frame_.geotransform = transform;
-    if (const char* wkt = GDALGetProjectionRef(dataset_.get())) frame_.projection = wkt;
+    if (late::GDALGetGeoTransform(dataset_.get(), transform.data()) == CE_None)
+      frame_.geotransform = transform;
+    if (const char* wkt = late::GDALGetProjectionRef(dataset_.get())) frame_.projection = wkt;
   }
 
   const RasterFrame& frame() const { return frame_; }
@@ -120,16 +122,16 @@ class RasterFile {
 
  private:
   void read_band(int band, Raster& raster, std::span<float> values) const {
-    const GDALRasterBandH handle = GDALGetRasterBand(dataset_.get(), band);
-    if (GDALDataTypeIsComplex(GDALGetRasterDataType(handle)))
+    const GDALRasterBandH handle = late::GDALGetRasterBand(dataset_.get(), band);
+    if (late::GDALDataTypeIsComplex(late::GDALGetRasterDataType(handle)))
       fail(name_, "found complex numbers; expected real ones");
-    if (GDALRasterIO(handle, GF_Read, 0, 0, frame_.width, frame_.height, values.data(), frame_.width,
-                     frame_.height, GDT_Float32, 0, 0) != CE_None)
+    if (late::GDALRasterIO(handle, GF_Read, 0, 0, frame_.width, frame_.height, values.data(), frame_.width,
+                           frame_.height, GDT_Float32, 0, 0) != CE_None)
       fail(name_, format("the raster is damaged: {}", gdal_.message()));
     int has_nodata = 0;
-    const double nodata = GDALGetRasterNoDataValue(handle, &has_nodata);
+    const double nodata = late::GDALGetRasterNoDataValue(handle, &has_nodata);
     if (has_nodata != 0 && !raster.nodata) raster.nodata = nodata;
-    const char* unit = GDALGetRasterUnitType(handle);
+    const char* unit = late::GDALGetRasterUnitType(handle);
     raster.units.emplace_back(unit != nullptr ? unit : "");
     scale(handle, has_nodata != 0 ? std::optional<double>(nodata) : std::nullopt, values);
   }
@@ -161,8 +163,8 @@ Raster band_of(const Raster& all, const std::filesystem::path& path, int band) {
 }  // namespace
 
 void* open_raster(const std::string& gdal_name) {
-  return GDALOpenEx(gdal_name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, kDrivers,
-                    nullptr, nullptr);
+  return late::GDALOpenEx(gdal_name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+                          kDrivers, nullptr, nullptr);
 }
 
 std::string raster_driver_list() {
