@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "io/document/document.h"
-#include "io/document/tables/tables.h"
+#include "io/document/reading/document_kind.h"
 
 namespace ifov::io {
 namespace {
@@ -22,10 +22,7 @@ void visit(const ValueDescription& value, std::vector<const ValueDescription*>& 
 
 }  // namespace
 
-const ValueDescription& document_description() {
-  static const ValueDescriptionPtr description = document_type().description;
-  return *description;
-}
+const ValueDescription& document_description() { return *whole_document_type().description; }
 
 std::vector<const ValueDescription*> records_within(const ValueDescription& root) {
   std::vector<const ValueDescription*> records;

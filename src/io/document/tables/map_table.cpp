@@ -5,6 +5,7 @@
 #include "io/document/file_materials_document.h"
 #include "io/document/map_document.h"
 #include "io/document/parameter_map_document.h"
+#include "io/document/schema/made_once.h"
 #include "io/document/tables/map_tables.h"
 #include "io/document/tables/raster_keys.h"
 #include "io/document/tables/tables.h"
@@ -101,17 +102,7 @@ SchemaType<std::shared_ptr<const FileMaterials>> file_materials_type(const Schem
       });
 }
 
-}  // namespace
-
-SchemaType<TemperatureMap> temperature_map_type() {
-  Record<TemperatureMap> record("temperature map", "Temperatures from a raster, bilinear between its cells.");
-  add_raster_keys(record);
-  record.required("unit", &TemperatureMap::offset_k, choice<double>({{"K", 0.0}, {"degC", 273.15}}),
-                  "unit of the raster's numbers");
-  return record.type();
-}
-
-SchemaType<ParameterMap> parameter_map_type(ParameterKind kind) {
+SchemaType<ParameterMap> made_parameter_map_type(ParameterKind kind) {
   const bool plain = kind == ParameterKind::number;
   const std::string of = plain ? "numbers" : kind == ParameterKind::angle ? "angles" : "lengths";
   Record<ParameterMap> record(
@@ -129,6 +120,20 @@ SchemaType<ParameterMap> parameter_map_type(ParameterKind kind) {
                     "what the number 1 of the raster adds: of an image of bytes 1/255 makes 0 to 1 of it")
       .with_default("offset", &ParameterMap::offset, value, zero, "what the number 0 of the raster means");
   return record.type();
+}
+
+}  // namespace
+
+SchemaType<TemperatureMap> temperature_map_type() {
+  Record<TemperatureMap> record("temperature map", "Temperatures from a raster, bilinear between its cells.");
+  add_raster_keys(record);
+  record.required("unit", &TemperatureMap::offset_k, choice<double>({{"K", 0.0}, {"degC", 273.15}}),
+                  "unit of the raster's numbers");
+  return record.type();
+}
+
+SchemaType<ParameterMap> parameter_map_type(ParameterKind kind) {
+  return made_once<made_parameter_map_type>(kind);
 }
 
 SchemaType<TextureDocument> texture_type() {

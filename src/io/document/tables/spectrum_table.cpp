@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "io/document/schema/made_once.h"
 #include "io/document/schema/record.h"
 #include "io/document/spectrum_document.h"
 #include "io/document/tables/tables.h"
@@ -293,11 +294,7 @@ SchemaType<SpectrumDocument> joined_type(const SchemaType<SpectrumDocument>& par
   return finished(record, quantity_of);
 }
 
-}  // namespace
-
-SchemaType<double> um_per_unit_type() { return choice<double>({{"um", 1.0}, {"nm", 1e-3}}); }
-
-SchemaType<SpectrumDocument> spectrum_type(SpectrumOf quantity_of) {
+SchemaType<SpectrumDocument> made_spectrum_type(SpectrumOf quantity_of) {
   using Case = std::pair<std::vector<std::string>, SchemaType<SpectrumDocument>>;
   const bool of_samples = quantity_of == SpectrumOf::reflectance || quantity_of == SpectrumOf::emissivity ||
                           quantity_of == SpectrumOf::transmittance;
@@ -311,6 +308,14 @@ SchemaType<SpectrumDocument> spectrum_type(SpectrumOf quantity_of) {
     cases.push_back({{"library"}, library_type(quantity_of)});
   }
   return either(constant_type(quantity_of), tagged(cases));
+}
+
+}  // namespace
+
+SchemaType<double> um_per_unit_type() { return choice<double>({{"um", 1.0}, {"nm", 1e-3}}); }
+
+SchemaType<SpectrumDocument> spectrum_type(SpectrumOf quantity_of) {
+  return made_once<made_spectrum_type>(quantity_of);
 }
 
 }  // namespace ifov::io
