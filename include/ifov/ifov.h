@@ -13,6 +13,7 @@
 #include "ifov/atmosphere.h"
 #include "ifov/brdf.h"
 #include "ifov/check.h"
+#include "ifov/detect.h"
 #include "ifov/document.h"
 #include "ifov/error.h"
 #include "ifov/materials.h"

@@ -80,7 +80,7 @@ struct RegionMean {
 IFOV_API std::vector<RegionMean> region_means(const std::filesystem::path& products,
                                               const std::vector<std::string>& regions);
 
-/// The run record that region_means() looks at. Errors as there.
+/// The run record that region_means() and detect() look at. Errors as there.
 IFOV_API std::filesystem::path record_of(const std::filesystem::path& products);
 
 /// Makes a file anew, whole or not at all: writes it beside its name and renames it, and follows no link. Throws

@@ -4,8 +4,9 @@
 
 namespace ifov::cli {
 
-/// Commands about runs that are under way or were split up.
+/// Commands about runs that are under way, were split up or are done.
 Command add_status_command(CLI::App& app);
 Command add_merge_command(CLI::App& app);
+Command add_detect_command(CLI::App& app);
 
 }  // namespace ifov::cli

@@ -99,7 +99,7 @@ class Regions(unittest.TestCase):
             self.assertNotEqual(done.returncode, 0)
             self.assertIn(words, done.stderr)
         done = run("info", "dome.json", "--region", "0,0,1,1", cwd=self.folder)
-        self.assertIn("--region needs a folder of products or a run record (NAME_run.json); found 'dome.json'", done.stderr)
+        self.assertIn("expected a folder of products or a run record (NAME_run.json); found 'dome.json'", done.stderr)
 
 
 if __name__ == "__main__":

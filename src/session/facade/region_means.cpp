@@ -70,13 +70,13 @@ std::filesystem::path record_of(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) throw SystemError(format("there is no '{}'", path.string()));
   if (path.filename().string().ends_with(kRecordEnding)) return path;
   if (!std::filesystem::is_directory(path))
-    throw InputError(format("--region needs a folder of products or a run record (NAME{}); found '{}'",
+    throw InputError(format("expected a folder of products or a run record (NAME{}); found '{}'",
                             kRecordEnding, path.string()));
   std::vector<std::filesystem::path> records;
   for (const auto& entry : std::filesystem::directory_iterator(path))
     if (entry.path().filename().string().ends_with(kRecordEnding)) records.push_back(entry.path());
   if (records.size() != 1)
-    throw InputError(format("--region needs the products of one run; '{}' holds {} run records (NAME{})",
+    throw InputError(format("expected the products of one run; '{}' holds {} run records (NAME{})",
                             path.string(), records.size(), kRecordEnding));
   return records.front();
 }

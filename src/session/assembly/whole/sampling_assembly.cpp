@@ -7,8 +7,7 @@
 #include "io/document/sensor_document.h"
 #include "render/image_renderer.h"
 #include "sampling/tile.h"
-#include "session/assembly/shared/spectrum_assembly.h"
-#include "session/assembly/shared/with_position.h"
+#include "session/assembly/whole/noise_assembly.h"
 
 namespace ifov::session {
 
@@ -40,24 +39,16 @@ struct Plan {
 
   /// Noise of every channel, W m-2 sr-1 um-1. InputError at a judged channel that declares none.
   std::vector<double> noise(const std::vector<int>& judged) const {
-    constexpr double kWarm_k = 300.0;
-    std::vector<double> result(channels.size(), 0.0);
+    std::vector<double> result = assemble_noise(sources, written, channels);
     for (std::size_t c = 0; c < channels.size(); ++c) {
-      const io::ChannelDocument& source = written[c];
-      if (source.noise)
-        result[c] = with_position(sources, source.position, [&] {
-          return assemble_spectrum(sources, *source.noise, "noise").at(channels[c].centre_um);
-        });
-      else if (source.noise_k)
-        result[c] = *source.noise_k * radiometry::channel_planck_slope_w_m2_sr_um_k(channels[c], kWarm_k);
       const bool asked =
           judged.empty() || std::find(judged.begin(), judged.end(), static_cast<int>(c)) != judged.end();
       if (asked && !(result[c] > 0.0))
         throw io::document_error(
-            sources, source.position,
+            sources, written[c].position,
             format("the accuracy is stated as a share of the sensor's noise, and channel '{}' has "
                    "none above 0: give it 'noise' or 'noise_temperature'",
-                   source.name));
+                   written[c].name));
     }
     return result;
   }
