@@ -116,6 +116,30 @@ TEST(SurfacesStudy, ClosedRoomsLookLikeBlackBodies) {
   }
 }
 
+// Walls that light goes through into a medium are in RoughBoundaries.WarmRoomReturnsPlanck.
+TEST(SurfacesStudy, EveryModelStandsInAClosedRoom) {
+  std::set<std::string> stand{"rough_boundary"};
+  for (const StudySurface& surface : furnace_surfaces(true)) stand.insert(surface.model);
+  for (const materials::BsdfModel* model : materials::bsdf_models())
+    EXPECT_TRUE(stand.contains(std::string(model->key))) << model->key;
+  EXPECT_EQ(stand.size(), materials::bsdf_models().size());
+}
+
+// Each of them at one width, with few rays; the study has all widths. Planted fault: a ball that is 50 K warmer.
+TEST(SurfacesStudy, AClosedRoomOfAnyModelLooksLikeABlackBody) {
+  write_furnace_table(small_study().output_folder);
+  std::set<std::string> seen;
+  for (const StudySurface& surface : furnace_surfaces(true)) {
+    if (surface.label.ends_with("_0.02") || !seen.insert(surface.model).second) continue;
+    const FurnaceRoom room = render_furnace(surface, small_study(), 2);
+    EXPECT_LT(room.standard_error, 1e-2) << surface.label;
+    EXPECT_NEAR(room.mean, 1.0, 1e-3 + 3.0 * room.standard_error) << surface.label;
+    if (!surface.sheet) continue;
+    const FurnaceRoom warm = render_furnace(surface, small_study(), 2, kFurnace_k + 50.0);
+    EXPECT_GT(warm.mean, 1.0 + 1e-3 + 3.0 * warm.standard_error) << surface.label;
+  }
+}
+
 TEST(SurfacesStudy, SlopesOfTheSeaOutOfItsImage) {
   const double found = slope_out_of_image(5.0, small_study(), 100);
   EXPECT_NEAR(found, cox_munk_slope(5.0), 0.03 * cox_munk_slope(5.0));

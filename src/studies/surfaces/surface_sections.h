@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -18,18 +19,21 @@ struct StudySurface {
   std::string label, model;
   std::vector<std::string> parameters;
   std::string reflectance;
+  bool sheet = false;  ///< transmits: hangs in a room of other walls
 };
 /// Its material, called "surface".
 io::MaterialDocument material_of(const StudySurface& surface);
-/// All models that stand in closed rooms; lobes at roughness 0.02 to 1.
+/// All models that stand in closed rooms; lobes at roughness 0.02 to 1. `table` reads the file that write_furnace_table() writes.
 std::vector<StudySurface> furnace_surfaces(bool quick);
+/// A table of the BRDF (0.3 + 0.4 cos cos')/pi, which is reciprocal and darker the more aslant it is seen, at 9 and 11 um.
+void write_furnace_table(const std::filesystem::path& folder);
 
 /// Models of the registry over a grid of their parameters: samples against density, inverse of the warp, reciprocity.
 ReportSection models_section(const StudyOptions& options);
 ReportSection lobes_section(const StudyOptions& options);
 ReportSection fresnel_section(const StudyOptions& options);
 
-/// A closed room of one temperature whose walls are of a surface: what a camera in it sees in units of Planck's radiance, and the
+/// A closed room of one temperature whose walls are of a surface (of a sheet: of metal, with the sheet across the view): what a camera in it sees in units of Planck's radiance, and the
 /// standard error of that mean. `ball_k`: of a grey ball in the room; any other temperature is a planted fault.
 struct FurnaceRoom {
   double mean = 0.0, standard_error = 0.0;
