@@ -102,6 +102,9 @@ TEST(Document, Shapes) {
   const auto polygon = shape_from<PolygonPrimitive>(
       R"("polygon": {"vertices": [["0 m","0 m","9 m"], ["4 m","0 m","9 m"], ["1 m","1 m","9 m"], ["0 m","4 m","9 m"]]})");
   EXPECT_EQ(polygon.vertices_m.size(), 4u);
+  // Rounded to a millimetre.
+  EXPECT_NO_THROW(shape_from<PolygonPrimitive>(
+      R"("polygon": {"vertices": [["0 m","0 m","0 m"], ["4 m","0 m","1.333 m"], ["4 m","4 m","2.666 m"], ["0 m","4 m","1.334 m"]]})"));
 }
 
 TEST(Document, PolygonsFarFromTheOriginMayBeFlatToo) {

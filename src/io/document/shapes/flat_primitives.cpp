@@ -11,7 +11,9 @@ namespace ifov::io {
 namespace {
 
 constexpr std::size_t kMostVertices = 100000;
-constexpr double kFlatness = 1e-6;
+/// Of a polygon's size: less area than this, squared, is none, and its triangles may lie so far outside a plane, as coordinates
+/// that were rounded do.
+constexpr double kLeastArea = 1e-6, kFlatness = 1e-3;
 
 // Newell's normal: twice the area vector, robust for concave outlines.
 math::Vec3 area_vector(const std::vector<math::Point3>& vertices) {
@@ -31,13 +33,14 @@ void check_polygon(const PolygonPrimitive& polygon, const DocumentNode& node) {
   for (const math::Point3& vertex : polygon.vertices_m) {
     size = std::max(size, math::length(vertex - polygon.vertices_m[0]));
   }
-  if (!(math::length(area) > kFlatness * size * size)) list.fail(format("{} enclose no area", list.title()));
+  if (!(math::length(area) > kLeastArea * size * size)) list.fail(format("{} enclose no area", list.title()));
   const math::Vec3 normal = math::normalized(area);
   for (std::size_t i = 0; i < polygon.vertices_m.size(); ++i) {
     const double off = std::abs(math::dot(normal, polygon.vertices_m[i] - polygon.vertices_m[0]));
     if (off > kFlatness * size) {
-      list.items()[i].fail(
-          format("{} lies {:.3g} m outside the plane of the polygon", list.items()[i].title(), off));
+      list.items()[i].fail(format(
+          "{} lies {:.3g} m outside the plane of the polygon; at most {:.3g} m, a thousandth of its size, may be rounding",
+          list.items()[i].title(), off, kFlatness * size));
     }
   }
 }
