@@ -83,7 +83,7 @@ std::uint32_t PathTracer::fork(std::uint32_t number) {
   const auto twin = static_cast<std::uint32_t>(record_.paths.size());
   PathRecord::Path path = record_.paths[number];
   path.first = path.last = PathVertex::kNone;
-  path.unseen = 0.0f;
+  path.unseen = path.sky_share = 0.0f;
   record_.paths.push_back(path);
   record_.paths[number].also = twin;
   for (std::uint32_t v = record_.paths[number].first; v != PathVertex::kNone; v = record_.vertices[v].next) {

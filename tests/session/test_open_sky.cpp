@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "io/document/document.h"
 #include "render/image_renderer.h"
@@ -25,6 +26,15 @@ constexpr const char* kDome = R"({"ifov": 1,
             "channels": [{"name": "blue", "gaussian": {"center": "0.45 um", "fwhm": "20 nm"}},
                          {"name": "red", "gaussian": {"center": "0.65 um", "fwhm": "20 nm"}}]},
  "sampling": {"accuracy": {"error": "1 %"}}})";
+
+/// The same with a dome of metal, whose lobes rays are sent to from the lawn.
+std::string metal_dome() {
+  std::string text = kDome;
+  const std::string stone = R"("stone": {"reflectance": 0.5})";
+  return text.replace(
+      text.find(stone), stone.size(),
+      R"("stone": {"reflectance": 0.8, "scattering": {"rough_conductor": {"index": "aluminium", "roughness": 0.25}}})");
+}
 
 struct Moments {
   double mean[2] = {}, variance[2] = {};
@@ -69,10 +79,20 @@ class OpenSky : public testing::Test {
     return (a.mean[c] - b.mean[c]) / std::sqrt((a.variance[c] + b.variance[c]) / kPaths);
   }
 
-  session::Session session_ = session::Session::load(io::parse_document(kDome, "dome.json"), nullptr);
+  explicit OpenSky(const std::string& document = kDome)
+      : session_(session::Session::load(io::parse_document(document, "dome.json"), nullptr)) {}
+
+  void judge_means() const;
+
+  session::Session session_;
 };
 
-TEST_F(OpenSky, ChangesNoMean) {
+class OpenSkyBesideLobes : public OpenSky {
+ protected:
+  OpenSkyBesideLobes() : OpenSky(metal_dome()) {}
+};
+
+void OpenSky::judge_means() const {
   const std::vector<float> half(session_.parts().scene.materials.size(), 0.5f), most(half.size(), 0.9f);
   // Sides of the dome, with the ground before it, and open ground. The same paths weighed by two shares differ by a part of
   // what is 0 in the mean, which shows what is wrong by a thousandth.
@@ -84,11 +104,16 @@ TEST_F(OpenSky, ChangesNoMean) {
     const Moments with = of(more), apart = of(difference);
     for (int c = 0; c < 2; ++c) {
       EXPECT_LT(std::abs(z(with, without, c)), 4.0) << x << " " << c;
-      EXPECT_LT(std::abs(apart.mean[c]), 4.0 * std::sqrt(apart.variance[c] / kPaths)) << x << " " << c;
+      EXPECT_LE(std::abs(apart.mean[c]), 4.0 * std::sqrt(apart.variance[c] / kPaths)) << x << " " << c;
       EXPECT_LT(std::abs(apart.mean[c]), 2e-3 * with.mean[c]) << x << " " << c;
     }
   }
 }
+
+TEST_F(OpenSky, ChangesNoMean) { judge_means(); }
+
+// A path that was sent to a lobe besides is another path of the same first surface, whose share of the sky counts once.
+TEST_F(OpenSkyBesideLobes, ChangesNoMean) { judge_means(); }
 
 TEST_F(OpenSky, TakesTheNoiseOfOpenGround) {
   const render::RenderJob job = session_.parts().job();
