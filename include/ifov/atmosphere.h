@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -96,5 +98,34 @@ class IFOV_API AtmosphereReport {
 /// atmosphere, or names no such channel, and what Simulation::load does for atmosphere, light and sensor; Cancelled.
 IFOV_API AtmosphereReport survey_atmosphere(const Document& document,
                                             const AtmosphereQuestion& question = {});
+
+/// A cube of radiance at the sensor that is to become reflectance.
+struct InversionQuestion {
+  /// An ENVI file, its header, or a folder with one file NAME_radiance.img. Half-widths come from NAME_half_width.img beside
+  /// it, where there is one of the same size.
+  std::filesystem::path cube;
+  /// NAME of NAME_reflectance.img and NAME_reflectance_half_width.img; empty: that of the cube, beside it.
+  std::filesystem::path stem = {};
+  int threads = 0;
+  const CancelToken* cancel = nullptr;
+  ProgressSink* progress = nullptr;
+  LogSink* log = nullptr;
+};
+
+struct InversionOutcome {
+  std::filesystem::path reflectance, half_width;  ///< what was written, ENVI, BIL, single precision
+  std::uint64_t values = 0;
+  std::uint64_t negative = 0;         ///< darker than the path alone: kept as they are
+  std::string most_negative = {};     ///< the channel that has most of them
+  std::uint64_t missing = 0;          ///< the cube holds no value there
+  std::vector<std::string> left_out;  ///< channels that see no reflected sunlight: not a number
+};
+
+/// Reflectance of level, uniform Lambertian ground that the document's atmosphere, Sun and sensor make of a radiance, pixel by
+/// pixel (docs/theory/atmosphere_inversion.md). Half-widths hold what the cube's do and the air's error, of its model too
+/// where the document's intervals hold that. Reads the whole document. Throws InputError where it has no modelled
+/// atmosphere, where the cube is not of its channels, or no channel sees reflected sunlight; SystemError of files;
+/// Cancelled.
+IFOV_API InversionOutcome invert_radiance(const Document& document, const InversionQuestion& question);
 
 }  // namespace ifov

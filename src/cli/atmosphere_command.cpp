@@ -21,7 +21,7 @@ constexpr double kLowestSun_deg = 90.0, kLowestView_deg = 80.0;
 
 struct AtmosphereArguments {
   DocumentArguments input;
-  std::string document, plot, csv, sky, sun, view, channel;
+  std::string document, plot, csv, sky, sun, view, channel, invert, stem;
   std::optional<double> altitude_km;
   int threads = 0;
   bool quiet = false, wants_plot = false;
@@ -47,6 +47,38 @@ AtmosphereQuestion::Direction direction(const std::string& option, const std::st
     throw InputError(format("ifov: {} has a zenith angle of {:g} degrees, expected 0 to {:g}", option,
                             *zenith, lowest_deg));
   return {*zenith * kDegree, *azimuth * kDegree};
+}
+
+ExitCode invert(const AtmosphereArguments& arguments) {
+  Console console(arguments.quiet, "");
+  InversionQuestion question;
+  question.cube = arguments.invert;
+  question.stem = arguments.stem;
+  question.threads = arguments.threads;
+  question.cancel = &cancel_on_interrupt();
+  console.phase("atmosphere");
+  question.progress = &console;
+  question.log = &console;
+  const InversionOutcome outcome = invert_radiance(arguments.input.read(arguments.document), question);
+  console.finish();
+  if (arguments.quiet) return ExitCode::ok;
+  say(format("{}  (surface reflectance, ENVI)\n{}  (half-width of its interval, ENVI)\n",
+             outcome.reflectance.string(), outcome.half_width.string()));
+  if (!outcome.left_out.empty()) {
+    std::string names;
+    for (const std::string& name : outcome.left_out) names += (names.empty() ? "'" : ", '") + name + "'";
+    say(format(
+        "No reflectance (not a number) of {}: no sunlight that ground reflects is seen there, apart from what it "
+        "emits.\n",
+        names));
+  }
+  if (outcome.missing > 0)
+    say(format("{} of {} values are missing in the cube.\n", outcome.missing, outcome.values));
+  if (outcome.negative > 0)
+    say(format(
+        "{} of {} values are darker than the path alone, most in '{}': their reflectance is negative, and kept.\n",
+        outcome.negative, outcome.values, outcome.most_negative));
+  return ExitCode::ok;
 }
 
 ExitCode survey(const AtmosphereArguments& arguments) {
@@ -122,6 +154,19 @@ Command add_atmosphere_command(CLI::App& app) {
       ->add_option("--channel", arguments->channel,
                    "Whose sky is shown (default: the one next to 0.45 um, at night 10 um)")
       ->type_name("NAME");
+  CLI::Option* invert_option =
+      parser
+          ->add_option(
+              "--invert", arguments->invert,
+              "Turn a radiance cube (ENVI, or a folder of products) into surface reflectance instead")
+          ->type_name("RUN_OR_CUBE");
+  parser
+      ->add_option("--to", arguments->stem,
+                   "NAME of the NAME_reflectance.img that --invert writes (default: beside the cube)")
+      ->type_name("NAME")
+      ->needs(invert_option);
+  for (const char* other : {"--plot", "--csv", "--sky", "--sun", "--view", "--altitude", "--channel"})
+    invert_option->excludes(parser->get_option(other));
   add_inputs_below(*parser);
   parser->add_option("-j,--threads", arguments->threads, "Threads; 0 takes all cores")
       ->check(CLI::Range(0, 4096))
@@ -144,10 +189,11 @@ Command add_atmosphere_command(CLI::App& app) {
       "  ifov atmosphere scene.json --plot air.png --channel blue\n"
       "  ifov atmosphere scene.json --sun 70,120 --view 30,300 --altitude 3 --csv air.csv\n"
       "  ifov atmosphere scene.json --sky sky.csv --channel blue\n"
-      "  ifov atmosphere scene.json --sun none");
+      "  ifov atmosphere scene.json --sun none\n"
+      "  ifov atmosphere scene.json --invert scene.out");
   return {parser, [arguments, plot] {
             arguments->wants_plot = plot->count() > 0;
-            return survey(*arguments);
+            return arguments->invert.empty() ? survey(*arguments) : invert(*arguments);
           }};
 }
 

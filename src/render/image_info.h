@@ -30,4 +30,7 @@ struct ImageInfo {
   double footprint_px = 1.0;      ///< sampling::response_area_px(): pixels that share what one of them sees
 };
 
+/// What intervals hold of a modelled atmosphere, a sentence without its full stop; empty without one.
+std::string what_intervals_hold(const ImageInfo& image);
+
 }  // namespace ifov::render

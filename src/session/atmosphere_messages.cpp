@@ -55,7 +55,7 @@ std::string model_error_note(std::span<const render::AtmosphereHalfWidth> air,
 namespace {
 
 /// The judged channels whose model is further from the air than what is asked for.
-void warn_of_model_errors(const Parts& parts, LogSink& log) {
+void tell_of_model_errors(const Parts& parts, LogSink& log) {
   const render::AccuracyRequest& request = *parts.plan.request;
   std::size_t worst = 0, count = 0;
   double most = 1.0;
@@ -68,24 +68,21 @@ void warn_of_model_errors(const Parts& parts, LogSink& log) {
     if (share > most) most = share, worst = c;
   }
   if (count == 0) return;
-  const std::string text = format(
+  log.info(format(
       "the model of the air is not as near to the air as what is asked for: over a grey surface it may be off by {} in "
       "'{}'{}, whatever rays are traced; {} is then the accuracy of the numbers alone",
       in_units(request, request.error * most), parts.channels[worst].name,
       count > 1 ? format(" and by more than asked for in {} more", count - 1) : std::string(),
-      in_units(request, request.error));
-  // Who wants the model's error in intervals compares with the air; others compare images of the model.
-  if (parts.air[worst].model_counted > 0.0)
-    log.warn(text);
-  else
-    log.info(text);
+      in_units(request, request.error)));
 }
 
 }  // namespace
 
 void warn_of_atmosphere_errors(const Parts& parts, LogSink& log) {
   if (parts.air.empty() || !parts.tolerance) return;
-  warn_of_model_errors(parts, log);
+  // Who wants the model's error in intervals compares with the air, and is warned; others compare images of the model.
+  const bool with_model = parts.air.front().model_counted > 0.0;
+  if (!with_model) tell_of_model_errors(parts, log);
   constexpr std::size_t kNamed = 4;
   std::size_t count = 0;
   double worst = 0.0;
@@ -101,10 +98,11 @@ void warn_of_atmosphere_errors(const Parts& parts, LogSink& log) {
   if (count > kNamed) names += format(" and {} more", count - kNamed);
   const double enough = parts.plan.request->error * worst / (1.0 - render::AccuracyTolerance::kLeastShare);
   log.warn(format(
-      "the accuracy asked for is finer than the atmosphere is computed to: over a grey surface the air's own "
-      "numerical error is up to {} in {}; pixels may miss it there however many rays are traced. {} "
-      "can be reached, or judge other channels",
+      "the accuracy asked for is finer than the atmosphere is {}: over a grey surface the air's own {} is up to {} in {}; "
+      "pixels may miss it there however many rays are traced{}. {} can be reached, or judge other channels",
+      with_model ? "known" : "computed to", with_model ? "error, of numbers and model," : "numerical error",
       in_units(*parts.plan.request, parts.plan.request->error * worst), names,
+      worst > 1.0 ? ", and they end where they add a third of that" : "",
       in_units(*parts.plan.request, enough)));
 }
 

@@ -42,9 +42,11 @@ std::string sensor_statement(const Parts& parts) {
                 parts.info.height_px, parts.channels.size(), parts.nodes->node_count());
 }
 
-std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals,
-                               const sampling::ReasonCounts& reasons, const std::string& why_gaps,
-                               const std::vector<io::ImageError>& errors) {
+namespace {
+
+std::string reached_statement(const io::RunPlan& plan, const Progress& totals,
+                              const sampling::ReasonCounts& reasons, const std::string& why_gaps,
+                              const std::vector<io::ImageError>& errors) {
   std::string text;
   if (totals.pixels_done < totals.pixels_total)
     text = format("{} of {} pixels hold no value (NaN), because {}. ",
@@ -75,6 +77,18 @@ std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals,
         totals.pixels_converged, totals.pixels_done, missed, missed == 1 ? "is" : "are",
         sampling::describe_reasons(reasons), totals.worst_error_ratio);
   return text;
+}
+
+}  // namespace
+
+std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals,
+                               const sampling::ReasonCounts& reasons, const std::string& why_gaps,
+                               const std::vector<io::ImageError>& errors) {
+  std::string text = reached_statement(plan, totals, reasons, why_gaps, errors);
+  std::string held = plan.knows_errors ? render::what_intervals_hold(plan.image) : std::string();
+  if (held.empty()) return text;
+  held.front() = 'I';
+  return text + " " + held + ".";
 }
 
 std::vector<std::string> notes(const Parts& parts) {

@@ -38,7 +38,7 @@ def rows(text):
     found = {}
     for line in text.splitlines():
         words = line.split()
-        if words and words[0] in ("blue", "red", "thermal"):
+        if words and words[0] in ("blue", "red", "thermal") and words[0] not in found:
             found[words[0]] = [None if word == "-" else float(word) for word in words[1:]]
     return found
 
@@ -70,6 +70,23 @@ class Table(unittest.TestCase):
             self.assertTrue(20 < solar < 100 and 500 < direct < 1500 and 100 < diffuse < 700 and 0.1 < albedo < 0.3)
             self.assertLess(table["red"][3], solar)
             self.assertTrue(200 < table["thermal"][8] < 294)
+
+    def test_what_correction_codes_ask_for(self):
+        with Folder(yard=YARD % AIR) as folder:
+            text = run("atmosphere", "yard.json", cwd=folder).stdout
+        table = rows(text)
+        below = rows(text[text.index("reflect."):])
+        for name in ("blue", "red"):
+            _, sun, sensor, solar, _, direct, diffuse, albedo, _ = table[name]
+            path, down, down_scattered, up, up_scattered, s = below[name]
+            above = direct / sun
+            self.assertAlmostEqual(path, math.pi * solar / above, delta=2e-4)
+            self.assertAlmostEqual(down, sun + diffuse / above, delta=2e-4)
+            self.assertAlmostEqual(down - down_scattered, sun, delta=2e-4)
+            self.assertAlmostEqual(up - up_scattered, sensor, delta=2e-4)
+            self.assertAlmostEqual(s, albedo, delta=1e-4)
+            # Reciprocity: nearly the same way down and up.
+            self.assertAlmostEqual(down, up, delta=0.04)
 
     def test_another_geometry(self):
         with Folder(yard=YARD % AIR) as folder:

@@ -65,22 +65,38 @@ TEST_F(AtmosphereBudget, TheModelsErrorIsOfTheContrast) {
   EXPECT_DOUBLE_EQ(air.in_interval(30.0), air.of_model(30.0));
 }
 
-// It widens intervals, and what was asked for is judged by the numbers.
-TEST_F(AtmosphereBudget, TheModelsErrorWidensAfterTheJudgement) {
-  const auto widened = [&](double counted) {
-    std::vector<AtmosphereHalfWidth> air = air_;
-    for (AtmosphereHalfWidth& one : air) one.model_surface = 0.1, one.model_counted = counted;
+// Where intervals hold it, what was asked for is judged by all that they hold.
+TEST_F(AtmosphereBudget, TheModelsErrorIsJudgedWhereIntervalsHoldIt) {
+  const auto widened = [&](double counted, double model) {
+    air_.assign(2, one_);
+    for (AtmosphereHalfWidth& one : air_) one.model_surface = model, one.model_counted = counted;
     const AccuracyTolerance limits = tolerance(0.02);
     sampling::TileResult result = tile(110.0f, 0.5f);
-    widen(air, &limits, result);
+    widen(air_, &limits, result);
     return result;
   };
-  const sampling::TileResult without = widened(0.0), with = widened(1.0);
+  const sampling::TileResult without = widened(0.0, 0.1), with = widened(1.0, 0.1), bare = widened(0.0, 0.0);
+  EXPECT_EQ(without.half_width, bare.half_width);
+  EXPECT_TRUE(without.converged(0));
   EXPECT_FLOAT_EQ(with.half_width[0], without.half_width[0] + 10.0f);
   EXPECT_FLOAT_EQ(with.half_width[1], without.half_width[1] + 10.0f);
-  EXPECT_EQ(with.worst_ratio[0], without.worst_ratio[0]);
-  EXPECT_EQ(with.reasons, without.reasons);
-  EXPECT_TRUE(with.converged(0));
+  EXPECT_FLOAT_EQ(with.worst_ratio[0], with.half_width[0] / 2.2f);
+  EXPECT_EQ(with.reasons[0], sampling::bit(sampling::Reason::air));
+  EXPECT_TRUE(widened(1.0, 0.001).converged(0));
+}
+
+// Rays end where they add a third of what the air alone is wrong by, if that is more than what is asked for.
+TEST_F(AtmosphereBudget, RaysAreNotSpentOnWhatTheAirCannotKeep) {
+  for (AtmosphereHalfWidth& one : air_) one.model_surface = 0.1, one.model_counted = 1.0;
+  std::vector<double> mean{60.0, 60.0}, limit(2);
+  tolerance(0.01).limits(mean, limit);
+  EXPECT_DOUBLE_EQ(limit[0], (one_.of(60.0) + 5.0) / 3.0);
+  EXPECT_NEAR(tolerance(0.01).atmosphere_share(0, 60.0), (one_.of(60.0) + 5.0) / 0.6, 1e-12);
+  tolerance(0.2).limits(mean, limit);
+  EXPECT_NEAR(limit[0], 12.0 - one_.of(60.0) - 5.0, 1e-12);
+  for (AtmosphereHalfWidth& one : air_) one.model_counted = 0.0;
+  tolerance(0.01).limits(mean, limit);
+  EXPECT_DOUBLE_EQ(limit[0], 0.3);
 }
 
 TEST_F(AtmosphereBudget, LeavesTheRestToTheSampler) {
@@ -93,8 +109,10 @@ TEST_F(AtmosphereBudget, LeavesTheRestToTheSampler) {
   EXPECT_DOUBLE_EQ(limit[0], 1.2 - one_.of(60.0));
   EXPECT_TRUE(std::isinf(limit[1]));
   // Where the air takes more than half, the sampler stops at half: no rays make up for the air.
+  tolerance(0.01).limits(mean, limit);
+  EXPECT_DOUBLE_EQ(limit[0], 0.3);
   tolerance(0.005).limits(mean, limit);
-  EXPECT_DOUBLE_EQ(limit[0], 0.15);
+  EXPECT_DOUBLE_EQ(limit[0], one_.of(60.0) / 3.0);
 }
 
 TEST_F(AtmosphereBudget, WidensIntervalsByTheWholeOfIt) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "atmosphere/imported_path.h"
@@ -23,6 +24,26 @@ std::string figure(double value) {
 
 std::string fitted(const std::string& name) {
   return name.size() <= kLongestName ? name : name.substr(0, kLongestName - 3) + "...";
+}
+
+/// What correction codes ask for: path reflectance, sunlight down and light of the ground up, straight and scattered, and S.
+std::string correction_text(const AtmosphereReport& report, std::size_t widest) {
+  if (!report.geometry.sun_zenith_rad) return {};
+  const double cosine = std::cos(*report.geometry.sun_zenith_rad);
+  std::string text = format(
+      "\n{:<{}}  {:>9}  {:>13}  {:>13}  {:>6}\n{:<{}}  {:>9}  {:>6} {:>6}  {:>6} {:>6}  {:>6}\n", "", widest,
+      "path", "down", "up", "", "channel", widest, "reflect.", "all", "scatt.", "all", "scatt.", "S");
+  for (const AtmosphereReport::Channel& channel : report.channels) {
+    const atmosphere::AtmosphereEffects& of = channel.light;
+    const double above = of.solar_irradiance * cosine;
+    if (!(above > 0.0)) continue;
+    text += format("{:<{}}  {:>9.5f}  {:>6.4f} {:>6.4f}  {:>6.4f} {:>6.4f}  {:>6.4f}\n", fitted(channel.name),
+                   widest, std::numbers::pi * of.solar_path / above,
+                   (of.direct_irradiance + of.solar_sky) / above, of.solar_sky / above,
+                   of.view_transmittance + of.diffuse_transmittance, of.diffuse_transmittance,
+                   of.spherical_albedo);
+  }
+  return text;
 }
 
 }  // namespace
@@ -51,6 +72,7 @@ std::string atmosphere_report_text(const AtmosphereReport& report) {
         day ? figure(of.solar_path) : "-", figure(of.thermal_path), day ? figure(of.direct_irradiance) : "-",
         figure(sky), of.spherical_albedo > 0.0 ? format("{:.4f}", of.spherical_albedo) : "-", kelvin);
   }
+  text += correction_text(report, widest);
   if (!report.neutral_points.empty()) {
     text +=
         format("\nThe sky at {:.4g} um ({}) is unpolarized", report.sky->wavelength_um, report.sky_channel);
@@ -68,8 +90,9 @@ std::string atmosphere_report_text(const AtmosphereReport& report) {
   return text +
          "\nOver black ground. Direct transmittances; radiances in W m-2 sr-1 um-1, irradiances of level "
          "ground in\n"
-         "W m-2 um-1; albedo: of the air for light from below; sky K: temperature of a black sky as "
-         "bright.\n";
+         "W m-2 um-1; albedo and S: of the air for light from below; sky K: temperature of a black sky as "
+         "bright;\n"
+         "down, up: shares of sunlight that reach the ground, of uniform ground's light that reach the sensor.\n";
 }
 
 std::string atmosphere_report_csv(const AtmosphereReport& report) {

@@ -35,6 +35,9 @@ EnviHeader header_of(const Quantity& quantity, const render::ImageInfo& image, c
   if (quantity.is_spectral())
     header.other["z plot titles"] =
         format("Wavelength (Micrometers), {} ({})", capitalised(quantity.what), header.data_units);
+  if (const std::string held = render::what_intervals_hold(image);
+      !held.empty() && quantity.role == Quantity::Role::error)
+    header.other["ifov interval"] = held;
   if (quantity.needs.stokes) add_stokes_convention(header, identity.acquisition.camera);
   if (quantity.complete_header != nullptr) quantity.complete_header(header);
   return header;

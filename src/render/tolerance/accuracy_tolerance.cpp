@@ -73,11 +73,13 @@ void AccuracyTolerance::limits(std::span<const double> mean, std::span<double> l
   for (std::size_t c = 0; c < judged_columns(limit.size()); ++c) {
     if (std::isinf(limit[c])) continue;  // not judged
     const std::size_t channel = c % white_.size();
-    double other = cut_share_ * limit[c];
+    double other = cut_share_ * limit[c], of_air = 0.0;
     if (!air_.empty())
-      other += c == channel ? air_[c].of(mean[c]) : air_[channel].of_polarization(mean[channel]);
+      of_air = c == channel ? air_[c].all_of(mean[c]) : air_[channel].of_polarization(mean[channel]);
+    other += of_air;
     if (!nodes_.empty()) other += nodes_[channel].counted(std::abs(mean[channel]), limit[c]);
-    if (other > 0.0) limit[c] = std::max(limit[c] - other, kLeastShare * limit[c]);
+    const double of_rays = of_air > limit[c] ? kShareOfAir * of_air : 0.0;
+    if (other > 0.0) limit[c] = std::max({limit[c] - other, kLeastShare * limit[c], of_rays});
   }
 }
 
@@ -85,7 +87,7 @@ double AccuracyTolerance::atmosphere_share(std::size_t channel, double radiance)
   std::vector<double> mean(white_.size(), 0.0), limit(white_.size());
   mean[channel] = radiance;
   asked(mean, limit);
-  return air_.empty() ? 0.0 : air_[channel].of(radiance) / limit[channel];
+  return air_.empty() ? 0.0 : air_[channel].all_of(radiance) / limit[channel];
 }
 
 void AccuracyTolerance::asked(std::span<const double> mean, std::span<double> limit) const {

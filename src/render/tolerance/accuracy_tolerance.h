@@ -51,11 +51,12 @@ class AccuracyTolerance final : public sampling::Tolerance {
   bool with_stokes() const { return stokes_; }
 
   /// What is left for paths and edges: what is asked for less what the air, the nodes and a cut may be wrong by, but
-  /// never less than kLeastShare of it, because no number of rays makes up for those.
+  /// never less than kLeastShare of it, because no number of rays makes up for those. Where the air alone is wrong by more
+  /// than what is asked for, nor less than kShareOfAir of that: what rays add is then little beside it.
   void limits(std::span<const double> mean, std::span<double> limit) const override;
   /// What is asked for.
   void asked(std::span<const double> mean, std::span<double> limit) const;
-  static constexpr double kLeastShare = 0.5;
+  static constexpr double kLeastShare = 0.5, kShareOfAir = 1.0 / 3.0;
   /// What the air may be wrong by over what is asked for, in a judged channel: up to 1 - kLeastShare it can be reached.
   double atmosphere_share(std::size_t channel, double radiance) const;
   double confidence() const override { return confidence_; }

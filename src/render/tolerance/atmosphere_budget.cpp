@@ -103,22 +103,11 @@ void widen(std::span<const AtmosphereHalfWidth> air, const AccuracyTolerance* to
       const std::size_t channel = c % channels;
       const double before = optics ? static_cast<double>(tile.mean[p * columns + told + channel]) : 0.0;
       if (c < told)
-        more[c] =
-            c < channels ? air[c].of(mean[c], before) : air[channel].of_polarization(mean[channel], before);
+        more[c] = c < channels ? air[c].all_of(mean[c], before)
+                               : air[channel].of_polarization(mean[channel], before);
       half_width[c] += static_cast<float>(more[c]);
     }
-    // What was asked for is judged by the numbers, which is what more or other computing may lower; the model's error is
-    // told of the same pixel beside it.
-    const auto add_model = [&] {
-      for (std::size_t c = 0; c < channels; ++c) {
-        const double before = optics ? static_cast<double>(tile.mean[p * columns + told + c]) : 0.0;
-        half_width[c] += static_cast<float>(air[c].in_interval(mean[c], before));
-      }
-    };
-    if (tolerance == nullptr) {
-      add_model();
-      continue;
-    }
+    if (tolerance == nullptr) continue;
     tolerance->asked(mean, limit);
     double worst = 0.0;
     bool no_room = false;
@@ -132,7 +121,6 @@ void widen(std::span<const AtmosphereHalfWidth> air, const AccuracyTolerance* to
     constexpr double kRounding = 1e-5;
     // What else kept a pixel from its limit is not the air's fault, unless the air alone would have.
     if (worst > 1.0 + kRounding && (no_room || tile.converged(p))) tile.set(p, sampling::Reason::air);
-    add_model();
   }
 }
 

@@ -39,6 +39,10 @@ struct AtmosphereHalfWidth {
          model_counted = 0.0;
   double of_model(double radiance, double before = 0.0) const;
   double in_interval(double radiance, double before = 0.0) const;
+  /// All that an interval holds of the air: numbers, and the model where it is counted.
+  double all_of(double radiance, double before = 0.0) const {
+    return of(radiance, before) + in_interval(radiance, before);
+  }
   /// The nodes' part of it.
   double of_nodes(double radiance) const {
     if (!(passed > 0.0)) return sum(nodes_path, nodes_surface, nodes_sky, radiance);

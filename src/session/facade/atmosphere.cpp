@@ -1,11 +1,17 @@
 #include "ifov/atmosphere.h"
 
+#include <algorithm>
+
 #include "core/call_scope.h"
 #include "core/error.h"
 #include "io/files/inputs.h"
+#include "io/products/envi_reader.h"
 #include "session/atmosphere_survey.h"
 #include "session/facade/access.h"
 #include "session/facade/document_inside.h"
+#include "session/loaded/parts.h"
+#include "session/reflectance_cube.h"
+#include "session/session.h"
 
 namespace ifov {
 namespace {
@@ -36,6 +42,38 @@ SkyLight sky_of(const io::AtmosphereReport& report) {
   for (const atmosphere::NeutralPoint& point : report.neutral_points)
     sky.neutral_points.push_back({point.name, point.zenith_rad, point.distance_rad});
   return sky;
+}
+
+constexpr std::string_view kRadiance = "_radiance.img";
+
+std::filesystem::path cube_of(const std::filesystem::path& path) {
+  if (!std::filesystem::is_directory(path)) return path;
+  std::vector<std::filesystem::path> cubes;
+  for (const auto& entry : std::filesystem::directory_iterator(path))
+    if (entry.path().filename().string().ends_with(kRadiance)) cubes.push_back(entry.path());
+  if (cubes.size() != 1)
+    throw InputError(format("'{}' holds {} cubes of radiance (NAME{}): expected one", path.string(),
+                            cubes.size(), kRadiance));
+  return cubes.front();
+}
+
+/// Without what tells a cube from others of the same run.
+std::string stem_of(const std::filesystem::path& data) {
+  std::string stem = data.string();
+  if (stem.ends_with(kRadiance)) return stem.substr(0, stem.size() - kRadiance.size());
+  return std::filesystem::path(data).replace_extension().string();
+}
+
+std::unique_ptr<io::EnviReader> half_widths_beside(const std::string& stem, const io::EnviReader& cube) {
+  const std::string path = stem + "_half_width.img";
+  if (!std::filesystem::exists(path)) return nullptr;
+  auto found = std::make_unique<io::EnviReader>(path);
+  const io::EnviHeader &here = found->header(), &there = cube.header();
+  if (here.samples != there.samples || here.lines != there.lines || here.bands != there.bands)
+    throw InputError(format("{}: {} x {} pixels of {} bands, but {} has {} x {} of {}", path, here.samples,
+                            here.lines, here.bands, cube.data_path().string(), there.samples, there.lines,
+                            there.bands));
+  return found;
 }
 
 }  // namespace
@@ -78,5 +116,40 @@ std::string AtmosphereReport::csv() const { return io::atmosphere_report_csv(ins
 std::string AtmosphereReport::sky_csv() const { return io::sky_csv(inside_->report); }
 
 std::string AtmosphereReport::figure() const { return io::atmosphere_report_figure(inside_->report); }
+
+InversionOutcome invert_radiance(const Document& document, const InversionQuestion& question) {
+  if (question.threads < 0)
+    throw InputError(format("threads: {} was asked for; 0 takes all cores", question.threads));
+  const auto& source = FacadeAccess::inside(document);
+  const Call call{source.inputs, question.cancel};
+  const CallScope scope(call);
+  if (!source.document.atmosphere.modelled)
+    throw io::document_error(
+        source.document.sources, source.document.atmosphere.position,
+        "there is no modelled atmosphere to take from the radiance: 'atmosphere' has no 'profile'");
+  const io::EnviReader cube(cube_of(question.cube));
+  const std::string stem = stem_of(cube.data_path());
+  const auto half_widths = half_widths_beside(stem, cube);
+  const session::Session session = session::Session::load(
+      source.document, question.log,
+      {.threads = question.threads, .cancel = question.cancel, .progress = question.progress});
+  const session::Parts& parts = session.parts();
+  const std::string to = question.stem.empty() ? stem : question.stem.string();
+  InversionOutcome outcome;
+  outcome.reflectance = to + "_reflectance.img";
+  outcome.half_width = to + "_reflectance_half_width.img";
+  const session::RetrievalCounts counts =
+      session::retrieve(parts.info, source.document.sources.file_name, *parts.atmosphere, cube,
+                        half_widths.get(), outcome.reflectance.string(), outcome.half_width.string());
+  outcome.values = counts.values;
+  outcome.negative = counts.negative;
+  outcome.missing = counts.missing;
+  const auto most = std::max_element(counts.negative_by_channel.begin(), counts.negative_by_channel.end());
+  if (counts.negative > 0)
+    outcome.most_negative =
+        parts.channels[static_cast<std::size_t>(most - counts.negative_by_channel.begin())].name;
+  for (const std::size_t c : counts.left_out) outcome.left_out.push_back(parts.channels[c].name);
+  return outcome;
+}
 
 }  // namespace ifov

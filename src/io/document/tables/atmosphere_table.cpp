@@ -180,7 +180,7 @@ SchemaType<AtmosphereDocument> atmosphere_type() {
           "interval", modelled(&ModelledAtmosphere::interval), word({"numerical", "with model"}),
           "\"numerical\"",
           "what intervals hold of the air: how exactly this model is computed, or how far the model is from the "
-          "air besides; what is asked for is judged by the former");
+          "air besides; what is asked for is judged by what they hold");
   for (const char* key : {"levels", "ground_altitude", "water_vapour", "ozone", "co2", "ch4", "n2o",
                           "aerosol", "sensor_altitude", "adjacency", "interval"})
     record.needs(key, "profile");
