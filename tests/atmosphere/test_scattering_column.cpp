@@ -207,7 +207,8 @@ TEST(ScatteringColumn, AnyThreadGivesTheSameBytes) {
 TEST(ScatteringColumn, RefusesWhatDoesNotFit) {
   Column column = Air().column();
   const ColumnSolver solver;
-  EXPECT_THROW(solver.solve(column.levels, column.optics, 1.6), std::invalid_argument);
+  EXPECT_THROW(solver.solve(column.levels, column.optics, 1.8), std::invalid_argument) << "deep night";
+  EXPECT_THROW(ColumnSolver(flat()).solve(column.levels, column.optics, 1.6), std::invalid_argument);
   column.optics.gas_absorption.pop_back();
   EXPECT_THROW(solver.solve(column.levels, column.optics, 0.5), std::invalid_argument);
   ScatteringOptions options;

@@ -39,13 +39,35 @@ FluxProfile diffuse_fluxes(const ScatteringColumn& column, const GaussNodes& nod
   return fluxes;
 }
 
-/// Light in the forward peak travels with the beam, but is not the beam.
+/// Light in the forward peak travels with the beam, but is not the beam. From below the horizon nothing falls on level ground.
 void add_beam(const ScatteringColumn& column, FluxProfile& fluxes) {
+  if (column.sun_mu < 0.0) return;
   for (std::size_t level = 0; level < fluxes.altitude_km.size(); ++level) {
     const double whole = std::exp(-column.true_beam_depth[level]);
     fluxes.direct_down[level] = column.sun_mu * whole;
     fluxes.diffuse_down[level] += column.sun_mu * (std::exp(-column.beam_depth[level]) - whole);
   }
+}
+
+/// Where the Sun is lower than this cosine of the zenith angle, 2 degrees above the horizon, and below the horizon whole, the
+/// flux down is that of the sky's radiances: flat layers know nothing of light that comes from beyond the horizon.
+constexpr double kLowSun = 0.035;
+void take_flux_of_sky(const ScatteredField& field, FluxProfile& fluxes) {
+  const GaussNodes zeniths = gauss_nodes(12);
+  constexpr int kAzimuths = 12;
+  double flux = 0.0;
+  for (std::size_t j = 0; j < zeniths.position.size(); ++j) {
+    const SlantSource ring = field.along(-zeniths.position[j]);
+    double sum = 0.0;
+    for (int a = 0; a < kAzimuths; ++a)
+      sum += ring.sky((a + 0.5) * std::numbers::pi / kAzimuths, fluxes.altitude_km.back()).radiance().i;
+    flux += 2.0 * std::numbers::pi * zeniths.weight[j] * zeniths.position[j] * sum / kAzimuths;
+  }
+  const double share = std::min(1.0, 1.0 - field.solved().column.sun_mu / kLowSun);
+  const double given = fluxes.diffuse_down.back();
+  if (!(given > 0.0)) return;
+  const double factor = 1.0 + share * (flux / given - 1.0);
+  for (double& down : fluxes.diffuse_down) down *= factor;
 }
 
 }  // namespace
@@ -72,14 +94,20 @@ ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& opti
                                    const ScatteringOptions& options) const {
   ScatteringColumn column(levels, optics, sun_zenith_rad, options);
   ColumnPhase phase(column, aerosol_, 2 * options.nodes_per_hemisphere);
-  const auto solved = std::make_shared<const SolvedColumn>(SolvedColumn{
-      std::move(column), std::move(phase), options_.polarized ? options_.aerosol_polarization : 0.0});
+  RoundEarthLight round_earth;
+  if (options.spherical_earth && options.most_orders > 1) round_earth = RoundEarthLight(column);
+  const auto solved = std::make_shared<const SolvedColumn>(
+      SolvedColumn{std::move(column), std::move(phase),
+                   options_.polarized ? options_.aerosol_polarization : 0.0, std::move(round_earth)});
   const SuccessiveOrders orders(solved->column, solved->phase, nodes_, options);
 
   SuccessiveOrders::Mode mode = orders.sunlit(0, 0.0);
   const double reference = mode.moments.peak();
   const int sunlit_orders = mode.orders;
   FluxProfile sunlit_fluxes = diffuse_fluxes(solved->column, nodes_, mode.radiance);
+  if (solved->round_earth.any())
+    for (std::size_t level = 0; level < sunlit_fluxes.altitude_km.size(); ++level)
+      sunlit_fluxes.diffuse_down[level] *= solved->round_earth.flux_ratio()[level];
   add_beam(solved->column, sunlit_fluxes);
   std::vector<ModeMoments> modes;
   // Moments of light scattered once are the source of the second order, which was not asked for.
@@ -97,6 +125,8 @@ ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& opti
   FluxProfile groundlit_fluxes = diffuse_fluxes(solved->column, nodes_, ground.radiance);
   std::vector<ModeMoments> ground_modes;
   ground_modes.push_back(std::move(ground.moments));
+  if (solved->round_earth.any() && solved->column.sun_mu < kLowSun)
+    take_flux_of_sky(ScatteredField(solved, modes, sunlit_fluxes, true, sunlit_orders), sunlit_fluxes);
   return ColumnSolution(
       ScatteredField(solved, std::move(modes), std::move(sunlit_fluxes), true, sunlit_orders),
       ScatteredField(solved, std::move(ground_modes), std::move(groundlit_fluxes), false, ground.orders));
@@ -106,8 +136,8 @@ double ColumnSolution::spherical_albedo() const {
   return groundlit_.fluxes().diffuse_down.back() / std::numbers::pi;
 }
 
-StokesVector ColumnSolution::diffuse_transmittance(double mu, double observer_km, double length_km) const {
-  const PathLight light = groundlit_.path({mu, 0.0}, observer_km, length_km);
+StokesVector ColumnSolution::diffuse_transmittance(double mu, double observer_km, double surface_km) const {
+  const PathLight light = groundlit_.line_of_sight({mu, 0.0}, observer_km, surface_km);
   StokesVector scattered = light.multiple;
   scattered.i += light.peak_transmittance - light.transmittance;
   return scattered;

@@ -31,8 +31,8 @@ class ColumnSolution {
   double spherical_albedo() const;
   /// Radiance of scattered light that an observer above receives from ground of radiance 1 everywhere, in
   /// light that propagates with mu > 0. Light straight from the ground is not in it.
-  /// `length_km`: of the path that is lit from below.
-  StokesVector diffuse_transmittance(double mu, double observer_km, double length_km = kEndless_km) const;
+  /// `surface_km`: where the line of sight begins, and has this zenith angle; not below the ground.
+  StokesVector diffuse_transmittance(double mu, double observer_km, double surface_km = -kEndless_km) const;
   /// Transmittance of the sunbeam down to an altitude.
   double sun_transmittance(double altitude_km) const;
 

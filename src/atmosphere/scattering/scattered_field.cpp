@@ -1,11 +1,11 @@
 #include "atmosphere/scattering/scattered_field.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 
 #include "atmosphere/linear_source.h"
+#include "atmosphere/scattering/sight_line.h"
 #include "atmosphere/scattering/spherical_functions.h"
 
 namespace ifov::atmosphere {
@@ -70,34 +70,39 @@ SlantSource::SlantSource(const ScatteredField& field, double mu) : field_(&field
 class SlantSource::Sum {
  public:
   Sum(const SlantSource& source, double azimuth_rad)
-      : values_(source.source_.data()), sublayers_(source.field_->solved().phase.sublayers) {
+      : ends_(2 * source.field_->solved().phase.sublayers), at_azimuth_(kComponents * ends_, 0.0) {
+    const double* from = source.source_.data();
     for (const ModeMoments& moments : source.field_->modes()) {
-      turn_.push_back({std::cos(moments.mode * azimuth_rad), std::sin(moments.mode * azimuth_rad)});
+      const double c = std::cos(moments.mode * azimuth_rad), s = std::sin(moments.mode * azimuth_rad);
+      add_scaled(2 * ends_, c, from, at_azimuth_.data());
+      add_scaled(ends_, s, from + 2 * ends_, at_azimuth_.data() + 2 * ends_);
+      from += kComponents * ends_;
     }
   }
 
   bool operator()(const PathPiece& piece) {
-    const LinearSource step = LinearSource::over(piece.depth);
+    return add(piece.sublayer, piece.depth, piece.near_position, piece.far_position, 1.0, 1.0);
+  }
+  /// Factors: of the source at the piece's ends.
+  bool add(std::size_t sublayer, double depth, double near_position, double far_position, double near_factor,
+           double far_factor) {
+    const LinearSource step = LinearSource::over(depth);
     // The source at the piece's two ends, weighted, is one weighting of it at the sublayer's two ends.
-    const double bottom = transmission_ * (step.near * piece.near_position + step.far * piece.far_position);
-    const double top = transmission_ * (step.near + step.far) - bottom;
-    const std::size_t n = sublayers_;
-    const double* at = values_ + 2 * piece.sublayer;
-    for (const auto& [c, s] : turn_) {
-      multiple_.i += c * (top * at[0] + bottom * at[1]);
-      multiple_.q += c * (top * at[2 * n] + bottom * at[2 * n + 1]);
-      multiple_.u += s * (top * at[4 * n] + bottom * at[4 * n + 1]);
-      at += kComponents * 2 * n;
-    }
+    const double near = step.near * near_factor, far = step.far * far_factor;
+    const double bottom = transmission_ * (near * near_position + far * far_position);
+    const double top = transmission_ * (near + far) - bottom;
+    const double* at = at_azimuth_.data() + 2 * sublayer;
+    multiple_.i += top * at[0] + bottom * at[1];
+    multiple_.q += top * at[ends_] + bottom * at[ends_ + 1];
+    multiple_.u += top * at[2 * ends_] + bottom * at[2 * ends_ + 1];
     transmission_ *= step.transmission;
     return transmission_ > 0.0;
   }
   const StokesVector& multiple() const { return multiple_; }
 
  private:
-  const double* values_;
-  std::size_t sublayers_;
-  std::vector<std::array<double, 2>> turn_;  ///< cos and sin of mode times azimuth
+  std::size_t ends_;
+  std::vector<double> at_azimuth_;  ///< [component][sublayer][top, bottom]
   double transmission_ = 1.0;
   StokesVector multiple_;
 };
@@ -113,13 +118,37 @@ PathLight SlantSource::path(double azimuth_rad, double observer_km, double lengt
   return light;
 }
 
-PathLight SlantSource::sky(double azimuth_rad, double observer_km) const {
+PathLight SlantSource::line_of_sight(double azimuth_rad, double sensor_km, double surface_km) const {
+  return through_shells(azimuth_rad, surface_km, sensor_km, {});
+}
+
+PathLight SlantSource::sky(double azimuth_rad, double observer_km, const SunCell& cell) const {
+  return through_shells(azimuth_rad, observer_km, field_->solved().column.top_km(), cell);
+}
+
+PathLight SlantSource::through_shells(double azimuth_rad, double lower_km, double upper_km,
+                                      const SunCell& cell) const {
   const SolvedColumn& solved = field_->solved();
-  PathLight light =
-      single_scattering_sky(solved.column, solved.aerosol_polarization, {mu_, azimuth_rad}, observer_km);
+  const ScatteringColumn& column = solved.column;
+  const Propagation direction{mu_, azimuth_rad};
+  const SightLine::Ends ends{lower_km, upper_km};
+  PathLight light = single_scattering(
+      column, solved.aerosol_polarization,
+      SightLine(column.layer_altitude_km, column.spherical, column.sun_mu, direction, ends), cell);
   if (!field_->sunlit()) light.single = {};
+  const SightLine line(column.altitude_km, column.spherical, column.sun_mu, direction, ends, false);
+  const bool varies = field_->sunlit() && solved.round_earth.any();
+  const auto factor = [&](std::size_t sublayer, double position, double sun_mu) {
+    return varies ? solved.round_earth.mean_ratio(sublayer, position, sun_mu) : 1.0;
+  };
   Sum sum(*this, azimuth_rad);
-  walk_sky(solved.column, observer_km, mu_, sum);
+  for (std::size_t p = 0; p < line.pieces().size(); ++p) {
+    const SightLine::Piece& piece = line.pieces()[p];
+    if (!sum.add(piece.layer, piece.slant * column.depth[piece.layer], piece.near_position,
+                 piece.far_position, factor(piece.layer, piece.near_position, line.sun_mu()[p]),
+                 factor(piece.layer, piece.far_position, line.sun_mu()[p + 1])))
+      break;
+  }
   light.multiple = sum.multiple();
   return light;
 }

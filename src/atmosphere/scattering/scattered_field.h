@@ -6,6 +6,7 @@
 
 #include "atmosphere/scattering/column_phase.h"
 #include "atmosphere/scattering/mode_operator.h"
+#include "atmosphere/scattering/round_earth_light.h"
 #include "atmosphere/scattering/single_scattering.h"
 
 namespace ifov::atmosphere {
@@ -27,6 +28,7 @@ struct SolvedColumn {
   ScatteringColumn column;
   ColumnPhase phase;
   double aerosol_polarization = 0.0;
+  RoundEarthLight round_earth = {};
 };
 
 class ScatteredField;
@@ -37,14 +39,17 @@ class SlantSource {
  public:
   SlantSource(const ScatteredField& field, double mu);
   double mu() const { return mu_; }
-  /// Light of a path that ends at an observer at this altitude and is `length_km` long.
+  /// Light of a path in flat layers that ends at an observer at this altitude and is `length_km` long.
   PathLight path(double azimuth_rad, double observer_km, double length_km = kEndless_km) const;
-  /// Light that comes down from space (mu <= 0), through shells about a round Earth: right down to the
-  /// horizon, where path() has flat layers and no end.
-  PathLight sky(double azimuth_rad, double observer_km) const;
+  /// Light that goes up (mu > 0) from a place, where it has this zenith angle and the Sun its own, to a sensor; and light that
+  /// comes down from space (mu <= 0) to an observer, right down to the horizon. Both through shells about a round Earth, where
+  /// the column has them, with the height that the Sun has over each place of the line.
+  PathLight line_of_sight(double azimuth_rad, double sensor_km, double surface_km) const;
+  PathLight sky(double azimuth_rad, double observer_km, const SunCell& cell = {}) const;
 
  private:
   class Sum;
+  PathLight through_shells(double azimuth_rad, double lower_km, double upper_km, const SunCell& cell) const;
   const ScatteredField* field_;
   double mu_;
   std::vector<double> source_;  ///< [mode][component][sublayer][top, bottom]
@@ -66,6 +71,9 @@ class ScatteredField {
   /// The same for a single direction.
   PathLight path(const Propagation& direction, double observer_km, double length_km = kEndless_km) const {
     return along(direction.mu).path(direction.azimuth_rad, observer_km, length_km);
+  }
+  PathLight line_of_sight(const Propagation& direction, double sensor_km, double surface_km) const {
+    return along(direction.mu).line_of_sight(direction.azimuth_rad, sensor_km, surface_km);
   }
   PathLight sky(const Propagation& direction, double observer_km) const {
     return along(direction.mu).sky(direction.azimuth_rad, observer_km);

@@ -12,7 +12,7 @@ namespace ifov::atmosphere {
 
 namespace {
 
-void check(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad) {
+void check(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad, bool spherical) {
   const std::size_t n = optics.layers();
   if (n == 0 || levels.layers() != n || optics.rayleigh_scattering.size() != n ||
       optics.aerosol_scattering.size() != n || optics.aerosol_absorption.size() != n ||
@@ -26,10 +26,15 @@ void check(const Levels& levels, const LayerOptics& optics, double sun_zenith_ra
       throw std::invalid_argument("altitudes of levels must rise");
     }
   }
-  if (!(sun_zenith_rad >= 0.0 && sun_zenith_rad < 0.5 * std::numbers::pi)) {
-    throw std::invalid_argument("the Sun must be above the horizon");
+  if (!(sun_zenith_rad >= 0.0 && sun_zenith_rad < (spherical ? kLowestSun_rad : 0.5 * std::numbers::pi))) {
+    throw std::invalid_argument(spherical
+                                    ? "the Sun must not be farther below the horizon than twilight lasts"
+                                    : "the Sun must be above the horizon");
   }
 }
+
+/// Depth of sunbeams that the Earth is in the way of.
+constexpr double kShadowDepth = 60.0;
 
 /// sum += factor (a - b) from `first` on.
 void add_difference(double factor, const std::vector<double>& a, const std::vector<double>& b,
@@ -53,7 +58,7 @@ ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& opti
       sun_mu(std::cos(sun_zenith_rad)),
       depolarization(optics.depolarization),
       phases(optics.aerosol_phases) {
-  check(levels, optics, sun_zenith_rad);
+  check(levels, optics, sun_zenith_rad, spherical);
   const std::size_t n = optics.layers();
   std::vector<double> scaled(n), whole(n);  // extinction per km, top down
   for (std::size_t i = 0; i < n; ++i) {
@@ -67,6 +72,9 @@ ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& opti
     mixtures.push_back({rayleigh * inverse, aerosol * inverse, optics.aerosol_asymmetry[layer], peak, layer});
     scaled[i] = kept / height;
     whole[i] = all / height;
+    layer_altitude_km.push_back(levels.altitude_km[layer + 1]);
+    layer_depth.push_back(kept);
+    layer_true_depth.push_back(all);
 
     const double scattered = rayleigh + aerosol * (1.0 - peak);
     const double wanted = std::ceil((scattered + 0.1 * absorbed) / options.sublayer_depth);
@@ -79,6 +87,7 @@ ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& opti
     }
   }
   altitude_km.push_back(levels.altitude_km[0]);
+  layer_altitude_km.push_back(levels.altitude_km[0]);
 
   // Layer by layer, for all boundaries below its top at once: the length of the sunbeam that arrives there
   // from the layer's top, less that from its bottom.
@@ -89,11 +98,18 @@ ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& opti
   beam_lengths(altitude_km.front(), from_top, 0);
   for (std::size_t i = 0, first = 1; i < n; ++i) {
     const double bottom_km = levels.altitude_km[n - 1 - i];
+    if (sun_mu < 0.0) first = 0;  // beams from below cross layers under the place where they end
     beam_lengths(bottom_km, from_bottom, first);
     add_difference(scaled[i], from_top, from_bottom, first, beam_depth);
     add_difference(whole[i], from_top, from_bottom, first, true_beam_depth);
     std::swap(from_top, from_bottom);
     while (first < boundaries && altitude_km[first] >= bottom_km) ++first;
+  }
+  if (sun_mu < 0.0) {
+    const double sine = std::sqrt(1.0 - sun_mu * sun_mu);
+    for (std::size_t k = 0; k < boundaries; ++k)
+      if ((kEarthRadius_km + altitude_km[k]) * sine < kEarthRadius_km + altitude_km.back())
+        beam_depth[k] = true_beam_depth[k] = kShadowDepth;
   }
 }
 
@@ -105,6 +121,16 @@ void ScatteringColumn::beam_lengths(double level_km, std::vector<double>& length
   if (!spherical) {
     for (std::size_t k = first; k < lengths.size(); ++k)
       to[k] = (std::max(from[k], level_km) - from[k]) / sun_mu;
+    return;
+  }
+  if (sun_mu < 0.0) {
+    // Of the way within the level's sphere, by half chords about the beam's point nearest to the Earth's centre.
+    const double sine = std::sqrt(1.0 - sun_mu * sun_mu), shell = kEarthRadius_km + level_km;
+    for (std::size_t k = first; k < lengths.size(); ++k) {
+      const double start = kEarthRadius_km + from[k], nearest = start * sine;
+      const double half = std::sqrt(std::max(0.0, (shell - nearest) * (shell + nearest)));
+      to[k] = level_km > from[k] ? half - start * sun_mu : 2.0 * half;
+    }
     return;
   }
   for (std::size_t k = first; k < lengths.size(); ++k) {

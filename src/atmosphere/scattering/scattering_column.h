@@ -2,12 +2,16 @@
 
 #include <cstddef>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 #include "atmosphere/layer_optics.h"
 #include "atmosphere/scattering/scattering_options.h"
 
 namespace ifov::atmosphere {
+
+/// Lowest Sun that a column about a round Earth is solved for: at 8 degrees below the horizon what the air scatters is dark.
+inline constexpr double kLowestSun_rad = 98.0 / 180.0 * std::numbers::pi;
 
 /// A column of layers cut into sublayers, from the top down, with the depth of the sunbeam at every boundary.
 ///
@@ -16,8 +20,8 @@ namespace ifov::atmosphere {
 /// scattered at all.
 class ScatteringColumn {
  public:
-  /// Sun zenith angle at the ground, below 90 degrees. Throws std::invalid_argument where sizes differ,
-  /// altitudes do not rise or the Sun is not above the horizon.
+  /// Sun zenith angle, the same over every boundary; below 90 degrees where layers are flat, kLowestSun_rad else. Throws
+  /// std::invalid_argument where sizes differ, altitudes do not rise or the Sun is lower.
   ScatteringColumn(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad,
                    const ScatteringOptions& options);
 
@@ -45,6 +49,8 @@ class ScatteringColumn {
   std::vector<double> depth;                    ///< [sublayers] vertical
   std::vector<double> true_depth;               ///< [sublayers] vertical
   std::vector<std::size_t> mixture_of;          ///< [sublayers]
+  /// Of the layers themselves, from the top down: boundaries [layers + 1] and vertical depths.
+  std::vector<double> layer_altitude_km, layer_depth, layer_true_depth;
 
  private:
   void beam_lengths(double level_km, std::vector<double>& lengths, std::size_t first) const;

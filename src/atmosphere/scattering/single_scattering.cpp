@@ -7,6 +7,7 @@
 #include "atmosphere/scattering/beam_integral.h"
 #include "atmosphere/scattering/phase_function.h"
 #include "atmosphere/scattering/scattering_matrix.h"
+#include "atmosphere/scattering/sight_line.h"
 
 namespace ifov::atmosphere {
 
@@ -15,28 +16,41 @@ namespace {
 /// Adds up the pieces of a path.
 class SingleScattering {
  public:
-  SingleScattering(const ScatteringColumn& column, double aerosol_polarization, const Propagation& direction)
+  SingleScattering(const ScatteringColumn& column, double aerosol_polarization, const Propagation& direction,
+                   const SunCell& cell = {})
       : column_(column), cosine_(scattering_cosine({-column.sun_mu, 0.0}, direction)) {
+    constexpr double kTowardsSun = 1.0 - 1e-10;
+    const bool forward = cell.any() && cosine_ > kTowardsSun;
     const Propagation sun{-column.sun_mu, 0.0};
     molecules_ = scatter_unpolarized(sun, direction, rayleigh_matrix(cosine_, column.depolarization));
     // Stokes parameters of aerosol have everywhere the same ratios; only a1 depends on the particles.
     particles_ = scatter_unpolarized(sun, direction, particle_matrix(cosine_, 1.0, aerosol_polarization));
     if (!column.phases) return;
-    for (const PhaseFunction& function : column.phases->functions) values_.push_back(function.at(cosine_));
+    for (const PhaseFunction& function : column.phases->functions)
+      values_.push_back(forward ? function.forward_for(cell.along_zenith_rad, cell.along_azimuth_rad)
+                                : function.at(cosine_));
   }
 
   bool operator()(const PathPiece& piece) {
-    const ScatteringColumn::Mixture& mixture = column_.mixtures[column_.mixture_of[piece.sublayer]];
-    if (&mixture != mixture_) enter(mixture);
     const double top = column_.beam_depth[piece.sublayer];
     const double beam = column_.beam_depth[piece.sublayer + 1] - top;
-    const double light = beam_integral(piece.depth, depth_ + top + beam * piece.near_position,
-                                       depth_ + top + beam * piece.far_position);
+    add(column_.mixtures[column_.mixture_of[piece.sublayer]], piece.depth, piece.true_depth,
+        top + beam * piece.near_position, top + beam * piece.far_position);
+    return true;
+  }
+  /// Depths are along the path, those of the sunbeam at both ends from space.
+  void add(const ScatteringColumn::Mixture& mixture, double depth, double true_depth, double near_beam,
+           double far_beam) {
+    if (&mixture != mixture_) enter(mixture);
+    const double light = beam_integral(depth, depth_ + near_beam, depth_ + far_beam);
     rayleigh_sum_ += light * mixture.rayleigh;
     aerosol_sum_ += light * mixture.aerosol * a1_;
-    depth_ += piece.depth;
-    true_depth_ += piece.true_depth;
-    return true;
+    pass(depth, true_depth);
+  }
+  /// Through what is not lit.
+  void pass(double depth, double true_depth) {
+    depth_ += depth;
+    true_depth_ += true_depth;
   }
 
   PathLight light() const {
@@ -75,10 +89,19 @@ PathLight single_scattering(const ScatteringColumn& column, double aerosol_polar
   return sum.light();
 }
 
-PathLight single_scattering_sky(const ScatteringColumn& column, double aerosol_polarization,
-                                const Propagation& direction, double observer_km) {
-  SingleScattering sum(column, aerosol_polarization, direction);
-  walk_sky(column, observer_km, direction.mu, sum);
+PathLight single_scattering(const ScatteringColumn& column, double aerosol_polarization,
+                            const SightLine& line, const SunCell& cell) {
+  SingleScattering sum(column, aerosol_polarization, line.direction(), cell);
+  const std::vector<double> beam = line.beam_depths(column.layer_depth);
+  for (std::size_t p = 0; p < line.pieces().size(); ++p) {
+    const SightLine::Piece& piece = line.pieces()[p];
+    const double depth = piece.slant * column.layer_depth[piece.layer],
+                 true_depth = piece.slant * column.layer_true_depth[piece.layer];
+    if (piece.lit)
+      sum.add(column.mixtures[piece.layer], depth, true_depth, beam[p], beam[p + 1]);
+    else
+      sum.pass(depth, true_depth);
+  }
   return sum.light();
 }
 

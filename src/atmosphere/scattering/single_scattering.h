@@ -3,8 +3,11 @@
 #include "atmosphere/scattering/propagation.h"
 #include "atmosphere/scattering/scattering_column.h"
 #include "atmosphere/scattering/slant_path.h"
+#include "atmosphere/scattering/sun_cell.h"
 
 namespace ifov::atmosphere {
+
+class SightLine;
 
 /// Light that a path adds, and what it lets through.
 struct PathLight {
@@ -23,8 +26,10 @@ struct PathLight {
 /// A column for this alone needs no sublayers (most_sublayers = 1): pieces of a layer add up to it.
 PathLight single_scattering(const ScatteringColumn& column, double aerosol_polarization,
                             const Propagation& direction, double observer_km, double length_km = kEndless_km);
-/// The same for light that comes down from space, by walk_sky.
-PathLight single_scattering_sky(const ScatteringColumn& column, double aerosol_polarization,
-                                const Propagation& direction, double observer_km);
+/// The same along a line through the layers of this column (column.layer_altitude_km), with the height that the Sun has over
+/// each place of it: exact in homogeneous layers but for how the sunbeam's depth bends within them.
+/// Exactly towards the Sun phase functions have their value for the cell, if there is one (PhaseFunction::forward_for).
+PathLight single_scattering(const ScatteringColumn& column, double aerosol_polarization,
+                            const SightLine& line, const SunCell& cell = {});
 
 }  // namespace ifov::atmosphere

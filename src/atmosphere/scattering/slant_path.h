@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "atmosphere/scattering/scattering_column.h"
-#include "atmosphere/spherical_shells.h"
 
 namespace ifov::atmosphere {
 
@@ -60,27 +59,6 @@ void walk_path(const ScatteringColumn& column, double observer_km, double mu, do
     length_km -= crossed;
     z = next;
     s += mu > 0.0 ? 1 : -1;
-  }
-}
-
-/// The same for light that comes from space, mu <= 0, through layers about a round Earth where the column has
-/// them: near the horizon flat ones are too long, and endless on it.
-template <class Visit>
-void walk_sky(const ScatteringColumn& column, double observer_km, double mu, Visit&& visit) {
-  if (!column.spherical) return walk_path(column, observer_km, mu, kEndless_km, visit);
-  const auto& altitude = column.altitude_km;
-  const double start = std::max(observer_km, altitude.back());
-  const auto after = std::lower_bound(altitude.begin(), altitude.end(), start, std::greater<>());
-  double z = start, walked = 0.0;
-  for (std::ptrdiff_t s = after - altitude.begin() - 1; s >= 0; --s) {
-    const double top = altitude[s], height = top - altitude[s + 1];
-    const double length = length_to_shell_km(start, -mu, top), share = (length - walked) / height;
-    if (!visit(PathPiece{static_cast<std::size_t>(s), (top - z) / height, 0.0, column.depth[s] * share,
-                         column.true_depth[s] * share})) {
-      return;
-    }
-    z = top;
-    walked = length;
   }
 }
 

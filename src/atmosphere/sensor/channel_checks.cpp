@@ -29,7 +29,10 @@ void ChannelChecks::solve(const ColumnSolver& finer, std::size_t solution, KeptS
   if (kept == nullptr || !kept->find(asked, answer)) {
     const ColumnSolution solved = finer.solve(levels, optics, geometry_.any_sun_zenith_rad());
     const Propagation up{std::cos(geometry_.view_zenith_rad), geometry_.view_azimuth_rad - std::numbers::pi};
-    answer = {solved.sunlit().path(up, geometry_.sensor_altitude_km).radiance().i,
+    answer = {solved.sunlit()
+                  .line_of_sight(up, geometry_.sensor_altitude_km, levels.altitude_km.front())
+                  .radiance()
+                  .i,
               solved.sunlit().fluxes().at(levels.altitude_km.front()).diffuse_down,
               solved.diffuse_transmittance(up.mu, geometry_.sensor_altitude_km).i, solved.spherical_albedo()};
     if (kept != nullptr) kept->keep(asked, answer);

@@ -27,7 +27,9 @@ ChannelEmission::ChannelEmission(const AtmosphereColumn& column, const ChannelPo
     for (std::size_t i = 0; i < planck.size(); ++i)
       planck[i] = radiometry::planck_w_m2_sr_um(point.wavelength_um, levels.temperature_K[i]);
     const ThermalColumn thermal(levels.altitude_km, planck, depth);
-    path[p] = thermal.path(geometry.sensor_altitude_km, std::cos(geometry.view_zenith_rad)).radiance;
+    path[p] =
+        thermal.line_of_sight(geometry.sensor_altitude_km, std::cos(geometry.view_zenith_rad), ground_km)
+            .radiance;
     for (std::size_t z = 0; z < sky.size(); ++z)
       sky[z][p] = thermal.sky(std::cos(directions.zenith_rad[z]), ground_km);
     const auto irradiance = [&](double altitude_km) {
@@ -43,7 +45,7 @@ ChannelEmission::ChannelEmission(const AtmosphereColumn& column, const ChannelPo
     for (std::size_t s = 0; s < line_of_sight_path.size(); ++s) {
       const LineOfSight& line = geometry.lines_of_sight[s];
       line_of_sight_path[s][p] =
-          thermal.path(line.sensor_km, std::cos(line.zenith_rad), line_of_sight_length_km(line, ground_km))
+          thermal.line_of_sight(line.sensor_km, std::cos(line.zenith_rad), ground_km + line.height_km)
               .radiance;
     }
   }

@@ -4,6 +4,7 @@
 #include <map>
 #include <numbers>
 
+#include "atmosphere/scattering/sight_line.h"
 #include "atmosphere/scattering/single_scattering.h"
 #include "atmosphere/sensor/channel_scattering.h"
 
@@ -99,14 +100,19 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
     for (auto* rows : {&result.path_q, &result.path_u, &result.diffuse_q})
       rows->assign(1 + lines_of_sight, std::vector<double>(count));
   result.share.assign(nodes_.size(), std::vector<double>(count, 0.0));
-  const double ground_km = column_.levels().altitude_km.front();
+  const std::vector<double>& levels_km = column_.levels().altitude_km;
+  const std::vector<double> falling_km(levels_km.rbegin(), levels_km.rend());
+  std::vector<SightLine> sights;
+  for (const LineOfSight& line : lines())
+    sights.emplace_back(falling_km, options_.spherical_earth, std::cos(geometry_.any_sun_zenith_rad()),
+                        Propagation{std::cos(line.zenith_rad), line.azimuth_rad - std::numbers::pi},
+                        SightLine::Ends{levels_km.front() + line.height_km, line.sensor_km});
   for (std::size_t p = 0; p < count; ++p) {
     const ChannelPoints::Point& point = points_.points[p];
     const ScatteringColumn column(column_.levels(), point.layers(), geometry_.any_sun_zenith_rad(), options_);
-    const auto once = [&](const Propagation& up, double sensor_km, double length_km) {
+    const auto once = [&](const SightLine& line) {
       if (!sunlit_) return StokesVector{};
-      return points_.irradiance[p] *
-             single_scattering(column, options_.aerosol_polarization, up, sensor_km, length_km).single;
+      return points_.irradiance[p] * single_scattering(column, options_.aerosol_polarization, line).single;
     };
     const std::vector<Part> parts = parts_at(p);
     for (const Part& part : parts) result.share[part.solution][p] = part.plain;
@@ -120,7 +126,7 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
       for (const Part& part : parts) sum += part.scaled * of(*part.node);
       return std::exp(sum);
     };
-    const StokesVector own = once(towards_sensor(), geometry_.sensor_altitude_km, kEndless_km);
+    const StokesVector own = once(sights.front());
     result.once[p] = own.i;
     result.path[p] = own.i * path_ratio([](const Node& n) { return n.path; });
     result.sky_irradiance[p] =
@@ -130,9 +136,7 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
     result.spherical_albedo[p] = ratio([](const Node& n) { return n.spherical_albedo; });
     if (polarized_) polarize(0, p, parts, own, result.path[p], result.diffuse_transmittance[p], result);
     for (std::size_t s = 0; s < lines_of_sight; ++s) {
-      const LineOfSight& line = geometry_.lines_of_sight[s];
-      const StokesVector along = once({std::cos(line.zenith_rad), line.azimuth_rad - std::numbers::pi},
-                                      line.sensor_km, line_of_sight_length_km(line, ground_km));
+      const StokesVector along = once(sights[1 + s]);
       result.line_of_sight_path[s][p] =
           along.i * path_ratio([s](const Node& n) { return n.line_of_sight_path[s]; });
       result.line_of_sight_diffuse[s][p] =

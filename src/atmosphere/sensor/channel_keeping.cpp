@@ -8,7 +8,9 @@ namespace ifov::atmosphere {
 
 std::vector<double> solution_question(const ScatteringOptions& options, const SensorGeometry& geometry,
                                       const Levels& levels, const LayerOptics& optics) {
-  std::vector<double> all{geometry.any_sun_zenith_rad(),
+  constexpr double kRoundEarth = 2.0;  // of how columns are solved: other answers have another number
+  std::vector<double> all{kRoundEarth,
+                          geometry.any_sun_zenith_rad(),
                           geometry.view_zenith_rad,
                           geometry.view_azimuth_rad,
                           geometry.sensor_altitude_km,

@@ -7,6 +7,7 @@
 #include "atmosphere/column/light_limits.h"
 #include "atmosphere/scattering/column_solver.h"
 #include "atmosphere/sensor/channel_bins.h"
+#include "atmosphere/sensor/channel_points.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "atmosphere/sensor/sensor_geometry.h"
 #include "atmosphere/thermal/thermal_column.h"
@@ -26,11 +27,11 @@ void add_scattered(bool sunlit, const AtmosphereColumn& column, const LayerOptic
   light.spherical_albedo = solution.spherical_albedo();
   if (!sunlit) return;
   light.sun = irradiance * solution.sun_transmittance(ground_km);
-  light.path +=
-      irradiance * solution.sunlit()
-                       .path({mu, geometry.view_azimuth_rad - std::numbers::pi}, geometry.sensor_altitude_km)
-                       .radiance()
-                       .i;
+  light.path += irradiance * solution.sunlit()
+                                 .line_of_sight({mu, geometry.view_azimuth_rad - std::numbers::pi},
+                                                geometry.sensor_altitude_km, ground_km)
+                                 .radiance()
+                                 .i;
   light.sky_irradiance += irradiance * solution.sunlit().fluxes().at(ground_km).diffuse_down;
 }
 
@@ -42,7 +43,10 @@ void add_emission(const AtmosphereColumn& column, const LayerOptics& optics, con
   for (const double t : levels.temperature_K)
     planck.push_back(radiometry::planck_w_m2_sr_um(light.wavelength_um, t));
   const ThermalColumn thermal(levels.altitude_km, planck, depth);
-  light.path += thermal.path(geometry.sensor_altitude_km, std::cos(geometry.view_zenith_rad)).radiance;
+  light.path += thermal
+                    .line_of_sight(geometry.sensor_altitude_km, std::cos(geometry.view_zenith_rad),
+                                   levels.altitude_km.front())
+                    .radiance;
   const GaussNodes hemisphere = gauss_nodes(8);
   for (std::size_t j = 0; j < hemisphere.position.size(); ++j)
     light.sky_irradiance += 2.0 * std::numbers::pi * hemisphere.weight[j] * hemisphere.position[j] *
@@ -71,19 +75,17 @@ std::vector<ChannelLight> solve_all_terms(const AtmosphereColumn& column, const 
     }
   }
   const ColumnSolver solver(options);
+  const std::vector<double> slants =
+      view_slants(column.levels().altitude_km, geometry.own_sight(), options.spherical_earth);
   parallel_for(static_cast<std::int64_t>(parts.size()), threads, [&](std::int64_t k) {
     const Part& part = parts[static_cast<std::size_t>(k)];
     ChannelLight& here = light[static_cast<std::size_t>(k)];
     const LayerOptics optics = part.optics.term(part.term);
     double depth = 0.0;
-    const Levels& levels = column.levels();
-    for (std::size_t i = 0; i < optics.layers(); ++i) {
-      const double crossed = (geometry.sensor_altitude_km - levels.altitude_km[i]) /
-                             (levels.altitude_km[i + 1] - levels.altitude_km[i]);
-      depth += std::clamp(crossed, 0.0, 1.0) * (optics.gas_absorption[i] + optics.rayleigh_scattering[i] +
-                                                optics.aerosol_scattering[i] + optics.aerosol_absorption[i]);
-    }
-    here.view = std::exp(-depth / std::cos(geometry.view_zenith_rad));
+    for (std::size_t i = 0; i < optics.layers(); ++i)
+      depth += slants[i] * (optics.gas_absorption[i] + optics.rayleigh_scattering[i] +
+                            optics.aerosol_scattering[i] + optics.aerosol_absorption[i]);
+    here.view = std::exp(-depth);
     const bool sunlit = geometry.sun_zenith_rad && here.wavelength_um <= kLastSolar_um;
     if (sunlit || here.wavelength_um >= kFirstThermal_um)
       add_scattered(sunlit, column, optics, geometry, solver, part.irradiance, here);

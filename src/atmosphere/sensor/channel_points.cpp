@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "atmosphere/spherical_shells.h"
@@ -22,20 +21,6 @@ std::vector<double> sun_slants(const std::vector<double>& altitude_km, double ze
   return slants;
 }
 
-/// The same for a straight line of sight in flat layers, from a height above the ground up to the sensor.
-std::vector<double> view_slants(const std::vector<double>& altitude_km, const LineOfSight& line) {
-  const double surface_km = altitude_km.front() + line.height_km;
-  std::vector<double> slants;
-  for (std::size_t i = 0; i + 1 < altitude_km.size(); ++i) {
-    const auto crossed = [&](double top_km) {
-      return std::clamp((top_km - altitude_km[i]) / (altitude_km[i + 1] - altitude_km[i]), 0.0, 1.0);
-    };
-    slants.push_back(std::max(0.0, crossed(line.sensor_km) - crossed(surface_km)) /
-                     std::cos(line.zenith_rad));
-  }
-  return slants;
-}
-
 /// Of the sunbeam, only above a height.
 std::vector<double> above(const std::vector<double>& altitude_km, std::vector<double> slants,
                           double height_km) {
@@ -48,20 +33,30 @@ std::vector<double> above(const std::vector<double>& altitude_km, std::vector<do
 
 }  // namespace
 
-double line_of_sight_length_km(const LineOfSight& line, double ground_km) {
-  if (!(line.height_km > 0.0)) return std::numeric_limits<double>::infinity();
-  return std::max(0.0, line.sensor_km - ground_km - line.height_km) / std::cos(line.zenith_rad);
+std::vector<double> view_slants(const std::vector<double>& altitude_km, const LineOfSight& line,
+                                bool spherical) {
+  const double surface_km = altitude_km.front() + line.height_km, mu = std::cos(line.zenith_rad);
+  std::vector<double> slants;
+  for (std::size_t i = 0; i + 1 < altitude_km.size(); ++i) {
+    const double low = std::clamp(surface_km, altitude_km[i], altitude_km[i + 1]),
+                 high = std::clamp(line.sensor_km, low, altitude_km[i + 1]);
+    const double length =
+        spherical ? length_to_shell_km(surface_km, mu, high) - length_to_shell_km(surface_km, mu, low)
+                  : (high - low) / mu;
+    slants.push_back(length / (altitude_km[i + 1] - altitude_km[i]));
+  }
+  return slants;
 }
 
 ChannelPoints::ChannelPoints(const AtmosphereColumn& column, const std::vector<ChannelBin>& bins,
                              const BinOptics& optics, const SensorGeometry& geometry) {
   const std::vector<double>& altitude_km = column.levels().altitude_km;
-  const std::vector<double> up = view_slants(altitude_km, geometry.own_sight());
+  const std::vector<double> up = view_slants(altitude_km, geometry.own_sight(), geometry.spherical_earth);
   const std::vector<double> down =
       sun_slants(altitude_km, geometry.sun_zenith_rad.value_or(0.0), geometry.spherical_earth);
   std::vector<std::vector<double>> lines_of_sight, suns;
   for (const LineOfSight& line : geometry.lines_of_sight)
-    lines_of_sight.push_back(view_slants(altitude_km, line));
+    lines_of_sight.push_back(view_slants(altitude_km, line, geometry.spherical_earth));
   for (const double height : geometry.heights_km) suns.push_back(above(altitude_km, down, height));
   line_of_sight_view.resize(lines_of_sight.size());
   sun_at_height.resize(suns.size());

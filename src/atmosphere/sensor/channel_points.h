@@ -8,8 +8,10 @@
 
 namespace ifov::atmosphere {
 
-/// Length of the straight path from the surface of a line of sight up to the sensor; endless from the ground itself.
-double line_of_sight_length_km(const LineOfSight& line, double ground_km);
+/// Length of a straight line of sight within each layer (from the ground up) over the layer's thickness, from a height above
+/// the ground up to the sensor: through shells about a round Earth, or in flat layers.
+std::vector<double> view_slants(const std::vector<double>& altitude_km, const LineOfSight& line,
+                                bool spherical);
 
 /// A channel as its points: bins of the band model, term by term, with what is exact at each of them.
 struct ChannelPoints {

@@ -19,11 +19,12 @@ void ChannelScattering::solve_polarization(const ColumnSolution& solved, double 
   const double ground_km = column_.levels().altitude_km.front();
   std::map<double, SlantSource> rings;  // by cosine, as in solve_lines_of_sight
   for (const LineOfSight& line : lines()) {
-    const double mu = std::cos(line.zenith_rad), length = line_of_sight_length_km(line, ground_km);
+    const double mu = std::cos(line.zenith_rad), surface_km = ground_km + line.height_km;
     const SlantSource& ring = rings.try_emplace(mu, solved.sunlit(), mu).first->second;
     const StokesVector often =
-                           ring.path(line.azimuth_rad - std::numbers::pi, line.sensor_km, length).multiple,
-                       diffuse = solved.diffuse_transmittance(mu, line.sensor_km, length);
+                           ring.line_of_sight(line.azimuth_rad - std::numbers::pi, line.sensor_km, surface_km)
+                               .multiple,
+                       diffuse = solved.diffuse_transmittance(mu, line.sensor_km, surface_km);
     LinePolarization& found = node.lines.emplace_back();
     if (often.i > 0.0) found.q = often.q / often.i, found.u = often.u / often.i;
     if (diffuse.i > 0.0) found.diffuse_q = diffuse.q / diffuse.i;

@@ -119,20 +119,21 @@ void ChannelScattering::solve_lines_of_sight(const ColumnSolution& solved, Node&
                                            solved.sun_transmittance(ground_km + height)));
   std::map<double, SlantSource> rings;  // by cosine: lines of one slope end at several heights
   for (const LineOfSight& line : geometry_.lines_of_sight) {
-    const double mu = std::cos(line.zenith_rad), length = line_of_sight_length_km(line, ground_km);
+    const double mu = std::cos(line.zenith_rad), surface_km = ground_km + line.height_km;
     const SlantSource& ring = rings.try_emplace(mu, solved.sunlit(), mu).first->second;
-    const PathLight path = ring.path(line.azimuth_rad - std::numbers::pi, line.sensor_km, length);
+    const PathLight path =
+        ring.line_of_sight(line.azimuth_rad - std::numbers::pi, line.sensor_km, surface_km);
     node.line_of_sight_path.push_back(path.single.i > 0.0 ? log_ratio(path.radiance().i, path.single.i)
                                                           : 0.0);
     node.line_of_sight_diffuse.push_back(
-        log_ratio(solved.diffuse_transmittance(mu, line.sensor_km, length).i, path.transmittance));
+        log_ratio(solved.diffuse_transmittance(mu, line.sensor_km, surface_km).i, path.transmittance));
   }
 }
 
 void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
   const double ground_km = column_.levels().altitude_km.front(), sensor_km = geometry_.sensor_altitude_km;
   const ColumnSolution solved = solver.solve(column_.levels(), node.optics, geometry_.any_sun_zenith_rad());
-  const PathLight path = solved.sunlit().path(towards_sensor(), sensor_km);
+  const PathLight path = solved.sunlit().line_of_sight(towards_sensor(), sensor_km, ground_km);
   const double sky_irradiance = solved.sunlit().fluxes().at(ground_km).diffuse_down;
   const double albedo = solved.spherical_albedo();
   node.path = log_ratio(path.radiance().i, path.single.i);

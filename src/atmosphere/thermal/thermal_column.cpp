@@ -81,6 +81,35 @@ double ThermalColumn::sky(double mu, double observer_km) const {
   return radiance;
 }
 
+ThermalPath ThermalColumn::line_of_sight(double observer_km, double mu, double surface_km) const {
+  ThermalPath path;
+  const double start = std::max(surface_km, altitude_km_.front()),
+               end = std::min(observer_km, altitude_km_.back());
+  if (!(end > start)) return path;
+  // From the surface up: what arrives is dimmed and added to, layer by layer.
+  std::size_t layer =
+      static_cast<std::size_t>(std::upper_bound(altitude_km_.begin(), altitude_km_.end(), start) -
+                               altitude_km_.begin()) -
+      1;
+  double z = start, walked = 0.0, optical_depth = 0.0;
+  for (; layer < depth_.size() && z < end; ++layer) {
+    const double bottom = altitude_km_[layer], height = altitude_km_[layer + 1] - bottom;
+    const double next = std::min(end, altitude_km_[layer + 1]), length = length_to_shell_km(start, mu, next);
+    const double depth = depth_[layer] * (length - walked) / height;
+    const auto planck_at = [&](double altitude) {
+      const double share = (altitude - bottom) / height;
+      return planck_[layer] * (1.0 - share) + planck_[layer + 1] * share;
+    };
+    const LinearSource step = LinearSource::over(depth);
+    path.radiance = step.transmission * path.radiance + step.far * planck_at(z) + step.near * planck_at(next);
+    optical_depth += depth;
+    walked = length;
+    z = next;
+  }
+  path.transmittance = std::exp(-optical_depth);
+  return path;
+}
+
 ThermalPath ThermalColumn::path(double observer_km, double mu, double length_km) const {
   ThermalPath path;
   const std::size_t layers = depth_.size();

@@ -35,8 +35,8 @@ struct ThermalGround {
 /// Within a layer extinction is constant and Planck's radiance linear in optical depth between the levels,
 /// which keeps opaque bands right: their sky is as warm as the lowest air, not as the lowest layer's middle.
 ///
-/// The spans are borrowed and must outlive the column; they run from the ground up. Flat layers, but for the
-/// sky.
+/// The spans are borrowed and must outlive the column; they run from the ground up. Lines of sight and skies
+/// go through shells about a round Earth, all else through flat layers.
 class ThermalColumn {
  public:
   /// altitude_km and planck at n + 1 levels, absorption depth (vertical) of n layers. Throws
@@ -52,7 +52,10 @@ class ThermalColumn {
   /// through shells about a round Earth: right down to the horizon.
   double sky(double mu, double observer_km) const;
 
-  /// Light of a straight path that ends at an observer, of light that propagates with cosine mu from the
+  /// The same of light that goes up from a place, at this cosine mu > 0 of the zenith angle there, to an observer above it.
+  ThermalPath line_of_sight(double observer_km, double mu, double surface_km) const;
+
+  /// In flat layers: light of a straight path that ends at an observer, of light that propagates with cosine mu from the
   /// zenith (mu > 0: the observer looks down) and starts `length_km` before, or where the air ends. Ground is
   /// not in it.
   ThermalPath path(double observer_km, double mu,

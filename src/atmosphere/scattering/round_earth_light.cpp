@@ -1,0 +1,94 @@
+#include "atmosphere/scattering/round_earth_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "atmosphere/scattering/scattering_column.h"
+#include "atmosphere/scattering/shell_orders.h"
+#include "math/angle.h"
+
+namespace ifov::atmosphere {
+namespace {
+
+/// Steps between the Sun's angles and how far they go: lines of sight run over a few degrees of the Earth, and where the Sun
+/// is low light changes by much in each.
+struct Steps {
+  double step_rad;
+  int below, above;
+};
+Steps steps_for(double sun_zenith_rad) {
+  if (sun_zenith_rad < 70.0 * math::kDegree) return {2.5 * math::kDegree, 1, 1};
+  if (sun_zenith_rad < 76.0 * math::kDegree) return {1.5 * math::kDegree, 2, 2};
+  if (sun_zenith_rad < 87.0 * math::kDegree) return {1.0 * math::kDegree, 4, 4};
+  return {1.0 * math::kDegree, 8, 6};
+}
+
+std::vector<double> angles_about(double sun_zenith_rad, std::size_t& own) {
+  const Steps steps = steps_for(sun_zenith_rad);
+  std::vector<double> angles;
+  for (int k = -steps.below; k <= steps.above; ++k) {
+    const double angle = sun_zenith_rad + k * steps.step_rad;
+    if (k == 0) own = angles.size();
+    if (k == 0 || (angle >= 0.0 && angle < kLowestSun_rad + 3.0 * math::kDegree)) angles.push_back(angle);
+  }
+  while (angles.size() < 3) angles.push_back(angles.back() + steps.step_rad);
+  return angles;
+}
+
+/// Up to the first the Sun counts as equally high all along each ray, from the second on it turns.
+constexpr double kStill_rad = 74.0 * math::kDegree, kTurns_rad = 80.0 * math::kDegree;
+
+/// Linear between altitudes that rise.
+double between(const std::vector<double>& altitude_km, double z, std::size_t stride, const double* values) {
+  const auto above = std::upper_bound(altitude_km.begin() + 1, altitude_km.end() - 1, z);
+  const std::size_t low = static_cast<std::size_t>(above - altitude_km.begin()) - 1;
+  const double share =
+      std::clamp((z - altitude_km[low]) / (altitude_km[low + 1] - altitude_km[low]), 0.0, 1.0);
+  return (1.0 - share) * values[low * stride] + share * values[(low + 1) * stride];
+}
+
+}  // namespace
+
+RoundEarthLight::RoundEarthLight(const ScatteringColumn& column) {
+  std::size_t own = 0;
+  const double sun_rad = std::acos(column.sun_mu);
+  angle_rad_ = angles_about(sun_rad, own);
+  const std::size_t angles = angle_rad_.size();
+  const double own_rad[] = {sun_rad};
+  const ShellOrders flat(column, {false, false}, own_rad, 0, {});
+  // While the Sun is high it is as good as equally high all along a ray, and that costs a tenth.
+  const double low = std::clamp((sun_rad - kStill_rad) / (kTurns_rad - kStill_rad), 0.0, 1.0);
+  constexpr double kLongest_km = 60.0;
+  std::vector<double> log_mean, log_flux;
+  const auto add = [&](const ShellOrders& shells, double share) {
+    log_mean.resize(shells.log_mean().size(), 0.0);
+    log_flux.resize(shells.log_flux().size(), 0.0);
+    for (std::size_t k = 0; k < log_mean.size(); ++k) log_mean[k] += share * shells.log_mean()[k];
+    for (std::size_t k = 0; k < log_flux.size(); ++k) log_flux[k] += share * shells.log_flux()[k];
+  };
+  if (low < 1.0) add({column, {true, false}, angle_rad_, own, {}}, 1.0 - low);
+  if (low > 0.0) add({column, {true, true}, angle_rad_, own, {6, 3, kLongest_km}}, low);
+  for (const double z : column.altitude_km) {
+    const double flat_mean = between(flat.altitude_km(), z, 1, flat.log_mean().data());
+    for (std::size_t k = 0; k < angles; ++k)
+      log_ratio_.push_back(between(flat.altitude_km(), z, angles, log_mean.data() + k) - flat_mean);
+    flux_ratio_.push_back(std::exp(between(flat.altitude_km(), z, 1, log_flux.data()) -
+                                   between(flat.altitude_km(), z, 1, flat.log_flux().data())));
+  }
+}
+
+double RoundEarthLight::mean_ratio(std::size_t sublayer, double position, double sun_mu) const {
+  const double angle = std::clamp(std::acos(sun_mu), angle_rad_.front(), angle_rad_.back());
+  // A parabola through the three nearest.
+  const double step = angle_rad_[1] - angle_rad_[0], place = (angle - angle_rad_[0]) / step;
+  const std::size_t middle = static_cast<std::size_t>(
+      std::clamp(std::floor(place + 0.5), 1.0, static_cast<double>(angle_rad_.size() - 2)));
+  const double x = place - static_cast<double>(middle);
+  const double before = 0.5 * x * (x - 1.0), after = 0.5 * x * (x + 1.0), here = 1.0 - x * x;
+  const auto log_at = [&](std::size_t boundary) {
+    return before * at(middle - 1, boundary) + here * at(middle, boundary) + after * at(middle + 1, boundary);
+  };
+  return std::exp((1.0 - position) * log_at(sublayer) + position * log_at(sublayer + 1));
+}
+
+}  // namespace ifov::atmosphere

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace ifov::atmosphere {
+
+class ScatteringColumn;
+
+/// How much brighter or darker than in a solved column of flat layers the light is that the air about a round Earth has
+/// scattered: its mean radiance over all directions, by altitude and by the height of the Sun there, and its flux down. By the
+/// first the source of light scattered more often becomes that of the place of a line of sight; its shape over directions
+/// stays that of the column. Both are ratios of two simpler solutions, in shells and in flat layers: molecules scatter
+/// sunlight by their phase function, and all that follows is scattered evenly into all directions
+/// (docs/theory/atmosphere_round_earth.md).
+class RoundEarthLight {
+ public:
+  /// None: all ratios are 1.
+  RoundEarthLight() = default;
+  explicit RoundEarthLight(const ScatteringColumn& column);
+
+  bool any() const { return !angle_rad_.empty(); }
+  /// Of the mean radiance at a position of a sublayer (0 at its top, 1 at its bottom), where the Sun has this cosine of the
+  /// zenith angle. Beyond a few degrees from the column's own the outermost hold.
+  double mean_ratio(std::size_t sublayer, double position, double sun_mu) const;
+  /// Of the diffuse flux down at boundaries of sublayers.
+  const std::vector<double>& flux_ratio() const { return flux_ratio_; }
+
+ private:
+  double at(std::size_t angle, std::size_t boundary) const {
+    return log_ratio_[boundary * angle_rad_.size() + angle];
+  }
+  std::vector<double> angle_rad_;  ///< of the Sun from the zenith, rising, evenly spaced
+  std::vector<double> log_ratio_;  ///< [boundary][angle]
+  std::vector<double> flux_ratio_;
+};
+
+}  // namespace ifov::atmosphere

@@ -1,0 +1,133 @@
+#include "atmosphere/scattering/sight_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "atmosphere/scattering/scattering_matrix.h"
+#include "atmosphere/spherical_shells.h"
+
+namespace ifov::atmosphere {
+namespace {
+
+/// A layer is cut where the beam's depth bends within it: where the Sun is lower than this cosine.
+constexpr double kLowSun = 0.25;
+constexpr int kLowSunParts = 4;
+
+/// Lengths from the lower end at which the line enters and leaves the Earth's shadow, a cylinder; those that count are
+/// behind the Earth. `along`: cosine between the line and the direction to the Sun.
+void add_shadow_edges(double start, double mu, double sun_mu, double along, double earth, double length,
+                      std::vector<double>& at) {
+  const double a = 1.0 - along * along, b = start * (mu - sun_mu * along),
+               c = start * start * (1.0 - sun_mu * sun_mu) - earth * earth, square = b * b - a * c;
+  if (!(a > 0.0) || !(square > 0.0)) return;
+  for (const double root : {(-b - std::sqrt(square)) / a, (-b + std::sqrt(square)) / a})
+    if (root > 0.0 && root < length && start * sun_mu + root * along < 0.0) at.push_back(root);
+}
+
+}  // namespace
+
+SightLine::SightLine(std::span<const double> altitude_km, bool spherical, double sun_mu,
+                     const Propagation& direction, const Ends& ends, bool sunbeams)
+    : direction_(direction), scattering_cosine_(atmosphere::scattering_cosine({-sun_mu, 0.0}, direction)) {
+  const double lower = std::max(ends.lower_km, altitude_km.back()),
+               upper = std::min(ends.upper_km, altitude_km.front()), mu = std::abs(direction.mu);
+  const bool looks_up = direction.mu <= 0.0;
+  if (!(upper > lower)) return;
+  // Cosine between the line, from its lower end up, and the direction to the Sun.
+  const double towards = looks_up ? scattering_cosine_ : -scattering_cosine_;
+  const double start = kEarthRadius_km + lower, earth = kEarthRadius_km + altitude_km.back();
+  const auto length_to = [&](double shell_km) {
+    return spherical ? length_to_shell_km(lower, mu, shell_km) : (shell_km - lower) / mu;
+  };
+  const auto radius_at = [&](double length) {
+    return std::sqrt(start * start + length * (length + 2.0 * start * mu));
+  };
+  const auto sun_at = [&](double length) {
+    return spherical ? std::clamp((start * sun_mu + length * towards) / radius_at(length), -1.0, 1.0)
+                     : sun_mu;
+  };
+
+  // From the lower end up: where the line crosses into the next layer, and places between.
+  std::vector<double> at{0.0}, place_km{lower};
+  std::vector<std::size_t> layer;
+  std::vector<double> shadow;
+  if (spherical && sunbeams) add_shadow_edges(start, mu, sun_mu, towards, earth, length_to(upper), shadow);
+  const auto above = std::lower_bound(altitude_km.begin(), altitude_km.end(), lower, std::greater<>());
+  for (std::ptrdiff_t k = above - altitude_km.begin() - 1; k >= 0 && place_km.back() < upper; --k) {
+    const double top = std::min(upper, altitude_km[static_cast<std::size_t>(k)]), from = at.back(),
+                 to = length_to(top);
+    std::vector<double> cuts{to};
+    if (spherical && sunbeams && std::min(sun_at(from), sun_at(to)) < kLowSun)
+      for (int part = 1; part < kLowSunParts; ++part)
+        cuts.push_back(from + (to - from) * part / kLowSunParts);
+    for (const double edge : shadow)
+      if (edge > from && edge < to) cuts.push_back(edge);
+    std::sort(cuts.begin(), cuts.end());
+    for (const double cut : cuts) {
+      at.push_back(cut);
+      place_km.push_back(cut == to ? top : spherical ? radius_at(cut) - kEarthRadius_km : lower + cut * mu);
+      layer.push_back(static_cast<std::size_t>(k));
+    }
+  }
+
+  for (const double length : at) sun_mu_.push_back(sun_at(length));
+  for (std::size_t p = 0; p < layer.size(); ++p) {
+    const double top = altitude_km[layer[p]], thickness = top - altitude_km[layer[p] + 1];
+    const double middle = 0.5 * (at[p] + at[p + 1]), radius = spherical ? radius_at(middle) : start,
+                 sun = sun_at(middle);
+    const bool lit = !spherical || sun >= 0.0 || radius * std::sqrt(1.0 - sun * sun) >= earth;
+    pieces_.push_back({layer[p], (top - place_km[p]) / thickness, (top - place_km[p + 1]) / thickness,
+                       (at[p + 1] - at[p]) / thickness, lit});
+  }
+  if (!looks_up) {
+    std::reverse(pieces_.begin(), pieces_.end());
+    for (Piece& piece : pieces_) std::swap(piece.near_position, piece.far_position);
+    std::reverse(sun_mu_.begin(), sun_mu_.end());
+    std::reverse(place_km.begin(), place_km.end());
+  }
+  if (sunbeams) add_beams(altitude_km, spherical, place_km);
+}
+
+/// By half chords: a straight line whose nearest point to the Earth's centre is at radius t has from there to a shell of
+/// radius x the length sqrt(x^2 - t^2).
+void SightLine::add_beams(std::span<const double> altitude_km, bool spherical,
+                          std::span<const double> place_km) {
+  const std::size_t layers = altitude_km.size() - 1, places = place_km.size();
+  sun_slant_.assign(layers * places, 0.0);
+  std::vector<double> chord(layers + 1);
+  for (std::size_t e = 0; e < places; ++e) {
+    const double radius = kEarthRadius_km + place_km[e], mu = sun_mu_[e];
+    const double nearest = std::max(radius * std::sqrt(std::max(0.0, 1.0 - mu * mu)),
+                                    mu < 0.0 ? kEarthRadius_km + altitude_km.back() : 0.0);
+    const auto chord_to = [&](double shell) {
+      return std::sqrt(std::max(0.0, (shell - nearest) * (shell + nearest)));
+    };
+    const double here = chord_to(radius);
+    for (std::size_t k = 0; k <= layers; ++k) chord[k] = chord_to(kEarthRadius_km + altitude_km[k]);
+    for (std::size_t k = 0; k < layers; ++k) {
+      const double thickness = altitude_km[k] - altitude_km[k + 1];
+      double& slant = sun_slant_[k * places + e];
+      if (!spherical) {
+        slant = std::clamp((altitude_km[k] - place_km[e]) / thickness, 0.0, 1.0) / mu;
+        continue;
+      }
+      const double ahead = std::max(0.0, chord[k] - (mu < 0.0 ? chord[k + 1] : std::max(here, chord[k + 1])));
+      const double back = mu < 0.0 ? std::max(0.0, std::min(here, chord[k]) - chord[k + 1]) : 0.0;
+      slant = (ahead + back) / thickness;
+    }
+  }
+}
+
+std::vector<double> SightLine::beam_depths(std::span<const double> depth) const {
+  const std::size_t places = sun_mu_.size();
+  std::vector<double> sum(places, 0.0);
+  for (std::size_t k = 0; k < depth.size(); ++k) {
+    const double* __restrict slant = sun_slant_.data() + k * places;
+    double* __restrict to = sum.data();
+    for (std::size_t e = 0; e < places; ++e) to[e] += depth[k] * slant[e];
+  }
+  return sum;
+}
+
+}  // namespace ifov::atmosphere

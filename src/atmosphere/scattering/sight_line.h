@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "atmosphere/scattering/propagation.h"
+
+namespace ifov::atmosphere {
+
+/// A straight line of sight through the layers of a column, from the observer backwards along the light, with the way that
+/// sunlight takes to its places. About a round Earth the vertical turns along the line, and with it the height of the Sun; the
+/// scattering angle is the same all along. All of this is geometry: one line serves every wavelength. Not refracted.
+class SightLine {
+ public:
+  struct Ends {
+    double lower_km = 0.0;  ///< where the light's zenith angle and the Sun's are those that were given
+    double upper_km = 0.0;
+  };
+  /// Boundaries of layers from the top down, km; the lowest is the ground, which casts the Earth's shadow. `sun_mu`: cosine of
+  /// the Sun's zenith angle over the lower end, negative below the horizon. The observer stands at the upper end where light
+  /// goes up (mu > 0), at the lower one where it comes down. Flat layers where not `spherical`: then the Sun is up.
+  /// `sunbeams`: whether beam_depths() is wanted; then layers are cut where the Sun is low, and at the Earth's shadow.
+  SightLine(std::span<const double> altitude_km, bool spherical, double sun_mu, const Propagation& direction,
+            const Ends& ends, bool sunbeams = true);
+
+  struct Piece {
+    std::size_t layer = 0;  ///< from the top down
+    double near_position = 0.0,
+           far_position = 0.0;  ///< from 0 at the layer's top to 1 at its bottom
+    double slant = 0.0;         ///< length over the layer's thickness
+    bool lit = true;            ///< not in the Earth's shadow
+  };
+  const std::vector<Piece>& pieces() const { return pieces_; }
+  /// At the ends of pieces, pieces().size() + 1: cosine of the Sun's zenith angle there.
+  const std::vector<double>& sun_mu() const { return sun_mu_; }
+  const Propagation& direction() const { return direction_; }
+  double scattering_cosine() const { return scattering_cosine_; }
+
+  /// Optical depths of the sunbeam that arrives at the ends of pieces, from depths of the layers (vertical, from the top
+  /// down). Where the Earth is in the way: as if it ended just below the beam.
+  std::vector<double> beam_depths(std::span<const double> depth) const;
+
+ private:
+  void add_beams(std::span<const double> altitude_km, bool spherical, std::span<const double> place_km);
+
+  Propagation direction_;
+  double scattering_cosine_ = 1.0;
+  std::vector<Piece> pieces_;
+  std::vector<double> sun_mu_;
+  std::vector<double> sun_slant_;  ///< [layer][place]: length of the sunbeam in a layer over its thickness
+};
+
+}  // namespace ifov::atmosphere

@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "atmosphere/scattering/round_earth_light.h"
+#include "atmosphere/spherical_reference.h"
+
+using namespace ifov::atmosphere;
+using namespace ifov::atmosphere::test;
+
+namespace {
+
+PathLight light_of(const ColumnSolution& solution, const Row& row) {
+  const double mu = std::cos(row.zenith * kDegree), azimuth = row.azimuth * kDegree;
+  return row.what == "sky" ? solution.sunlit().sky({-mu, azimuth}, 0.0)
+                           : solution.sunlit().line_of_sight({mu, azimuth}, 1e4, 0.0);
+}
+
+}  // namespace
+
+TEST(RoundEarth, SkiesAndLinesOfSightAreThoseOfTheSphericalMonteCarlo) {
+  std::map<std::pair<double, double>, std::unique_ptr<ColumnSolution>> solved;
+  int rows = 0;
+  double worst = 0.0, worst_flat = 0.0;
+  for (const Row& row : reference()) {
+    auto& solution = solved[{row.depth, row.sun}];
+    if (!solution) solution = std::make_unique<ColumnSolution>(solve_molecules(row.depth, row.sun));
+    if (row.what == "flux") continue;
+    const PathLight light = light_of(*solution, row);
+    const double noise = 2.5 * row.error / row.all, off = std::abs(light.radiance().i / row.all - 1.0);
+    EXPECT_LT(off, 5e-3 + noise) << row.what << " " << row.depth << " " << row.sun << " " << row.zenith << " "
+                                 << row.azimuth;
+    EXPECT_NEAR(light.single.i / row.once, 1.0, 3e-3);
+    worst = std::max(worst, off);
+    const double mu = std::cos(row.zenith * kDegree);
+    const PathLight flat = row.what == "sky" ? solution->sunlit().path({-mu, row.azimuth * kDegree}, 0.0)
+                                             : solution->sunlit().path({mu, row.azimuth * kDegree}, 1e4);
+    if (row.sun <= 89.0) worst_flat = std::max(worst_flat, std::abs(flat.radiance().i / row.all - 1.0));
+    ++rows;
+  }
+  EXPECT_EQ(rows, 312);
+  EXPECT_GT(worst_flat, 0.3) << "flat layers pass";
+  RecordProperty("largest_difference", std::to_string(worst));
+}
+
+TEST(RoundEarth, FluxesOfDayAndTwilightAreThoseOfTheSphericalMonteCarlo) {
+  int rows = 0;
+  for (const Row& row : reference()) {
+    if (row.what != "flux") continue;
+    const double flux = solve_molecules(row.depth, row.sun).sunlit().fluxes().at(0.0).diffuse_down;
+    EXPECT_NEAR(flux / row.all, 1.0,
+                (row.sun <= 90.0  ? 5e-3
+                 : row.sun < 95.0 ? 1.5e-2
+                                  : 4e-2) +
+                    2.5 * row.error / row.all)
+        << row.depth << " " << row.sun;
+    ++rows;
+  }
+  EXPECT_EQ(rows, 18);
+}
+
+TEST(RoundEarth, NothingJumpsWithTheSun) {
+  // Where steps and means change, and at the horizon.
+  Air air;
+  const Column column = air.column();
+  ScatteringOptions options;
+  options.polarized = false;
+  const ColumnSolver solver(options);
+  const auto lights = [&](double sun_deg) {
+    const ColumnSolution solution = solver.solve(column.levels, column.optics, sun_deg * kDegree);
+    return std::vector<double>{solution.sunlit().line_of_sight({0.2, 0.3}, 1e4, 0.0).multiple.i,
+                               solution.sunlit().line_of_sight({0.2, 2.8}, 1e4, 0.0).radiance().i,
+                               solution.sunlit().sky({-0.2, 0.3}, 0.0).radiance().i,
+                               solution.sunlit().fluxes().at(0.0).diffuse_down};
+  };
+  for (const double sun : {70.0, 74.0, 76.0, 80.0, 87.0, 88.0, 90.0}) {
+    constexpr double kStep = 0.01;
+    const std::vector<double> before = lights(sun - kStep), after = lights(sun + kStep),
+                              earlier = lights(sun - 3.0 * kStep);
+    for (std::size_t k = 0; k < before.size(); ++k)
+      EXPECT_NEAR(after[k] / before[k], before[k] / earlier[k], 2e-3) << sun << " " << k;
+  }
+}
+
+TEST(RoundEarth, HighSunsAndSteepViewsAreAsInFlatLayers) {
+  Air air;
+  const Column column = air.column();
+  const ColumnSolution solution = ColumnSolver().solve(column.levels, column.optics, 30.0 * kDegree);
+  for (const double mu : {1.0, 0.9}) {
+    const double flat = solution.sunlit().path({mu, 1.0}, 1e4).radiance().i;
+    EXPECT_NEAR(solution.sunlit().line_of_sight({mu, 1.0}, 1e4, 0.0).radiance().i / flat, 1.0, 0.02);
+  }
+  // Flat layers stay flat.
+  const ColumnSolution plane = ColumnSolver(flat()).solve(column.levels, column.optics, 30.0 * kDegree);
+  const double whole = plane.sunlit().path({0.4, 1.0}, 1e4).radiance().i;
+  EXPECT_NEAR(plane.sunlit().line_of_sight({0.4, 1.0}, 1e4, 0.0).radiance().i, whole, 1e-12 * whole);
+  const PathLight part = plane.sunlit().path({0.4, 1.0}, 8.0, (8.0 - 1.3) / 0.4),
+                  same = plane.sunlit().line_of_sight({0.4, 1.0}, 8.0, 1.3);
+  EXPECT_NEAR(part.radiance().i, same.radiance().i, 1e-12 * whole);
+  EXPECT_NEAR(part.transmittance, same.transmittance, 1e-13);
+}
