@@ -100,6 +100,8 @@ int run_and_say(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // GDAL brings OpenBLAS, which nothing here uses: without threads it asks for no memory for them as it is loaded.
+  setenv("OPENBLAS_NUM_THREADS", "1", 0);
   ifov::cli::answer_faults();
   const int code = run_and_say(argc, argv);
   ifov::cli::leave_ranks();
