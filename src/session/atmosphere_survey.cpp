@@ -14,7 +14,6 @@
 #include "math/angle.h"
 #include "scene/scene.h"
 #include "session/assembly/atmosphere/atmosphere_assembly.h"
-#include "session/assembly/atmosphere/flat_air.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/survey_stage.h"
 
@@ -169,11 +168,6 @@ io::AtmosphereReport survey_atmosphere(const io::Document& original, const Atmos
     if (question.log != nullptr) {
       for (const std::string& remark : column.remarks()) question.log->warn(format("atmosphere: {}", remark));
       if (!narrow.empty()) question.log->warn(narrow_channels(stage.channels, narrow));
-      for (const std::string& warning : flat_air_warnings(
-               report.geometry.view_zenith_rad,
-               report.geometry.sensor_altitude_km - column.levels().altitude_km.front(),
-               shines_in(stage.channels) ? report.geometry.sun_zenith_rad : std::nullopt, report.body))
-        question.log->warn(warning);
     }
     std::optional<std::size_t> shown;
     if (question.sky)

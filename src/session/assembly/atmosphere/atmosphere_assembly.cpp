@@ -14,7 +14,6 @@
 #include "io/document/sensor_document.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
-#include "session/assembly/atmosphere/flat_air.h"
 #include "session/assembly/atmosphere/node_tolerance.h"
 #include "session/assembly/shared/with_position.h"
 
@@ -34,19 +33,10 @@ double sensor_altitude_km(const io::ModelledAtmosphere& air, const sensor::Camer
 }
 
 void warn(const AtmosphereSubject& subject, const atmosphere::AtmosphereColumn& column,
-          const atmosphere::SensorAtmosphere& air, const atmosphere::LineOfSightRange& range, LogSink& log) {
+          const atmosphere::SensorAtmosphere& air, LogSink& log) {
   for (const std::string& remark : column.remarks()) log.warn(format("atmosphere: {}", remark));
   const std::string narrow = narrow_channels(subject.channels, air.unresolved_channels());
   if (!narrow.empty()) log.warn(narrow);
-  const double along = std::max(std::abs(range.along_low), std::abs(range.along_high));
-  const std::optional<scene::Sun>& sun = subject.scene.sun;
-  for (const std::string& warning :
-       flat_air_warnings(std::atan(std::hypot(along, range.across_high)),
-                         air.geometry().sensor_altitude_km - column.levels().altitude_km.front(),
-                         sun && sun->is_up() && shines_in(subject.channels) ? std::optional(sun->zenith_rad())
-                                                                            : std::nullopt,
-                         sun && sun->is_moon ? "Moon" : "Sun"))
-    log.warn(warning);
 }
 
 }  // namespace
@@ -195,7 +185,7 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
     inputs.kept = work.kept;
     inputs.progress = work.progress;
     auto air = std::make_unique<atmosphere::SensorAtmosphere>(column, inputs);
-    if (work.log != nullptr) warn(subject, column, *air, range, *work.log);
+    if (work.log != nullptr) warn(subject, column, *air, *work.log);
     return air;
   });
 }
