@@ -7,12 +7,9 @@ namespace ifov::atmosphere {
 
 class ScatteringColumn;
 
-/// How much brighter or darker than in a solved column of flat layers the light is that the air about a round Earth has
-/// scattered: its mean radiance over all directions, by altitude and by the height of the Sun there, and its flux down. By the
-/// first the source of light scattered more often becomes that of the place of a line of sight; its shape over directions
-/// stays that of the column. Both are ratios of two simpler solutions, in shells and in flat layers: molecules scatter
-/// sunlight by their phase function, and all that follows is scattered evenly into all directions
-/// (docs/theory/atmosphere_round_earth.md).
+/// How much brighter the light is that the air about a round Earth has scattered than in a column of flat layers: its mean
+/// radiance over all directions, by altitude and by the height of the Sun there, and its flux down. Ratios of two simpler
+/// solutions, in shells and in flat layers (docs/theory/atmosphere_round_earth.md).
 class RoundEarthLight {
  public:
   /// None: all ratios are 1.

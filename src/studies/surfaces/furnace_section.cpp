@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 
 #include "core/format.h"
@@ -8,6 +7,7 @@
 #include "io/document/shapes/box_primitive.h"
 #include "io/document/shapes/flat_primitives.h"
 #include "io/document/shapes/round_primitives.h"
+#include "io/products/part_file.h"
 #include "radiometry/planck.h"
 #include "studies/common/study_document.h"
 #include "studies/surfaces/surface_rendering.h"
@@ -68,14 +68,17 @@ std::vector<StudySurface> furnace_surfaces(bool quick) {
 }
 
 void write_furnace_table(const std::filesystem::path& folder) {
-  std::ofstream out(folder / "furnace_table.csv");
+  std::string rows;
   for (int light_deg = 0; light_deg <= 80; light_deg += 10)
     for (int view_deg = 0; view_deg <= 80; view_deg += 10)
       for (const int azimuth_deg : {0, 90, 180})
         for (const int um : {9, 11})
-          out << format(
+          rows += format(
               "{},{},{},{},{:.9g}\n", light_deg, view_deg, azimuth_deg, um,
               (0.3 + 0.4 * std::cos(light_deg * kDegree) * std::cos(view_deg * kDegree)) / std::numbers::pi);
+  io::PartFile file(folder / "furnace_table.csv");
+  io::write_part(file, rows);
+  file.publish();
 }
 
 FurnaceRoom render_furnace(const StudySurface& surface, const StudyOptions& options, int paths_across,
