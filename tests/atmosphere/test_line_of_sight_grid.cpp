@@ -110,8 +110,7 @@ TEST_F(LinesOfSight, AboveTheGround) {
                                    {22.0 * kDegree, 120.0 * kDegree, 1.1},
                                    {16.0 * kDegree, 10.0 * kDegree, 0.18}}) {
       const double mu = std::cos(line.zenith_rad);
-      const PathLight path =
-          solved.sunlit().line_of_sight({mu, line.azimuth_rad - kPi}, 6.0, line.height_km);
+      const PathLight path = solved.sunlit().line_of_sight({mu, line.azimuth_rad - kPi}, 6.0, line.height_km);
       const std::vector<double> weight = air.lines_of_sight().weights(line);
       double through = 0.0, added = 0.0;
       for (std::size_t k = 0; k < weight.size(); ++k) {

@@ -77,8 +77,7 @@ TEST(SightLine, SunlightComesToEveryPlaceByItsOwnAngle) {
         EXPECT_NEAR(beams[p], expected, 2e-3 * expected + 1e-4) << sun_deg << " " << azimuth << " " << z;
       }
       // A light that comes from the Sun's side is seen towards the Sun.
-      EXPECT_EQ(line.sun_mu().back() > line.sun_mu().front(), azimuth == 0.0)
-          << sun_deg << " " << azimuth;
+      EXPECT_EQ(line.sun_mu().back() > line.sun_mu().front(), azimuth == 0.0) << sun_deg << " " << azimuth;
     }
 }
 
