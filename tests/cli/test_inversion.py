@@ -8,13 +8,12 @@ import unittest
 from program import Folder, run
 
 GROUND = 0.35
-# Centres and full widths at half maximum, nm: Landsat 8 OLI, Sentinel-2 MSI, two spectrometers.
+# Centres and full widths at half maximum, nm, of some bands: Landsat 8 OLI, Sentinel-2 MSI, two spectrometers.
 SENSORS = {
-    "oli": [(443, 16), (482, 60), (561, 57), (655, 37), (865, 28), (1609, 85), (2201, 187)],
-    "msi": [(443, 21), (492, 66), (560, 36), (665, 31), (704, 15), (741, 15), (783, 20), (833, 106), (865, 21), (945, 20),
-            (1614, 91), (2202, 175)],
-    "enmap": [(420 + 65 * k, 7) for k in range(8)] + [(1040, 11), (1240, 11), (1600, 11), (2100, 11)],
-    "hyperspectral": [(404 + 127.5 * k, 10) for k in range(14)],
+    "oli": [(443, 16), (482, 60), (561, 57), (865, 28), (2201, 187)],
+    "msi": [(443, 21), (665, 31), (945, 20), (2202, 175)],
+    "enmap": [(420, 7), (680, 7), (1240, 11), (2100, 11)],
+    "hyperspectral": [(404, 10), (787, 10), (1042, 10), (1552, 10)],
 }
 
 
