@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "atmosphere/linear_source.h"
-#include "atmosphere/scattering/sight_line.h"
+#include "atmosphere/scattering/shell_line_of_sight.h"
 #include "atmosphere/scattering/spherical_functions.h"
 
 namespace ifov::atmosphere {
@@ -131,19 +131,19 @@ PathLight SlantSource::through_shells(double azimuth_rad, double lower_km, doubl
   const SolvedColumn& solved = field_->solved();
   const ScatteringColumn& column = solved.column;
   const Propagation direction{mu_, azimuth_rad};
-  const SightLine::Ends ends{lower_km, upper_km};
+  const ShellLineOfSight::Ends ends{lower_km, upper_km};
   PathLight light = single_scattering(
       column, solved.aerosol_polarization,
-      SightLine(column.layer_altitude_km, column.spherical, column.sun_mu, direction, ends), cell);
+      ShellLineOfSight(column.layer_altitude_km, column.spherical, column.sun_mu, direction, ends), cell);
   if (!field_->sunlit()) light.single = {};
-  const SightLine line(column.altitude_km, column.spherical, column.sun_mu, direction, ends, false);
+  const ShellLineOfSight line(column.altitude_km, column.spherical, column.sun_mu, direction, ends, false);
   const bool varies = field_->sunlit() && solved.round_earth.any();
   const auto factor = [&](std::size_t sublayer, double position, double sun_mu) {
     return varies ? solved.round_earth.mean_ratio(sublayer, position, sun_mu) : 1.0;
   };
   Sum sum(*this, azimuth_rad);
   for (std::size_t p = 0; p < line.pieces().size(); ++p) {
-    const SightLine::Piece& piece = line.pieces()[p];
+    const ShellLineOfSight::Piece& piece = line.pieces()[p];
     if (!sum.add(piece.layer, piece.slant * column.depth[piece.layer], piece.near_position,
                  piece.far_position, factor(piece.layer, piece.near_position, line.sun_mu()[p]),
                  factor(piece.layer, piece.far_position, line.sun_mu()[p + 1])))

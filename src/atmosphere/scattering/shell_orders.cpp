@@ -225,7 +225,7 @@ void ShellOrders::tabulate_beams() {
         beam_.push_back(0.0);
         continue;
       } else {
-        // By half chords, as in SightLine.
+        // By half chords, as in ShellLineOfSight.
         for (std::size_t i = 0; i < boundary.size(); ++i) {
           const double shell = kEarthRadius_km + boundary[i];
           chord[i] = std::sqrt(std::max(0.0, (shell - nearest) * (shell + nearest)));

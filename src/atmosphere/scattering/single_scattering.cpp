@@ -7,7 +7,7 @@
 #include "atmosphere/scattering/beam_integral.h"
 #include "atmosphere/scattering/phase_function.h"
 #include "atmosphere/scattering/scattering_matrix.h"
-#include "atmosphere/scattering/sight_line.h"
+#include "atmosphere/scattering/shell_line_of_sight.h"
 
 namespace ifov::atmosphere {
 
@@ -90,11 +90,11 @@ PathLight single_scattering(const ScatteringColumn& column, double aerosol_polar
 }
 
 PathLight single_scattering(const ScatteringColumn& column, double aerosol_polarization,
-                            const SightLine& line, const SunCell& cell) {
+                            const ShellLineOfSight& line, const SunCell& cell) {
   SingleScattering sum(column, aerosol_polarization, line.direction(), cell);
   const std::vector<double> beam = line.beam_depths(column.layer_depth);
   for (std::size_t p = 0; p < line.pieces().size(); ++p) {
-    const SightLine::Piece& piece = line.pieces()[p];
+    const ShellLineOfSight::Piece& piece = line.pieces()[p];
     const double depth = piece.slant * column.layer_depth[piece.layer],
                  true_depth = piece.slant * column.layer_true_depth[piece.layer];
     if (piece.lit)

@@ -7,7 +7,7 @@
 
 namespace ifov::atmosphere {
 
-class SightLine;
+class ShellLineOfSight;
 
 /// Light that a path adds, and what it lets through.
 struct PathLight {
@@ -30,6 +30,6 @@ PathLight single_scattering(const ScatteringColumn& column, double aerosol_polar
 /// each place of it: exact in homogeneous layers but for how the sunbeam's depth bends within them.
 /// Exactly towards the Sun phase functions have their value for the cell, if there is one (PhaseFunction::forward_for).
 PathLight single_scattering(const ScatteringColumn& column, double aerosol_polarization,
-                            const SightLine& line, const SunCell& cell = {});
+                            const ShellLineOfSight& line, const SunCell& cell = {});
 
 }  // namespace ifov::atmosphere

@@ -4,7 +4,7 @@
 #include <map>
 #include <numbers>
 
-#include "atmosphere/scattering/sight_line.h"
+#include "atmosphere/scattering/shell_line_of_sight.h"
 #include "atmosphere/scattering/single_scattering.h"
 #include "atmosphere/sensor/channel_scattering.h"
 
@@ -102,15 +102,15 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
   result.share.assign(nodes_.size(), std::vector<double>(count, 0.0));
   const std::vector<double>& levels_km = column_.levels().altitude_km;
   const std::vector<double> falling_km(levels_km.rbegin(), levels_km.rend());
-  std::vector<SightLine> sights;
+  std::vector<ShellLineOfSight> sights;
   for (const LineOfSight& line : lines())
     sights.emplace_back(falling_km, options_.spherical_earth, std::cos(geometry_.any_sun_zenith_rad()),
                         Propagation{std::cos(line.zenith_rad), line.azimuth_rad - std::numbers::pi},
-                        SightLine::Ends{levels_km.front() + line.height_km, line.sensor_km});
+                        ShellLineOfSight::Ends{levels_km.front() + line.height_km, line.sensor_km});
   for (std::size_t p = 0; p < count; ++p) {
     const ChannelPoints::Point& point = points_.points[p];
     const ScatteringColumn column(column_.levels(), point.layers(), geometry_.any_sun_zenith_rad(), options_);
-    const auto once = [&](const SightLine& line) {
+    const auto once = [&](const ShellLineOfSight& line) {
       if (!sunlit_) return StokesVector{};
       return points_.irradiance[p] * single_scattering(column, options_.aerosol_polarization, line).single;
     };

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "atmosphere/column/light_limits.h"
-#include "atmosphere/scattering/sight_line.h"
+#include "atmosphere/scattering/shell_line_of_sight.h"
 #include "atmosphere/scattering/sky_ring.h"
 #include "atmosphere/sensor/sky_table_error.h"
 #include "atmosphere/thermal/thermal_column.h"
@@ -36,8 +36,8 @@ std::vector<double> scattered_once(const AtmosphereColumn& column, const Channel
   const Propagation up{std::cos(geometry.view_zenith_rad), geometry.view_azimuth_rad - std::numbers::pi};
   const std::vector<double>& levels_km = column.levels().altitude_km;
   const std::vector<double> falling_km(levels_km.rbegin(), levels_km.rend());
-  const SightLine line(falling_km, options.spherical_earth, std::cos(geometry.any_sun_zenith_rad()), up,
-                       {levels_km.front(), geometry.sensor_altitude_km});
+  const ShellLineOfSight line(falling_km, options.spherical_earth, std::cos(geometry.any_sun_zenith_rad()),
+                              up, {levels_km.front(), geometry.sensor_altitude_km});
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (!geometry.sun_zenith_rad || points.points[p].wavelength_um > kLastSolar_um) continue;
     const ScatteringColumn layers(column.levels(), points.points[p].layers(), *geometry.sun_zenith_rad,

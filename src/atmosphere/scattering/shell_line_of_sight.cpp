@@ -1,4 +1,4 @@
-#include "atmosphere/scattering/sight_line.h"
+#include "atmosphere/scattering/shell_line_of_sight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +27,8 @@ void add_shadow_edges(double start, double mu, double sun_mu, double along, doub
 
 }  // namespace
 
-SightLine::SightLine(std::span<const double> altitude_km, bool spherical, double sun_mu,
-                     const Propagation& direction, const Ends& ends, bool sunbeams)
+ShellLineOfSight::ShellLineOfSight(std::span<const double> altitude_km, bool spherical, double sun_mu,
+                                   const Propagation& direction, const Ends& ends, bool sunbeams)
     : direction_(direction), scattering_cosine_(atmosphere::scattering_cosine({-sun_mu, 0.0}, direction)) {
   const double lower = std::max(ends.lower_km, altitude_km.back()),
                upper = std::min(ends.upper_km, altitude_km.front()), mu = std::abs(direction.mu);
@@ -91,8 +91,8 @@ SightLine::SightLine(std::span<const double> altitude_km, bool spherical, double
 
 /// By half chords: a straight line whose nearest point to the Earth's centre is at radius t has from there to a shell of
 /// radius x the length sqrt(x^2 - t^2).
-void SightLine::add_beams(std::span<const double> altitude_km, bool spherical,
-                          std::span<const double> place_km) {
+void ShellLineOfSight::add_beams(std::span<const double> altitude_km, bool spherical,
+                                 std::span<const double> place_km) {
   const std::size_t layers = altitude_km.size() - 1, places = place_km.size();
   sun_slant_.assign(layers * places, 0.0);
   std::vector<double> chord(layers + 1);
@@ -119,7 +119,7 @@ void SightLine::add_beams(std::span<const double> altitude_km, bool spherical,
   }
 }
 
-std::vector<double> SightLine::beam_depths(std::span<const double> depth) const {
+std::vector<double> ShellLineOfSight::beam_depths(std::span<const double> depth) const {
   const std::size_t places = sun_mu_.size();
   std::vector<double> sum(places, 0.0);
   for (std::size_t k = 0; k < depth.size(); ++k) {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "atmosphere/column_maker.h"
+#include "atmosphere/scattering/shell_line_of_sight.h"
 #include "atmosphere/scattering/shell_orders.h"
-#include "atmosphere/scattering/sight_line.h"
 #include "atmosphere/sensor/channel_points.h"
 #include "atmosphere/spherical_shells.h"
 #include "atmosphere/thermal/thermal_column.h"
@@ -36,12 +36,12 @@ double stepped_depth(const std::vector<double>& falling_km, const std::vector<do
 
 }  // namespace
 
-TEST(SightLine, IsAsLongAsItsShellsAreApart) {
+TEST(ShellLineOfSight, IsAsLongAsItsShellsAreApart) {
   for (const double mu : {1.0, 0.5, 0.1, 0.0}) {
-    const SightLine up(kFalling, true, 0.5, {-mu, 0.7}, {1.0, 60.0}),
+    const ShellLineOfSight up(kFalling, true, 0.5, {-mu, 0.7}, {1.0, 60.0}),
         down(kFalling, true, 0.5, {mu, 0.7}, {1.0, 60.0});
     double length = 0.0;
-    for (const SightLine::Piece& piece : up.pieces())
+    for (const ShellLineOfSight::Piece& piece : up.pieces())
       length += piece.slant * (kFalling[piece.layer] - kFalling[piece.layer + 1]);
     EXPECT_NEAR(length, length_to_shell_km(1.0, mu, 60.0), 1e-9) << mu;
     if (mu == 0.0) continue;
@@ -51,7 +51,7 @@ TEST(SightLine, IsAsLongAsItsShellsAreApart) {
   }
 }
 
-TEST(SightLine, SunlightComesToEveryPlaceByItsOwnAngle) {
+TEST(ShellLineOfSight, SunlightComesToEveryPlaceByItsOwnAngle) {
   const Column column = [] {
     Air air;
     air.rayleigh = 1.0;
@@ -63,12 +63,12 @@ TEST(SightLine, SunlightComesToEveryPlaceByItsOwnAngle) {
                             column.optics.rayleigh_scattering.rend());
   for (const double sun_deg : {30.0, 80.0, 89.5, 93.0})
     for (const double azimuth : {0.0, 2.0}) {
-      const SightLine line(falling, true, std::cos(sun_deg * kDegree), {-std::cos(85.0 * kDegree), azimuth},
-                           {0.0, 60.0});
+      const ShellLineOfSight line(falling, true, std::cos(sun_deg * kDegree),
+                                  {-std::cos(85.0 * kDegree), azimuth}, {0.0, 60.0});
       const std::vector<double> beams = line.beam_depths(depth);
       double z = 0.0;
       for (std::size_t p = 0; p < line.pieces().size(); ++p) {
-        const SightLine::Piece& piece = line.pieces()[p];
+        const ShellLineOfSight::Piece& piece = line.pieces()[p];
         const double top = falling[piece.layer], height = top - falling[piece.layer + 1];
         z = top - piece.near_position * height;
         if (!piece.lit || (p > 0 && !line.pieces()[p - 1].lit)) continue;
@@ -81,23 +81,23 @@ TEST(SightLine, SunlightComesToEveryPlaceByItsOwnAngle) {
     }
 }
 
-TEST(SightLine, TheEarthCastsItsShadow) {
+TEST(ShellLineOfSight, TheEarthCastsItsShadow) {
   // Straight up with the Sun at -4 degrees the shadow ends at R (1/cos 4 - 1).
   const double sun = 94.0 * kDegree, edge = kEarthRadius_km * (1.0 / std::cos(4.0 * kDegree) - 1.0);
-  const SightLine line(kFalling, true, std::cos(sun), {-1.0, 0.0}, {0.0, 60.0});
+  const ShellLineOfSight line(kFalling, true, std::cos(sun), {-1.0, 0.0}, {0.0, 60.0});
   double dark = 0.0;
   bool was_lit = false;
-  for (const SightLine::Piece& piece : line.pieces()) {
+  for (const ShellLineOfSight::Piece& piece : line.pieces()) {
     if (!piece.lit) dark += piece.slant * (kFalling[piece.layer] - kFalling[piece.layer + 1]);
     EXPECT_TRUE(piece.lit || !was_lit) << "dark above lit air";
     was_lit = piece.lit;
   }
   EXPECT_NEAR(dark, edge, 1e-6);
-  const SightLine day(kFalling, true, 0.01, {-0.1, 0.0}, {0.0, 60.0});
-  for (const SightLine::Piece& piece : day.pieces()) EXPECT_TRUE(piece.lit);
+  const ShellLineOfSight day(kFalling, true, 0.01, {-0.1, 0.0}, {0.0, 60.0});
+  for (const ShellLineOfSight::Piece& piece : day.pieces()) EXPECT_TRUE(piece.lit);
 }
 
-TEST(SightLine, ThermalLinesOfSightPassTheSameShells) {
+TEST(ShellLineOfSight, ThermalLinesOfSightPassTheSameShells) {
   const std::vector<double> rising(kFalling.rbegin(), kFalling.rend()),
       depth = {0.1, 0.2, 0.3, 0.2, 0.1, 0.02}, planck(rising.size(), 3.0);
   const ThermalColumn air(rising, planck, depth);
@@ -108,9 +108,9 @@ TEST(SightLine, ThermalLinesOfSightPassTheSameShells) {
     const ThermalPath path = air.line_of_sight(sensor, mu, height);
     EXPECT_NEAR(path.transmittance, through, 1e-12);
     EXPECT_NEAR(path.radiance, 3.0 * (1.0 - through), 1e-12) << "air of one temperature";
-    const SightLine line(kFalling, true, 1.0, {mu, 0.0}, {height, sensor}, false);
+    const ShellLineOfSight line(kFalling, true, 1.0, {mu, 0.0}, {height, sensor}, false);
     double along = 0.0;
-    for (const SightLine::Piece& piece : line.pieces())
+    for (const ShellLineOfSight::Piece& piece : line.pieces())
       along += piece.slant * depth[depth.size() - 1 - piece.layer];
     EXPECT_NEAR(std::exp(-along), through, 1e-12);
   }

@@ -11,7 +11,7 @@ namespace ifov::atmosphere {
 /// A straight line of sight through the layers of a column, from the observer backwards along the light, with the way that
 /// sunlight takes to its places. About a round Earth the vertical turns along the line, and with it the height of the Sun; the
 /// scattering angle is the same all along. All of this is geometry: one line serves every wavelength. Not refracted.
-class SightLine {
+class ShellLineOfSight {
  public:
   struct Ends {
     double lower_km = 0.0;  ///< where the light's zenith angle and the Sun's are those that were given
@@ -21,8 +21,8 @@ class SightLine {
   /// the Sun's zenith angle over the lower end, negative below the horizon. The observer stands at the upper end where light
   /// goes up (mu > 0), at the lower one where it comes down. Flat layers where not `spherical`: then the Sun is up.
   /// `sunbeams`: whether beam_depths() is wanted; then layers are cut where the Sun is low, and at the Earth's shadow.
-  SightLine(std::span<const double> altitude_km, bool spherical, double sun_mu, const Propagation& direction,
-            const Ends& ends, bool sunbeams = true);
+  ShellLineOfSight(std::span<const double> altitude_km, bool spherical, double sun_mu,
+                   const Propagation& direction, const Ends& ends, bool sunbeams = true);
 
   struct Piece {
     std::size_t layer = 0;  ///< from the top down
