@@ -127,8 +127,7 @@ void ScatteringColumn::beam_lengths(double level_km, std::vector<double>& length
     // Of the way within the level's sphere, by half chords about the beam's point nearest to the Earth's centre.
     const double sine = std::sqrt(1.0 - sun_mu * sun_mu), shell = kEarthRadius_km + level_km;
     for (std::size_t k = first; k < lengths.size(); ++k) {
-      const double start = kEarthRadius_km + from[k], nearest = start * sine;
-      const double half = std::sqrt(std::max(0.0, (shell - nearest) * (shell + nearest)));
+      const double start = kEarthRadius_km + from[k], half = half_chord_km(shell, start * sine);
       to[k] = level_km > from[k] ? half - start * sun_mu : 2.0 * half;
     }
     return;

@@ -89,8 +89,6 @@ ShellLineOfSight::ShellLineOfSight(std::span<const double> altitude_km, bool sph
   if (sunbeams) add_beams(altitude_km, spherical, place_km);
 }
 
-/// By half chords: a straight line whose nearest point to the Earth's centre is at radius t has from there to a shell of
-/// radius x the length sqrt(x^2 - t^2).
 void ShellLineOfSight::add_beams(std::span<const double> altitude_km, bool spherical,
                                  std::span<const double> place_km) {
   const std::size_t layers = altitude_km.size() - 1, places = place_km.size();
@@ -100,11 +98,9 @@ void ShellLineOfSight::add_beams(std::span<const double> altitude_km, bool spher
     const double radius = kEarthRadius_km + place_km[e], mu = sun_mu_[e];
     const double nearest = std::max(radius * std::sqrt(std::max(0.0, 1.0 - mu * mu)),
                                     mu < 0.0 ? kEarthRadius_km + altitude_km.back() : 0.0);
-    const auto chord_to = [&](double shell) {
-      return std::sqrt(std::max(0.0, (shell - nearest) * (shell + nearest)));
-    };
-    const double here = chord_to(radius);
-    for (std::size_t k = 0; k <= layers; ++k) chord[k] = chord_to(kEarthRadius_km + altitude_km[k]);
+    const double here = half_chord_km(radius, nearest);
+    for (std::size_t k = 0; k <= layers; ++k)
+      chord[k] = half_chord_km(kEarthRadius_km + altitude_km[k], nearest);
     for (std::size_t k = 0; k < layers; ++k) {
       const double thickness = altitude_km[k] - altitude_km[k + 1];
       double& slant = sun_slant_[k * places + e];

@@ -224,16 +224,12 @@ void ShellOrders::tabulate_beams() {
       if (mu < 0.0 && nearest < ground) {
         beam_.push_back(0.0);
         continue;
-      } else {
-        // By half chords, as in ShellLineOfSight.
-        for (std::size_t i = 0; i < boundary.size(); ++i) {
-          const double shell = kEarthRadius_km + boundary[i];
-          chord[i] = std::sqrt(std::max(0.0, (shell - nearest) * (shell + nearest)));
-        }
-        for (std::size_t i = 0; i < (mu < 0.0 ? depth.size() : b); ++i) {
-          const double crossings = mu < 0.0 && i >= b ? 2.0 : 1.0;
-          sum += crossings * (chord[i] - chord[i + 1]) * depth[i] / (boundary[i] - boundary[i + 1]);
-        }
+      }
+      for (std::size_t i = 0; i < boundary.size(); ++i)
+        chord[i] = half_chord_km(kEarthRadius_km + boundary[i], nearest);
+      for (std::size_t i = 0; i < (mu < 0.0 ? depth.size() : b); ++i) {
+        const double crossings = mu < 0.0 && i >= b ? 2.0 : 1.0;
+        sum += crossings * (chord[i] - chord[i + 1]) * depth[i] / (boundary[i] - boundary[i + 1]);
       }
       beam_.push_back(std::exp(-sum));
     }
@@ -262,10 +258,7 @@ ShellOrders::Ray ShellOrders::ray(double altitude_km, double mu, double longest_
   const std::vector<double>& boundary = column_.layer_altitude_km;
   const double start = kEarthRadius_km + altitude_km, ground = kEarthRadius_km + boundary.back();
   const double nearest = start * std::sqrt(1.0 - mu * mu);
-  const auto half = [&](double altitude) {
-    const double shell = kEarthRadius_km + altitude;
-    return std::sqrt(std::max(0.0, (shell - nearest) * (shell + nearest)));
-  };
+  const auto half = [&](double altitude) { return half_chord_km(kEarthRadius_km + altitude, nearest); };
   Ray ray;
   double walked = 0.0, last_km = altitude_km;
   const auto add = [&](std::size_t layer, double to_km, double length) {
