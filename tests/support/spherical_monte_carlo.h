@@ -13,7 +13,8 @@
 
 namespace ifov::test {
 
-/// Sunlight that molecules (without depolarization, unpolarized) scatter in shells about a round Earth with black ground, by
+/// Sunlight that molecules (without depolarization, unpolarized) and haze (Henyey and Greenstein's phase function) scatter in shells
+/// about a round Earth with black ground, by
 /// paths that are followed backwards from the observer through three dimensions; light of the Sun is added at every event, as
 /// far as the Earth lets it through. Rays are not refracted. It shares no formula with the solver: no flat layer, no expansion
 /// of the phase function, no order of scattering.
@@ -30,6 +31,17 @@ class SphericalMonteCarlo {
     for (const double altitude : altitude_km) radius_.push_back(radius_km + altitude);
     for (std::size_t k = 0; k < depth.size(); ++k)
       extinction_.push_back(depth[k] / (altitude_km[k + 1] - altitude_km[k]));
+    haze_share_.assign(depth.size(), 0.0);
+  }
+
+  /// Haze beside the molecules: scattering depths of the layers, and its asymmetry.
+  void add_haze(const std::vector<double>& depth, double asymmetry) {
+    asymmetry_ = asymmetry;
+    for (std::size_t k = 0; k < depth.size(); ++k) {
+      const double haze = depth[k] / (radius_[k + 1] - radius_[k]);
+      extinction_[k] += haze;
+      haze_share_[k] = extinction_[k] > 0.0 ? haze / extinction_[k] : 0.0;
+    }
   }
 
   /// Means and their standard errors, of all light and of light scattered once; for sunlight of irradiance 1 across the beam.
@@ -126,7 +138,17 @@ class SphericalMonteCarlo {
     return result;
   }
 
-  /// By Cardano's formula.
+  /// Of Henyey and Greenstein's phase function (their equation 2), inverted.
+  double haze_cosine(double draw) const {
+    const double g = asymmetry_, ratio = (1.0 - g * g) / (1.0 - g + 2.0 * g * draw);
+    return std::clamp((1.0 + g * g - ratio * ratio) / (2.0 * g), -1.0, 1.0);
+  }
+  double haze_phase(double cosine) const {
+    const double g = asymmetry_;
+    return (1.0 - g * g) / std::pow(1.0 + g * g - 2.0 * g * cosine, 1.5);
+  }
+
+  /// Of molecules, by Cardano's formula.
   static double scattering_cosine(double draw) {
     const double q = 4.0 * (2.0 * draw - 1.0), root = std::cbrt(0.5 * (q + std::sqrt(q * q + 4.0)));
     return std::clamp(root - 1.0 / root, -1.0, 1.0);
@@ -159,11 +181,13 @@ class SphericalMonteCarlo {
           weight *= scattered;
           double place = draw(engine);
           if (event == 0) place = (static_cast<double>(path) + place) / static_cast<double>(kBatch);
-          double left = -std::log1p(-place * scattered), length = 0.0;
+          double left = -std::log1p(-place * scattered), length = 0.0,
+                 haze = haze_share_[line.pieces.back().layer];
           for (const Piece& piece : line.pieces) {
             const double depth = extinction_[piece.layer] * piece.length;
             if (left <= depth) {
               length += left / extinction_[piece.layer];
+              haze = haze_share_[piece.layer];
               break;
             }
             left -= depth;
@@ -173,12 +197,15 @@ class SphericalMonteCarlo {
           trace(at, sun_, sunbeam);
           if (!sunbeam.ground) {
             const double cosine = dot(along, sun_);
-            const double arrives =
-                weight * 0.75 * (1.0 + cosine * cosine) / (4.0 * std::numbers::pi) * std::exp(-sunbeam.depth);
+            const double phase = (1.0 - haze) * 0.75 * (1.0 + cosine * cosine) +
+                                 (haze > 0.0 ? haze * haze_phase(cosine) : 0.0);
+            const double arrives = weight * phase / (4.0 * std::numbers::pi) * std::exp(-sunbeam.depth);
             light += arrives;
             if (event == 0) first += arrives;
           }
-          const double turn = scattering_cosine(draw(engine));
+          const bool by_haze = haze > 0.0 && draw(engine) < haze;
+          const double number = draw(engine),
+                       turn = by_haze ? haze_cosine(number) : scattering_cosine(number);
           along = turned(along, turn, 2.0 * std::numbers::pi * draw(engine));
           if (weight < kWeak) {
             if (draw(engine) < 0.5) break;
@@ -195,7 +222,8 @@ class SphericalMonteCarlo {
     return {average, std::sqrt(variance), first / (count * static_cast<double>(kBatch))};
   }
 
-  std::vector<double> radius_, extinction_;
+  std::vector<double> radius_, extinction_, haze_share_;
+  double asymmetry_ = 0.0;
   Vector sun_;
 };
 

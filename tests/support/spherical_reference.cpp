@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <initializer_list>
+#include <string>
 
 #include "atmosphere/column_maker.h"
 #include "support/spherical_monte_carlo.h"
@@ -36,30 +38,42 @@ int main(int count, char** arguments) {
   std::puts(
       "# Sunlight scattered by molecules in spherical shells (radius 6371 km) over black ground: 34 layers to 60 km, scale height\n"
       "# 8 km (Air of tests/atmosphere/column_maker.h), no depolarization, unpolarized, not refracted; sunlight of irradiance 1.\n"
-      "# Made by tests/support/spherical_reference.cpp: spherical_reference 0.002. Standard errors of the mean.\n"
+      "# Made by tests/support/spherical_reference.cpp: spherical_reference 0.002 (with haze 0.003). Standard errors of the mean.\n"
       "# sky: radiance at the ground; above: at the top along the line that leaves the ground at this zenith angle; flux:\n"
-      "# irradiance on level ground. Angles in degrees; azimuth of propagation, 0 as sunlight propagates.\n"
+      "# irradiance on level ground. Angles in degrees; azimuth of propagation, 0 as sunlight propagates. Names that end in _haze:\n"
+      "# with haze of depth 0.2 that absorbs nothing, scale height 1.5 km, asymmetry 0.65 (Henyey and Greenstein 1941).\n"
       "what,depth,sun_zenith,zenith,azimuth,all,error,once");
+  const auto rows = [&](const SphericalMonteCarlo& shells, const std::string& haze, double depth, double sun,
+                        std::initializer_list<double> zeniths) {
+    row(("flux" + haze).c_str(), depth, sun, 0.0, 0.0, sun < 90.0 ? wanted : 2.0 * wanted,
+        [&](std::uint64_t paths, unsigned seed) { return shells.flux(paths, seed); });
+    if (sun > 90.0) return;
+    for (const double zenith : zeniths)
+      for (const double azimuth : {0.0, 90.0, 180.0}) {
+        if (zenith == 0.0 && azimuth > 0.0) continue;
+        row(("sky" + haze).c_str(), depth, sun, zenith, azimuth, wanted,
+            [&](std::uint64_t paths, unsigned seed) {
+              return shells.sky(zenith * kDegree, azimuth * kDegree, paths, seed);
+            });
+        row(("above" + haze).c_str(), depth, sun, zenith, azimuth, wanted,
+            [&](std::uint64_t paths, unsigned seed) {
+              return shells.above(zenith * kDegree, azimuth * kDegree, paths, seed);
+            });
+      }
+  };
   for (const double depth : {0.1, 0.35}) {
     ifov::atmosphere::test::Air air;
     air.rayleigh = depth;
     const auto column = air.column();
-    for (const double sun : {60.0, 75.0, 84.0, 87.0, 89.0, 90.0, 92.0, 94.0, 96.0}) {
-      const SphericalMonteCarlo shells(column.levels.altitude_km, column.optics.rayleigh_scattering,
-                                       sun * kDegree);
-      row("flux", depth, sun, 0.0, 0.0, sun < 90.0 ? wanted : 2.0 * wanted,
-          [&](std::uint64_t paths, unsigned seed) { return shells.flux(paths, seed); });
-      if (sun > 90.0) continue;
-      for (const double zenith : {0.0, 40.0, 60.0, 75.0, 80.0})
-        for (const double azimuth : {0.0, 90.0, 180.0}) {
-          if (zenith == 0.0 && azimuth > 0.0) continue;
-          row("sky", depth, sun, zenith, azimuth, wanted, [&](std::uint64_t paths, unsigned seed) {
-            return shells.sky(zenith * kDegree, azimuth * kDegree, paths, seed);
-          });
-          row("above", depth, sun, zenith, azimuth, wanted, [&](std::uint64_t paths, unsigned seed) {
-            return shells.above(zenith * kDegree, azimuth * kDegree, paths, seed);
-          });
-        }
-    }
+    for (const double sun : {60.0, 75.0, 84.0, 87.0, 89.0, 90.0, 92.0, 94.0, 96.0})
+      rows(SphericalMonteCarlo(column.levels.altitude_km, column.optics.rayleigh_scattering, sun * kDegree),
+           "", depth, sun, {0.0, 40.0, 60.0, 75.0, 80.0});
+  }
+  const ifov::atmosphere::test::Air air;
+  const auto column = air.column();
+  for (const double sun : {60.0, 75.0, 84.0, 87.0, 89.0, 92.0}) {
+    SphericalMonteCarlo shells(column.levels.altitude_km, column.optics.rayleigh_scattering, sun * kDegree);
+    shells.add_haze(column.optics.aerosol_scattering, air.asymmetry);
+    rows(shells, "_haze", air.rayleigh, sun, {0.0, 60.0, 75.0, 80.0});
   }
 }

@@ -51,7 +51,7 @@ def draw_scattering():
     fig = plt.figure(figsize=(PAGE_WIDTH, 2.55))
     ax = fig.add_axes((0.0, 0.0, 0.42, 1.0))
     sketch(ax, 120, 98)
-    ax.text(2, 92, "(a) beams in shells, path in flat layers", fontsize=9)
+    ax.text(2, 92, "(a) sunbeam and line of sight in shells", fontsize=9)
     centre = np.array([60.0, -92.0])
     for k, radius in enumerate((110, 122, 134, 146, 158)):
         a = np.radians(np.linspace(66, 114, 60))
@@ -69,8 +69,12 @@ def draw_scattering():
     arrow(ax, foot, foot + 66 * view, BLUE, 1.4)
     ax.text(*(foot + 66 * view + (4, -1)), "to the\nsensor", color=BLUE, linespacing=1.15, fontsize=8)
     angle_arc(ax, tuple(foot), 22, 50, 90, "arccos μ", text_radius=33, colour=BLUE)
-    for k in range(1, 5):
-        ax.plot([foot[0] + 12 * k * np.tan(np.radians(40)) - 6, foot[0] + 12 * k * np.tan(np.radians(40)) + 6], [foot[1] + 12 * k] * 2, color=BLUE, lw=0.9)
+    for radius in (122, 134, 146, 158):  # where they cross the line of sight
+        along = 110 * np.cos(np.radians(40))
+        length = np.sqrt(along**2 + radius**2 - 110**2) - along
+        middle = np.arctan2(*(foot + length * view - centre)[::-1])
+        a = np.linspace(middle - 5 / radius, middle + 5 / radius, 8)
+        ax.plot(centre[0] + radius * np.cos(a), centre[1] + radius * np.sin(a), color=BLUE, lw=1.1)
     degree, air, air_p, haze, haze_p = (np.array(c) for c in columns("phase", "phase"))
     ax = fig.add_axes((0.495, 0.18, 0.205, 0.68))
     ax.semilogy(degree, air, color=BLUE, label="molecules")
@@ -129,7 +133,44 @@ def draw_terms():
     save(fig, "theory", "atmosphere_sensor", __file__)
 
 
+def draw_round_earth():
+    fig = plt.figure(figsize=(PAGE_WIDTH, 2.75))
+    ax = fig.add_axes((0.0, 0.0, 0.4, 1.0))
+    sketch(ax, 114, 98)
+    ax.text(2, 92, "(a) the Sun of each place", fontsize=9)
+    centre, earth = np.array([45.0, -70.0]), 100.0
+    a = np.radians(np.linspace(28, 132, 80))
+    for radius in (earth, 112, 124, 136):
+        ax.plot(centre[0] + radius * np.cos(a), centre[1] + radius * np.sin(a), color=BLACK if radius == earth else GREY, lw=1.3 if radius == earth else 0.6)
+    ax.fill_between(centre[0] + earth * np.cos(a), -8, centre[1] + earth * np.sin(a), color=PALE, lw=0)
+    foot, view = centre + (0, earth), np.array([np.sin(np.radians(66)), np.cos(np.radians(66))])
+    arrow(ax, foot, foot + 66 * view, BLUE, 1.4)
+    sun = np.array([-np.sin(np.radians(78)), np.cos(np.radians(78))])
+    for length in (2, 28, 54):
+        place = foot + length * view
+        up = (place - centre) / np.linalg.norm(place - centre)
+        arrow(ax, place + 30 * sun, place, RED, 1.1)
+        ax.plot(*zip(place, place + 15 * up), color=GREY, lw=0.9, ls=":")
+    ax.text(14, 61, "sunlight", color=RED, ha="left", fontsize=8)
+    ax.text(*(foot + 66 * view + (2, -10)), "line of\nsight", color=BLUE, ha="center", va="top", fontsize=8, linespacing=1.1)
+    ax.text(foot[0] - 1.5, foot[1] + 10, "vertical", fontsize=7.5, color="#555555", ha="right")
+    axes = [fig.add_axes((0.475, 0.18, 0.215, 0.68)), fig.add_axes((0.765, 0.18, 0.215, 0.68))]
+    for sun_deg, colour, style in ((30, BLUE, "-"), (60, SKY, "--"), (80, BLACK, "-."), (88, RED, "-")):
+        zenith, path, sky = (np.array(c) for c in columns("round_earth", "round", str(sun_deg)))
+        for axis, ratio in zip(axes, (path, sky)):
+            axis.plot(zenith, 100 * (ratio - 1), color=colour, ls=style, label=f"{sun_deg}°")
+    for axis, title in zip(axes, ("(b) towards a sensor, %", "(c) sky at the ground, %")):
+        axis.axhline(0, color=GREY, lw=0.6)
+        axis.set_xlim(0, 80)
+        axis.set_xticks([0, 20, 40, 60, 80])
+        axis.set_xlabel("zenith angle, °")
+        axis.set_title(title)
+    axes[0].legend(title="Sun from the zenith", fontsize=7.5, title_fontsize=7.5, loc="best", handlelength=1.8, borderaxespad=0.2)
+    save(fig, "theory", "atmosphere_round_earth", __file__)
+
+
 if __name__ == "__main__":
     draw_gases()
     draw_scattering()
     draw_terms()
+    draw_round_earth()

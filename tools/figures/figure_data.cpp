@@ -18,6 +18,7 @@ int main(int count, char** words) {
       {"sun", print_sun},
       {"gases", print_gases},
       {"phase", print_phase},
+      {"round_earth", print_round_earth},
   };
   for (const auto& [name, print] : sets)
     if (count == 2 && name == words[1]) {

@@ -14,5 +14,6 @@ void print_fresnel();           ///< reflection by water
 void print_sun();               ///< the Sun's way over a day, and moonlight by phase
 void print_gases();             ///< vertical transmittance of gases
 void print_phase();             ///< scattering matrices
+void print_round_earth();       ///< light along lines in flat layers over that about a round Earth
 
 }  // namespace ifov::figures

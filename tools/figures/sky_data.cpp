@@ -3,8 +3,10 @@
 #include <numbers>
 #include <string>
 
+#include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/gas/band_model.h"
 #include "atmosphere/gas/gas_transmittance.h"
+#include "atmosphere/scattering/column_solver.h"
 #include "atmosphere/scattering/scattering_matrix.h"
 #include "figure_data.h"
 #include "geodesy/moon_position.h"
@@ -81,6 +83,28 @@ void print_phase() {
     const atmosphere::ScatteringMatrix haze = atmosphere::aerosol_matrix(cosine, 0.65, 0.1);
     std::printf("phase %d %.6f %.6f %.6f %.6f\n", degree, air.a1, -air.b1 / air.a1, haze.a1,
                 -haze.b1 / haze.a1);
+  }
+}
+
+void print_round_earth() {
+  using namespace atmosphere;
+  constexpr double kDegree = std::numbers::pi / 180.0, kWavelength_um = 0.55;
+  AtmosphereDescription description;
+  description.air.model = "mid-latitude summer";
+  const AtmosphereColumn column(description);
+  const LayerOptics layers = column.at(5.0 * std::round(1e4 / kWavelength_um / 5.0)).term(0);
+  const double ground_km = column.levels().altitude_km.front(), top_km = column.levels().altitude_km.back();
+  for (const double sun : {30.0, 60.0, 80.0, 88.0}) {
+    const ColumnSolution solved = ColumnSolver().solve(column.levels(), layers, sun * kDegree);
+    for (int zenith = 0; zenith <= 80; zenith += 5) {
+      const double mu = std::cos(zenith * kDegree);
+      const Propagation up{mu, 0.5}, down{-mu, 0.5};
+      const double flat_up = solved.sunlit().path(up, top_km).radiance().i,
+                   flat_down = solved.sunlit().path(down, ground_km).radiance().i;
+      std::printf("round %g %d %.5f %.5f\n", sun, zenith,
+                  flat_up / solved.sunlit().line_of_sight(up, top_km, ground_km).radiance().i,
+                  flat_down / solved.sunlit().sky(down, ground_km).radiance().i);
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "atmosphere/column/light_limits.h"
+#include "atmosphere/scattering/round_earth_error.h"
 #include "atmosphere/scattering/shell_line_of_sight.h"
 #include "atmosphere/scattering/sky_ring.h"
 #include "atmosphere/sensor/sky_table_error.h"
@@ -147,7 +148,12 @@ class Estimate {
   void scattering(std::size_t channel) {
     const ChannelLights& given = channels_[channel];
     if (!given.checks) return;
-    const ChannelChecks::Errors errors = given.checks->against(given.scattered);
+    ChannelChecks::Errors errors = given.checks->against(given.scattered);
+    if (question_.scattering.spherical_earth && question_.geometry.sun_zenith_rad) {
+      const RoundEarthError round = round_earth_error(*question_.geometry.sun_zenith_rad);
+      errors.path += round.path;
+      errors.sky_irradiance += round.sky;
+    }
     const ChannelPoints& points = given.points;
     const double sine =
         question_.geometry.sun_zenith_rad ? std::cos(*question_.geometry.sun_zenith_rad) : 0.0;
