@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "math/normal.h"
+
 namespace ifov::materials::gaussian_slopes {
 namespace {
 
@@ -19,16 +21,7 @@ double seen_below(double cosine, double sine, double slope) {
 double share(double slope) { return 0.5 * std::erfc(-slope); }
 
 double quantile(double share) {
-  const double tail = 2.0 * std::max(kLeastShare, std::min(share, 1.0 - share));
-  // Winitzki's approximation of the inverse of erfc, 2e-3 off, then Halley's steps.
-  const double log_both = std::log(tail * (2.0 - tail)),
-               a = 2.0 / (std::numbers::pi * 0.147) + 0.5 * log_both;
-  double slope = std::sqrt(std::max(0.0, std::sqrt(a * a - log_both / 0.147) - a));
-  for (int k = 0; k < 3; ++k) {
-    const double excess = std::erfc(slope) - tail;
-    slope += excess / (2.0 * std::numbers::inv_sqrtpi * std::exp(-slope * slope) - slope * excess);
-  }
-  return share < 0.5 ? -slope : slope;
+  return math::normal_quantile(std::clamp(share, kLeastShare, 1.0 - 0x1p-53)) / std::numbers::sqrt2;
 }
 
 double seen(double cosine, double sine) {
