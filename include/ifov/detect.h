@@ -12,11 +12,12 @@
 namespace ifov {
 
 struct DetectOptions {
-  std::filesystem::path folder;   ///< of the cubes that are made; empty: that of the run
-  std::uint64_t first_seed = 1;   ///< the same seed gives the same noise
-  int realizations = 1;           ///< each with a seed one higher than the one before
-  std::optional<Document> other;  ///< whose channels tell the noise; without it the run's own document
-  int threads = 0;                ///< 0: all cores; the bytes do not depend on it
+  std::filesystem::path folder;  ///< of the cubes that are made; empty: that of the run
+  std::uint64_t first_seed = 1;  ///< the same seed gives the same noise
+  int realizations = 1;          ///< each with a seed one higher than the one before
+  std::optional<Document>
+      other;        ///< whose channels tell the noise; without it, the noise that the run's record tells
+  int threads = 0;  ///< 0: all cores; the bytes do not depend on it
   const CancelToken* cancel = nullptr;
 };
 

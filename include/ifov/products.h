@@ -16,6 +16,7 @@ struct RunInfo {
     std::string name;
     double centre_um = 0.0, fwhm_um = 0.0;
     std::optional<double> minimum, maximum, mean, mean_half_width;  ///< over the image, in `radiance_unit`
+    double noise = 0.0;  ///< standard deviation of the sensor's, likewise; 0: none is told
   };
   struct File {
     std::string name, what;

@@ -1,12 +1,32 @@
 #include "render/image_info.h"
 
 namespace ifov::render {
+namespace {
+
+constexpr const char* kNumbers = "intervals hold the error of the air's numbers, not of its model";
+constexpr const char* kNumbersAndModel = "intervals hold the error of the air's numbers and of its model";
+
+}  // namespace
+
+AirInIntervals air_in_intervals(const ImageInfo& image) {
+  if (image.channels.empty() || !image.channels.front().air) return AirInIntervals::none;
+  return image.channels.front().air->model_counted > 0.0 ? AirInIntervals::numbers_and_model
+                                                         : AirInIntervals::numbers;
+}
+
+AirInIntervals air_in_intervals(const std::string& sentence) {
+  return sentence == kNumbersAndModel ? AirInIntervals::numbers_and_model
+         : sentence == kNumbers       ? AirInIntervals::numbers
+                                      : AirInIntervals::none;
+}
 
 std::string what_intervals_hold(const ImageInfo& image) {
-  if (image.channels.empty() || !image.channels.front().air) return {};
-  return image.channels.front().air->model_counted > 0.0
-             ? "intervals hold the error of the air's numbers and of its model"
-             : "intervals hold the error of the air's numbers, not of its model";
+  switch (air_in_intervals(image)) {
+    case AirInIntervals::none: break;
+    case AirInIntervals::numbers: return kNumbers;
+    case AirInIntervals::numbers_and_model: return kNumbersAndModel;
+  }
+  return {};
 }
 
 }  // namespace ifov::render

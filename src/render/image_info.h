@@ -14,6 +14,7 @@ struct ChannelInfo {
   double centre_um = 0.0;
   double fwhm_um = 0.0;
   std::optional<AtmosphereHalfWidth> air = {};  ///< where the atmosphere knows its error
+  double noise = 0.0;  ///< standard deviation of the sensor's noise as a radiance; 0: none is told
 };
 
 /// What every product says of itself.
@@ -30,7 +31,12 @@ struct ImageInfo {
   double footprint_px = 1.0;      ///< sampling::response_area_px(): pixels that share what one of them sees
 };
 
-/// What intervals hold of a modelled atmosphere, a sentence without its full stop; empty without one.
+/// What intervals hold of a modelled atmosphere's error.
+enum class AirInIntervals { none, numbers, numbers_and_model };
+AirInIntervals air_in_intervals(const ImageInfo& image);
+/// As what_intervals_hold() says it.
+AirInIntervals air_in_intervals(const std::string& sentence);
+/// A sentence without its full stop; empty: none.
 std::string what_intervals_hold(const ImageInfo& image);
 
 }  // namespace ifov::render

@@ -1,111 +1,86 @@
 #include "session/reflectance_cube.h"
 
 #include <cmath>
-#include <filesystem>
+#include <mutex>
 
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "atmosphere/survey/reflectance_retrieval.h"
 #include "core/error.h"
 #include "io/products/envi_reader.h"
-#include "io/products/part_file.h"
 #include "render/image_info.h"
+#include "session/cube_channels.h"
+#include "session/line_blocks.h"
+#include "session/line_cube.h"
 
 namespace ifov::session {
 
-namespace {
-
-void require_channels(const render::ImageInfo& image, const std::string& document,
-                      const io::EnviReader& cube) {
-  const io::EnviHeader& header = cube.header();
-  const std::string file = cube.data_path().string();
-  const std::size_t bands = static_cast<std::size_t>(header.bands);
-  if (bands != image.channels.size())
-    throw InputError(format("{}: {} bands, but the sensor of {} has {} channels", file, bands, document,
-                            image.channels.size()));
-  if (header.wavelength.size() != bands)
-    throw InputError(format(
-        "{}: its header has no wavelengths (field 'wavelength'): expected one for each of the {} bands", file,
-        bands));
-  const bool nanometres = header.wavelength_units == "Nanometers";
-  if (!nanometres && header.wavelength_units != "Micrometers")
-    throw InputError(format("{}: its header has wavelength units '{}': expected Micrometers or Nanometers",
-                            file, header.wavelength_units));
-  if (!header.data_units.empty() && header.data_units != image.radiance_unit)
-    throw InputError(
-        format("{}: its values are in '{}': expected {}", file, header.data_units, image.radiance_unit));
-  for (std::size_t c = 0; c < bands; ++c) {
-    const double found_um = header.wavelength[c] * (nanometres ? 1e-3 : 1.0);
-    const render::ChannelInfo& channel = image.channels[c];
-    const double apart_um = std::max(0.1 * channel.fwhm_um, 1e-4 * channel.centre_um);
-    if (!(std::abs(found_um - channel.centre_um) <= apart_um))
-      throw InputError(format(
-          "{}: band {} is at {:.5g} um, channel '{}' of {} at {:.5g} um; expected the same channels in the "
-          "same order (within {:.2g} um)",
-          file, c + 1, found_um, channel.name, document, channel.centre_um, apart_um));
-  }
-}
-
-}  // namespace
-
-RetrievalCounts retrieve(const render::ImageInfo& image, const std::string& document,
-                         const atmosphere::SensorAtmosphere& air, const io::EnviReader& cube,
-                         const io::EnviReader* half_widths, const std::string& reflectance_path,
-                         const std::string& half_width_path) {
-  require_channels(image, document, cube);
+RetrievalCounts retrieve(const RetrievalInput& from, const atmosphere::SensorAtmosphere& air,
+                         const std::string& reflectance_path, const std::string& half_width_path, int threads,
+                         const CancelToken* cancel) {
+  const render::ImageInfo& image = from.image;
+  require_channels(from.cube, image.channels, image.radiance_unit, from.document);
   const atmosphere::ReflectanceRetrieval retrieval(air);
   if (retrieval.left_out().size() == image.channels.size())
     throw InputError(format(
-        "no channel of {} sees sunlight that ground reflects{}: there is no reflectance to find", document,
+        "no channel of {} sees sunlight that ground reflects{}: there is no reflectance to find",
+        from.document,
         air.geometry().sun_zenith_rad ? ", apart from what it emits" : ", because the Sun does not shine"));
-  const io::EnviHeader& from = cube.header();
-  const std::size_t width = static_cast<std::size_t>(from.samples), bands = image.channels.size();
-  const bool with_air = half_widths != nullptr && half_widths->header().other.contains("ifov interval");
-  const bool with_model =
-      with_air &&
-      half_widths->header().other.at("ifov interval").find("and of its model") != std::string::npos;
+  io::EnviHeader header = from.cube.header();
+  const auto width = static_cast<std::size_t>(header.samples), bands = image.channels.size();
+  const int lines = header.lines;
+  header.data_units = std::string("1");
+  header.other.erase("z plot titles");
+  header.other["data ignore value"] = std::string("nan");
+  header.other["ifov interval"] = render::what_intervals_hold(image);
+  const auto described = [&](const char* what) {
+    header.description = format("{}, of level uniform ground, by the atmosphere of {}", what, from.document);
+    return header;
+  };
+  LineCube reflectance(reflectance_path, described("surface reflectance")),
+      half_width(half_width_path, described("half-width of the surface reflectance's interval"));
+
+  render::AirInIntervals held = render::AirInIntervals::none;
+  if (from.half_widths != nullptr) {
+    const auto& fields = from.half_widths->header().other;
+    if (const auto told = fields.find("ifov interval"); told != fields.end())
+      held = render::air_in_intervals(told->second);
+  }
   RetrievalCounts counts;
   counts.negative_by_channel.assign(bands, 0);
   counts.left_out = retrieval.left_out();
-  io::PartFile values(reflectance_path), errors(half_width_path);
-  std::vector<float> line(width), known(width), found(width), wide(width);
-  for (int y = 0; y < from.lines; ++y)
-    for (std::size_t c = 0; c < bands; ++c) {
-      const render::AtmosphereHalfWidth of_air =
-          image.channels[c].air.value_or(render::AtmosphereHalfWidth());
-      cube.read(y, static_cast<int>(c), line);
-      if (half_widths != nullptr) half_widths->read(y, static_cast<int>(c), known);
-      for (std::size_t x = 0; x < width; ++x) {
-        const double radiance = line[x];
-        double off = half_widths != nullptr ? known[x] : 0.0;
-        if (!with_air) off += of_air.of(radiance);
-        if (!with_model) off += of_air.in_interval(radiance);
-        found[x] = static_cast<float>(retrieval.reflectance(c, radiance));
-        wide[x] = static_cast<float>(retrieval.half_width(c, radiance, off));
-        ++counts.values;
-        if (std::isnan(line[x])) ++counts.missing;
-        if (found[x] < 0.0f) ++counts.negative, ++counts.negative_by_channel[c];
+  std::mutex counting;
+  for_line_blocks(lines, threads, cancel, [&](int first, int end) {
+    std::vector<float> radiance(width), known(width),
+        found(reflectance.line_values() * static_cast<std::size_t>(end - first)), wide(found.size());
+    std::vector<std::uint64_t> negative(bands, 0);
+    std::uint64_t missing = 0;
+    std::size_t next = 0;
+    for (int y = first; y < end; ++y)
+      for (std::size_t c = 0; c < bands; ++c) {
+        const render::AtmosphereHalfWidth of_air =
+            image.channels[c].air.value_or(render::AtmosphereHalfWidth());
+        from.cube.read(y, static_cast<int>(c), radiance);
+        if (from.half_widths != nullptr) from.half_widths->read(y, static_cast<int>(c), known);
+        for (std::size_t x = 0; x < width; ++x, ++next) {
+          double off = from.half_widths != nullptr ? known[x] : 0.0;
+          if (held == render::AirInIntervals::none) off += of_air.of(radiance[x]);
+          if (held != render::AirInIntervals::numbers_and_model) off += of_air.in_interval(radiance[x]);
+          found[next] = static_cast<float>(retrieval.reflectance(c, radiance[x]));
+          wide[next] = static_cast<float>(retrieval.half_width(c, radiance[x], off));
+          if (std::isnan(radiance[x])) ++missing;
+          if (found[next] < 0.0f) ++negative[c];
+        }
       }
-      const std::uint64_t at = (static_cast<std::uint64_t>(y) * bands + c) * width * sizeof(float);
-      values.write_at(at, found.data(), width * sizeof(float));
-      errors.write_at(at, wide.data(), width * sizeof(float));
-    }
-  io::EnviHeader header = from;
-  header.header_offset = 0, header.data_type = io::EnviType::float32;
-  header.interleave = io::EnviInterleave::bil, header.big_endian = false;
-  header.data_units = "1";
-  header.other.erase("z plot titles");
-  header.other["data ignore value"] = "nan";
-  const auto publish = [&](io::PartFile& file, const std::string& path, const char* what) {
-    header.description = format("{}, of level uniform ground, by the atmosphere of {}", what, document);
-    header.other["ifov interval"] = render::what_intervals_hold(image);
-    io::PartFile text(path + ".hdr");
-    io::write_part(text, io::to_text(header));
-    file.sync();
-    file.publish();
-    text.publish();
-  };
-  publish(values, reflectance_path, "surface reflectance");
-  publish(errors, half_width_path, "half-width of the surface reflectance's interval");
+    reflectance.write(first, found);
+    half_width.write(first, wide);
+    const std::scoped_lock lock(counting);
+    counts.values += found.size();
+    counts.missing += missing;
+    for (std::size_t c = 0; c < bands; ++c)
+      counts.negative += negative[c], counts.negative_by_channel[c] += negative[c];
+  });
+  half_width.publish();
+  reflectance.publish();
   return counts;
 }
 

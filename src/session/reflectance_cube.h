@@ -5,6 +5,9 @@
 #include <string>
 #include <vector>
 
+namespace ifov {
+class CancelToken;
+}
 namespace ifov::atmosphere {
 class SensorAtmosphere;
 }
@@ -24,13 +27,18 @@ struct RetrievalCounts {
   std::vector<std::size_t> left_out;  ///< channels that see no reflected sunlight: not a number
 };
 
-/// Line by line from `cube` (radiance), with half-widths from `half_widths` (null: none are known of the cube), into two ENVI
-/// files. `image` is that of the document with this name, `air` its atmosphere. Intervals hold what the radiance's do and,
-/// where those hold nothing of it, the air's. InputError, with the file's name, where the cube's bands are not the image's
-/// channels or not radiance, and where no channel sees reflected sunlight.
-RetrievalCounts retrieve(const render::ImageInfo& image, const std::string& document,
-                         const atmosphere::SensorAtmosphere& air, const io::EnviReader& cube,
-                         const io::EnviReader* half_widths, const std::string& reflectance_path,
-                         const std::string& half_width_path);
+struct RetrievalInput {
+  const render::ImageInfo& image;               ///< of the document
+  std::string document;                         ///< its name
+  const io::EnviReader& cube;                   ///< of radiance
+  const io::EnviReader* half_widths = nullptr;  ///< of the cube; null: none are known
+};
+
+/// From a cube into two ENVI files. Intervals hold what the radiance's do and, where those hold nothing of it, the air's.
+/// InputError, with the file's name, where the cube's bands are not the image's channels or not radiance, and where no channel sees
+/// reflected sunlight. The same bytes for any number of threads (0: all cores).
+RetrievalCounts retrieve(const RetrievalInput& from, const atmosphere::SensorAtmosphere& air,
+                         const std::string& reflectance_path, const std::string& half_width_path, int threads,
+                         const CancelToken* cancel);
 
 }  // namespace ifov::session

@@ -16,6 +16,7 @@
 #include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/whole/light_assembly.h"
+#include "session/assembly/whole/noise_assembly.h"
 #include "session/assembly/whole/polarized_surfaces.h"
 #include "session/assembly/whole/scene_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
@@ -137,6 +138,8 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   p.make_tolerance();
   warn_of_atmosphere_errors(p, *log);
   p.info = image_info(document.scene.origin, *p.camera, p.channels, p.scene, p.map_offset_m);
+  const std::vector<double> noise = assemble_noise(document.sources, document.sensor.channels, p.channels);
+  for (std::size_t c = 0; c < noise.size(); ++c) p.info.channels[c].noise = noise[c];
   p.info.stokes = document.sensor.stokes;
   p.info.footprint_px = sampling::response_area_px(*p.footprint);
   for (std::size_t c = 0; c < p.air.size(); ++c) p.info.channels[c].air = p.air[c];

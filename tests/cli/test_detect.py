@@ -46,6 +46,7 @@ class Detect(unittest.TestCase):
         cls.folder = cls._folder.__enter__()
         done = run("render", "warm.json", cwd=cls.folder)
         assert done.returncode in (0, 6), done.stderr
+        run("render", "noiseless.json", cwd=cls.folder)
 
     @classmethod
     def tearDownClass(cls):
@@ -80,6 +81,20 @@ class Detect(unittest.TestCase):
         temperatures = [kelvin(10.0, value) for value in self.band("other/image_noisy_1.img", 0)]
         self.assertLess(abs(self.spread(temperatures) / 0.5 - 1), 3 / math.sqrt(2 * len(temperatures)))
 
+    def test_the_record_tells_the_noise_wherever_it_lies(self):
+        """Neither the document's files nor what was set on the command line are looked for again."""
+        (self.folder / "nedl.csv").write_text("um,nedl\n3,0.002\n12,0.002\n")
+        spectrum = '"noise": {"csv": "nedl.csv", "wavelength_unit": "um", "unit": "W m-2 sr-1 um-1"}'
+        (self.folder / "filed.json").write_text(WARM.replace('"noise": "0.002 W m-2 sr-1 um-1"', spectrum))
+        done = run("render", "filed.json", "--set", "sensor.channels[2].noise_temperature=0.1 K", cwd=self.folder)
+        self.assertIn(done.returncode, (0, 6), done.stderr)
+        (self.folder / "nedl.csv").unlink()
+        done = run("detect", self.folder / "filed.out", cwd="/")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertLess(abs(self.spread(self.band("filed.out/image_noisy_1.img", 1)) / 0.002 - 1), 0.03)
+        temperatures = [kelvin(9.0, value) for value in self.band("filed.out/image_noisy_1.img", 2)]
+        self.assertLess(abs(self.spread(temperatures) / 0.1 - 1), 0.03)
+
     def test_bytes_depend_on_the_seed_alone(self):
         self.assertEqual(self.detect("warm.out", "-o", "one", "-j", 1, "--seed", 3, "--count", 2, "-q").stdout, "")
         self.detect("warm.out", "-o", "seven", "-j", 7, "--seed", 4, "-q")
@@ -100,12 +115,14 @@ class Detect(unittest.TestCase):
         for arguments, text in (
             (["warm.json"], "expected a folder of products or a run record (NAME_run.json); found 'warm.json'"),
             (["nothing"], "there is no 'nothing'"),
+            (["noiseless.out"], "noiseless.out/image_run.json: no channel tells the sensor's noise: give channels 'noise' (NEdL) or "
+             "'noise_temperature' (NEdT); or name another document whose channels do"),
             (["warm.out", "--document", "noiseless.json"],
              "noiseless.json:7:7: no channel tells the sensor's noise: give channels 'noise' (NEdL) or 'noise_temperature' (NEdT)"),
             (["warm.out", "--document", "shifted.json"],
-             "band 1 of 'warm.out/image_radiance.img' lies at 10 um, and channel 'thermal' of 'shifted.json' at 10.1 um"),
+             "warm.out/image_radiance.img: band 1 is at 10 um, channel 'thermal' of shifted.json at 10.1 um; expected the same channels in the same order (within 0.001 um)"),
             (["warm.out", "--document", "fewer.json"],
-             "'warm.out/image_radiance.img' has 3 bands, and 'fewer.json' tells the noise of 2 channels"),
+             "warm.out/image_radiance.img: 3 bands, but the sensor of fewer.json has 2 channels"),
         ):
             (self.folder / "shifted.json").write_text(WARM.replace("10 um", "10.1 um"))
             (self.folder / "fewer.json").write_text(re.sub(r',\n\s*\{"name": "still".*\n', "\n", WARM))

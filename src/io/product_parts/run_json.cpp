@@ -78,6 +78,7 @@ void write_channel(JsonWriter& json, const render::ChannelInfo& channel, const C
     });
   json.member("minimum", s.minimum);
   json.member("name", channel.name);
+  if (channel.noise > 0.0) json.member("noise", channel.noise);
   json.member("not_finite", s.not_finite);
   json.member("standard_deviation", s.standard_deviation);
 }

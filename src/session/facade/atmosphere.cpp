@@ -138,9 +138,9 @@ InversionOutcome invert_radiance(const Document& document, const InversionQuesti
   InversionOutcome outcome;
   outcome.reflectance = to + "_reflectance.img";
   outcome.half_width = to + "_reflectance_half_width.img";
-  const session::RetrievalCounts counts =
-      session::retrieve(parts.info, source.document.sources.file_name, *parts.atmosphere, cube,
-                        half_widths.get(), outcome.reflectance.string(), outcome.half_width.string());
+  const session::RetrievalCounts counts = session::retrieve(
+      {parts.info, source.document.sources.file_name, cube, half_widths.get()}, *parts.atmosphere,
+      outcome.reflectance.string(), outcome.half_width.string(), question.threads, question.cancel);
   outcome.values = counts.values;
   outcome.negative = counts.negative;
   outcome.missing = counts.missing;

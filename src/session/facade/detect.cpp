@@ -4,12 +4,14 @@
 #include <memory>
 
 #include "core/call_scope.h"
+#include "core/error.h"
 #include "ifov/products.h"
 #include "io/products/envi_reader.h"
-#include "io/products/part_file.h"
+#include "session/cube_channels.h"
 #include "session/facade/access.h"
 #include "session/facade/document_inside.h"
 #include "session/facade/run_record_file.h"
+#include "session/line_cube.h"
 #include "session/runs/detection.h"
 
 namespace ifov {
@@ -17,31 +19,45 @@ namespace {
 
 constexpr std::string_view kRecordEnding = "_run.json";
 
-/// That a run was made of, its files about where it lay.
-Document document_of(const std::filesystem::path& record) {
-  const RunInfo run = run_info(record);
-  const std::filesystem::path path = run.document;
-  return Document::parse(run.document_text, path.filename().string(), path.parent_path());
+std::vector<render::ChannelInfo> channels_of(const Document& document) {
+  const auto& inside = FacadeAccess::inside(document);
+  const Call call{inside.inputs};
+  const CallScope scope(call);
+  return session::noisy_channels(inside.document.sources, inside.document.sensor.channels);
+}
+
+std::vector<render::ChannelInfo> channels_of(const std::filesystem::path& record) {
+  std::vector<render::ChannelInfo> channels;
+  bool any = false;
+  for (const RunInfo::Channel& channel : run_info(record).channels) {
+    channels.push_back({channel.name, channel.centre_um, channel.fwhm_um, {}, channel.noise});
+    any = any || channel.noise > 0.0;
+  }
+  if (!any)
+    throw InputError(
+        format("{}: {}; or name another document whose channels do", record.string(), session::kNoNoise));
+  return channels;
 }
 
 }  // namespace
 
 Detection detect(const std::filesystem::path& run, const DetectOptions& options) {
+  if (options.realizations < 1)
+    throw InputError(format("{} realizations were asked for; at least 1 is", options.realizations));
+  if (options.threads < 0)
+    throw InputError(format("threads: {} was asked for; 0 takes all cores", options.threads));
   const std::filesystem::path record = record_of(run);
-  const Document document = options.other ? *options.other : document_of(record);
-  const auto& inside = FacadeAccess::inside(document);
-  const Call call{inside.inputs};
-  const CallScope scope(call);
-  const session::NoisyChannels channels =
-      session::noisy_channels(inside.document.sources, inside.document.sensor.channels);
+  const std::vector<render::ChannelInfo> channels =
+      options.other ? channels_of(*options.other) : channels_of(record);
   std::string name = record.filename().string();
   name.resize(name.size() - kRecordEnding.size());
   const io::EnviReader radiance(record.parent_path() / (name + "_radiance.img"));
-  session::require_same_channels(radiance, channels, document.name());
+  session::require_channels(radiance, channels, render::ImageInfo().radiance_unit,
+                            options.other ? options.other->name() : record.string());
 
   Detection detection;
-  for (std::size_t c = 0; c < channels.channels.size(); ++c)
-    detection.channels.push_back({channels.channels[c].name, channels.noise[c]});
+  for (const render::ChannelInfo& channel : channels)
+    detection.channels.push_back({channel.name, channel.noise});
   const std::filesystem::path folder = options.folder.empty() ? record.parent_path() : options.folder;
   const std::uint64_t bytes = 4 * static_cast<std::uint64_t>(radiance.header().samples) *
                               static_cast<std::uint64_t>(radiance.header().lines) *
@@ -51,8 +67,8 @@ Detection detect(const std::filesystem::path& run, const DetectOptions& options)
   for (int k = 0; k < options.realizations; ++k) {
     const std::uint64_t seed = options.first_seed + static_cast<std::uint64_t>(k);
     detection.cubes.push_back(folder / format("{}_noisy_{}.img", name, seed));
-    auto cube = std::make_unique<session::NoisyCube>(radiance, channels, seed, detection.cubes.back());
-    cube->write(options.threads, options.cancel);
+    auto cube = session::noisy_cube(radiance, channels, seed, detection.cubes.back(), options.threads,
+                                    options.cancel);
     if (publishing.valid()) publishing.get();
     publishing = std::async(std::launch::async, [made = std::move(cube)] { made->publish(); });
   }

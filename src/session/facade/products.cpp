@@ -28,7 +28,8 @@ RunInfo::Channel channel_of(const Record& channel) {
           number_of(channel["minimum"]),
           number_of(channel["maximum"]),
           number_of(channel["mean"]),
-          number_of(channel["mean_half_width"])};
+          number_of(channel["mean_half_width"]),
+          channel["noise"].number()};
 }
 
 std::string reasons_of(const Record& by_reason) {

@@ -2,13 +2,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "io/envi/envi_header.h"
-#include "io/products/part_file.h"
-#include "radiometry/channel.h"
+#include "render/image_info.h"
 
 namespace ifov {
 class CancelToken;
@@ -21,42 +19,18 @@ class EnviReader;
 
 namespace ifov::session {
 
-/// Channels of a sensor, and the standard deviation of its noise in each, W m-2 sr-1 um-1.
-struct NoisyChannels {
-  std::vector<radiometry::Channel> channels;
-  std::vector<double> noise;
-};
+class LineCube;
 
-/// InputError where no channel tells any noise above 0.
-NoisyChannels noisy_channels(const io::DocumentSources& sources,
-                             std::span<const io::ChannelDocument> written);
+inline constexpr const char* kNoNoise =
+    "no channel tells the sensor's noise: give channels 'noise' (NEdL) or 'noise_temperature' (NEdT)";
 
-/// InputError where a cube's bands are not these channels: as many, centres within a thousandth. `told_by`: who tells the noise.
-void require_same_channels(const io::EnviReader& radiance, const NoisyChannels& channels,
-                           const std::string& told_by);
+/// Channels with the noise that they tell. InputError where none tells any.
+std::vector<render::ChannelInfo> noisy_channels(const io::DocumentSources& sources,
+                                                std::span<const io::ChannelDocument> written);
 
-/// A cube of radiance with one realization of the noise, NAME.img and NAME.img.hdr, whole or not at all.
-class NoisyCube {
- public:
-  /// Keeps references to the reader and the channels.
-  NoisyCube(const io::EnviReader& radiance, const NoisyChannels& channels, std::uint64_t seed,
-            const std::filesystem::path& to);
-  /// Removes what was not published.
-  ~NoisyCube();
-  NoisyCube(const NoisyCube&) = delete;
-  NoisyCube& operator=(const NoisyCube&) = delete;
-
-  void write(int threads, const CancelToken* cancel);
-  /// Waits until all is on the disk, and gives it its name.
-  void publish();
-
- private:
-  const io::EnviReader& radiance_;
-  const NoisyChannels& channels_;
-  std::uint64_t seed_;
-  io::EnviHeader header_;
-  io::PartFile cube_, header_file_;
-  bool published_ = false;
-};
+/// A cube of radiance with one realization of the noise, which is there once it is published.
+std::unique_ptr<LineCube> noisy_cube(const io::EnviReader& radiance,
+                                     std::span<const render::ChannelInfo> channels, std::uint64_t seed,
+                                     const std::filesystem::path& to, int threads, const CancelToken* cancel);
 
 }  // namespace ifov::session

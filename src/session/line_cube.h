@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "io/envi/envi_header.h"
+#include "io/products/part_file.h"
+
+namespace ifov::session {
+
+/// An ENVI cube of floats, band-interleaved by line, that is made line by line in any order; whole or not at all.
+class LineCube {
+ public:
+  /// PATH and PATH.hdr. Of the header, what the cube itself decides on is set here.
+  LineCube(const std::filesystem::path& path, io::EnviHeader header);
+  /// Removes what was not published.
+  ~LineCube();
+  LineCube(const LineCube&) = delete;
+  LineCube& operator=(const LineCube&) = delete;
+
+  const io::EnviHeader& header() const { return header_; }
+  /// Values of a line.
+  std::size_t line_values() const;
+
+  /// Whole lines from `first` on, [line][band][sample]. From any thread.
+  void write(int first, std::span<const float> lines);
+  /// Waits until all is on the disk, and gives it its name.
+  void publish();
+
+ private:
+  void discard();
+  io::EnviHeader header_;
+  io::PartFile data_, text_;
+  bool published_ = false;
+};
+
+}  // namespace ifov::session
