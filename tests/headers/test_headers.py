@@ -1,4 +1,4 @@
-"""Every header compiles alone: it includes what it uses."""
+"""Headers compile alone: they include what they use."""
 
 import concurrent.futures
 import functools
@@ -24,11 +24,6 @@ def first_source(file):
         return file
     included = re.search(r'^#include "([^"]+)"', file.read_text(), re.MULTILINE)
     return pathlib.Path(included.group(1)) if included else file
-
-
-def compiled_first():
-    return {first_source(pathlib.Path(command["file"]))
-            for command in json.loads((BUILD / "compile_commands.json").read_text())}
 
 
 def chains(headers):
@@ -140,21 +135,50 @@ def compile_alone(compiler, flags, chain, folder="src", before=()):
     return "" if result.returncode == 0 else f"{', '.join(map(str, chain))}: does not compile alone:\n{result.stderr[:1500]}"
 
 
-def proven_by_the_build(header, sources):
-    """A source of the same name that was compiled alone, or first of those it was joined with, and includes this header before
-    anything else has shown that it compiles alone."""
+def comes_first(header):
+    """Whether a source of the same name includes this header before anything else: compiled alone, or first of those it is joined
+    with, it shows that the header compiles alone."""
     source = header.with_suffix(".cpp")
-    if source not in sources:
-        return False
-    first = re.search(r'^#include [<"]([^>"]+)', source.read_text(), re.MULTILINE)
+    first = re.search(r'^#include [<"]([^>"]+)', source.read_text(), re.MULTILINE) if source.exists() else None
     return first is not None and first.group(1) == str(header.relative_to(ROOT / "src"))
 
 
+# Which headers of the standard library bring a name of it; of names that many bring, nothing is said.
+BRINGS = {
+    **{name: {name} for name in ("any", "array", "atomic", "bitset", "complex", "deque", "function", "future", "list", "map", "mutex",
+                                 "numbers", "optional", "set", "span", "thread", "tuple", "unordered_map", "unordered_set", "variant",
+                                 "vector", "filesystem", "chrono", "condition_variable", "initializer_list")},
+    "initializer_list": {"initializer_list", "vector", "string", "map", "set", "array", "algorithm", "span", "memory"},
+    "tuple": {"tuple", "memory", "functional", "map", "filesystem", "mutex", "thread", "variant"},
+    "array": {"array", "functional", "span"},
+    "function": {"functional"},
+    "string": {"string", "filesystem", "stdexcept", "ostream", "istream", "sstream"},
+    "string_view": {"string_view", "string", "filesystem"},
+    **{name: {"memory"} for name in ("unique_ptr", "make_unique", "make_shared")},
+    "shared_ptr": {"memory", "filesystem", "future"},
+    **{name: {"cstdint"} for name in ("uint8_t", "uint16_t")},
+    "numeric_limits": {"limits"},
+    **{name: {"stdexcept"} for name in ("invalid_argument", "logic_error", "runtime_error", "out_of_range")},
+    **{name: {"cmath"} for name in ("sqrt", "floor", "hypot", "atan2", "sin", "cos", "exp", "isnan", "isfinite", "pow", "lround", "cbrt", "copysign")},
+    **{name: {"algorithm"} for name in ("clamp", "find", "upper_bound", "lower_bound", "any_of", "transform", "binary_search")},
+    **{name: {"algorithm", "functional", "memory", "string", "vector", "filesystem", "span", "map"} for name in ("min", "max")},
+    **{name: {"cstring"} for name in ("memcpy", "memset")},
+}
+
+
+def missing_of_the_standard_library(header):
+    """Names of the standard library that a header uses and nothing that it includes brings, with what would."""
+    code = re.sub(r"//[^\n]*|\"(?:[^\"\\\n]|\\.)*\"", "", header.read_text())
+    brought = standard_headers_of(header)
+    return [f"{header}: std::{name} of <{'> or <'.join(sorted(BRINGS[name]))}>"
+            for name in sorted(set(re.findall(r"\bstd::(\w+)", code)) & BRINGS.keys()) if not BRINGS[name] & brought]
+
+
 class Headers(unittest.TestCase):
-    def test_every_header_compiles_alone(self):
+    def test_headers_without_a_source_compile_alone(self):
+        """Those that come first in a source of their own are shown by builds that compile each source alone (TYPE, COMPILER)."""
         compiler, flags = compiler_and_flags()
-        sources = compiled_first()
-        headers = {path for path in (ROOT / "src").rglob("*.h") if not proven_by_the_build(path, sources)}
+        headers = {path for path in (ROOT / "src").rglob("*.h") if not comes_first(path)}
         self.assertGreater(len(headers), 10)
 
         with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
@@ -170,6 +194,19 @@ class Headers(unittest.TestCase):
 
             complaints = [text for text in pool.map(check, chains(headers)) if text]
         self.assertEqual(complaints, [], "\n" + "\n".join(complaints))
+
+    def test_headers_bring_what_they_use_of_the_standard_library(self):
+        """Of all headers, by their text: what joined sources would hide."""
+        headers = sorted((ROOT / "src").rglob("*.h"))
+        self.assertGreater(len(headers), 100)
+        complaints = [text for header in headers for text in missing_of_the_standard_library(header)]
+        self.assertEqual(complaints, [], "\n" + "\n".join(complaints))
+
+    def test_a_missing_standard_header_is_noticed(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".h") as header:
+            header.write("#pragma once\n#include <string>\nstd::vector<std::string> f();  // std::map\n")
+            header.flush()
+            self.assertEqual(missing_of_the_standard_library(pathlib.Path(header.name)), [f"{header.name}: std::vector of <vector>"])
 
     def test_public_headers_need_nothing_else(self):
         compiler, _ = compiler_and_flags()
