@@ -1,0 +1,28 @@
+#include "geodesy/orbit/teme.h"
+
+#include <erfa.h>
+
+#include <cmath>
+
+namespace ifov::geodesy {
+namespace {
+
+constexpr double kSecondsPerDay = 86400.0;
+constexpr double kEarthRotation_rad_s = 7.292115146706979e-5;  // Vallado et al. 2006, with respect to TEME
+
+}  // namespace
+
+FrameTransform<Ecef, Teme> ecef_from_teme(UtcTime time, double ut1_minus_utc_s) {
+  const double turned = eraGmst82(time.jd1, time.jd2 + ut1_minus_utc_s / kSecondsPerDay);
+  const double c = std::cos(turned), s = std::sin(turned);
+  return {{{c, -s, 0.0}}, {{s, c, 0.0}}, {{0.0, 0.0, 1.0}}};
+}
+
+EcefVector ecef_velocity(const FrameTransform<Ecef, Teme>& ecef_from_teme, TemePoint position,
+                         TemeVector velocity_m_s) {
+  const EcefPoint at = ecef_from_teme(position);
+  const EcefVector turning{{-kEarthRotation_rad_s * at.p.y, kEarthRotation_rad_s * at.p.x, 0.0}};
+  return ecef_from_teme(velocity_m_s) - turning;
+}
+
+}  // namespace ifov::geodesy
