@@ -11,6 +11,7 @@
 #include "scene/resolved_surface.h"
 
 namespace ifov::geometry {
+class CutOut;
 struct SurfacePoint;
 class World;
 }  // namespace ifov::geometry
@@ -49,6 +50,7 @@ struct ViewPath {
 };
 
 struct Lamp;
+class SurfaceCutOut;
 
 /// A material at a temperature; 0 K emits nothing.
 struct SurfaceState {
@@ -101,6 +103,8 @@ struct SurfaceAssignment {
   std::vector<std::uint32_t> back_states{};
   /// Maps of temperatures of `back_states`; empty: `temperatures`.
   std::vector<std::shared_ptr<const materials::TemperatureMap>> back_temperatures{};
+  /// Where it is not there, seen from either side; null: it has no holes.
+  std::shared_ptr<const SurfaceCutOut> cut_out{};
   friend bool operator==(const SurfaceAssignment&, const SurfaceAssignment&) = default;
 
   bool mixes_materials() const;  ///< by one of its patterns
@@ -132,6 +136,8 @@ struct Scene {
   std::vector<bool> mirror_assignments() const;
   /// The same of materials whose lobe is narrow (has_narrow_lobe).
   std::vector<bool> lobe_assignments() const;
+  /// By surface assignment: its holes, for the builder of the world. Empty where none has any.
+  std::vector<std::shared_ptr<const geometry::CutOut>> cut_outs() const;
 
   /// All temperatures at which anything of the scene may emit: states, maps, patterns, surroundings and sky; none
   /// where nothing does. Whoever needs to know asks here (scene_temperatures.cpp), so that nothing is forgotten.

@@ -70,6 +70,14 @@ struct ReliefDocument {
   SourcePosition position;
 };
 
+/// Where a material is not there: in cells whose number is below `cutoff`, or that have none.
+struct OpacityDocument {
+  RasterDocument raster;
+  int band = 1;  ///< from 1
+  double cutoff = 0.0;
+  SourcePosition position;
+};
+
 /// Which material a class of a raster means.
 struct MaterialMap {
   RasterDocument raster;

@@ -184,6 +184,22 @@ SchemaType<ReliefDocument> relief_type() {
   return record.type();
 }
 
+SchemaType<OpacityDocument> opacity_type() {
+  Record<OpacityDocument> record(
+      "opacity map",
+      "Holes of a surface (leaves, fences, railings): where the map says so, light goes straight on, to the sensor and from every "
+      "source. A cell's number holds in all of it. For meshes, polygons and terrains that are meshes.");
+  add_raster_keys(record);
+  record
+      .with_default(
+          "band", &OpacityDocument::band, integer(1, kMostBands), "1",
+          "band of the raster, counted from 1; of a picture with red, green, blue and opacity the fourth")
+      .required(
+          "cutoff", &OpacityDocument::cutoff, number(),
+          "number of the raster below which there is a hole (of bytes mostly 128); cells without a number are holes");
+  return record.type();
+}
+
 SchemaType<MaterialBinding> binding_type() {
   const SchemaType<DocumentName> name = name_of("a material");
   const auto direct = located<MaterialBinding>(

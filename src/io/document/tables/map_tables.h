@@ -14,6 +14,7 @@ enum class ParameterKind { number, angle, length };
 SchemaType<ParameterMap> parameter_map_type(ParameterKind kind);
 SchemaType<TextureDocument> texture_type();
 SchemaType<ReliefDocument> relief_type();
+SchemaType<OpacityDocument> opacity_type();
 SchemaType<MaterialBinding> binding_type();
 SchemaType<TerrainShape> terrain_type();
 

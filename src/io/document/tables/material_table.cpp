@@ -82,6 +82,7 @@ SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type
                     "how the surface reflects: a model by its name or, with its parameters, as an object")
       .optional("texture", &MaterialDocument::texture, texture_type(), "picks among several curves")
       .optional("relief", &MaterialDocument::relief, relief_type(), "bumps that light sees")
+      .optional("opacity", &MaterialDocument::opacity, opacity_type(), "holes of the surface")
       .optional(
           "transmittance", &MaterialDocument::transmittance, spectrum_type(SpectrumOf::transmittance),
           "of a thin leaf, the same from both sides: what leaves the other side, spread as Lambert's law says; "

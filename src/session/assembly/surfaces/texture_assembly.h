@@ -17,12 +17,13 @@ namespace ifov::io {
 struct DocumentSources;
 }
 namespace ifov::materials {
+class OpacityMap;
 class ReliefMap;
-}
+}  // namespace ifov::materials
 
 namespace ifov::session {
 
-/// Makes the textures and reliefs of materials, each once, and knows every map of the scene. Keeps all references; `seed` tells
+/// Makes the textures, reliefs and opacity maps of materials, each once, and knows every map of the scene. Keeps all references; `seed` tells
 /// textures of the same numbers apart; `log` may be null.
 class TextureAssembly {
  public:
@@ -35,6 +36,8 @@ class TextureAssembly {
   std::shared_ptr<const materials::TextureMap> texture(std::size_t material,
                                                        const std::vector<radiometry::Spectrum>& curves);
   std::shared_ptr<const materials::ReliefMap> relief(std::size_t material);
+  /// Null where it has no holes.
+  std::shared_ptr<const materials::OpacityMap> holes(std::size_t material);
 
   const io::Raster& read(const io::RasterDocument& source) { return rasters_.read(source.file.path); }
   /// Where a raster lies; takes note of the size of its cells.
@@ -53,6 +56,7 @@ class TextureAssembly {
   RasterStore rasters_;
   std::map<std::size_t, std::shared_ptr<const materials::TextureMap>> textures_;
   std::map<std::size_t, std::shared_ptr<const materials::ReliefMap>> reliefs_;
+  std::map<std::size_t, std::shared_ptr<const materials::OpacityMap>> holes_;
   std::vector<MapScale> scales_;
 };
 
