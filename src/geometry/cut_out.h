@@ -1,6 +1,5 @@
 #pragma once
 
-#include "geometry/triangle_mesh.h"
 #include "math/vec3.h"
 
 namespace ifov::geometry {
@@ -10,8 +9,8 @@ namespace ifov::geometry {
 class CutOut {
  public:
   virtual ~CutOut() = default;
-  /// `position_m` in the scene's frame, `uv` as of SurfacePoint.
-  virtual bool is_open(math::Point3 position_m, Uv uv) const = 0;
+  /// `position_m` in the scene's frame, `u` and `v` as of SurfacePoint.
+  virtual bool is_open(math::Point3 position_m, double u, double v) const = 0;
 };
 
 }  // namespace ifov::geometry

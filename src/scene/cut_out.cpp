@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "materials/draped_map.h"
 #include "materials/opacity_map.h"
+#include "scene/scene.h"
 
 namespace ifov::scene {
 
@@ -16,8 +17,8 @@ SurfaceCutOut::SurfaceCutOut(std::shared_ptr<const materials::ClassMap> classes,
     throw InputError("a surface with holes needs an opacity map");
 }
 
-bool SurfaceCutOut::is_open(math::Point3 position_m, geometry::Uv uv) const {
-  return is_open(materials::MapPosition{position_m.x, position_m.y, uv.u, uv.v});
+bool SurfaceCutOut::is_open(math::Point3 position_m, double u, double v) const {
+  return is_open(materials::MapPosition{position_m.x, position_m.y, u, v});
 }
 
 bool SurfaceCutOut::is_open(const materials::MapPosition& position) const {
@@ -27,6 +28,17 @@ bool SurfaceCutOut::is_open(const materials::MapPosition& position) const {
 
 const materials::MapGrid& SurfaceCutOut::grid() const {
   return (*std::ranges::find_if(holes_, [](const auto& one) { return one != nullptr; }))->grid();
+}
+
+std::vector<std::shared_ptr<const geometry::CutOut>> cut_outs(const Scene& scene) {
+  std::vector<std::shared_ptr<const geometry::CutOut>> all;
+  bool any = false;
+  for (const SurfaceAssignment& assignment : scene.assignments) {
+    all.push_back(assignment.cut_out);
+    any = any || assignment.cut_out != nullptr;
+  }
+  if (!any) all.clear();
+  return all;
 }
 
 }  // namespace ifov::scene

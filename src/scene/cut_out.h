@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "geometry/cut_out.h"
-#include "materials/map_grid.h"
 
 namespace ifov::materials {
 class ClassMap;
+struct MapGrid;
+struct MapPosition;
 class OpacityMap;
 }  // namespace ifov::materials
 
@@ -19,7 +20,7 @@ class SurfaceCutOut final : public geometry::CutOut {
   /// `holes`: by class index of the map, one without a map; null: a material without holes. `classes` may be null.
   SurfaceCutOut(std::shared_ptr<const materials::ClassMap> classes,
                 std::vector<std::shared_ptr<const materials::OpacityMap>> holes);
-  bool is_open(math::Point3 position_m, geometry::Uv uv) const override;
+  bool is_open(math::Point3 position_m, double u, double v) const override;
   bool is_open(const materials::MapPosition& position) const;
   /// Of the first material with holes.
   const materials::MapGrid& grid() const;
@@ -28,5 +29,9 @@ class SurfaceCutOut final : public geometry::CutOut {
   std::shared_ptr<const materials::ClassMap> classes_;
   std::vector<std::shared_ptr<const materials::OpacityMap>> holes_;
 };
+
+struct Scene;
+/// By surface assignment, for geometry::BuildOptions; empty where none has holes.
+std::vector<std::shared_ptr<const geometry::CutOut>> cut_outs(const Scene& scene);
 
 }  // namespace ifov::scene

@@ -7,7 +7,6 @@
 #include "materials/bsdf/bsdf.h"
 #include "materials/bsdf/narrow_lobes.h"
 #include "materials/draped_map.h"
-#include "scene/cut_out.h"
 #include "scene/lamp.h"
 
 namespace ifov::scene {
@@ -76,17 +75,6 @@ std::vector<bool> Scene::mirror_assignments() const {
 std::vector<bool> Scene::lobe_assignments() const {
   return assignments_showing(
       *this, [&](std::uint32_t material) { return materials::has_narrow_lobe(*materials[material].bsdf); });
-}
-
-std::vector<std::shared_ptr<const geometry::CutOut>> Scene::cut_outs() const {
-  std::vector<std::shared_ptr<const geometry::CutOut>> all;
-  bool any = false;
-  for (const SurfaceAssignment& assignment : assignments) {
-    all.push_back(assignment.cut_out);
-    any = any || assignment.cut_out != nullptr;
-  }
-  if (!any) all.clear();
-  return all;
 }
 
 ResolvedSurface Scene::resolve(const geometry::SurfacePoint& point) const {

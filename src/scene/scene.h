@@ -11,7 +11,6 @@
 #include "scene/resolved_surface.h"
 
 namespace ifov::geometry {
-class CutOut;
 struct SurfacePoint;
 class World;
 }  // namespace ifov::geometry
@@ -99,12 +98,11 @@ struct SurfaceAssignment {
   std::shared_ptr<const materials::ClassMap> classes;
   std::vector<std::shared_ptr<const materials::TemperatureMap>> temperatures;  ///< by state; empty: none
   std::vector<std::shared_ptr<const Pattern>> patterns;
-  /// The same as `states` where the inner side is seen; empty: it is as the outer one.
-  std::vector<std::uint32_t> back_states{};
+  std::vector<std::uint32_t> back_states{};  ///< seen from the inner side; empty: `states`
   /// Maps of temperatures of `back_states`; empty: `temperatures`.
   std::vector<std::shared_ptr<const materials::TemperatureMap>> back_temperatures{};
-  /// Where it is not there, seen from either side; null: it has no holes.
-  std::shared_ptr<const SurfaceCutOut> cut_out{};
+  std::shared_ptr<const SurfaceCutOut>
+      cut_out{};  ///< where it is not there, from either side; null: no holes
   friend bool operator==(const SurfaceAssignment&, const SurfaceAssignment&) = default;
 
   bool mixes_materials() const;  ///< by one of its patterns
@@ -136,8 +134,6 @@ struct Scene {
   std::vector<bool> mirror_assignments() const;
   /// The same of materials whose lobe is narrow (has_narrow_lobe).
   std::vector<bool> lobe_assignments() const;
-  /// By surface assignment: its holes, for the builder of the world. Empty where none has any.
-  std::vector<std::shared_ptr<const geometry::CutOut>> cut_outs() const;
 
   /// All temperatures at which anything of the scene may emit: states, maps, patterns, surroundings and sky; none
   /// where nothing does. Whoever needs to know asks here (scene_temperatures.cpp), so that nothing is forgotten.

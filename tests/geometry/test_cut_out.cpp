@@ -22,9 +22,9 @@ using math::Vec3;
 class Chequer final : public CutOut {
  public:
   explicit Chequer(double cells) : cells_(cells) {}
-  bool is_open(Point3 position_m, Uv uv) const override {
-    const double a = cells_ > 0.0 ? uv.u * cells_ : position_m.x / 0.25,
-                 b = cells_ > 0.0 ? uv.v * cells_ : position_m.y / 0.25;
+  bool is_open(Point3 position_m, double u, double v) const override {
+    const double a = cells_ > 0.0 ? u * cells_ : position_m.x / 0.25,
+                 b = cells_ > 0.0 ? v * cells_ : position_m.y / 0.25;
     return std::fmod(std::abs(std::floor(a) + std::floor(b)), 2.0) == 1.0;
   }
 
@@ -91,7 +91,7 @@ SurfacePoint followed(const World& world, Ray ray,
     world.intersect_uncut({&ray, 1}, {&hit, 1});
     if (!hit.hit()) return hit;
     const CutOut* cut_out = hit.material < cut_outs.size() ? cut_outs[hit.material].get() : nullptr;
-    if (cut_out == nullptr || !cut_out->is_open(hit.position_m, {hit.u, hit.v})) return hit;
+    if (cut_out == nullptr || !cut_out->is_open(hit.position_m, hit.u, hit.v)) return hit;
     ray.t_min_m = hit.distance_m + 1e-7;
   }
 }

@@ -249,7 +249,7 @@ bool EmbreeWorld::is_open(const RayPacket& packet, std::size_t k, const Triangle
   SurfacePoint hit;
   hit.position_m = centre_m_ + (packet.start(k) + packet.direction(k) * t - Point3{});
   finish_triangle({Candidate::triangle, instance, prim, 0, &set}, hit);
-  return cut_out->is_open(hit.position_m, {hit.u, hit.v});
+  return cut_out->is_open(hit.position_m, hit.u, hit.v);
 }
 
 void EmbreeWorld::apply_attributes(const Attributes& kept, const Transform& mesh_from_scene, Point3 in_mesh,

@@ -21,8 +21,7 @@ struct RasterPlacement {
   double width_m = 0.0, height_m = 0.0;  ///< towards +x and +y
 };
 
-/// A raster that lies on surfaces: draped from above, where without a placement its own georeference counts, or by
-/// texture coordinates.
+/// A raster that lies on surfaces: draped from above, where without a placement its own georeference counts, or by texture coordinates.
 struct RasterDocument {
   using Placement = RasterPlacement;
   DocumentFile file;
@@ -67,14 +66,6 @@ struct NormalRelief {
 };
 struct ReliefDocument {
   std::variant<HeightRelief, NormalRelief> value;
-  SourcePosition position;
-};
-
-/// Where a material is not there: in cells whose number is below `cutoff`, or that have none.
-struct OpacityDocument {
-  RasterDocument raster;
-  int band = 1;  ///< from 1
-  double cutoff = 0.0;
   SourcePosition position;
 };
 

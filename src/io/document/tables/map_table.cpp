@@ -4,6 +4,7 @@
 #include "core/format.h"
 #include "io/document/file_materials_document.h"
 #include "io/document/map_document.h"
+#include "io/document/opacity_document.h"
 #include "io/document/parameter_map_document.h"
 #include "io/document/schema/made_once.h"
 #include "io/document/tables/map_tables.h"

@@ -5,6 +5,7 @@
 
 namespace ifov::io {
 
+struct OpacityDocument;
 struct ParameterMap;
 
 /// The tables of keys of what lies on surfaces.

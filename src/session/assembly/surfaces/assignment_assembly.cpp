@@ -6,7 +6,6 @@
 #include "io/document/file_materials_document.h"
 #include "materials/bsdf/bsdf.h"
 #include "materials/bsdf/hemisphere.h"
-#include "scene/cut_out.h"
 #include "scene/scene.h"
 #include "session/assembly/shared/spectrum_assembly.h"
 #include "session/assembly/shared/with_position.h"
@@ -104,7 +103,7 @@ std::uint32_t AssignmentAssembly::assignment(const io::MaterialBinding& binding,
                                              const MeshSlot& mesh_slot) {
   scene::SurfaceAssignment assignment;
   std::vector<Surface> surfaces;
-  std::shared_ptr<const materials::OpacityMap> holes_of_file;
+  Holes holes_of_file;
   if (const auto* from = std::get_if<std::shared_ptr<const io::FileMaterials>>(&binding.value)) {
     const io::FileMaterials& source = **from;
     const auto instead =
@@ -181,12 +180,7 @@ std::uint32_t AssignmentAssembly::coloured(const io::FileMaterials& source, cons
     assignment.temperatures.push_back(
         with_position(sources_, temperature->position, [&] { return temperature_map(*map); }));
   if (made.pattern) assignment.patterns.push_back(made.pattern);
-  if (const auto holes = colours_.holes(slot)) {
-    std::shared_ptr<const scene::SurfaceCutOut>& shared =
-        cut_outs_[format("{}", static_cast<const void*>(holes.get()))];
-    if (!shared) shared = std::make_shared<const scene::SurfaceCutOut>(nullptr, std::vector{holes});
-    assignment.cut_out = shared;
-  }
+  assignment.cut_out = cut_out(nullptr, {colours_.holes(slot)});
   return add(std::move(assignment));
 }
 
@@ -196,75 +190,11 @@ bool AssignmentAssembly::refracts(std::uint32_t material) const {
 
 std::vector<bool> AssignmentAssembly::mirrors() const { return scene_.mirror_assignments(); }
 std::vector<bool> AssignmentAssembly::lobes() const { return scene_.lobe_assignments(); }
-std::vector<std::shared_ptr<const geometry::CutOut>> AssignmentAssembly::cut_outs() const {
-  return scene_.cut_outs();
-}
 
 bool AssignmentAssembly::any_medium() const {
   for (std::uint32_t m = 0; m < scene_.materials.size(); ++m)
     if (refracts(m)) return true;
   return false;
-}
-
-namespace {
-
-/// Every material of the document that a binding names.
-template <class Visitor>
-void visit_names(const io::MaterialBinding& binding, const Visitor& visitor) {
-  std::visit(Overloaded{[&](const io::DocumentName& name) { visitor(name); },
-                        [&](const io::MaterialSlots& slots) {
-                          for (const auto& slot : slots.slots) visitor(slot.second);
-                        },
-                        [&](const io::MaterialMap& map) {
-                          for (const auto& entry : map.classes) visitor(entry.second);
-                        },
-                        [&](const io::MixtureDocument& mixture) {
-                          for (const io::DocumentName& name : mixture.materials) visitor(name);
-                        },
-                        [&](const std::shared_ptr<const io::FileMaterials>& file) {
-                          for (const io::FileMaterials::Colour& colour : file->colours)
-                            visitor(colour.material);
-                          for (const auto& slot : file->slots) visitor(slot.second);
-                        }},
-             binding.value);
-}
-
-}  // namespace
-
-void AssignmentAssembly::refuse_media(const io::MaterialBinding& binding) const {
-  visit_names(binding, [&](const io::DocumentName& name) {
-    if (refracts(material_index(name.name)))
-      throw io::document_error(
-          sources_, binding.position,
-          format(
-              "light is refracted into '{}', but this shape has no inside: take a solid (a box, a sphere, a "
-              "closed mesh) or a plane, {{\"slab\": ...}} for a pane, or \"over\": \"absorber\" where "
-              "what enters it ends there",
-              name.name));
-  });
-}
-
-void AssignmentAssembly::refuse_holes(const io::MaterialBinding& binding, bool by_place) const {
-  visit_names(binding, [&](const io::DocumentName& name) {
-    std::vector<std::string> sides{name.name};
-    if (const auto& both = written_[material_index(name.name)].sides)
-      sides = {both->first.name, both->second.name};
-    for (const std::string& side : sides) {
-      const std::optional<io::OpacityDocument>& opacity = written_[material_index(side)].opacity;
-      if (!opacity || (by_place && !opacity->raster.by_texture)) continue;
-      throw io::document_error(
-          sources_, binding.position,
-          by_place
-              ? format(
-                    "'{}' has an 'opacity' map by texture coordinates, of which this shape has none: take a mesh "
-                    "with them, or a map by place",
-                    side)
-              : format(
-                    "'{}' has an 'opacity' map, and this shape cannot have holes: take a polygon, a mesh, or "
-                    "a terrain in the form of a mesh",
-                    side));
-    }
-  });
 }
 
 std::uint32_t AssignmentAssembly::assignment(scene::SurfaceState surface) {

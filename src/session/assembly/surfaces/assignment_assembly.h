@@ -74,12 +74,13 @@ class AssignmentAssembly {
   const std::vector<ColourGuess>& colour_guesses() const { return colours_.guesses(); }
 
  private:
+  using Holes = std::shared_ptr<const materials::OpacityMap>;
   /// A material at its temperature.
   struct Surface {
     std::uint32_t state = 0, material = 0;
     double fixed_k = 0.0;
     std::shared_ptr<const materials::TemperatureMap> temperature;
-    std::shared_ptr<const materials::OpacityMap> holes;  ///< null: it has none
+    Holes holes;                          ///< null: it has none
     std::shared_ptr<const Surface> back;  ///< of a material with two sides; null: as `behind_` says
   };
   using Pattern = std::shared_ptr<const scene::Pattern>;
@@ -105,10 +106,12 @@ class AssignmentAssembly {
   std::vector<Pattern> level_patterns(const Surface& surface);
   /// Throws where more constituents may stand side by side than a surface holds.
   void check_room(const io::MaterialBinding& binding, const std::vector<Surface>& surfaces) const;
-  /// The holes of a surface: of its materials, and of the slot of a file whose colours tell which these are.
+  /// Those of its materials, and of the slot of a file whose colours tell which these are.
   void add_holes(scene::SurfaceAssignment& assignment, const io::MaterialBinding& binding,
-                 const std::vector<Surface>& surfaces,
-                 const std::shared_ptr<const materials::OpacityMap>& of_file);
+                 const std::vector<Surface>& surfaces, const Holes& of_file);
+  /// What has holes; null where nothing has. `holes` as of SurfaceCutOut.
+  std::shared_ptr<const scene::SurfaceCutOut> cut_out(
+      const std::shared_ptr<const materials::ClassMap>& classes, const std::vector<Holes>& holes);
   /// How the inner side looks of surfaces that look otherwise there.
   void add_backs(scene::SurfaceAssignment& assignment, const std::vector<Surface>& surfaces);
   /// Throws where a material that is seen otherwise from behind stands for what it cannot.

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "io/raster/fill_unknown.h"
-#include "scene/cut_out.h"
 #include "scene/level_pattern.h"
 #include "scene/map_patterns.h"
 #include "scene/scene.h"
@@ -63,34 +62,6 @@ void AssignmentAssembly::add_patterns(scene::SurfaceAssignment& assignment,
   assignment.patterns.insert(assignment.patterns.end(), reliefs.begin(), reliefs.end());
   assignment.patterns.insert(assignment.patterns.end(), textures.begin(), textures.end());
   assignment.patterns.insert(assignment.patterns.end(), levels.begin(), levels.end());
-}
-
-void AssignmentAssembly::add_holes(scene::SurfaceAssignment& assignment, const io::MaterialBinding& binding,
-                                   const std::vector<Surface>& surfaces,
-                                   const std::shared_ptr<const materials::OpacityMap>& of_file) {
-  std::string key = format("{}|{}", static_cast<const void*>(assignment.classes.get()),
-                           static_cast<const void*>(of_file.get()));
-  std::vector<std::shared_ptr<const materials::OpacityMap>> holes;
-  for (const Surface& surface : surfaces) {
-    if (surface.holes && of_file)
-      throw InputError(format(
-          "'{}' has an 'opacity' map, and the mesh file says itself where it has holes: one of them is enough",
-          scene_.materials[surface.material].name));
-    holes.push_back(of_file ? of_file : surface.holes);
-    key += format("|{}", static_cast<const void*>(holes.back().get()));
-    if (!holes.back()) continue;
-    if (std::holds_alternative<io::MixtureDocument>(binding.value))
-      throw InputError(format("a mixture cannot hold '{}', which has an 'opacity' map; a map of classes can",
-                              scene_.materials[surface.material].name));
-    if (refracts(surface.material))
-      throw InputError(
-          format("light is refracted into '{}', which cannot have an 'opacity' map: a solid has no holes",
-                 scene_.materials[surface.material].name));
-  }
-  if (std::ranges::none_of(holes, [](const auto& one) { return one != nullptr; })) return;
-  std::shared_ptr<const scene::SurfaceCutOut>& shared = cut_outs_[key];
-  if (!shared) shared = std::make_shared<const scene::SurfaceCutOut>(assignment.classes, std::move(holes));
-  assignment.cut_out = shared;
 }
 
 std::vector<AssignmentAssembly::Pattern> AssignmentAssembly::level_patterns(const Surface& surface) {

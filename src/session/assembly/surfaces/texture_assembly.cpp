@@ -4,8 +4,10 @@
 #include <filesystem>
 
 #include "core/overloaded.h"
+#include "io/document/opacity_document.h"
 #include "materials/opacity_map.h"
 #include "materials/relief_map.h"
+#include "materials/texture_map.h"
 #include "sampling/hash.h"
 #include "session/assembly/shared/with_position.h"
 
@@ -27,8 +29,11 @@ materials::MapGrid TextureAssembly::grid(const io::RasterDocument& source, const
   return grid;
 }
 
-materials::TextureMap::Image TextureAssembly::image(const io::TextureImage& source,
-                                                    const std::string& material) {
+struct TextureAssembly::Image {
+  materials::TextureMap::Image map;
+};
+
+TextureAssembly::Image TextureAssembly::image(const io::TextureImage& source, const std::string& material) {
   return with_position(sources_, source.raster.file.position, [&] {
     const io::Raster& raster = read(source.raster);
     const std::string& path = source.raster.file.path;
@@ -53,7 +58,7 @@ materials::TextureMap::Image TextureAssembly::image(const io::TextureImage& sour
         log_->warn(format("texture '{}' of material '{}': {} cells hold no number and take the mean", name,
                           material, scores.unknown));
     }
-    return materials::TextureMap::Image{grid(source.raster, raster), std::move(scores.scores)};
+    return Image{{grid(source.raster, raster), std::move(scores.scores)}};
   });
 }
 
@@ -66,7 +71,7 @@ std::shared_ptr<const materials::TextureMap> TextureAssembly::texture(
   std::vector<materials::TextureMap::Image> images;
   for (const io::TextureImage& one : source.texture->images) {
     ranges.push_back({one.from_um, one.to_um});
-    images.push_back(image(one, source.name));
+    images.push_back(image(one, source.name).map);
   }
   with_position(sources_, source.texture->position, [&] {
     const auto distance = source.texture->covariance ? materials::CurveMatcher::Distance::covariance
@@ -108,7 +113,7 @@ std::shared_ptr<const materials::ReliefMap> TextureAssembly::relief(std::size_t 
 }
 
 std::shared_ptr<const materials::OpacityMap> TextureAssembly::holes(std::size_t material) {
-  const std::optional<io::OpacityDocument>& source = written_[material].opacity;
+  const std::shared_ptr<const io::OpacityDocument>& source = written_[material].opacity;
   if (!source) return nullptr;
   std::shared_ptr<const materials::OpacityMap>& shared = holes_[material];
   if (shared) return shared;

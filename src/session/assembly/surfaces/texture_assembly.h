@@ -8,7 +8,6 @@
 
 #include "core/run_control.h"
 #include "io/document/scene_document.h"
-#include "materials/texture_map.h"
 #include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/map_scale.h"
 #include "session/assembly/shared/raster_assembly.h"
@@ -19,7 +18,11 @@ struct DocumentSources;
 namespace ifov::materials {
 class OpacityMap;
 class ReliefMap;
+class TextureMap;
 }  // namespace ifov::materials
+namespace ifov::radiometry {
+class Spectrum;
+}
 
 namespace ifov::session {
 
@@ -45,7 +48,8 @@ class TextureAssembly {
   const std::vector<MapScale>& map_scales() const { return scales_; }
 
  private:
-  materials::TextureMap::Image image(const io::TextureImage& source, const std::string& material);
+  struct Image;
+  Image image(const io::TextureImage& source, const std::string& material);
   std::shared_ptr<const materials::ReliefMap> read_relief(const io::ReliefDocument& source);
 
   const io::DocumentSources& sources_;
