@@ -120,6 +120,15 @@ void PeriodicWorld::each_copy(std::span<const math::Ray> rays, std::span<const W
 }
 
 void PeriodicWorld::intersect(std::span<const math::Ray> rays, std::span<SurfacePoint> hits) const {
+  intersect(rays, hits, &World::intersect);
+}
+
+void PeriodicWorld::intersect_uncut(std::span<const math::Ray> rays, std::span<SurfacePoint> hits) const {
+  intersect(rays, hits, &World::intersect_uncut);
+}
+
+void PeriodicWorld::intersect(std::span<const math::Ray> rays, std::span<SurfacePoint> hits,
+                              Meet meet) const {
   std::vector<Walk> walks;
   for (std::uint32_t k = 0; k < rays.size(); ++k) {
     hits[k] = SurfacePoint{};
@@ -130,7 +139,7 @@ void PeriodicWorld::intersect(std::span<const math::Ray> rays, std::span<Surface
   while (!walks.empty()) {
     found.resize(walks.size());
     each_copy(rays, walks, [&](std::span<const math::Ray> moved, int column, int row) {
-      world_->intersect(moved, found);
+      ((*world_).*meet)(moved, found);
       for (std::size_t k = 0; k < walks.size(); ++k) {
         SurfacePoint& best = hits[walks[k].ray];
         if (!found[k].hit() || (best.hit() && !(found[k].distance_m < best.distance_m))) continue;

@@ -27,6 +27,7 @@ class PeriodicWorld final : public World {
   PeriodicWorld(std::unique_ptr<World> world, Cell cell);
 
   void intersect(std::span<const math::Ray> rays, std::span<SurfacePoint> hits) const override;
+  void intersect_uncut(std::span<const math::Ray> rays, std::span<SurfacePoint> hits) const override;
   void occluded(std::span<const math::Ray> rays, std::span<std::uint8_t> blocked) const override;
   /// Of the one world.
   Bounds bounds() const override { return world_->bounds(); }
@@ -58,6 +59,8 @@ class PeriodicWorld final : public World {
   bool start(const math::Ray& ray, std::uint32_t index, Walk& walk) const;
   bool advance(const math::Ray& ray, Walk& walk) const;
   void set_end(const math::Ray& ray, Walk& walk) const;
+  using Meet = void (World::*)(std::span<const math::Ray>, std::span<SurfacePoint>) const;
+  void intersect(std::span<const math::Ray> rays, std::span<SurfacePoint> hits, Meet meet) const;
   /// Traces the parts of all walks through their cells, copy by copy; found(walk, shift, ...) for each.
   template <class Query>
   void each_copy(std::span<const math::Ray> rays, std::span<const Walk> walks, Query query) const;

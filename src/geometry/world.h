@@ -26,6 +26,11 @@ class World {
   /// last is met (a road on the plane that it lies in); of one object's surfaces the one with the smallest number.
   virtual void intersect(std::span<const math::Ray> rays, std::span<SurfacePoint> hits) const = 0;
 
+  /// The same where holes of surfaces (BuildOptions::cut_outs) are closed.
+  virtual void intersect_uncut(std::span<const math::Ray> rays, std::span<SurfacePoint> hits) const {
+    intersect(rays, hits);
+  }
+
   /// 1 where anything lies strictly between t_min_m and t_max_m.
   virtual void occluded(std::span<const math::Ray> rays, std::span<std::uint8_t> blocked) const = 0;
 

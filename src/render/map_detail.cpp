@@ -8,6 +8,7 @@
 #include "geometry/world.h"
 #include "materials/draped_map.h"
 #include "sampling/accuracy/borders/polygon.h"
+#include "scene/cut_out.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
 
@@ -16,6 +17,8 @@ namespace ifov::render {
 namespace {
 
 constexpr std::uint16_t kOutside = 0xffff;
+/// "Class" of the holes of a surface: what is seen through them is another thing.
+constexpr std::uint16_t kHole = 0xfffe;
 /// A pixel that holds more parts than this is full of detail.
 constexpr std::size_t kMostParts = 24;
 /// So is one with more specks than this, parts smaller than what a lattice sees.
@@ -81,9 +84,10 @@ struct MapDetail::Window {
 
 MapDetail::MapDetail(const scene::Scene& scene, const sensor::Camera& camera)
     : scene_(scene), camera_(camera) {
-  any_ = std::any_of(
-      scene.assignments.begin(), scene.assignments.end(),
-      [](const scene::SurfaceAssignment& c) { return c.classes != nullptr && c.states.size() > 1; });
+  any_ =
+      std::any_of(scene.assignments.begin(), scene.assignments.end(), [](const scene::SurfaceAssignment& c) {
+        return (c.classes != nullptr && c.states.size() > 1) || c.cut_out != nullptr;
+      });
 }
 
 void MapDetail::find(const sampling::FieldRect& pixels, sampling::KnownDetail& detail, std::uint64_t& rays) {
@@ -99,7 +103,8 @@ void MapDetail::find(const sampling::FieldRect& pixels, sampling::KnownDetail& d
   std::vector<math::Ray> corner_rays(points.size());
   std::vector<geometry::SurfacePoint> hits(points.size());
   camera_.rays(points, corner_rays);
-  scene_.world->intersect(corner_rays, hits);
+  // Holes are looked for where they are, not what lies behind them.
+  scene_.world->intersect_uncut(corner_rays, hits);
   rays += points.size();
   for (std::size_t j = 0; j < height; ++j)
     for (std::size_t i = 0; i < width; ++i) {
@@ -124,8 +129,16 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
   }
   if (alike < 3) return;
   const scene::SurfaceAssignment& assignment = scene_.assignments[corners[first].material];
-  if (assignment.classes == nullptr) return;
-  const materials::MapGrid& grid = assignment.classes->grid();
+  if (assignment.classes == nullptr && assignment.cut_out == nullptr) return;
+  const materials::MapGrid& grid =
+      assignment.cut_out != nullptr ? assignment.cut_out->grid() : assignment.classes->grid();
+  const auto class_at = [&](const materials::MapPosition& position) {
+    if (assignment.cut_out != nullptr && assignment.cut_out->is_open(position)) return kHole;
+    return assignment.classes != nullptr ? assignment.classes->at(position) : std::uint16_t{0};
+  };
+  const auto alike_in_label = [&](std::uint16_t a, std::uint16_t b) {
+    return a == kHole || b == kHole ? a == b : assignment.states[a] == assignment.states[b];
+  };
   std::array<MapCell, 4> at;
   std::array<bool, 4> seen{};
   for (std::size_t k = 0; k < 4; ++k) {
@@ -176,9 +189,9 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
     const sampling::FocalPoint o = window.offset(position.a, position.b);
     if (o.x_px <= -reach_x || o.x_px >= 1.0 + reach_x || o.y_px <= -reach_y || o.y_px >= 1.0 + reach_y)
       continue;
-    const std::uint16_t number = assignment.classes->at(middle_of(grid, position.a, position.b));
+    const std::uint16_t number = class_at(middle_of(grid, position.a, position.b));
     classes_[cell] = number;
-    mixed = mixed || (any_class != kOutside && assignment.states[number] != assignment.states[any_class]);
+    mixed = mixed || (any_class != kOutside && !alike_in_label(number, any_class));
     any_class = number;
   }
   if (!mixed) return;

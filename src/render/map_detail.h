@@ -16,8 +16,8 @@ class Camera;
 
 namespace ifov::render {
 
-/// Where the classes of maps lie on the focal plane. A map knows its content: what is smaller than the rays of a pixel
-/// are apart need not be met by chance. An object serves one thread.
+/// Where the classes of maps, and the holes of surfaces, lie on the focal plane. A map knows its content: what is smaller than the
+/// rays of a pixel are apart need not be met by chance. An object serves one thread.
 class MapDetail {
  public:
   /// Keeps references to both, which must outlive this.
@@ -33,7 +33,7 @@ class MapDetail {
 
   const scene::Scene& scene_;
   const sensor::Camera& camera_;
-  bool any_ = false;                         // some surface assignment has a map of classes
+  bool any_ = false;                         // some surface assignment has a map of classes, or holes
   std::vector<std::uint16_t> classes_;       // of the cells in a pixel's window; kOutside beside the pixel
   std::vector<std::uint32_t> queue_, part_;  // cells of one part
 };

@@ -49,6 +49,7 @@ struct ViewPath {
 };
 
 struct Lamp;
+class SurfaceCutOut;
 
 /// A material at a temperature; 0 K emits nothing.
 struct SurfaceState {
@@ -97,10 +98,11 @@ struct SurfaceAssignment {
   std::shared_ptr<const materials::ClassMap> classes;
   std::vector<std::shared_ptr<const materials::TemperatureMap>> temperatures;  ///< by state; empty: none
   std::vector<std::shared_ptr<const Pattern>> patterns;
-  /// The same as `states` where the inner side is seen; empty: it is as the outer one.
-  std::vector<std::uint32_t> back_states{};
+  std::vector<std::uint32_t> back_states{};  ///< seen from the inner side; empty: `states`
   /// Maps of temperatures of `back_states`; empty: `temperatures`.
   std::vector<std::shared_ptr<const materials::TemperatureMap>> back_temperatures{};
+  std::shared_ptr<const SurfaceCutOut>
+      cut_out{};  ///< where it is not there, from either side; null: no holes
   friend bool operator==(const SurfaceAssignment&, const SurfaceAssignment&) = default;
 
   bool mixes_materials() const;  ///< by one of its patterns

@@ -169,6 +169,12 @@ std::vector<Named> named_by_materials() {
        {{"a.asc", grid()}}},
       {"relief of normals", "file",
        reflectance(R"(0.3, "relief": {"normals": {"file": "FILEn.img")" + placed + "}}"), normals()},
+      {"opacity map",
+       "file",
+       {.material = R"("reflectance": 0.3, "opacity": {"file": "FILEa.asc", "cutoff": 2})",
+        .object =
+            R"({"polygon": {"vertices": [["-8 m", "-8 m", "1 m"], ["8 m", "-8 m", "1 m"], ["0 m", "8 m", "1 m"]]}, "material": "m"})"},
+       {{"a.asc", grid()}}},
   };
 }
 

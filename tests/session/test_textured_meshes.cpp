@@ -195,13 +195,45 @@ TEST_F(TexturedMeshes, TheGuessIsSaid) {
   EXPECT_EQ(warnings(load(kFromFile)).find("nearest end"), std::string::npos);
 }
 
-TEST_F(TexturedMeshes, HolesAreSaidToBeFilled) {
-  write("tex.png", test::decoded(test::kPictureWithHole));
-  write("quad.mtl", "newmtl paint\nmap_Kd tex.png\nd 0.9\n");
-  const std::string all = warnings(load(kFromFile));
-  EXPECT_NE(all.find("'paint' of 'quad.obj': 100 % of it is transparent (BLEND) in the file and opaque here"),
-            std::string::npos)
-      << all;
+TEST_F(TexturedMeshes, HolesShowWhatLiesBehind) {
+  const auto below = [](const char* mesh, const char* from = "{}") {
+    return format(
+        R"({{"mesh": {{"file": "{}"}}, "material": {{"from_file": {}}}}}, {{"polygon": {{"vertices": [["-9 m", "-9 m", "-1 m"],
+           ["9 m", "-9 m", "-1 m"], ["9 m", "9 m", "-1 m"], ["-9 m", "9 m", "-1 m"]]}}, "material": "black"}})",
+        mesh, from);
+  };
+  const Session whole = load(below("quad.obj"));
+  write("hole.png", test::decoded(test::kPictureWithHole));
+  write("quad.mtl", "newmtl paint\nKd 1 1 1\nmap_Kd tex.png\nmap_d hole.png\n");
+  const Session cut = load(below("quad.obj"));
+  EXPECT_EQ(warnings(cut).find("transparent"), std::string::npos) << warnings(cut);
+  const sampling::TileResult all = rendered(whole), image = rendered(cut);
+  for (const std::size_t pixel : {0u, 2u, 3u})
+    EXPECT_NEAR(channel_sum(image, pixel), channel_sum(all, pixel), 1e-3) << pixel;
+  EXPECT_EQ(channel_sum(image, 1), 0.0);
+  EXPECT_GT(channel_sum(all, 1), 10.0);
+  // So it is where colours stand for materials, and not where a slot is given another.
+  const sampling::TileResult classes = rendered(load(below(
+      "quad.obj",
+      R"({"colours": [{"srgb": [210, 35, 45], "material": "red"}, {"srgb": [128, 128, 128], "material": "half"}]})")));
+  EXPECT_EQ(channel_sum(classes, 1), 0.0);
+  EXPECT_GT(channel_sum(classes, 0), 100.0);
+  EXPECT_GT(channel_sum(rendered(load(below("quad.obj", R"({"slots": {"paint": "half"}})"))), 1), 100.0);
+  // Blue is dark in red, and grey between.
+  write("quad.mtl", "newmtl paint\nKd 1 1 1\nmap_Kd tex.png\nmap_d -imfchan r tex.png\n");
+  const Session red = load(below("quad.obj"));
+  const sampling::TileResult by_red = rendered(red);
+  EXPECT_GT(channel_sum(by_red, 0), 10.0);
+  EXPECT_EQ(channel_sum(by_red, 2), 0.0);
+  EXPECT_NE(
+      warnings(red).find(
+          "'paint' of 'quad.obj': 100 % of it is transparent in part in the file (BLEND), which is not rendered"),
+      std::string::npos)
+      << warnings(red);
+  write("quad.mtl", "newmtl paint\nKd 1 1 1\nd 0.9\n");
+  EXPECT_NE(warnings(load(kFromFile)).find("100 % of it is transparent in part"), std::string::npos);
+  write("quad.mtl", "newmtl paint\nKd 1 1 1\nd 0\n");
+  EXPECT_EQ(channel_sum(rendered(load(below("quad.obj"))), 0), 0.0);
 }
 
 TEST_F(TexturedMeshes, MistakesAreShown) {
@@ -229,6 +261,14 @@ TEST_F(TexturedMeshes, MistakesAreShown) {
       of("quad.obj", R"({"reflectance_beyond": 0.1, "colours": [{"srgb": [1, 2, 3], "material": "half"}]})")
           .find("'reflectance_beyond' is for reflectances that are made of colours"),
       std::string::npos);
+  write("quad.mtl", "newmtl paint\nmap_d -imfchan x tex.png\n");
+  EXPECT_NE(
+      of("quad.obj")
+          .find(
+              "quad.mtl:2:16: the channel 'x' of a picture is not read; expected 'r', 'g', 'b', 'm' or 'l'"),
+      std::string::npos)
+      << of("quad.obj");
+  write("quad.mtl", "newmtl paint\nKd 1 1 1\nmap_Kd tex.png\n");
   std::filesystem::remove(folder_ / "tex.png");
   EXPECT_NE(of("quad.obj").find("quad.mtl:3:8: there is no image '"), std::string::npos) << of("quad.obj");
 }

@@ -42,6 +42,8 @@ void propose_triangle(const RTCFilterFunctionNArguments* a) {
       t = packet.facet_distance(k, set, c.instance, c.prim);
       taken = packet.within(k, t);
     }
+    if (taken && packet.holes != nullptr)
+      taken = !packet.holes->is_open(packet, k, set, c.instance, c.prim, t, seen);
     if (taken && packet.take(k, seen, t, c)) {
       __builtin_prefetch(&set.facets[c.prim]);
       __builtin_prefetch(&set.tags[c.prim]);
@@ -58,10 +60,17 @@ void propose_occluder(const RTCFilterFunctionNArguments* a) {
   for (unsigned i = 0; i < a->N; ++i) {
     if (a->valid[i] == 0) continue;
     const std::size_t k = RTCRayN_id(a->ray, a->N, i);
-    if (packet.clearly_within(k, double(RTCRayN_tfar(a->ray, a->N, i)))) continue;
-    const double t =
-        packet.facet_distance(k, set, RTCHitN_instID(a->hit, a->N, i, 0), RTCHitN_primID(a->hit, a->N, i));
-    if (!packet.within(k, t)) a->valid[i] = 0;
+    const double seen = double(RTCRayN_tfar(a->ray, a->N, i));
+    const unsigned instance = RTCHitN_instID(a->hit, a->N, i, 0), prim = RTCHitN_primID(a->hit, a->N, i);
+    double t = kUnknown;
+    bool blocks = true;
+    if (!packet.clearly_within(k, seen)) {
+      t = packet.facet_distance(k, set, instance, prim);
+      blocks = packet.within(k, t);
+    }
+    if (blocks && packet.holes != nullptr)
+      blocks = !packet.holes->is_open(packet, k, set, instance, prim, t, seen);
+    if (!blocks) a->valid[i] = 0;
   }
 }
 

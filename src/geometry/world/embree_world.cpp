@@ -108,10 +108,20 @@ void EmbreeWorld::meet_planes(RayPacket& packet, std::size_t count) const {
 }
 
 void EmbreeWorld::intersect(std::span<const Ray> rays, std::span<SurfacePoint> hits) const {
+  intersect(rays, hits, holes());
+}
+
+void EmbreeWorld::intersect_uncut(std::span<const Ray> rays, std::span<SurfacePoint> hits) const {
+  intersect(rays, hits, nullptr);
+}
+
+void EmbreeWorld::intersect(std::span<const Ray> rays, std::span<SurfacePoint> hits,
+                            const HoleTest* holes) const {
   const FlushDenormals flush;
   alignas(64) RTCRayHit8 embree;
   alignas(64) int valid[kLanes];
   RayPacket packet;
+  packet.holes = holes;
   double shift[kLanes];
   for (std::size_t begin = 0; begin < rays.size(); begin += kLanes) {
     const std::size_t count = std::min<std::size_t>(kLanes, rays.size() - begin);
@@ -140,6 +150,7 @@ void EmbreeWorld::occluded(std::span<const Ray> rays, std::span<std::uint8_t> bl
   alignas(64) RTCRay8 embree;
   alignas(64) int valid[kLanes];
   RayPacket packet;
+  packet.holes = holes();
   double shift[kLanes];
   for (std::size_t begin = 0; begin < rays.size(); begin += kLanes) {
     const std::size_t count = std::min<std::size_t>(kLanes, rays.size() - begin);
@@ -226,6 +237,19 @@ void EmbreeWorld::finish_triangle(const Candidate& c, SurfacePoint& hit) const {
     const Point3 in_set = map(Point3{} + (hit.position_m - centre_m_));
     apply_attributes(kept, map, in_set + (kept.centre_m - Point3{}), number, hit);
   }
+}
+
+bool EmbreeWorld::is_open(const RayPacket& packet, std::size_t k, const TriangleSet& set,
+                          std::uint32_t instance, std::uint32_t prim, double t, double seen) const {
+  const Piece& piece = instance == RTC_INVALID_GEOMETRY_ID ? copies_[set.owner(prim)] : instances_[instance];
+  const CutOut* cut_out = cut_outs_[materials_[piece.materials + set.tags[prim].slot]].get();
+  if (cut_out == nullptr) return false;
+  if (std::isnan(t)) t = packet.facet_distance(k, set, instance, prim);
+  if (!(std::abs(t - seen) <= 64.0 * window_m_)) t = seen;
+  SurfacePoint hit;
+  hit.position_m = centre_m_ + (packet.start(k) + packet.direction(k) * t - Point3{});
+  finish_triangle({Candidate::triangle, instance, prim, 0, &set}, hit);
+  return cut_out->is_open(hit.position_m, hit.u, hit.v);
 }
 
 void EmbreeWorld::apply_attributes(const Attributes& kept, const Transform& mesh_from_scene, Point3 in_mesh,

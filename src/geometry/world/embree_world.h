@@ -25,12 +25,13 @@ namespace ifov::geometry {
 /// The world on Embree. The scene is moved about the centre of its bounds in double before it becomes float;
 /// bodies that stand in several places become Embree instances about their own centres, all others lie in the
 /// scene itself; height fields are met block by block in their own frames, planes beside Embree.
-class EmbreeWorld final : public World {
+class EmbreeWorld final : public World, private HoleTest {
  public:
   EmbreeWorld(WorldContent content, const BuildOptions& options);
 
   void intersect(std::span<const math::Ray> rays, std::span<SurfacePoint> hits) const override;
   void occluded(std::span<const math::Ray> rays, std::span<std::uint8_t> blocked) const override;
+  void intersect_uncut(std::span<const math::Ray> rays, std::span<SurfacePoint> hits) const override;
   Bounds bounds() const override { return bounds_; }
   Heights heights() const override { return heights_; }
   std::size_t object_count() const override { return objects_.size(); }
@@ -109,6 +110,10 @@ class EmbreeWorld final : public World {
                         std::uint32_t triangle, SurfacePoint& hit) const;
   double analytic_offset(const SurfacePoint& hit) const;
   InstanceTable table() const;
+  void intersect(std::span<const math::Ray> rays, std::span<SurfacePoint> hits, const HoleTest* holes) const;
+  bool is_open(const RayPacket& packet, std::size_t k, const TriangleSet& set, std::uint32_t instance,
+               std::uint32_t prim, double t, double seen) const override;
+  const HoleTest* holes() const { return cut_outs_.empty() ? nullptr : this; }
 
   std::atomic<std::int64_t> embree_bytes_{0};  // above the device, which writes to it
   std::int64_t built_embree_bytes_ = 0;        // before the first ray
@@ -146,6 +151,7 @@ class EmbreeWorld final : public World {
   std::vector<math::Transform> body_from_scene_;
 
   std::vector<std::uint32_t> materials_;
+  std::vector<std::shared_ptr<const CutOut>> cut_outs_;  ///< by material; empty: nothing has holes
   std::vector<Attributes> attributes_;
   /// By template: into attributes_, or kNoIndex; empty: none at all.
   std::vector<std::uint32_t> attributes_of_;

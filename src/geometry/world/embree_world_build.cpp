@@ -80,6 +80,12 @@ EmbreeWorld::EmbreeWorld(WorldContent content, const BuildOptions& options)
                    !better_copied(content.templates[t].body, plan.copies[t]);
   for (const Run& run : content.runs) triangle_count_ += run.what.copies() * contents[run.what.of].triangles;
   materials_ = content.materials;
+  cut_outs_ = options.cut_outs;
+  if (std::none_of(cut_outs_.begin(), cut_outs_.end(), [](const auto& one) { return one != nullptr; }))
+    cut_outs_.clear();
+  else
+    for (const std::uint32_t material : materials_)
+      if (material >= cut_outs_.size()) cut_outs_.resize(material + 1);
   if (!options.surveyed.empty())
     survey_ = std::make_unique<const SurfaceSurvey>(survey_of(content, walk, options.surveyed));
   if (!options.lobes.empty())

@@ -54,6 +54,19 @@ struct InstanceTable {
   const Piece* copies = nullptr;                    ///< by the owner of a primitive in a shared set
 };
 
+struct RayPacket;
+
+/// Asked whether a triangle has a hole where a lane of a packet meets it. `t`: distance in double, NaN where it is not known;
+/// `seen`: Embree's.
+class HoleTest {
+ public:
+  virtual bool is_open(const RayPacket& packet, std::size_t k, const TriangleSet& set, std::uint32_t instance,
+                       std::uint32_t prim, double t, double seen) const = 0;
+
+ protected:
+  ~HoleTest() = default;
+};
+
 /// Eight rays in double beside Embree's float ones. Embree proposes primitives; which is nearest is decided
 /// here, by its float distance where that is clear and by the exact distance where two lie within `window_m`
 /// of each other or of the ray's ends. Of surfaces of unlike objects within `same_m` of the nearest, which lie in one
@@ -64,6 +77,7 @@ struct RayPacket {
 
   RTCIntersectContext context;  // first: Embree hands back a pointer to it
   InstanceTable table;
+  const HoleTest* holes = nullptr;  ///< null: nothing has any
   double window_m = 0.0, same_m = 0.0;
 
   // Rays from a start near the scene, in the frame about the scene's centre; distances count from that start.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/body.h"
+#include "geometry/cut_out.h"
 #include "geometry/height_field.h"
 #include "geometry/placements.h"
 #include "geometry/shapes.h"
@@ -44,6 +45,9 @@ struct BuildOptions {
   std::vector<bool> surveyed{};
   /// The same for World::lobe_survey.
   std::vector<bool> lobes{};
+  /// By material: the holes of its triangles; null, or beyond the end: it has none. Planes, height fields and analytic shapes
+  /// are never cut.
+  std::vector<std::shared_ptr<const CutOut>> cut_outs{};
 };
 
 /// Collects shapes and where they stand, then builds the world. Shapes are kept once, however often they are

@@ -21,8 +21,7 @@ struct RasterPlacement {
   double width_m = 0.0, height_m = 0.0;  ///< towards +x and +y
 };
 
-/// A raster that lies on surfaces: draped from above, where without a placement its own georeference counts, or by
-/// texture coordinates.
+/// A raster that lies on surfaces: draped from above, where without a placement its own georeference counts, or by texture coordinates.
 struct RasterDocument {
   using Placement = RasterPlacement;
   DocumentFile file;

@@ -31,6 +31,7 @@ struct OriginDocument {
   SourcePosition position;
 };
 
+struct OpacityDocument;
 struct ParameterMap;
 /// A model of materials::bsdf_models() with its parameters.
 struct ScatteringDocument {
@@ -50,6 +51,7 @@ struct MaterialDocument {
   std::vector<SpectrumDocument> further_curves;   ///< of the same quantity; with them a texture, which picks
   std::optional<TextureDocument> texture;
   std::optional<ReliefDocument> relief;
+  std::shared_ptr<const OpacityDocument> opacity;  ///< null: it has no holes
   std::optional<TemperatureDocument> temperature;  ///< absent here and on the object: 0 K, emits nothing
   ScatteringDocument scattering;
   std::optional<bool> emitter;  ///< light is sought from it; absent: where it is twice as bright as the scene

@@ -231,6 +231,11 @@ MeshMaterials read_gltf_materials(const std::filesystem::path& path, LogSink*) {
             entry_of(model.samplers, texture.sampler, "sampler", of_texture, file);
         material.wrap = {wrap_of(sampler.wrapS, of_texture, file), wrap_of(sampler.wrapT, of_texture, file)};
       }
+      if (material.alpha != AlphaMode::opaque && material.picture->has_alpha) {
+        material.opacity_picture = material.picture;
+        material.opacity_name = material.picture_name;
+        material.opacity_wrap = material.wrap;
+      }
     }
     const auto not_used = [&](bool there, const char* what) {
       if (there) material.not_used.emplace_back(what);

@@ -25,8 +25,12 @@ struct FileMaterial {
   std::string picture_name;                     ///< for people
   std::array<Wrap, 2> wrap{Wrap::repeat, Wrap::repeat};  ///< along u and along v
   AlphaMode alpha = AlphaMode::opaque;
-  double opacity = 1.0;               ///< the picture's is multiplied by it
-  double alpha_cutoff = 0.5;          ///< of AlphaMode::mask: what is below is not there
+  double opacity = 1.0;       ///< that of its pictures is multiplied by it
+  double alpha_cutoff = 0.5;  ///< of AlphaMode::mask: what is below is not there
+  /// How opaque it is from place to place: the fourth bytes of these cells; null: alike everywhere.
+  std::shared_ptr<const Picture> opacity_picture;
+  std::string opacity_name;                                      ///< for people
+  std::array<Wrap, 2> opacity_wrap{Wrap::repeat, Wrap::repeat};  ///< as `wrap`
   std::vector<std::string> not_used;  ///< what else the file says of it: "metalness", "normal map"
 };
 

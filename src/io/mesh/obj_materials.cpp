@@ -1,6 +1,7 @@
 #include "io/mesh/obj_materials.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string>
 #include <utility>
@@ -93,7 +94,7 @@ class Library {
         now->opacity = 1.0 - share(lines_.word());
         if (now->opacity < 1.0) now->alpha = AlphaMode::blend;
       } else if (key.text == "map_d") {
-        now->not_used.emplace_back("map of transparency");
+        opacity_picture(*now, files);
       } else if (key.text == "map_Bump" || key.text == "map_bump" || key.text == "bump" ||
                  key.text == "norm") {
         now->not_used.emplace_back("relief");
@@ -132,36 +133,83 @@ class Library {
     }
   }
 
+  /// A picture as a line names it.
+  struct Named {
+    std::shared_ptr<const Picture> picture;  ///< null where pictures are not read
+    std::string name;
+    std::array<Wrap, 2> wrap{Wrap::repeat, Wrap::repeat};
+    char channel = '\0';  ///< of -imfchan; '\0': not told
+  };
+
   void picture(FileMaterial& material, std::vector<std::filesystem::path>& files) {
+    Named named = named_picture(files, false);
+    material.picture = std::move(named.picture);
+    material.picture_name = std::move(named.name);
+    material.wrap = named.wrap;
+  }
+
+  /// Opacity is what the picture's matte (alpha) says where it has one, else how bright it is.
+  void opacity_picture(FileMaterial& material, std::vector<std::filesystem::path>& files) {
+    const Named named = named_picture(files, true);
+    material.alpha = AlphaMode::blend;
+    material.opacity_name = named.name;
+    material.opacity_wrap = named.wrap;
+    if (!named.picture) return;
+    const char channel = named.channel != '\0' ? named.channel : named.picture->has_alpha ? 'm' : 'l';
+    auto opacity = std::make_shared<Picture>(*named.picture);
+    opacity->has_alpha = true;
+    for (std::uint32_t& cell : opacity->cells) {
+      const std::uint32_t red = cell & 255u, green = cell >> 8 & 255u, blue = cell >> 16 & 255u;
+      // Luminance of Rec. 709, of the numbers as they are written: of a grey picture these.
+      const std::uint32_t opaque = channel == 'm'   ? cell >> 24
+                                   : channel == 'r' ? red
+                                   : channel == 'g' ? green
+                                   : channel == 'b'
+                                       ? blue
+                                       : (2126u * red + 7152u * green + 722u * blue + 5000u) / 10000u;
+      cell = (cell & 0xffffffu) | opaque << 24;
+    }
+    material.opacity_picture = std::move(opacity);
+  }
+
+  Named named_picture(std::vector<std::filesystem::path>& files, bool has_channel) {
+    Named named;
     ObjWord word = lines_.word();
     for (; word.text.starts_with('-'); word = lines_.word()) {
       const ObjWord option = word;
       if (option.text == "-clamp") {
-        if (lines_.word().text == "on") material.wrap = {Wrap::edge, Wrap::edge};
+        if (lines_.word().text == "on") named.wrap = {Wrap::edge, Wrap::edge};
       } else if (option.text == "-blendu" || option.text == "-blendv" || option.text == "-cc") {
         lines_.word();
+      } else if (has_channel && option.text == "-imfchan") {
+        const ObjWord channel = lines_.word();
+        if (channel.text.size() != 1 ||
+            std::string_view("rgbml").find(channel.text[0]) == std::string_view::npos)
+          lines_.fail(channel.column,
+                      format("the channel '{}' of a picture is not read; expected 'r', 'g', 'b', 'm' or 'l'",
+                             channel.text));
+        named.channel = channel.text[0];
       } else {
         lines_.fail(
             option.column,
-            format("the option '{}' of a picture is not read; expected '-clamp', '-blendu', '-blendv' or "
+            format("the option '{}' of a picture is not read; expected '-clamp', '-blendu', '-blendv'{} or "
                    "'-cc'",
-                   option.text));
+                   option.text, has_channel ? ", '-imfchan'" : ""));
       }
     }
     if (word.text.empty()) lines_.fail(word.column, "a picture needs the name of its file");
-    std::string name(word.text);
+    named.name = std::string(word.text);
     if (const std::string_view more = lines_.rest(); !more.empty())
-      name = std::string(word.text.data(),
-                         static_cast<std::size_t>(more.data() + more.size() - word.text.data()));
+      named.name = std::string(word.text.data(),
+                               static_cast<std::size_t>(more.data() + more.size() - word.text.data()));
     std::filesystem::path file;
     try {
-      file = file_beside_mesh(mesh_, name, "image");
+      file = file_beside_mesh(mesh_, named.name, "image");
     } catch (const InputError& error) {
       lines_.fail(word.column, error.what());
     }
     files.push_back(file);
-    material.picture_name = name;
-    if (pictures_ == nullptr) return;
+    if (pictures_ == nullptr) return named;
     std::shared_ptr<const Picture>& known = (*pictures_)[file.string()];
     try {
       if (!known) known = std::make_shared<const Picture>(decode_picture(read_input(file), file.string()));
@@ -170,7 +218,8 @@ class Library {
     } catch (const SystemError& error) {
       lines_.fail(word.column, error.what());
     }
-    material.picture = known;
+    named.picture = known;
+    return named;
   }
 
   const std::filesystem::path& mesh_;

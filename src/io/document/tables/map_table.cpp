@@ -4,6 +4,7 @@
 #include "core/format.h"
 #include "io/document/file_materials_document.h"
 #include "io/document/map_document.h"
+#include "io/document/opacity_document.h"
 #include "io/document/parameter_map_document.h"
 #include "io/document/schema/made_once.h"
 #include "io/document/tables/map_tables.h"
@@ -181,6 +182,22 @@ SchemaType<ReliefDocument> relief_type() {
   record.exactly_one()
       .one("heights", &ReliefDocument::value, heights.type(), "from heights")
       .one("normals", &ReliefDocument::value, normals.type(), "from normals");
+  return record.type();
+}
+
+SchemaType<OpacityDocument> opacity_type() {
+  Record<OpacityDocument> record(
+      "opacity map",
+      "Holes of a surface (leaves, fences, railings): where the map says so, light goes straight on, to the sensor and from every "
+      "source. A cell's number holds in all of it. For meshes, polygons and terrains that are meshes.");
+  add_raster_keys(record);
+  record
+      .with_default(
+          "band", &OpacityDocument::band, integer(1, kMostBands), "1",
+          "band of the raster, counted from 1; of a picture with red, green, blue and opacity the fourth")
+      .required(
+          "cutoff", &OpacityDocument::cutoff, number(),
+          "number of the raster below which there is a hole (of bytes mostly 128); cells without a number are holes");
   return record.type();
 }
 

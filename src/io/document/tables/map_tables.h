@@ -5,6 +5,7 @@
 
 namespace ifov::io {
 
+struct OpacityDocument;
 struct ParameterMap;
 
 /// The tables of keys of what lies on surfaces.
@@ -14,6 +15,7 @@ enum class ParameterKind { number, angle, length };
 SchemaType<ParameterMap> parameter_map_type(ParameterKind kind);
 SchemaType<TextureDocument> texture_type();
 SchemaType<ReliefDocument> relief_type();
+SchemaType<OpacityDocument> opacity_type();
 SchemaType<MaterialBinding> binding_type();
 SchemaType<TerrainShape> terrain_type();
 

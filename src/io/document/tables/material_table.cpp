@@ -1,4 +1,5 @@
 #include "core/format.h"
+#include "io/document/opacity_document.h"
 #include "io/document/scene_document.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/map_tables.h"
@@ -82,6 +83,13 @@ SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type
                     "how the surface reflects: a model by its name or, with its parameters, as an object")
       .optional("texture", &MaterialDocument::texture, texture_type(), "picks among several curves")
       .optional("relief", &MaterialDocument::relief, relief_type(), "bumps that light sees")
+      .optional("opacity",
+                via(
+                    [](MaterialDocument& material, OpacityDocument opacity) {
+                      material.opacity = std::make_shared<const OpacityDocument>(std::move(opacity));
+                    },
+                    [](const MaterialDocument& material) { return material.opacity.get(); }),
+                opacity_type(), "holes of the surface")
       .optional(
           "transmittance", &MaterialDocument::transmittance, spectrum_type(SpectrumOf::transmittance),
           "of a thin leaf, the same from both sides: what leaves the other side, spread as Lambert's law says; "

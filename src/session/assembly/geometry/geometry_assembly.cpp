@@ -80,6 +80,7 @@ class GeometryAssembly {
     geometry::BuildOptions options;
     options.surveyed = assignments_.mirrors();
     options.lobes = assignments_.lobes();
+    options.cut_outs = assignments_.cut_outs();
     return builder_.build(options);
   }
 
@@ -90,12 +91,15 @@ class GeometryAssembly {
       place_copies(object, prototype(of->name), scene_from_object);
     } else if (std::holds_alternative<io::CityShape>(object.shape)) {
       assignments_.refuse_media(*object.material);
+      assignments_.refuse_holes(*object.material, true);
       place_city(sources_, object, scene_from_object, frame_, assignments_, builder_, log_);
     } else if (const auto* placement = std::get_if<io::RandomPlacement>(&object.shape)) {
       place_at_random(object, *placement, scene_from_document);
     } else {
       const BuiltShape shape = shapes_.build(object, ShapeAssembly::Use::object);
       if (!shape.has_inside) assignments_.refuse_media(*object.material);
+      if (!shape.of_triangles || !shape.may_have_coordinates)
+        assignments_.refuse_holes(*object.material, shape.of_triangles);
       std::vector<std::uint32_t> materials;
       for (std::size_t k = 0; k < shape.slot_names.size(); ++k)
         materials.push_back(assignments_.assignment(*object.material, shape.slot_names[k], object.temperature,
@@ -192,6 +196,8 @@ class GeometryAssembly {
     } else {
       const BuiltShape shape = shapes_.build(object, ShapeAssembly::Use::part_of_prototype);
       if (!shape.has_inside) assignments_.refuse_media(*object.material);
+      if (!shape.of_triangles || !shape.may_have_coordinates)
+        assignments_.refuse_holes(*object.material, shape.of_triangles);
       part.what = shape.id;
       part.prototype_from_part = part.prototype_from_part * shape.object_from_shape;
       for (std::size_t k = 0; k < shape.slot_names.size(); ++k) {

@@ -64,8 +64,11 @@ BuiltShape ShapeAssembly::build(const io::ObjectDocument& object, Use use) {
 
 BuiltShape ShapeAssembly::shape(const io::PrimitiveShape& s) {
   io::PrimitiveSettings::Built built = s.settings->build();
-  const bool inside = has_inside(built.shape);
-  return {builder_.add_shape(std::move(built.shape)), built.object_from_shape, {""}, inside};
+  const bool inside = has_inside(built.shape),
+             triangles = std::holds_alternative<geometry::Polygon>(built.shape) ||
+                         std::holds_alternative<geometry::TriangleMesh>(built.shape);
+  return {
+      builder_.add_shape(std::move(built.shape)), built.object_from_shape, {""}, inside, triangles, false};
 }
 
 BuiltShape ShapeAssembly::shape(const io::MeshShape& s) {
@@ -92,8 +95,9 @@ BuiltShape ShapeAssembly::shape(const io::MeshShape& s) {
         tells_insides_ && geometry::topology_of(body.mesh.vertices_m, body.mesh.triangles).closed;
     std::vector<std::size_t> without_uv;
     if (with_materials_) without_uv = triangles_without_uv(body.mesh, slots.size());
-    const BuiltShape built{builder_.add_body(std::move(body)), object_from_file,     std::move(slots), inside,
-                           with_materials_ ? s.file.path : "", std::move(without_uv)};
+    BuiltShape built{builder_.add_body(std::move(body)), object_from_file, std::move(slots), inside};
+    if (with_materials_) built.file = s.file.path;
+    built.without_uv = std::move(without_uv);
     return meshes_.emplace(key, built).first->second;
   });
 }
@@ -101,11 +105,13 @@ BuiltShape ShapeAssembly::shape(const io::MeshShape& s) {
 BuiltShape ShapeAssembly::shape(const io::TerrainShape& s) {
   // Its coordinates are about the scene's origin; the object's transform is meant for those of the document.
   return with_position(sources_, s.file.position, [&]() -> BuiltShape {
-    return {is_traced_in_raster(s, frame_, use_ == Use::part_of_prototype)
-                ? builder_.add_height_field(assemble_height_field(s, frame_, log_))
-                : builder_.add_body(assemble_terrain(s, frame_, cache_, log_)),
+    const bool raster = is_traced_in_raster(s, frame_, use_ == Use::part_of_prototype);
+    return {raster ? builder_.add_height_field(assemble_height_field(s, frame_, log_))
+                   : builder_.add_body(assemble_terrain(s, frame_, cache_, log_)),
             math::Transform::translation(frame_.document_offset_m()),
             {""},
+            false,
+            !raster,
             false};
   });
 }

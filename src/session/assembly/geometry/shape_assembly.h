@@ -23,6 +23,8 @@ struct BuiltShape {
   std::vector<std::string> slot_names;
   /// It bounds a volume, or is a plane, which has a lower side; of meshes only told where that is asked for.
   bool has_inside = false;
+  bool of_triangles = true;          ///< so that it may have holes
+  bool may_have_coordinates = true;  ///< of textures; only meshes
   /// Of a mesh with the materials of its file: its path, and by slot the triangles without texture coordinates.
   std::string file{};
   std::vector<std::size_t> without_uv{};

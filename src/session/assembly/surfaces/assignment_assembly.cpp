@@ -103,6 +103,7 @@ std::uint32_t AssignmentAssembly::assignment(const io::MaterialBinding& binding,
                                              const MeshSlot& mesh_slot) {
   scene::SurfaceAssignment assignment;
   std::vector<Surface> surfaces;
+  Holes holes_of_file;
   if (const auto* from = std::get_if<std::shared_ptr<const io::FileMaterials>>(&binding.value)) {
     const io::FileMaterials& source = **from;
     const auto instead =
@@ -113,8 +114,10 @@ std::uint32_t AssignmentAssembly::assignment(const io::MaterialBinding& binding,
     if (instead != source.slots.end()) {
       surfaces.push_back(surface_of(instead->second, temperature));
     } else {
-      with_position(sources_, binding.position,
-                    [&] { assignment.classes = colours_.classes(source, mesh_slot); });
+      with_position(sources_, binding.position, [&] {
+        assignment.classes = colours_.classes(source, mesh_slot);
+        holes_of_file = colours_.holes(mesh_slot);
+      });
       for (const io::FileMaterials::Colour& colour : source.colours)
         surfaces.push_back(surface_of(colour.material, temperature));
     }
@@ -157,6 +160,7 @@ std::uint32_t AssignmentAssembly::assignment(const io::MaterialBinding& binding,
   with_position(sources_, binding.position, [&] {
     check_one_sided(binding, surfaces);
     check_room(binding, surfaces);
+    add_holes(assignment, binding, surfaces, holes_of_file);
   });
   add_backs(assignment, surfaces);
   add_patterns(assignment, surfaces);
@@ -176,6 +180,7 @@ std::uint32_t AssignmentAssembly::coloured(const io::FileMaterials& source, cons
     assignment.temperatures.push_back(
         with_position(sources_, temperature->position, [&] { return temperature_map(*map); }));
   if (made.pattern) assignment.patterns.push_back(made.pattern);
+  assignment.cut_out = cut_out(nullptr, {colours_.holes(slot)});
   return add(std::move(assignment));
 }
 
@@ -192,35 +197,6 @@ bool AssignmentAssembly::any_medium() const {
   return false;
 }
 
-void AssignmentAssembly::refuse_media(const io::MaterialBinding& binding) const {
-  const auto check = [&](const io::DocumentName& name) {
-    if (refracts(material_index(name.name)))
-      throw io::document_error(
-          sources_, binding.position,
-          format(
-              "light is refracted into '{}', but this shape has no inside: take a solid (a box, a sphere, a "
-              "closed mesh) or a plane, {{\"slab\": ...}} for a pane, or \"over\": \"absorber\" where "
-              "what enters it ends there",
-              name.name));
-  };
-  std::visit(Overloaded{check,
-                        [&](const io::MaterialSlots& slots) {
-                          for (const auto& slot : slots.slots) check(slot.second);
-                        },
-                        [&](const io::MaterialMap& map) {
-                          for (const auto& entry : map.classes) check(entry.second);
-                        },
-                        [&](const io::MixtureDocument& mixture) {
-                          for (const io::DocumentName& name : mixture.materials) check(name);
-                        },
-                        [&](const std::shared_ptr<const io::FileMaterials>& file) {
-                          for (const io::FileMaterials::Colour& colour : file->colours)
-                            check(colour.material);
-                          for (const auto& slot : file->slots) check(slot.second);
-                        }},
-             binding.value);
-}
-
 std::uint32_t AssignmentAssembly::assignment(scene::SurfaceState surface) {
   scene::SurfaceAssignment assignment;
   assignment.states.push_back(state(surface));
@@ -235,6 +211,11 @@ AssignmentAssembly::Surface AssignmentAssembly::surface_of(
   Surface surface = plain_surface(material_index(sides->first.name), temperature);
   surface.back =
       std::make_shared<const Surface>(plain_surface(material_index(sides->second.name), temperature));
+  if (surface.back->holes && surface.back->material != surface.material)
+    throw io::document_error(
+        sources_, sides->second.position,
+        format("the holes of a sheet are those of its front: '{}' has an 'opacity' map and is its back",
+               sides->second.name));
   return surface;
 }
 
@@ -242,6 +223,7 @@ AssignmentAssembly::Surface AssignmentAssembly::plain_surface(
     std::uint32_t material, const std::optional<io::TemperatureDocument>& temperature) {
   Surface surface;
   surface.material = material;
+  surface.holes = textures_.holes(material);
   const std::optional<io::TemperatureDocument>& source =
       temperature ? temperature : written_[surface.material].temperature;
   if (source) {

@@ -16,18 +16,23 @@
 #include "session/assembly/surfaces/scattering_assembly.h"
 #include "session/assembly/surfaces/texture_assembly.h"
 
+namespace ifov::geometry {
+class CutOut;
+}
 namespace ifov::io {
 struct DocumentSources;
 }
 namespace ifov::materials {
 class ClassMap;
 class MixtureMap;
+class OpacityMap;
 class TemperatureMap;
 }  // namespace ifov::materials
 namespace ifov::scene {
 class Pattern;
 struct Scene;
 struct SurfaceAssignment;
+class SurfaceCutOut;
 struct SurfaceState;
 }  // namespace ifov::scene
 
@@ -54,10 +59,14 @@ class AssignmentAssembly {
   /// By surface assignment made so far: whether any of its materials is a mirror; empty where none is.
   std::vector<bool> mirrors() const;
   std::vector<bool> lobes() const;
+  std::vector<std::shared_ptr<const geometry::CutOut>> cut_outs() const;
   /// Whether light is refracted into what some material covers.
   bool any_medium() const;
   /// Throws where a binding has a material that light is refracted into: for objects without an inside.
   void refuse_media(const io::MaterialBinding& binding) const;
+  /// Throws where a binding has a material with holes: for shapes that are not made of triangles, or (`by_place`) with holes by
+  /// texture coordinates, for those that have none.
+  void refuse_holes(const io::MaterialBinding& binding, bool by_place) const;
 
   /// How large the cells of the maps are that were made so far.
   const std::vector<MapScale>& map_scales() const { return textures_.map_scales(); }
@@ -65,11 +74,13 @@ class AssignmentAssembly {
   const std::vector<ColourGuess>& colour_guesses() const { return colours_.guesses(); }
 
  private:
+  using Holes = std::shared_ptr<const materials::OpacityMap>;
   /// A material at its temperature.
   struct Surface {
     std::uint32_t state = 0, material = 0;
     double fixed_k = 0.0;
     std::shared_ptr<const materials::TemperatureMap> temperature;
+    Holes holes;                          ///< null: it has none
     std::shared_ptr<const Surface> back;  ///< of a material with two sides; null: as `behind_` says
   };
   using Pattern = std::shared_ptr<const scene::Pattern>;
@@ -95,6 +106,12 @@ class AssignmentAssembly {
   std::vector<Pattern> level_patterns(const Surface& surface);
   /// Throws where more constituents may stand side by side than a surface holds.
   void check_room(const io::MaterialBinding& binding, const std::vector<Surface>& surfaces) const;
+  /// Those of its materials, and of the slot of a file whose colours tell which these are.
+  void add_holes(scene::SurfaceAssignment& assignment, const io::MaterialBinding& binding,
+                 const std::vector<Surface>& surfaces, const Holes& of_file);
+  /// What has holes; null where nothing has. `holes` as of SurfaceCutOut.
+  std::shared_ptr<const scene::SurfaceCutOut> cut_out(
+      const std::shared_ptr<const materials::ClassMap>& classes, const std::vector<Holes>& holes);
   /// How the inner side looks of surfaces that look otherwise there.
   void add_backs(scene::SurfaceAssignment& assignment, const std::vector<Surface>& surfaces);
   /// Throws where a material that is seen otherwise from behind stands for what it cannot.
@@ -124,6 +141,7 @@ class AssignmentAssembly {
   std::map<std::string, std::shared_ptr<const materials::ClassMap>> class_maps_;
   std::map<std::string, std::shared_ptr<const materials::MixtureMap>> mixture_maps_;
   std::map<std::string, Pattern> patterns_;
+  std::map<std::string, std::shared_ptr<const scene::SurfaceCutOut>> cut_outs_;
 };
 
 }  // namespace ifov::session

@@ -9,6 +9,7 @@
 #include "io/raster/picture.h"
 #include "materials/colour_image.h"
 #include "materials/draped_map.h"
+#include "materials/opacity_map.h"
 #include "radiometry/colour/upsampling.h"
 #include "scene/colour_pattern.h"
 #include "scene/scene.h"
@@ -30,18 +31,18 @@ materials::Tiling tiling_of_wrap(io::Wrap wrap) {
   return materials::Tiling::edge;
 }
 
-materials::MapGrid picture_grid(const io::FileMaterial& material) {
+materials::MapGrid picture_grid(const io::Picture* picture, const std::array<io::Wrap, 2>& wrap) {
   materials::MapGrid grid;
-  const int width = material.picture ? material.picture->width : 1,
-            height = material.picture ? material.picture->height : 1;
+  const int width = picture != nullptr ? picture->width : 1,
+            height = picture != nullptr ? picture->height : 1;
   grid.width = width;
   grid.height = height;
   grid.by = materials::MapBy::texture_coordinates;
   grid.north_m = 1.0;
   grid.cell_width_m = 1.0 / width;
   grid.cell_height_m = 1.0 / height;
-  grid.tiling = tiling_of_wrap(material.wrap[0]);
-  grid.tiling_down = tiling_of_wrap(material.wrap[1]);
+  grid.tiling = tiling_of_wrap(wrap[0]);
+  grid.tiling_down = tiling_of_wrap(wrap[1]);
   return grid;
 }
 
@@ -79,23 +80,28 @@ std::map<std::uint32_t, std::size_t> colours_of(const std::vector<std::uint32_t>
   return counts;
 }
 
-/// What a picture hides: its share of cells that are not opaque, or below the cutoff of a mask.
+/// From which opacity on a cell is there.
+double least_opacity(const io::FileMaterial& material) {
+  return material.alpha == io::AlphaMode::mask ? material.alpha_cutoff : 0.5;
+}
+
+/// The share of a material that lets a part of the light through, which its holes cannot say.
 std::string said_of_alpha(const io::FileMaterial& material) {
-  if (material.alpha == io::AlphaMode::opaque) return {};
-  const bool mask = material.alpha == io::AlphaMode::mask;
-  const double least = mask ? material.alpha_cutoff : 1.0;
-  double hidden = material.opacity < least ? 1.0 : 0.0;
-  if (material.picture && material.picture->has_alpha) {
+  if (material.alpha != io::AlphaMode::blend) return {};
+  constexpr double kAlike = 1.0 / 255.0;  // one step of a picture
+  const auto in_part = [&](double opacity) { return opacity > kAlike && opacity < 1.0 - kAlike; };
+  double share = in_part(material.opacity) ? 1.0 : 0.0;
+  if (material.opacity_picture) {
     std::size_t count = 0;
-    for (const std::uint32_t cell : material.picture->cells)
-      count += material.opacity * static_cast<double>(cell >> 24) / 255.0 < least;
-    hidden = static_cast<double>(count) / static_cast<double>(material.picture->cells.size());
+    for (const std::uint32_t cell : material.opacity_picture->cells)
+      count += in_part(material.opacity * static_cast<double>(cell >> 24) / 255.0);
+    share = static_cast<double>(count) / static_cast<double>(material.opacity_picture->cells.size());
   }
-  if (hidden == 0.0) return {};
+  if (share == 0.0) return {};
   return format(
-      "{:.3g} % of it is {} in the file and opaque here, in the colours that the picture has there: shapes that it "
-      "cuts out are not cut out",
-      100.0 * hidden, mask ? "cut away (MASK)" : "transparent (BLEND)");
+      "{:.3g} % of it is transparent in part in the file (BLEND), which is not rendered: where less than half of "
+      "the light is held back it is cut out, elsewhere opaque",
+      100.0 * share);
 }
 
 /// `within` where colours tell, `beyond` elsewhere.
@@ -131,11 +137,12 @@ const io::FileMaterial& FileColours::material(const MeshSlot& slot) {
         "'slots' of 'from_file'",
         all.source, slot.name, known.empty() ? "none" : known));
   }
-  if (found->picture && slot.without_uv > 0)
+  if ((found->picture || found->opacity_picture) && slot.without_uv > 0)
     throw InputError(format(
         "the slot '{}' of '{}' has the picture '{}', but {} of its triangles have no texture coordinates: it cannot "
         "be told where it lies. Give the slot a material of the document in the 'slots' of 'from_file'",
-        slot.name, short_name(slot.file), found->picture_name, slot.without_uv));
+        slot.name, short_name(slot.file), found->picture ? found->picture_name : found->opacity_name,
+        slot.without_uv));
   return *found;
 }
 
@@ -143,8 +150,27 @@ std::shared_ptr<const materials::ColourImage> FileColours::image(const io::FileM
   auto& known = images_[{material.picture.get(), static_cast<int>(material.wrap[0]),
                          static_cast<int>(material.wrap[1])}];
   if (!known)
-    known = std::make_shared<const materials::ColourImage>(picture_grid(material), material.picture->cells);
+    known = std::make_shared<const materials::ColourImage>(
+        picture_grid(material.picture.get(), material.wrap), material.picture->cells);
   return known;
+}
+
+std::shared_ptr<const materials::OpacityMap> FileColours::holes(const MeshSlot& slot) {
+  const auto [known, is_new] = holes_.try_emplace(slot.file + "|" + slot.name);
+  if (!is_new) return known->second;
+  const io::FileMaterial& written = material(slot);
+  if (written.alpha == io::AlphaMode::opaque) return nullptr;
+  const double least = least_opacity(written);
+  std::vector<bool> open;
+  if (written.opacity_picture)
+    for (const std::uint32_t cell : written.opacity_picture->cells)
+      open.push_back(written.opacity * static_cast<double>(cell >> 24) / 255.0 < least);
+  else
+    open.push_back(written.opacity < least);
+  if (std::find(open.begin(), open.end(), true) == open.end()) return nullptr;
+  known->second = std::make_shared<const materials::OpacityMap>(
+      picture_grid(written.opacity_picture.get(), written.opacity_wrap), std::move(open));
+  return known->second;
 }
 
 std::uint32_t FileColours::add_material(const std::string& name, const LinearRgb& colour,
@@ -297,7 +323,8 @@ std::shared_ptr<const materials::ClassMap> FileColours::classes(const io::FileMa
         "they take the nearest, which is a guess",
         100.0 * static_cast<double>(far) / static_cast<double>(numbers.size()), farthest);
   say(slot, written, more);
-  known = std::make_shared<const materials::ClassMap>(picture_grid(written), std::move(numbers));
+  known = std::make_shared<const materials::ClassMap>(picture_grid(written.picture.get(), written.wrap),
+                                                      std::move(numbers));
   return known;
 }
 

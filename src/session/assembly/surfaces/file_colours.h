@@ -23,6 +23,7 @@ namespace ifov::materials {
 class ClassMap;
 class ColourImage;
 struct MapGrid;
+class OpacityMap;
 }  // namespace ifov::materials
 namespace ifov::radiometry {
 class Spectrum;
@@ -58,6 +59,10 @@ class FileColours {
   /// Which of the colours of `source` stands where. Says how far the colours are from those of the file.
   std::shared_ptr<const materials::ClassMap> classes(const io::FileMaterials& source, const MeshSlot& slot);
 
+  /// Where the file says that the slot is not there; null: it has no holes. What is transparent in part counts as a hole where
+  /// more than half of the light comes through.
+  std::shared_ptr<const materials::OpacityMap> holes(const MeshSlot& slot);
+
   const std::vector<ColourGuess>& guesses() const { return guesses_; }
 
  private:
@@ -78,6 +83,7 @@ class FileColours {
   std::map<std::tuple<const io::Picture*, int, int>, std::shared_ptr<const materials::ColourImage>> images_;
   std::map<std::string, Surface> surfaces_;
   std::map<std::string, std::shared_ptr<const materials::ClassMap>> classes_;
+  std::map<std::string, std::shared_ptr<const materials::OpacityMap>> holes_;
   std::map<const io::FileMaterials*, std::shared_ptr<const radiometry::Spectrum>> beyond_;
   std::vector<std::string> said_;
   std::vector<ColourGuess> guesses_;

@@ -4,7 +4,10 @@
 #include <filesystem>
 
 #include "core/overloaded.h"
+#include "io/document/opacity_document.h"
+#include "materials/opacity_map.h"
 #include "materials/relief_map.h"
+#include "materials/texture_map.h"
 #include "sampling/hash.h"
 #include "session/assembly/shared/with_position.h"
 
@@ -26,8 +29,11 @@ materials::MapGrid TextureAssembly::grid(const io::RasterDocument& source, const
   return grid;
 }
 
-materials::TextureMap::Image TextureAssembly::image(const io::TextureImage& source,
-                                                    const std::string& material) {
+struct TextureAssembly::Image {
+  materials::TextureMap::Image map;
+};
+
+TextureAssembly::Image TextureAssembly::image(const io::TextureImage& source, const std::string& material) {
   return with_position(sources_, source.raster.file.position, [&] {
     const io::Raster& raster = read(source.raster);
     const std::string& path = source.raster.file.path;
@@ -52,7 +58,7 @@ materials::TextureMap::Image TextureAssembly::image(const io::TextureImage& sour
         log_->warn(format("texture '{}' of material '{}': {} cells hold no number and take the mean", name,
                           material, scores.unknown));
     }
-    return materials::TextureMap::Image{grid(source.raster, raster), std::move(scores.scores)};
+    return Image{{grid(source.raster, raster), std::move(scores.scores)}};
   });
 }
 
@@ -65,7 +71,7 @@ std::shared_ptr<const materials::TextureMap> TextureAssembly::texture(
   std::vector<materials::TextureMap::Image> images;
   for (const io::TextureImage& one : source.texture->images) {
     ranges.push_back({one.from_um, one.to_um});
-    images.push_back(image(one, source.name));
+    images.push_back(image(one, source.name).map);
   }
   with_position(sources_, source.texture->position, [&] {
     const auto distance = source.texture->covariance ? materials::CurveMatcher::Distance::covariance
@@ -103,6 +109,28 @@ std::shared_ptr<const materials::ReliefMap> TextureAssembly::relief(std::size_t 
   std::shared_ptr<const materials::ReliefMap>& shared = reliefs_[material];
   const io::ReliefDocument& source = *written_[material].relief;
   if (!shared) with_position(sources_, source.position, [&] { shared = read_relief(source); });
+  return shared;
+}
+
+std::shared_ptr<const materials::OpacityMap> TextureAssembly::holes(std::size_t material) {
+  const std::shared_ptr<const io::OpacityDocument>& source = written_[material].opacity;
+  if (!source) return nullptr;
+  std::shared_ptr<const materials::OpacityMap>& shared = holes_[material];
+  if (shared) return shared;
+  with_position(sources_, source->raster.file.position, [&] {
+    const io::Raster& raster = read(source->raster);
+    std::vector<bool> open;
+    for (const float number : band_of(raster, source->band, source->raster.file.path))
+      open.push_back((raster.nodata && number == static_cast<float>(*raster.nodata)) ||
+                     !(static_cast<double>(number) >= source->cutoff));
+    shared = std::make_shared<const materials::OpacityMap>(grid(source->raster, raster), std::move(open));
+  });
+  const double share = shared->open_share();
+  if (log_ != nullptr && (share == 0.0 || share == 1.0))
+    log_->warn(format("opacity map '{}' of material '{}': {} of its cells is below {:g}, so that {}",
+                      std::filesystem::path(source->raster.file.path).filename().string(),
+                      written_[material].name, share == 0.0 ? "none" : "each", source->cutoff,
+                      share == 0.0 ? "it has no holes" : "nothing of it is there"));
   return shared;
 }
 

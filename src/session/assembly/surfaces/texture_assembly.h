@@ -8,7 +8,6 @@
 
 #include "core/run_control.h"
 #include "io/document/scene_document.h"
-#include "materials/texture_map.h"
 #include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/map_scale.h"
 #include "session/assembly/shared/raster_assembly.h"
@@ -17,12 +16,17 @@ namespace ifov::io {
 struct DocumentSources;
 }
 namespace ifov::materials {
+class OpacityMap;
 class ReliefMap;
+class TextureMap;
+}  // namespace ifov::materials
+namespace ifov::radiometry {
+class Spectrum;
 }
 
 namespace ifov::session {
 
-/// Makes the textures and reliefs of materials, each once, and knows every map of the scene. Keeps all references; `seed` tells
+/// Makes the textures, reliefs and opacity maps of materials, each once, and knows every map of the scene. Keeps all references; `seed` tells
 /// textures of the same numbers apart; `log` may be null.
 class TextureAssembly {
  public:
@@ -35,6 +39,8 @@ class TextureAssembly {
   std::shared_ptr<const materials::TextureMap> texture(std::size_t material,
                                                        const std::vector<radiometry::Spectrum>& curves);
   std::shared_ptr<const materials::ReliefMap> relief(std::size_t material);
+  /// Null where it has no holes.
+  std::shared_ptr<const materials::OpacityMap> holes(std::size_t material);
 
   const io::Raster& read(const io::RasterDocument& source) { return rasters_.read(source.file.path); }
   /// Where a raster lies; takes note of the size of its cells.
@@ -42,7 +48,8 @@ class TextureAssembly {
   const std::vector<MapScale>& map_scales() const { return scales_; }
 
  private:
-  materials::TextureMap::Image image(const io::TextureImage& source, const std::string& material);
+  struct Image;
+  Image image(const io::TextureImage& source, const std::string& material);
   std::shared_ptr<const materials::ReliefMap> read_relief(const io::ReliefDocument& source);
 
   const io::DocumentSources& sources_;
@@ -53,6 +60,7 @@ class TextureAssembly {
   RasterStore rasters_;
   std::map<std::size_t, std::shared_ptr<const materials::TextureMap>> textures_;
   std::map<std::size_t, std::shared_ptr<const materials::ReliefMap>> reliefs_;
+  std::map<std::size_t, std::shared_ptr<const materials::OpacityMap>> holes_;
   std::vector<MapScale> scales_;
 };
 
