@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "io/document/detector_document.h"
 #include "io/document/document_values.h"
 #include "io/document/spectrum_document.h"
 
@@ -55,6 +56,13 @@ struct ChannelDocument {
   std::optional<double> noise_k;          ///< or noise-equivalent temperature difference at 300 K
   std::optional<PolarizerDocument> polarizer = {};
   std::optional<RetarderDocument> retarder = {};
+  std::optional<SnrDocument> snr = {};            ///< or a ratio, in place of the noise
+  std::optional<DetectorDocument> detector = {};  ///< what it has of its own
+
+  /// The key that says its noise without physics; null: none does.
+  const char* noise_key() const {
+    return noise ? "noise" : noise_k ? "noise_temperature" : snr ? "snr" : nullptr;
+  }
 };
 
 struct NoPsf {};
@@ -78,6 +86,8 @@ struct SensorDocument {
   SourcePosition psf_position;
   bool stokes = false;       ///< Q, U and V are told beside I
   double fill_factor = 1.0;  ///< sensitive share of an element's area, a centred square
+  std::optional<OpticsDocument> optics;
+  std::optional<DetectorDocument> detector;
   SourcePosition position;
 };
 
