@@ -48,6 +48,7 @@ class Assembly {
     ChannelDetector made;
     made.optics = optics();
     made.figures = figures(made.optics);
+    made.photons_per_radiance = photons_per_radiance(made.optics);
     made.reference_w_m2_sr_um = reference();
     check(made.figures);
     return made;
@@ -115,13 +116,21 @@ class Assembly {
                       document_.dark_current);
   }
 
+  Spectrum throughput() const {
+    const auto& written = sensor_.optics->throughput;
+    return written ? spectrum(*written, "throughput") : Spectrum::constant(1.0);
+  }
+
+  double photons_per_radiance(const sensor::ElementOptics& optics) const {
+    return sensor::electrons_per_radiance(optics, response_, throughput(), Spectrum::constant(1.0));
+  }
+
   void add_light(const sensor::ElementOptics& optics, sensor::Detector& figures) const {
     if (!document_.quantum_efficiency)
       fail("the detector has no quantum efficiency: give it 'quantum_efficiency'");
     const io::OpticsDocument& written = *sensor_.optics;
     const Spectrum efficiency = spectrum(*document_.quantum_efficiency, "quantum efficiency");
-    const Spectrum through =
-        written.throughput ? spectrum(*written.throughput, "throughput") : Spectrum::constant(1.0);
+    const Spectrum through = throughput();
     with_position(sources_, channel_.position, [&] {
       figures.electrons_per_radiance = sensor::electrons_per_radiance(optics, response_, through, efficiency);
       if (written.temperature_k)

@@ -20,6 +20,7 @@ namespace ifov::session {
 struct ChannelDetector {
   sensor::Detector figures;  ///< does not exist() where neither sensor nor channel have a 'detector'
   sensor::ElementOptics optics;
+  double photons_per_radiance = 0.0;  ///< as electrons_per_radiance with a quantum efficiency of 1
   double reference_w_m2_sr_um = 0.0;  ///< the radiance for which noise is told as one number
 };
 
