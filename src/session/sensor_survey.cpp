@@ -5,6 +5,7 @@
 #include "core/overloaded.h"
 #include "ifov/sensor.h"
 #include "io/document/cameras/camera_settings.h"
+#include "io/document/detector_document.h"
 #include "io/document/scene_document.h"
 #include "io/document/sensor_document.h"
 #include "render/image_info.h"

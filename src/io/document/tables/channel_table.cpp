@@ -5,7 +5,9 @@
 
 #include "core/format.h"
 #include "core/overloaded.h"
+#include "io/document/detector_document.h"
 #include "io/document/schema/record.h"
+#include "io/document/schema/shared_target.h"
 #include "io/document/sensor_document.h"
 #include "io/document/tables/tables.h"
 
@@ -26,8 +28,8 @@ struct ChannelEntry {
   std::optional<double> noise_k;
   std::optional<PolarizerDocument> polarizer;
   std::optional<RetarderDocument> retarder;
-  std::optional<SnrDocument> snr;
-  std::optional<DetectorDocument> detector;
+  std::shared_ptr<const SnrDocument> snr;
+  std::shared_ptr<const DetectorDocument> detector;
 };
 
 SchemaType<double> wavelength() { return quantity(kWavelength, Range::above(0.0, "um")); }
@@ -177,11 +179,11 @@ SchemaType<ChannelEntry> entry_type() {
       .one("noise_temperature", &ChannelEntry::noise_k,
            quantity(kTemperatureDifference, Range::above(0.0, "K")),
            "the same as a temperature difference of a black surface of 300 K (NEdT)")
-      .one("snr", &ChannelEntry::snr, snr_type(), "the same as a signal-to-noise ratio at a radiance")
+      .one("snr", shared(&ChannelEntry::snr), snr_type(), "the same as a signal-to-noise ratio at a radiance")
       .optional("polarizer", &ChannelEntry::polarizer, polarizer_type(),
                 "what stands before it; the channel's radiance is what is let through")
       .optional("retarder", &ChannelEntry::retarder, retarder_type(), "what stands before the polarizer")
-      .optional("detector", &ChannelEntry::detector, detector_type(),
+      .optional("detector", shared(&ChannelEntry::detector), detector_type(),
                 "what its detector has of its own, in place of the sensor's");
   return record.type();
 }

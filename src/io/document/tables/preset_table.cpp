@@ -1,3 +1,4 @@
+#include "io/document/detector_document.h"
 #include "io/document/schema/schema_type.h"
 #include "io/document/sensor_document.h"
 #include "io/document/tables/tables.h"
@@ -19,7 +20,8 @@ ChannelDocument channel_of(const PresetBand& band, const SourcePosition& positio
   else
     channel.response = TopHatChannel{band.a_um, band.b_um};
   if (band.snr > 0.0)
-    channel.snr = SnrDocument{band.snr, radiance(band.at_w_m2_sr_um, position)};
+    channel.snr =
+        std::make_shared<const SnrDocument>(SnrDocument{band.snr, radiance(band.at_w_m2_sr_um, position)});
   else if (band.at_k == PresetBand::kUsual_k)
     channel.noise_k = band.nedt_k;
   else if (band.nedt_k > 0.0)

@@ -1,4 +1,6 @@
+#include "io/document/detector_document.h"
 #include "io/document/schema/record.h"
+#include "io/document/schema/shared_target.h"
 #include "io/document/sensor_document.h"
 #include "io/document/tables/tables.h"
 
@@ -62,8 +64,9 @@ SchemaType<SensorDocument> sensor_type() {
           "their errors")
       .with_default("fill_factor", &SensorDocument::fill_factor, fraction({0.0, 1.0, true, false, {}}), "1",
                     "sensitive share of a detector element's area, a centred square")
-      .optional("optics", &SensorDocument::optics, optics_type(), "what light passes, for a `detector`")
-      .optional("detector", &SensorDocument::detector, detector_type(),
+      .optional("optics", shared(&SensorDocument::optics), optics_type(),
+                "what light passes, for a `detector`")
+      .optional("detector", shared(&SensorDocument::detector), detector_type(),
                 "how light becomes electrons and counts: for `ifov detect`, and errors in shares of noise");
   return record.type();
 }

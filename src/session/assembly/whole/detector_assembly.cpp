@@ -5,6 +5,7 @@
 
 #include "core/overloaded.h"
 #include "io/document/cameras/camera_settings.h"
+#include "io/document/detector_document.h"
 #include "io/document/sensor_document.h"
 #include "radiometry/channel.h"
 #include "radiometry/solar_spectrum.h"
@@ -19,6 +20,11 @@ using radiometry::Spectrum;
 
 constexpr double kElementaryCharge_c = 1.602176634e-19;
 
+/// The key that says a channel's noise without physics; null: none does.
+const char* noise_key(const io::ChannelDocument& channel) {
+  return channel.noise ? "noise" : channel.noise_k ? "noise_temperature" : channel.snr ? "snr" : nullptr;
+}
+
 /// One channel's.
 class Assembly {
  public:
@@ -31,13 +37,13 @@ class Assembly {
   }
 
   ChannelDetector made() const {
-    if (channel_.noise_key() != nullptr)
+    if (noise_key(channel_) != nullptr)
       throw io::document_error(
           sources_, channel_.position,
           format(
               "channel '{}' states its noise by '{}', and its noise also follows from the 'detector': leave one of "
               "the two out",
-              channel_.name, channel_.noise_key()));
+              channel_.name, noise_key(channel_)));
     if (response_.is_monochromatic())
       throw io::document_error(
           sources_, channel_.position,

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "io/document/detector_document.h"
 #include "io/document/sensor_document.h"
 #include "render/image_info.h"
 #include "session/assembly/shared/spectrum_assembly.h"
