@@ -80,7 +80,8 @@ class Drawing {
     signals_[c].draw(line, mean, slow, signal);
     for (std::size_t k = 0; k < cubes_.size(); ++k)
       append_detected(of, told_[k].quantity, cubes_[k]->header().data_type, signal, values[k]);
-    const double most = of.largest_signal() - 0.5 * of.gain;
+    // What is full reads less by read noise.
+    const double most = of.largest_signal() - 0.5 * of.gain - 4.0 * of.read_noise;
     return static_cast<std::uint64_t>(
         std::count_if(signal.begin(), signal.end(), [&](double one) { return one >= most; }));
   }
