@@ -11,12 +11,22 @@
 
 namespace ifov {
 
+/// What a detector's signal is told as.
+enum class DetectedQuantity {
+  radiance,  ///< W m-2 sr-1 um-1, float: as one who knows the mean response makes it of counts, or of the signal where none are made
+  electrons,  ///< float: the signal before it is digitised
+  counts,  ///< 16 or 32 bits without a sign; the header's "data gain values" and "data offset values" make radiance of them
+};
+
 struct DetectOptions {
   std::filesystem::path folder;  ///< of the cubes that are made; empty: that of the run
   std::uint64_t first_seed = 1;  ///< the same seed gives the same noise
   int realizations = 1;          ///< each with a seed one higher than the one before
-  std::optional<Document>
-      other;        ///< whose channels tell the noise; without it, the noise that the run's record tells
+  std::vector<DetectedQuantity> quantities = {DetectedQuantity::radiance};
+  /// Whose channels tell the noise; without it, what the run's record tells.
+  std::optional<Document> other;
+  /// Values in place of the document's that the record holds, as Document::read takes them; not beside `other`.
+  std::vector<std::string> set;
   int threads = 0;  ///< 0: all cores; the bytes do not depend on it
   const CancelToken* cancel = nullptr;
 };
@@ -25,16 +35,20 @@ struct DetectOptions {
 struct Detection {
   struct Channel {
     std::string name;
-    double noise = 0.0;  ///< its standard deviation, W m-2 sr-1 um-1; 0: none
+    double noise = 0.0;  ///< standard deviation, W m-2 sr-1 um-1, with a detector at its reference; 0: none
+    bool has_detector = false;
+    double saturated = 0.0;  ///< share of pixels, of all realizations
   };
   std::vector<Channel> channels;
-  std::vector<std::filesystem::path> cubes;  ///< NAME_noisy_SEED.img, one a realization
+  std::vector<std::filesystem::path>
+      cubes;  ///< NAME_noisy_SEED.img, NAME_electrons_SEED.img, NAME_counts_SEED.img
 };
 
-/// Adds what the sensor's noise makes of it to the radiance of a finished run, without a ray: normal, independent from pixel to
-/// pixel and channel to channel, of the standard deviation that channels tell ("noise", "noise_temperature"). `run`: a
-/// folder with one run record, or the record. Throws InputError, located, where no channel tells any or channels are not those of
-/// the run; SystemError for files; Cancelled.
+/// Draws what the sensor makes of the radiance of a finished run, without a ray: with a detector's physics where channels have one
+/// ("detector"), else normal noise, independent from pixel to pixel and channel to channel, of the standard deviation that channels
+/// state ("noise", "noise_temperature", "snr"). `run`: a folder with one run record, or the record. Throws InputError, located, where
+/// no channel tells any noise, electrons or counts are asked for that a channel does not make, or channels are not those of the run;
+/// SystemError for files; Cancelled.
 IFOV_API Detection detect(const std::filesystem::path& run, const DetectOptions& options);
 
 }  // namespace ifov

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 
+#include "cli/document_arguments.h"
 #include "cli/inputs_below.h"
 #include "cli/interrupt.h"
 #include "cli/run_commands.h"
@@ -12,6 +13,8 @@ namespace {
 
 struct DetectArguments {
   std::string run, document, output;
+  DocumentArguments input;
+  std::vector<DetectedQuantity> quantities = {DetectedQuantity::radiance};
   std::uint64_t seed = 1;
   int count = 1, threads = 0;
   bool quiet = false;
@@ -24,12 +27,22 @@ ExitCode detect(const DetectArguments& arguments) {
   options.realizations = arguments.count;
   options.threads = arguments.threads;
   options.cancel = &cancel_on_interrupt();
-  if (!arguments.document.empty()) options.other = Document::read(arguments.document);
+  options.quantities = arguments.quantities;
+  if (arguments.document.empty())
+    options.set = arguments.input.set;
+  else
+    options.other = arguments.input.read(arguments.document);
   const Detection detection = ifov::detect(arguments.run, options);
   if (arguments.quiet) return ExitCode::ok;
-  for (const Detection::Channel& channel : detection.channels)
-    say(channel.noise > 0.0 ? format("{:<16} noise {:.4g} W m-2 sr-1 um-1\n", channel.name, channel.noise)
-                            : format("{:<16} tells no noise, and gets none\n", channel.name));
+  for (const Detection::Channel& channel : detection.channels) {
+    std::string text = channel.noise > 0.0
+                           ? format("{:<16} noise {:.4g} W m-2 sr-1 um-1", channel.name, channel.noise)
+                           : format("{:<16} tells no noise, and gets none", channel.name);
+    if (channel.has_detector) text += " at the detector's reference";
+    if (channel.saturated > 0.0)
+      text += format("; {:.3g} % of pixels are saturated", 100.0 * channel.saturated);
+    say(text + "\n");
+  }
   for (const std::filesystem::path& cube : detection.cubes) say(cube.string() + "\n");
   return ExitCode::ok;
 }
@@ -48,6 +61,16 @@ Command add_detect_command(CLI::App& app) {
       ->capture_default_str();
   parser->add_option("--document", arguments->document,
                      "A document whose channels tell the noise, in place of the run's own");
+  arguments->input.add_to(*parser);
+  parser
+      ->add_option("--quantity", arguments->quantities,
+                   "What is written: radiance, electrons, counts, or several with commas between them")
+      ->delimiter(',')
+      ->transform(CLI::CheckedTransformer(
+          std::vector<std::pair<std::string, DetectedQuantity>>{{"radiance", DetectedQuantity::radiance},
+                                                                {"electrons", DetectedQuantity::electrons},
+                                                                {"counts", DetectedQuantity::counts}}))
+      ->default_str("radiance");
   parser->add_option("-o,--output", arguments->output, "Folder of the cubes, in place of the run's");
   parser->add_option("-j,--threads", arguments->threads, "Threads; 0: all cores")
       ->check(CLI::Range(0, 4096))
@@ -55,10 +78,12 @@ Command add_detect_command(CLI::App& app) {
   parser->add_flag("-q,--quiet", arguments->quiet, "Print nothing but errors");
   add_inputs_below(*parser);
   parser->footer(
-      "Channels tell their noise by 'noise' (NEdL) or 'noise_temperature' (NEdT at 300 K). No ray is traced.\n\n"
-      "Example:\n"
+      "Noise follows from the sensor's 'detector', or is stated by channels: 'noise' (NEdL), 'noise_temperature'\n"
+      "(NEdT at 300 K), 'snr'. No ray is traced.\n\n"
+      "Examples:\n"
       "  ifov render scene.json\n"
-      "  ifov detect scene.out --seed 7 --count 10");
+      "  ifov detect scene.out --seed 7 --count 10\n"
+      "  ifov detect scene.out --quantity counts,radiance --set sensor.detector.integration_time=\"2 ms\"");
   return {parser, [arguments] { return detect(*arguments); }};
 }
 

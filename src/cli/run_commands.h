@@ -8,5 +8,9 @@ namespace ifov::cli {
 Command add_status_command(CLI::App& app);
 Command add_merge_command(CLI::App& app);
 Command add_detect_command(CLI::App& app);
+/// `ifov sensor`: what follows of a document's sensor before a ray is cast.
+Command add_sensor_command(CLI::App& app);
+/// `ifov sensors`: instruments whose channels documents take by name.
+Command add_sensors_command(CLI::App& app);
 
 }  // namespace ifov::cli

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "render/tolerance/atmosphere_half_width.h"
+
+namespace ifov::sensor {
+struct Detector;
+}
 
 namespace ifov::render {
 
@@ -15,6 +20,7 @@ struct ChannelInfo {
   double fwhm_um = 0.0;
   std::optional<AtmosphereHalfWidth> air = {};  ///< where the atmosphere knows its error
   double noise = 0.0;  ///< standard deviation of the sensor's noise as a radiance; 0: none is told
+  std::shared_ptr<const sensor::Detector> detector = {};  ///< of which that is the noise; null: none
 };
 
 /// What every product says of itself.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "math/normal.h"
 #include "sampling/hash.h"
+#include "sensor/detector/keyed_normals.h"
 
 namespace ifov::sensor {
 namespace {
@@ -20,12 +20,7 @@ void Noise::add(int line, int band, double standard_deviation, std::span<float> 
   std::array<double, kAtOnce> normal;
   for (std::size_t first = 0; first < values.size(); first += kAtOnce) {
     const std::size_t count = std::min(kAtOnce, values.size() - first);
-    // The middles of 2^52 equal parts: never 0 and never 1.
-    for (std::size_t k = 0; k < count; ++k)
-      normal[k] =
-          (static_cast<double>(static_cast<std::int64_t>(sampling::mix(key + first + k) >> 12)) + 0.5) *
-          0x1p-52;
-    math::normal_quantiles(std::span(normal).first(count));
+    keyed_normals(key, first, std::span(normal).first(count));
     for (std::size_t k = 0; k < count; ++k)
       values[first + k] =
           static_cast<float>(static_cast<double>(values[first + k]) + standard_deviation * normal[k]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <span>
 
@@ -8,10 +9,11 @@
 
 namespace ifov::session {
 
-/// An ENVI cube of floats, band-interleaved by line, that is made line by line in any order; whole or not at all.
+/// An ENVI cube of floats or whole numbers without a sign, band-interleaved by line, that is made line by line in any order; whole or not at all.
 class LineCube {
  public:
-  /// PATH and PATH.hdr. Of the header, what the cube itself decides on is set here.
+  /// PATH and PATH.hdr. Of the header, what the cube itself decides on is set here; values are floats unless it has a type without a
+  /// sign.
   LineCube(const std::filesystem::path& path, io::EnviHeader header);
   /// Removes what was not published.
   ~LineCube();
@@ -24,6 +26,8 @@ class LineCube {
 
   /// Whole lines from `first` on, [line][band][sample]. From any thread.
   void write(int first, std::span<const float> lines);
+  /// Bytes of a line from a band on, [band][sample]. From any thread.
+  void write(int line, int first_band, std::span<const std::byte> values);
   /// Waits until all is on the disk, and gives it its name.
   void publish();
 

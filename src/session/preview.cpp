@@ -20,7 +20,6 @@
 #include "sampling/hash.h"
 #include "sensor/camera.h"
 #include "session/loaded/parts.h"
-#include "session/session.h"
 
 namespace ifov::session {
 namespace {
@@ -135,8 +134,7 @@ class Painter {
 
 }  // namespace
 
-Preview make_preview(const Session& session, const PreviewOptions& options) {
-  const Parts& parts = session.parts();
+Preview make_preview(const Parts& parts, const PreviewOptions& options) {
   Painter painter(parts, options);
   painter.paint();
   const int width = parts.camera->width_px(), height = parts.camera->height_px();

@@ -4,9 +4,9 @@
 
 namespace ifov::session {
 
-class Session;
+struct Parts;
 
 /// One path after another at each pixel, coarse first. Throws Cancelled.
-Preview make_preview(const Session& session, const PreviewOptions& options);
+Preview make_preview(const Parts& parts, const PreviewOptions& options);
 
 }  // namespace ifov::session

@@ -102,7 +102,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   p.polarimetry = assemble_polarimetry(document.sensor);
   if (p.polarimetry) check_polarized(document.sources, document.scene, p.scene);
   p.camera = assemble_camera(document.sources, document.sensor.camera, document.scene.origin, *p.scene.world);
-  p.plan = assemble_sampling(document.sources, document.sampling, document.sensor.channels, p.channels);
+  p.plan = assemble_sampling(document.sources, document.sampling, document.sensor, p.channels);
   check_image_size(document.sources, document.sampling,
                    static_cast<std::int64_t>(p.camera->width_px()) * p.camera->height_px());
   p.assumed_surroundings =
@@ -138,8 +138,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   p.make_tolerance();
   warn_of_atmosphere_errors(p, *log);
   p.info = image_info(document.scene.origin, *p.camera, p.channels, p.scene, p.map_offset_m);
-  const std::vector<double> noise = assemble_noise(document.sources, document.sensor.channels, p.channels);
-  for (std::size_t c = 0; c < noise.size(); ++c) p.info.channels[c].noise = noise[c];
+  tell_noise(document.sources, document.sensor, p.channels, p.info.channels);
   p.info.stokes = document.sensor.stokes;
   p.info.footprint_px = sampling::response_area_px(*p.footprint);
   for (std::size_t c = 0; c < p.air.size(); ++c) p.info.channels[c].air = p.air[c];

@@ -23,6 +23,7 @@ WARM = f"""{{
   "output": {{"formats": ["envi"]}}
 }}
 """
+NO_NOISE = "no channel tells the sensor's noise: give the sensor a 'detector', or channels 'noise' (NEdL), 'noise_temperature' (NEdT) or 'snr'"
 NOISELESS = WARM.replace(', "noise_temperature": "0.05 K"', "").replace(', "noise": "0.002 W m-2 sr-1 um-1"', "")
 
 
@@ -115,10 +116,9 @@ class Detect(unittest.TestCase):
         for arguments, text in (
             (["warm.json"], "expected a folder of products or a run record (NAME_run.json); found 'warm.json'"),
             (["nothing"], "there is no 'nothing'"),
-            (["noiseless.out"], "noiseless.out/image_run.json: no channel tells the sensor's noise: give channels 'noise' (NEdL) or "
-             "'noise_temperature' (NEdT); or name another document whose channels do"),
+            (["noiseless.out"], "noiseless.out/image_run.json: " + NO_NOISE + "; or name another document whose channels do"),
             (["warm.out", "--document", "noiseless.json"],
-             "noiseless.json:7:7: no channel tells the sensor's noise: give channels 'noise' (NEdL) or 'noise_temperature' (NEdT)"),
+             "noiseless.json:7:7: " + NO_NOISE),
             (["warm.out", "--document", "shifted.json"],
              "warm.out/image_radiance.img: band 1 is at 10 um, channel 'thermal' of shifted.json at 10.1 um; expected the same channels in the same order (within 0.001 um)"),
             (["warm.out", "--document", "fewer.json"],

@@ -78,7 +78,9 @@ TEST_F(SessionTest, AccuracyInUnitsOfTheNoise) {
     limits("");
     FAIL() << "a channel without noise was taken";
   } catch (const InputError& error) {
-    expect_in("channel 'hot' has none above 0: give it 'noise' or 'noise_temperature'", error.what());
+    expect_in(
+        "channel 'hot' has none above 0: give it 'noise', 'noise_temperature' or 'snr', or the sensor a 'detector'",
+        error.what());
     expect_in("noise.json:4:", error.what());
   }
 }

@@ -12,6 +12,9 @@
 namespace ifov::io {
 
 class CameraSettings;
+struct DetectorDocument;
+struct OpticsDocument;
+struct SnrDocument;
 
 struct CameraDocument {
   std::string model;                               ///< its key
@@ -55,6 +58,8 @@ struct ChannelDocument {
   std::optional<double> noise_k;          ///< or noise-equivalent temperature difference at 300 K
   std::optional<PolarizerDocument> polarizer = {};
   std::optional<RetarderDocument> retarder = {};
+  std::shared_ptr<const SnrDocument> snr = {};            ///< or a ratio, in place of the noise; null: none
+  std::shared_ptr<const DetectorDocument> detector = {};  ///< what it has of its own; null: nothing
 };
 
 struct NoPsf {};
@@ -76,8 +81,10 @@ struct SensorDocument {
   std::vector<ChannelDocument> channels;  ///< at least one; names are unique
   std::variant<NoPsf, GaussianPsf, AiryPsf, KernelPsf> psf;
   SourcePosition psf_position;
-  bool stokes = false;       ///< Q, U and V are told beside I
-  double fill_factor = 1.0;  ///< sensitive share of an element's area, a centred square
+  bool stokes = false;                           ///< Q, U and V are told beside I
+  double fill_factor = 1.0;                      ///< sensitive share of an element's area, a centred square
+  std::shared_ptr<const OpticsDocument> optics;  ///< null: none is told; likewise
+  std::shared_ptr<const DetectorDocument> detector;  ///< (detector_document.h)
   SourcePosition position;
 };
 

@@ -5,6 +5,7 @@
 #include "io/json/json_writer.h"
 #include "io/product_parts/acquisition_json.h"
 #include "io/product_parts/map_info.h"
+#include "sensor/detector/detector.h"
 
 namespace ifov::io {
 namespace {
@@ -64,6 +65,12 @@ void write_air(JsonWriter& json, const render::AtmosphereHalfWidth& air) {
 void write_channel(JsonWriter& json, const render::ChannelInfo& channel, const ChannelStatistics& s) {
   if (channel.air) json.object("air_half_width", [&] { write_air(json, *channel.air); });
   json.member("centre_um", channel.centre_um);
+  if (channel.detector)
+    json.object("detector", [&] {
+      for (const sensor::DetectorFigure& figure : sensor::detector_figures())
+        if (const double value = (*channel.detector).*figure.value; value != 0.0)
+          json.member(figure.name, value);
+    });
   json.member("fwhm_um", channel.fwhm_um);
   json.member("largest_half_width", s.largest_half_width);
   json.member("maximum", s.maximum);

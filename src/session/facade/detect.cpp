@@ -6,7 +6,9 @@
 #include "core/call_scope.h"
 #include "core/error.h"
 #include "ifov/products.h"
+#include "io/files/inputs.h"
 #include "io/products/envi_reader.h"
+#include "sensor/detector/detector.h"
 #include "session/cube_channels.h"
 #include "session/facade/access.h"
 #include "session/facade/document_inside.h"
@@ -23,20 +25,55 @@ std::vector<render::ChannelInfo> channels_of(const Document& document) {
   const auto& inside = FacadeAccess::inside(document);
   const Call call{inside.inputs};
   const CallScope scope(call);
-  return session::noisy_channels(inside.document.sources, inside.document.sensor.channels);
+  return session::noisy_channels(inside.document.sources, inside.document.sensor);
+}
+
+/// None where none is told.
+std::shared_ptr<const sensor::Detector> detector_of(const session::Record& told) {
+  if (!told.is_there()) return nullptr;
+  auto detector = std::make_shared<sensor::Detector>();
+  for (const sensor::DetectorFigure& figure : sensor::detector_figures())
+    (*detector).*figure.value = told[figure.name].number();
+  return detector->exists() ? detector : nullptr;
 }
 
 std::vector<render::ChannelInfo> channels_of(const std::filesystem::path& record) {
   std::vector<render::ChannelInfo> channels;
   bool any = false;
-  for (const RunInfo::Channel& channel : run_info(record).channels) {
-    channels.push_back({channel.name, channel.centre_um, channel.fwhm_um, {}, channel.noise});
-    any = any || channel.noise > 0.0;
+  const session::RunRecordFile file(record);
+  for (const session::Record& channel : file.root()["channels"].items()) {
+    channels.push_back({channel["name"].text(""),
+                        channel["centre_um"].number(),
+                        channel["fwhm_um"].number(),
+                        {},
+                        channel["noise"].number(),
+                        detector_of(channel["detector"])});
+    any = any || channels.back().noise > 0.0;
   }
   if (!any)
     throw InputError(
         format("{}: {}; or name another document whose channels do", record.string(), session::kNoNoise));
   return channels;
+}
+
+/// The document whose channels tell the noise; none: the record's own figures.
+std::optional<Document> document_of(const std::filesystem::path& record, const DetectOptions& options) {
+  if (options.set.empty()) return options.other;
+  if (options.other)
+    throw InputError(
+        "values to set go with the document that the run's record holds, or into the other document");
+  const RunInfo run = run_info(record);
+  const std::filesystem::path written = run.document;
+  return Document::parse(run.document_text, written.filename().string(), written.parent_path(), options.set);
+}
+
+const char* word_of(DetectedQuantity quantity) {
+  switch (quantity) {
+    case DetectedQuantity::radiance: return "noisy";
+    case DetectedQuantity::electrons: return "electrons";
+    case DetectedQuantity::counts: return "counts";
+  }
+  return "noisy";
 }
 
 }  // namespace
@@ -47,30 +84,43 @@ Detection detect(const std::filesystem::path& run, const DetectOptions& options)
   if (options.threads < 0)
     throw InputError(format("threads: {} was asked for; 0 takes all cores", options.threads));
   const std::filesystem::path record = record_of(run);
-  const std::vector<render::ChannelInfo> channels =
-      options.other ? channels_of(*options.other) : channels_of(record);
+  const std::optional<Document> other = document_of(record, options);
+  const std::vector<render::ChannelInfo> channels = other ? channels_of(*other) : channels_of(record);
   std::string name = record.filename().string();
   name.resize(name.size() - kRecordEnding.size());
   const io::EnviReader radiance(record.parent_path() / (name + "_radiance.img"));
   session::require_channels(radiance, channels, render::ImageInfo().radiance_unit,
-                            options.other ? options.other->name() : record.string());
+                            other ? other->name() : record.string());
+  for (const DetectedQuantity quantity : options.quantities)
+    session::require_quantity(quantity, channels, other ? other->name() : record.string());
 
   Detection detection;
   for (const render::ChannelInfo& channel : channels)
-    detection.channels.push_back({channel.name, channel.noise});
+    detection.channels.push_back({channel.name, channel.noise, channel.detector != nullptr});
   const std::filesystem::path folder = options.folder.empty() ? record.parent_path() : options.folder;
   const std::uint64_t bytes = 4 * static_cast<std::uint64_t>(radiance.header().samples) *
                               static_cast<std::uint64_t>(radiance.header().lines) *
                               static_cast<std::uint64_t>(radiance.header().bands);
-  io::require_space(folder, bytes * static_cast<std::uint64_t>(options.realizations));
+  io::require_space(folder,
+                    bytes * static_cast<std::uint64_t>(options.realizations) * options.quantities.size());
+  const double pixels =
+      static_cast<double>(options.realizations) * radiance.header().samples * radiance.header().lines;
   std::future<void> publishing;  // of one cube, while the next is made
   for (int k = 0; k < options.realizations; ++k) {
     const std::uint64_t seed = options.first_seed + static_cast<std::uint64_t>(k);
-    detection.cubes.push_back(folder / format("{}_noisy_{}.img", name, seed));
-    auto cube = session::noisy_cube(radiance, channels, seed, detection.cubes.back(), options.threads,
-                                    options.cancel);
+    std::vector<session::DetectedCube> cubes;
+    for (const DetectedQuantity quantity : options.quantities) {
+      cubes.push_back({quantity, folder / format("{}_{}_{}.img", name, word_of(quantity), seed)});
+      detection.cubes.push_back(cubes.back().path);
+    }
+    session::Realization made =
+        session::realize(radiance, channels, seed, cubes, options.threads, options.cancel);
+    for (std::size_t c = 0; c < channels.size(); ++c)
+      detection.channels[c].saturated += static_cast<double>(made.saturated[c]) / pixels;
     if (publishing.valid()) publishing.get();
-    publishing = std::async(std::launch::async, [made = std::move(cube)] { made->publish(); });
+    publishing = std::async(std::launch::async, [all = std::move(made.cubes)] {
+      for (const auto& cube : all) cube->publish();
+    });
   }
   if (publishing.valid()) publishing.get();
   return detection;

@@ -109,7 +109,7 @@ Forecast Simulation::forecast(const RenderOptions& options) const {
 
 Preview Simulation::preview(const PreviewOptions& options) const {
   require_threads(options.threads);
-  return session::make_preview(inside_->session, options);
+  return session::make_preview(inside_->session.parts(), options);
 }
 
 std::vector<RayHit> Simulation::cast(std::span<const std::array<double, 3>> origins_m,

@@ -4,17 +4,19 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "render/image_info.h"
 
 namespace ifov {
 class CancelToken;
-}
+enum class DetectedQuantity;
+}  // namespace ifov
 namespace ifov::io {
-struct ChannelDocument;
-struct DocumentSources;
 class EnviReader;
+struct DocumentSources;
+struct SensorDocument;
 }  // namespace ifov::io
 
 namespace ifov::session {
@@ -22,15 +24,31 @@ namespace ifov::session {
 class LineCube;
 
 inline constexpr const char* kNoNoise =
-    "no channel tells the sensor's noise: give channels 'noise' (NEdL) or 'noise_temperature' (NEdT)";
+    "no channel tells the sensor's noise: give the sensor a 'detector', or channels 'noise' (NEdL), 'noise_temperature' (NEdT) or "
+    "'snr'";
 
 /// Channels with the noise that they tell. InputError where none tells any.
 std::vector<render::ChannelInfo> noisy_channels(const io::DocumentSources& sources,
-                                                std::span<const io::ChannelDocument> written);
+                                                const io::SensorDocument& sensor);
 
-/// A cube of radiance with one realization of the noise, which is there once it is published.
-std::unique_ptr<LineCube> noisy_cube(const io::EnviReader& radiance,
-                                     std::span<const render::ChannelInfo> channels, std::uint64_t seed,
-                                     const std::filesystem::path& to, int threads, const CancelToken* cancel);
+/// A cube that one realization is told in.
+struct DetectedCube {
+  DetectedQuantity quantity;
+  std::filesystem::path path;
+};
+
+/// InputError, naming a channel, where one does not make the quantity. `document` is whose channels they are.
+void require_quantity(DetectedQuantity quantity, std::span<const render::ChannelInfo> channels,
+                      const std::string& document);
+
+struct Realization {
+  std::vector<std::unique_ptr<LineCube>> cubes;  ///< there once they are published
+  std::vector<std::uint64_t> saturated;          ///< pixels, by channel
+};
+
+/// One realization of what the channels make of a cube of radiance, in as many cubes as are asked for.
+Realization realize(const io::EnviReader& radiance, std::span<const render::ChannelInfo> channels,
+                    std::uint64_t seed, std::span<const DetectedCube> cubes, int threads,
+                    const CancelToken* cancel);
 
 }  // namespace ifov::session

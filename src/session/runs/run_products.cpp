@@ -61,7 +61,8 @@ RunSummary RunProducts::finish(const Progress& totals, const sampling::ReasonCou
   if (one_value_.holds()) {
     const char* const empty =
         "All pixels hold the same value in every channel: is what is meant in the picture?";
-    outcome.accuracy_statement += (outcome.accuracy_statement.empty() ? "" : " ") + std::string(empty);
+    if (!outcome.accuracy_statement.empty()) outcome.accuracy_statement += ' ';
+    outcome.accuracy_statement += empty;
   }
   outcome.detection_statement = detection_.statement();
   outcome.notes = plan_.notes;

@@ -114,7 +114,7 @@ double SceneRenderer::render(const io::SamplingDocument& sampling, const Choices
   const session::Session::Parts& parts = session_.parts();
   const io::Document& document = parts.document;
   const session::SamplingPlan plan =
-      session::assemble_sampling(document.sources, sampling, document.sensor.channels, parts.channels);
+      session::assemble_sampling(document.sources, sampling, document.sensor, parts.channels);
   const std::unique_ptr<render::AccuracyTolerance> tolerance = parts.tolerance_of(plan);
   render::RenderJob job = parts.job(plan, tolerance.get());
   job.tile_px = choices.tile_px;

@@ -1,10 +1,13 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "core/format.h"
 #include "core/overloaded.h"
+#include "io/document/detector_document.h"
 #include "io/document/schema/record.h"
+#include "io/document/schema/shared_target.h"
 #include "io/document/sensor_document.h"
 #include "io/document/tables/tables.h"
 
@@ -25,6 +28,8 @@ struct ChannelEntry {
   std::optional<double> noise_k;
   std::optional<PolarizerDocument> polarizer;
   std::optional<RetarderDocument> retarder;
+  std::shared_ptr<const SnrDocument> snr;
+  std::shared_ptr<const DetectorDocument> detector;
 };
 
 SchemaType<double> wavelength() { return quantity(kWavelength, Range::above(0.0, "um")); }
@@ -174,9 +179,12 @@ SchemaType<ChannelEntry> entry_type() {
       .one("noise_temperature", &ChannelEntry::noise_k,
            quantity(kTemperatureDifference, Range::above(0.0, "K")),
            "the same as a temperature difference of a black surface of 300 K (NEdT)")
+      .one("snr", shared(&ChannelEntry::snr), snr_type(), "the same as a signal-to-noise ratio at a radiance")
       .optional("polarizer", &ChannelEntry::polarizer, polarizer_type(),
                 "what stands before it; the channel's radiance is what is let through")
-      .optional("retarder", &ChannelEntry::retarder, retarder_type(), "what stands before the polarizer");
+      .optional("retarder", &ChannelEntry::retarder, retarder_type(), "what stands before the polarizer")
+      .optional("detector", shared(&ChannelEntry::detector), detector_type(),
+                "what its detector has of its own, in place of the sensor's");
   return record.type();
 }
 
@@ -215,8 +223,12 @@ class ChannelEntries {
  public:
   ChannelEntries(const std::vector<ChannelDocument>& channels, Writing& writing) : channels_(channels) {
     const SchemaType<SpectrumDocument> noise = spectrum_type(SpectrumOf::radiance);
+    const SchemaType<SnrDocument> snr = snr_type();
+    const SchemaType<DetectorDocument> detector = detector_type();
     for (const ChannelDocument& channel : channels)
-      noises_.push_back(channel.noise ? noise.write(*channel.noise, writing) : std::nullopt);
+      sensors_.push_back({channel.noise ? noise.write(*channel.noise, writing) : std::nullopt,
+                          channel.snr ? snr.write(*channel.snr, writing) : std::nullopt,
+                          channel.detector ? detector.write(*channel.detector, writing) : std::nullopt});
   }
 
   std::vector<ChannelEntry> all() const {
@@ -244,6 +256,8 @@ class ChannelEntries {
     entry.noise_k = channels_[k].noise_k;
     entry.polarizer = channels_[k].polarizer;
     entry.retarder = channels_[k].retarder;
+    entry.snr = channels_[k].snr;
+    entry.detector = channels_[k].detector;
     return entry;
   }
 
@@ -258,7 +272,7 @@ class ChannelEntries {
     for (; end < channels_.size(); ++end) {
       const double step_um = centre(from + 1) - centre(from);
       const double expected_um = centre(from) + static_cast<double>(end - from) * step_um;
-      if (!(std::abs(centre(end) - expected_um) <= kSame * centre(end)) || noises_[end] != noises_[from] ||
+      if (!(std::abs(centre(end) - expected_um) <= kSame * centre(end)) || sensors_[end] != sensors_[from] ||
           channels_[end].noise_k != channels_[from].noise_k ||
           channels_[end].polarizer != channels_[from].polarizer ||
           channels_[end].retarder != channels_[from].retarder ||
@@ -269,7 +283,7 @@ class ChannelEntries {
   }
 
   const std::vector<ChannelDocument>& channels_;
-  std::vector<Written> noises_;
+  std::vector<std::array<Written, 3>> sensors_;  // noise, ratio and detector of each
 };
 
 }  // namespace
@@ -293,7 +307,7 @@ SchemaType<std::vector<ChannelDocument>> channels_type() {
                                          : series           ? format("{} {}", entry.name, own)
                                                             : entry.name;
                 channels.push_back({name, std::move(response), entry.position, entry.noise, entry.noise_k,
-                                    entry.polarizer, entry.retarder});
+                                    entry.polarizer, entry.retarder, entry.snr, entry.detector});
               }
             }
             return channels;

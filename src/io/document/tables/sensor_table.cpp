@@ -1,4 +1,6 @@
+#include "io/document/detector_document.h"
 #include "io/document/schema/record.h"
+#include "io/document/schema/shared_target.h"
 #include "io/document/sensor_document.h"
 #include "io/document/tables/tables.h"
 
@@ -37,7 +39,13 @@ SchemaType<PsfEntry> psf_type() {
 SchemaType<SensorDocument> sensor_type() {
   Record<SensorDocument> record("sensor", "What measures.");
   record.required("camera", &SensorDocument::camera, camera_type(), "geometry of the image")
-      .required("channels", &SensorDocument::channels, channels_type(), "spectral channels")
+      .exactly_one()
+      .one("channels", &SensorDocument::channels, channels_type(), "spectral channels")
+      .one("preset", only_read([](SensorDocument& sensor, std::vector<ChannelDocument> channels) {
+             sensor.channels = std::move(channels);
+           }),
+           preset_type(),
+           "instead: the channels of an instrument and their noise, as published; `ifov sensors` lists them")
       .optional("psf",
                 via(
                     [](SensorDocument& sensor, PsfEntry entry) {
@@ -55,7 +63,11 @@ SchemaType<SensorDocument> sensor_type() {
           "whether the Stokes vector of light is told, about the axes of the focal plane: products `stokes`, `dolp`, `aop` and "
           "their errors")
       .with_default("fill_factor", &SensorDocument::fill_factor, fraction({0.0, 1.0, true, false, {}}), "1",
-                    "sensitive share of a detector element's area, a centred square");
+                    "sensitive share of a detector element's area, a centred square")
+      .optional("optics", shared(&SensorDocument::optics), optics_type(),
+                "what light passes, for a `detector`")
+      .optional("detector", shared(&SensorDocument::detector), detector_type(),
+                "how light becomes electrons and counts: for `ifov detect`, and errors in shares of noise");
   return record.type();
 }
 

@@ -27,7 +27,7 @@ render::ErrorUnit unit_of(io::ErrorSize::Unit unit) {
 
 struct Plan {
   const io::DocumentSources& sources;
-  std::span<const io::ChannelDocument> written;
+  const io::SensorDocument& sensor;
   const std::vector<radiometry::Channel>& channels;
 
   std::vector<int> judged(const io::DocumentName* channel) const {
@@ -39,16 +39,16 @@ struct Plan {
 
   /// Noise of every channel, W m-2 sr-1 um-1. InputError at a judged channel that declares none.
   std::vector<double> noise(const std::vector<int>& judged) const {
-    std::vector<double> result = assemble_noise(sources, written, channels);
+    std::vector<double> result = assemble_noise(sources, sensor, channels);
     for (std::size_t c = 0; c < channels.size(); ++c) {
       const bool asked =
           judged.empty() || std::find(judged.begin(), judged.end(), static_cast<int>(c)) != judged.end();
       if (asked && !(result[c] > 0.0))
         throw io::document_error(
-            sources, written[c].position,
+            sources, sensor.channels[c].position,
             format("the accuracy is stated as a share of the sensor's noise, and channel '{}' has "
-                   "none above 0: give it 'noise' or 'noise_temperature'",
-                   written[c].name));
+                   "none above 0: give it 'noise', 'noise_temperature' or 'snr', or the sensor a 'detector'",
+                   sensor.channels[c].name));
     }
     return result;
   }
@@ -82,9 +82,9 @@ struct Plan {
 }  // namespace
 
 SamplingPlan assemble_sampling(const io::DocumentSources& sources, const io::SamplingDocument& sampling,
-                               std::span<const io::ChannelDocument> written,
+                               const io::SensorDocument& sensor,
                                const std::vector<radiometry::Channel>& channels) {
-  const Plan assemble{sources, written, channels};
+  const Plan assemble{sources, sensor, channels};
   const io::SamplerSettings& settings = *sampling.method;
   SamplingPlan plan;
   plan.sampler = settings.build();

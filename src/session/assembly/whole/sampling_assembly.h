@@ -12,7 +12,7 @@
 #include "sampling/pixel_sampler.h"
 
 namespace ifov::io {
-struct ChannelDocument;
+struct SensorDocument;
 struct DocumentSources;
 struct SamplingDocument;
 }  // namespace ifov::io
@@ -30,9 +30,9 @@ struct SamplingPlan {
   std::vector<int> steering_channels;
 };
 
-/// `written`: the channels as the document has them, whose noise an accuracy may be stated by.
+/// `sensor`: an accuracy may be stated by its noise.
 SamplingPlan assemble_sampling(const io::DocumentSources& sources, const io::SamplingDocument& sampling,
-                               std::span<const io::ChannelDocument> written,
+                               const io::SensorDocument& sensor,
                                const std::vector<radiometry::Channel>& channels);
 
 /// Fails where an image of so many pixels has too few for what is asked of it as a whole.

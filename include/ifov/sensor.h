@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ifov/document.h"
+
+namespace ifov {
+
+/// What follows of a document's sensor before a ray is cast.
+struct SensorDescription {
+  int width_px = 0, height_px = 0;
+  std::optional<double> gsd_m;     ///< where the middle of the image meets z = 0
+  std::optional<double> swath_m;   ///< between the ends of the middle line, on z = 0
+  double ifov_rad = 0.0;           ///< of a pixel in the middle, across; 0 where rays are parallel
+  std::optional<double> f_number;  ///< of the optics
+
+  struct Channel {
+    std::string name;
+    double centre_um = 0.0, fwhm_um = 0.0;
+    double pixel_mtf = 0.0;         ///< at half a cycle a pixel: of the sensitive square
+    std::optional<double> psf_mtf;  ///< of the document's point spread function, where a formula tells it
+    std::optional<double> diffraction_mtf;  ///< of the optics' aperture at the centre of the channel
+    bool has_detector = false;
+    // With a detector, in one exposure at its reference:
+    double radiance = 0.0;  ///< W m-2 sr-1 um-1
+    double photons = 0.0;   ///< that meet the element through optics and channel
+    double electrons = 0.0, background = 0.0, dark = 0.0;
+    std::optional<double> well_share;  ///< of what can be told, by all electrons together
+    std::optional<double> snr;
+    // With any noise:
+    double nedl = 0.0;           ///< W m-2 sr-1 um-1; 0: no noise is told
+    std::optional<double> nedt;  ///< K, at the temperature of the radiance, or at 300 K
+    std::optional<double> nedt_at_k;
+  };
+  std::vector<Channel> channels;
+};
+
+/// Formulas: docs/theory/detectors.md. Neither scene nor atmosphere is loaded: a nadir camera whose height follows from the scene stands on
+/// z = 0. Throws InputError, located; SystemError for files of responses and spectra.
+IFOV_API SensorDescription describe_sensor(const Document& document);
+
+/// An instrument whose published channels a document takes by name ("preset").
+struct SensorPresetInfo {
+  std::string name, about;
+  std::vector<std::string> sources;  ///< with licences
+  int bands = 0;
+  std::string document;  ///< its channels as a document's part, JSON
+};
+IFOV_API std::vector<SensorPresetInfo> sensor_preset_list();
+/// By its name, letters compared without case. Throws InputError, naming near misses.
+IFOV_API SensorPresetInfo find_sensor_preset(const std::string& name);
+
+}  // namespace ifov

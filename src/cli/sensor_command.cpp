@@ -1,0 +1,97 @@
+#include <CLI/CLI.hpp>
+
+#include "cli/document_arguments.h"
+#include "cli/inputs_below.h"
+#include "cli/run_commands.h"
+#include "cli/terminal/say.h"
+#include "core/format.h"
+#include "ifov/sensor.h"
+
+namespace ifov::cli {
+namespace {
+
+void say_camera(const SensorDescription& sensor) {
+  std::string text = format("{} x {} pixels", sensor.width_px, sensor.height_px);
+  if (sensor.gsd_m) text += format(", GSD {:.4g} m", *sensor.gsd_m);
+  if (sensor.swath_m) text += format(", swath {:.5g} m", *sensor.swath_m);
+  if (sensor.ifov_rad > 0.0) text += format(", IFOV {:.4g} urad", 1e6 * sensor.ifov_rad);
+  if (sensor.f_number) text += format(", f/{:.3g}", *sensor.f_number);
+  say(text + "\n");
+}
+
+void say_channel(const SensorDescription::Channel& channel) {
+  const auto line = [](const char* name, const std::string& text) {
+    say(format("  {:<12} {}\n", name, text));
+  };
+  say(format("{}: {:.5g} um, {:.4g} um wide\n", channel.name, channel.centre_um, channel.fwhm_um));
+  std::string mtf = format("pixel {:.3f}", channel.pixel_mtf);
+  if (channel.psf_mtf) mtf += format(", document's PSF {:.3f}", *channel.psf_mtf);
+  if (channel.diffraction_mtf) mtf += format(", diffraction {:.3f}", *channel.diffraction_mtf);
+  line("MTF at 1/2", mtf);
+  if (channel.has_detector) {
+    line("radiance", format("{:.4g} W m-2 sr-1 um-1", channel.radiance));
+    line("photons", format("{:.4g}", channel.photons));
+    line("electrons", format("{:.4g}, of warm optics {:.4g}, of dark current {:.4g}", channel.electrons,
+                             channel.background, channel.dark));
+    if (channel.well_share) line("filled", format("{:.3g} %", 100.0 * *channel.well_share));
+    if (channel.snr) line("SNR", format("{:.4g}", *channel.snr));
+  }
+  if (channel.nedl > 0.0) line("NEdL", format("{:.4g} W m-2 sr-1 um-1", channel.nedl));
+  if (channel.nedt) line("NEdT", format("{:.4g} K at {:.4g} K", *channel.nedt, *channel.nedt_at_k));
+}
+
+ExitCode list_presets(const std::string& name) {
+  if (!name.empty()) {
+    const SensorPresetInfo preset = find_sensor_preset(name);
+    std::string text = format("// {}: {}\n", preset.name, preset.about);
+    for (const std::string& source : preset.sources) text += format("// {}\n", source);
+    say(text + preset.document);
+    return ExitCode::ok;
+  }
+  for (const SensorPresetInfo& preset : sensor_preset_list()) {
+    say(format("{} ({} bands): {}\n", preset.name, preset.bands, preset.about));
+    for (const std::string& source : preset.sources) say(format("    {}\n", source));
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Command add_sensor_command(CLI::App& app) {
+  struct Arguments {
+    std::string document;
+    DocumentArguments input;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* parser = app.add_subcommand("sensor", "Say what follows of a document's sensor, without a ray");
+  parser->add_option("FILE", arguments->document, "The document")->required();
+  arguments->input.add_to(*parser);
+  add_inputs_below(*parser);
+  parser->footer(
+      "GSD, swath and IFOV where the middle of the image meets z = 0; by channel the MTF at half a cycle a pixel, and with a\n"
+      "'detector' photons, electrons, how full the well is, SNR, NEdL and NEdT, of one exposure at the detector's 'reference'.\n\n"
+      "Examples:\n"
+      "  ifov sensor scene.json\n"
+      "  ifov sensor scene.json --set sensor.detector.reference='{\"reflectance\": 0.3, \"sun_zenith\": \"40 deg\"}'");
+  return {parser, [arguments] {
+            const SensorDescription sensor = describe_sensor(arguments->input.read(arguments->document));
+            say_camera(sensor);
+            for (const SensorDescription::Channel& channel : sensor.channels) say_channel(channel);
+            return ExitCode::ok;
+          }};
+}
+
+Command add_sensors_command(CLI::App& app) {
+  auto name = std::make_shared<std::string>();
+  CLI::App* parser = app.add_subcommand(
+      "sensors", "List instruments whose channels are known, or print one as a document's part");
+  parser->add_option("NAME", *name, "The instrument; without it all are listed with their sources");
+  parser->footer(
+      "A document takes one by its name: \"sensor\": {\"preset\": \"Landsat 8 TIRS\", \"camera\": ...}\n\n"
+      "Examples:\n"
+      "  ifov sensors\n"
+      "  ifov sensors \"Landsat 8 TIRS\" > tirs.json");
+  return {parser, [name] { return list_presets(*name); }};
+}
+
+}  // namespace ifov::cli

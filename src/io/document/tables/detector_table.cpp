@@ -1,0 +1,193 @@
+#include <cmath>
+
+#include "core/format.h"
+#include "io/document/detector_document.h"
+#include "io/document/schema/record.h"
+#include "io/document/tables/tables.h"
+
+namespace ifov::io {
+namespace {
+
+using Detector = DetectorDocument;
+
+SchemaType<double> share() { return fraction(Range::between(0.0, 1.0)); }
+SchemaType<double> electrons() { return quantity(kElectrons, Range::at_least(0.0, "e-")); }
+SchemaType<double> current() { return quantity(kDarkCurrent, Range::at_least(0.0, "e-/s")); }
+
+SchemaType<Rule07Document> rule_07_type() {
+  Record<Rule07Document> inner(
+      "Rule 07",
+      "Dark current of HgCdTe photodiodes, of the whole area of an element (Tennant et al. 2008).");
+  inner
+      .required("cutoff", &Rule07Document::cutoff_um, quantity(kWavelength, Range::between(1.0, 30.0, "um")),
+                "wavelength at which the response ends")
+      .required("temperature", &Rule07Document::temperature_k,
+                quantity(kTemperature, Range::between(10.0, 400.0, "K")), "of the detector");
+  struct Holder {
+    Rule07Document rule;
+  };
+  Record<Holder> record("dark current", "Dark current that follows from a rule.");
+  record.required("rule_07", &Holder::rule, inner.type(), "of HgCdTe photodiodes");
+  return converted<Rule07Document>(
+      record.type(), [](const Holder& holder) { return holder.rule; },
+      [](const Rule07Document& rule) { return Holder{rule}; });
+}
+
+using DarkCurrent = decltype(Detector::dark_current);
+
+SchemaType<DarkCurrent> dark_current_type() {
+  return either(converted<DarkCurrent>(
+                    current(), [](double e_s) { return DarkCurrent(e_s); },
+                    [](const DarkCurrent& dark) { return target::as<double>(dark); }),
+                converted<DarkCurrent>(
+                    rule_07_type(), [](Rule07Document rule) { return DarkCurrent(rule); },
+                    [](const DarkCurrent& dark) { return target::as<Rule07Document>(dark); }));
+}
+
+SchemaType<HotElementsDocument> hot_type() {
+  Record<HotElementsDocument> record("hot elements",
+                                     "Elements whose dark current is another, at places by chance.");
+  record.required("share", &HotElementsDocument::share, share(), "of all elements")
+      .required("dark_current", &HotElementsDocument::dark_current_e_s, current(), "theirs");
+  return record.type();
+}
+
+SchemaType<ReferenceDocument> reference_type() {
+  Record<ReferenceDocument> record("reference", "The light that noise is told of as one number.");
+  record.exactly_one()
+      .one("temperature", &ReferenceDocument::temperature_k, quantity(kTemperature, Range::above(0.0, "K")),
+           "a black surface")
+      .one("reflectance", &ReferenceDocument::reflectance, share(),
+           "a diffuse surface under the Sun at 1 au, without air")
+      .one("radiance", &ReferenceDocument::radiance, spectrum_type(SpectrumOf::radiance), "a radiance")
+      .with_default("sun_zenith", &ReferenceDocument::sun_zenith_rad,
+                    quantity(kAngle, {0.0, 90.0, false, true, "deg"}), "\"0 deg\"",
+                    "zenith angle of that Sun")
+      .needs("sun_zenith", "reflectance");
+  return record.type();
+}
+
+void add_patterns(Record<Detector>& record) {
+  record
+      .optional("prnu", &Detector::prnu, share(),
+                "standard deviation of the response from element to element, a share of it")
+      .optional("dsnu", &Detector::dsnu, electrons(),
+                "standard deviation of the signal in darkness from element to element")
+      .optional("row_gain", &Detector::row_gain, share(),
+                "the same of what all elements of a row of the image share: of the response")
+      .optional("row_offset", &Detector::row_offset, electrons(), "and of the signal in darkness")
+      .optional("column_gain", &Detector::column_gain, share(), "of columns: of the response")
+      .optional("column_offset", &Detector::column_offset, electrons(), "and of the signal in darkness")
+      .optional("dead", &Detector::dead, share(), "share of elements that answer no light")
+      .optional("hot", &Detector::hot, hot_type(), "elements whose dark current is another")
+      .optional(
+          "specimen", &Detector::specimen, integer(0, 1000000000),
+          "which of all detectors that are made alike: fixed patterns and faults follow from it, and not from the "
+          "seed of the noise; 1 if not given");
+}
+
+}  // namespace
+
+SchemaType<OpticsDocument> optics_type() {
+  Record<OpticsDocument> record(
+      "optics",
+      "What light passes on its way to the detector. Of aperture, focal length and f-number two say the third.");
+  const SchemaType<double> length = quantity(kLength, Range::above(0.0, "m"));
+  record.optional("aperture", &OpticsDocument::aperture_m, length, "diameter of the entrance pupil")
+      .optional("focal_length", &OpticsDocument::focal_length_m, length,
+                "focal length; a 'frame' camera has said it already")
+      .optional("f_number", &OpticsDocument::f_number, number(Range::between(0.5, 1000.0)),
+                "focal length over aperture")
+      .with_default("obscuration", &OpticsDocument::obscuration, fraction({0.0, 1.0, false, true, {}}), "0",
+                    "diameter of what stands in the middle of the aperture, over the aperture's")
+      .optional("throughput", &OpticsDocument::throughput, spectrum_type(SpectrumOf::fraction),
+                "share of light that is let through, beside the channel's response; 1 if not given")
+      .optional(
+          "temperature", &OpticsDocument::temperature_k, quantity(kTemperature, Range::above(0.0, "K")),
+          "of the optics, whose own emission falls on the detector; they emit nothing if it is not given")
+      .optional("emissivity", &OpticsDocument::emissivity, spectrum_type(SpectrumOf::fraction),
+                "of the optics; what `throughput` leaves of 1 if not given")
+      .needs("emissivity", "temperature")
+      .check([](const OpticsDocument& optics, const DocumentNode& node) {
+        if (!optics.aperture_m || !optics.focal_length_m || !optics.f_number) return;
+        constexpr double kAlike = 0.01;
+        const double follows = *optics.focal_length_m / *optics.aperture_m;
+        if (std::abs(*optics.f_number / follows - 1.0) > kAlike)
+          node.given("f_number")
+              .fail(format(
+                  "optics.f_number is {:g}, and focal length and aperture make {:.4g}: leave one of the three out",
+                  *optics.f_number, follows));
+      });
+  return record.type();
+}
+
+SchemaType<DetectorDocument> detector_type() {
+  Record<Detector> record(
+      "detector",
+      "Detector elements: how light becomes electrons and counts. What a channel's own `detector` says counts before the sensor's.");
+  record
+      .optional(
+          "pitch", &Detector::pitch_m, quantity(kLength, Range::above(0.0, "m")),
+          "side of an element, of which the sensor's `fill_factor` is sensitive; a 'frame' camera has said it already")
+      .optional("integration_time", &Detector::integration_time_s,
+                quantity(kDuration, Range::above(0.0, "s")), "for which light is collected")
+      .optional("quantum_efficiency", &Detector::quantum_efficiency, spectrum_type(SpectrumOf::fraction),
+                "electrons per photon, beside the channel's response")
+      .optional("dark_current",
+                via([](Detector& detector, DarkCurrent dark) { detector.dark_current = dark; },
+                    [](const Detector& detector) {
+                      return std::holds_alternative<std::monostate>(detector.dark_current)
+                                 ? std::nullopt
+                                 : std::optional(detector.dark_current);
+                    }),
+                dark_current_type(), "of an element, or a rule; none if not given")
+      .optional("read_noise", &Detector::read_noise, electrons(),
+                "standard deviation of what reading adds; none if not given")
+      .optional(
+          "one_over_f", &Detector::one_over_f, number(Range::between(0.0, 0.5)),
+          "frequency, in cycles a line of the image, below which the read noise of a column is more 1/f than white")
+      .needs("one_over_f", "read_noise")
+      .optional("full_well", &Detector::full_well, quantity(kElectrons, Range::above(0.0, "e-")),
+                "electrons that an element holds; what comes on top is lost")
+      .optional("nonlinearity", &Detector::nonlinearity, fraction({0.0, 0.5, false, true, {}}),
+                "share of the signal that is missing at the full well, growing with the signal")
+      .optional("bits", &Detector::bits, integer(1, 32), "of a count; signals stay electrons if not given")
+      .optional("gain", &Detector::gain, quantity(kGain, Range::above(0.0, "e-/count")),
+                "electrons a count; if not given, the largest count is the full well")
+      .optional("offset", &Detector::offset, number(Range::between(0.0, 4e9)),
+                "counts without any electron; 0 if not given");
+  add_patterns(record);
+  record.optional(
+      "reference", &Detector::reference, reference_type(),
+      "the light for which noise is told as one number: by the record, and for errors in shares of noise; a black surface of "
+      "300 K if not given");
+  return record.type();
+}
+
+SchemaType<SnrDocument> snr_type() {
+  Record<SnrDocument> record("signal to noise", "Noise as a ratio.");
+  record
+      .required("ratio", &SnrDocument::ratio, number(Range::above(0.0)),
+                "of a radiance to the noise's standard deviation")
+      .required("radiance", &SnrDocument::radiance, spectrum_type(SpectrumOf::radiance), "that radiance");
+  return record.type();
+}
+
+DetectorDocument DetectorDocument::under(const DetectorDocument& other) const {
+  DetectorDocument both = other;
+  const auto keep = [&](auto member) {
+    if (!(both.*member)) both.*member = this->*member;
+  };
+  if (std::holds_alternative<std::monostate>(both.dark_current)) both.dark_current = dark_current;
+  keep(&DetectorDocument::pitch_m), keep(&DetectorDocument::integration_time_s);
+  keep(&DetectorDocument::quantum_efficiency), keep(&DetectorDocument::read_noise);
+  keep(&DetectorDocument::one_over_f), keep(&DetectorDocument::full_well);
+  keep(&DetectorDocument::nonlinearity), keep(&DetectorDocument::bits), keep(&DetectorDocument::gain);
+  keep(&DetectorDocument::offset), keep(&DetectorDocument::prnu), keep(&DetectorDocument::row_gain);
+  keep(&DetectorDocument::column_gain), keep(&DetectorDocument::dsnu), keep(&DetectorDocument::row_offset);
+  keep(&DetectorDocument::column_offset), keep(&DetectorDocument::dead), keep(&DetectorDocument::hot);
+  keep(&DetectorDocument::specimen), keep(&DetectorDocument::reference);
+  return both;
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace ifov::sensor {
+
+/// What a detector element makes of one channel's radiance in one exposure: all that follows from optics, detector and the channel's
+/// response, in electrons where nothing else is said. Symbols and equations are those of docs/theory/detectors.md. A struct of plain
+/// figures, so that the record of a run can hold it.
+struct Detector {
+  double electrons_per_radiance = 0.0;  ///< k, per W m-2 sr-1 um-1 (1); 0: none, the channel has no detector
+  double background = 0.0;              ///< of the optics' own emission (2)
+  double dark = 0.0;                    ///< of the dark current
+  double read_noise = 0.0;              ///< standard deviation
+  double one_over_f = 0.0;    ///< corner of the read noise's spectrum, cycles a line (6); 0: it is white
+  double full_well = 0.0;     ///< 0: it holds any number
+  double nonlinearity = 0.0;  ///< share that is missing at the full well (4)
+  double gain = 0.0;          ///< electrons a count; 0: nothing is digitised
+  double offset = 0.0;        ///< counts without any electron
+  double bits = 0.0;          ///< of the counts; 0: nothing is digitised
+  double prnu = 0.0;          ///< spread of the response from element to element, a share of it
+  double dsnu = 0.0;          ///< spread of the signal in darkness likewise
+  double row_gain = 0.0;      ///< spread of what all elements of a row share, of the response
+  double row_offset = 0.0;    ///< and of the signal in darkness
+  double column_gain = 0.0;   ///< likewise of columns
+  double column_offset = 0.0;
+  double dead_share = 0.0;  ///< share of elements that answer no light
+  double hot_share = 0.0;   ///< share of elements whose dark current is another
+  double hot_dark = 0.0;    ///< electrons of theirs, in place of `dark`
+  double specimen =
+      1.0;  ///< which of all detectors made alike: fixed patterns follow from it (a whole number)
+
+  bool exists() const { return electrons_per_radiance > 0.0; }
+  bool digitises() const { return bits > 0.0; }
+  bool has_pattern() const;
+  /// The largest count.
+  double largest_count() const;
+
+  /// Mean of the electrons that are collected, of an element without faults (3); what saturation would leave of them is not looked at.
+  double mean_electrons(double radiance_w_m2_sr_um) const;
+  /// The radiance that so many make where nothing is noisy: the inverse.
+  double radiance_w_m2_sr_um(double electrons) const;
+  /// Variance of the signal from exposure to exposure, electrons squared (5): of photons, dark current, read noise and rounding. What
+  /// is fixed and what drifts (1/f) is not in it.
+  double variance(double radiance_w_m2_sr_um) const;
+  /// Its standard deviation as a radiance: NEdL.
+  double noise_w_m2_sr_um(double radiance_w_m2_sr_um) const;
+
+  /// The count of a signal; 0 of what is not a number.
+  double count(double signal) const;
+  /// The signal that a count stands for.
+  double signal_of_count(double count) const { return (count - offset) * gain; }
+  /// The largest signal that can be told, of the full well or of the counts; infinite where there is neither.
+  double largest_signal() const;
+};
+
+/// One of Detector's figures by the name that records give it.
+struct DetectorFigure {
+  const char* name;
+  double Detector::*value;
+};
+std::span<const DetectorFigure> detector_figures();
+
+}  // namespace ifov::sensor

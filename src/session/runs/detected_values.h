@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/envi/envi_header.h"
+
+namespace ifov {
+enum class DetectedQuantity;
+}
+namespace ifov::render {
+struct ChannelInfo;
+}
+namespace ifov::sensor {
+struct Detector;
+}
+
+namespace ifov::session {
+
+/// How the values of a quantity stand in a cube, and what its header says of them: `header` is that of the radiance.
+io::EnviHeader detected_header(io::EnviHeader header, DetectedQuantity quantity,
+                               std::span<const render::ChannelInfo> channels, const std::string& radiance,
+                               std::uint64_t seed);
+
+/// Appends signals, in electrons, as the quantity of a cube of such a type.
+void append_detected(const sensor::Detector& detector, DetectedQuantity quantity, io::EnviType type,
+                     std::span<const double> signal, std::vector<std::byte>& values);
+/// Appends radiance as it is.
+void append_values(std::span<const float> radiance, std::vector<std::byte>& values);
+
+}  // namespace ifov::session

@@ -1,0 +1,111 @@
+#include "session/sensor_survey.h"
+
+#include <cmath>
+
+#include "core/overloaded.h"
+#include "ifov/sensor.h"
+#include "io/document/cameras/camera_settings.h"
+#include "io/document/detector_document.h"
+#include "io/document/scene_document.h"
+#include "io/document/sensor_document.h"
+#include "render/image_info.h"
+#include "sensor/camera.h"
+#include "sensor/mtf.h"
+#include "session/assembly/shared/with_position.h"
+#include "session/assembly/whole/detector_assembly.h"
+#include "session/assembly/whole/noise_assembly.h"
+#include "session/assembly/whole/sensor_assembly.h"
+
+namespace ifov::session {
+namespace {
+
+constexpr double kNyquist = 0.5;
+
+/// Where a ray meets z = 0; nothing of one that does not look down at it.
+std::optional<math::Point3> on_ground(const math::Ray& ray) {
+  if (!(ray.direction.z < 0.0)) return std::nullopt;
+  return ray.origin_m + ray.direction * (-ray.origin_m.z / ray.direction.z);
+}
+
+void survey_camera(const sensor::Camera& camera, SensorDescription& told) {
+  told.width_px = camera.width_px(), told.height_px = camera.height_px();
+  told.gsd_m = camera.line_gsd_m(camera.middle_line_px());
+  told.ifov_rad = camera.ifov(camera.middle_line_px()).x_rad;
+  const auto left = on_ground(camera.ray({0.0, camera.middle_line_px()}));
+  const auto right = on_ground(camera.ray({static_cast<double>(camera.width_px()), camera.middle_line_px()}));
+  if (left && right) told.swath_m = math::length(*right - *left);
+}
+
+std::optional<double> psf_mtf(const io::SensorDocument& sensor) {
+  const auto optics = sensor.camera.settings->optics();
+  return std::visit(Overloaded{[](const io::NoPsf&) -> std::optional<double> { return 1.0; },
+                               [](const io::GaussianPsf& psf) -> std::optional<double> {
+                                 return sensor::gaussian_mtf(psf.sigma_px, kNyquist);
+                               },
+                               [&](const io::AiryPsf& psf) -> std::optional<double> {
+                                 if (!optics) return std::nullopt;
+                                 const double q_px = 1e-6 * psf.wavelength_um * optics->focal_length_m /
+                                                     (psf.aperture_m * optics->pitch_m);
+                                 return sensor::diffraction_mtf(q_px, 0.0, kNyquist);
+                               },
+                               [](const io::KernelPsf&) -> std::optional<double> { return std::nullopt; }},
+                    sensor.psf);
+}
+
+/// NEdT where the channel sees what is warm.
+void tell_nedt(const radiometry::Channel& channel, double at_k, SensorDescription::Channel& told) {
+  constexpr double kThermal_um = 2.5;
+  if (!(told.nedl > 0.0) || !(at_k > 0.0) || channel.centre_um < kThermal_um) return;
+  told.nedt = told.nedl / radiometry::channel_planck_slope_w_m2_sr_um_k(channel, at_k);
+  told.nedt_at_k = at_k;
+}
+
+void tell_detector(const ChannelDetector& detector, const radiometry::Channel& channel, double obscuration,
+                   double fill_factor, SensorDescription::Channel& told) {
+  const sensor::Detector& figures = detector.figures;
+  told.has_detector = true;
+  told.radiance = detector.reference_w_m2_sr_um;
+  told.photons = detector.photons_per_radiance * told.radiance;
+  told.electrons = figures.electrons_per_radiance * told.radiance;
+  told.background = figures.background, told.dark = figures.dark;
+  if (std::isfinite(figures.largest_signal()))
+    told.well_share = figures.mean_electrons(told.radiance) / figures.largest_signal();
+  if (told.radiance > 0.0) told.snr = told.radiance / told.nedl;
+  const double pitch_um = 1e6 * std::sqrt(detector.optics.area_m2 / fill_factor);
+  told.diffraction_mtf =
+      sensor::diffraction_mtf(channel.centre_um * detector.optics.f_number / pitch_um, obscuration, kNyquist);
+}
+
+}  // namespace
+
+SensorDescription survey_sensor(const io::DocumentSources& sources, const io::SensorDocument& sensor,
+                                const io::OriginDocument& origin) {
+  constexpr double kWarm_k = 300.0;
+  SensorDescription told;
+  const std::unique_ptr<sensor::Camera> camera = with_position(sources, sensor.camera.position, [&] {
+    return sensor.camera.settings->build({origin.offset_m, 0.0});
+  });
+  survey_camera(*camera, told);
+  const std::vector<radiometry::Channel> channels = assemble_channels(sources, sensor.channels);
+  const std::vector<ChannelDetector> detectors = assemble_detectors(sources, sensor, channels);
+  const std::vector<double> noise = assemble_noise(sources, sensor, channels);
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    SensorDescription::Channel& one = told.channels.emplace_back();
+    one.name = channels[c].name, one.centre_um = channels[c].centre_um, one.fwhm_um = channels[c].fwhm_um;
+    one.pixel_mtf = sensor::square_mtf(std::sqrt(sensor.fill_factor), kNyquist);
+    one.psf_mtf = psf_mtf(sensor);
+    one.nedl = noise[c];
+    if (!detectors[c].figures.exists()) {
+      tell_nedt(channels[c], kWarm_k, one);
+      continue;
+    }
+    told.f_number = detectors[c].optics.f_number;
+    tell_detector(detectors[c], channels[c], sensor.optics->obscuration, sensor.fill_factor, one);
+    tell_nedt(channels[c],
+              radiometry::channel_brightness_temperature_k(channels[c], detectors[c].reference_w_m2_sr_um),
+              one);
+  }
+  return told;
+}
+
+}  // namespace ifov::session

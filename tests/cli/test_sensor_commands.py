@@ -1,0 +1,148 @@
+"""`ifov sensor` and `ifov sensors`: what follows of a sensor, and instruments by name."""
+
+import csv
+import json
+import math
+import os
+import pathlib
+import re
+import unittest
+
+from program import Folder, run
+from test_detector import C, H, K, changed, integral, mean_radiance, text
+
+TRUTH = pathlib.Path(os.environ.get("IFOV_TRUTH", pathlib.Path(__file__).resolve().parents[3] / "shared/truth"))
+
+
+class Sensor(unittest.TestCase):
+    def told(self, document, *arguments):
+        with Folder(scene=document) as folder:
+            done = run("sensor", "scene.json", *arguments, cwd=folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done.stdout
+
+    def number(self, out, pattern):
+        found = re.search(pattern.replace("#", r"([0-9.e+-]+)"), out)
+        self.assertIsNotNone(found, out)
+        return float(found.group(1))
+
+    def test_a_thermal_camera_by_hand(self):
+        out = self.told(text())
+        self.assertIn("120 x 100 pixels, GSD 1 m, swath 120 m, f/2\n", out)
+        thermal = out[out.index("thermal:"):out.index("long:")]
+        throughput = 225e-12 * math.pi * (1 - 0.09) / 16
+        photons = throughput * 2e-4 * 0.8 * 1e-6 / (H * C) * integral(lambda um: um, 8, 9.5) * mean_radiance(8, 9.5, 300)
+        self.assertAlmostEqual(self.number(thermal, "photons +#") / photons, 1, delta=1e-3)
+        self.assertAlmostEqual(self.number(thermal, "electrons +#,") / photons / 0.7, 1, delta=1e-3)
+        electrons = 0.7 * photons + self.number(thermal, "optics #,") + self.number(thermal, "current #")
+        self.assertAlmostEqual(self.number(thermal, "filled +#") / (100 * electrons / 8e6), 1, delta=5e-3)
+        noise = math.sqrt(electrons + 400**2 + (8e6 / 16333)**2 / 12)
+        self.assertAlmostEqual(self.number(thermal, "SNR +#") / (0.7 * photons / noise), 1, delta=1e-3)
+        nedl = mean_radiance(8, 9.5, 300) / (0.7 * photons / noise)
+        self.assertAlmostEqual(self.number(thermal, "NEdL +#") / nedl, 1, delta=1e-3)
+        slope = mean_radiance(8, 9.5, 300.5) - mean_radiance(8, 9.5, 299.5)
+        self.assertAlmostEqual(self.number(thermal, "NEdT +# K at 300 K") / (nedl / slope), 1, delta=1e-3)
+        self.assertIn("pixel 0.637, document's PSF 1.000", thermal)
+
+    def test_another_light(self):
+        out = self.told(text(), "--set", 'sensor.detector.reference={"radiance": "20 W m-2 sr-1 um-1"}')
+        self.assertIn("radiance     20 W m-2 sr-1 um-1\n", out)
+        visible = text(sensor__channels=[{"name": "red", "top_hat": {"from": "0.6 um", "to": "0.7 um"}}],
+                       sensor__optics__temperature=None, sensor__detector__dark_current=None,
+                       sensor__detector__reference={"reflectance": 0.3, "sun_zenith": "60 deg"})
+        radiance = self.number(self.told(visible), "radiance +# W")
+        # Of the Sun some 1600 W m-2 um-1 there.
+        self.assertAlmostEqual(radiance / (0.3 * 0.5 * 1585 / math.pi), 1, delta=0.02)
+
+    def test_a_frame_camera_with_an_obscured_aperture(self):
+        camera = {"frame": {"focal_length": "100 mm", "pitch": "10 um", "pixels": [64, 8], "position": ["0 m", "0 m", "1000 m"], "attitude": {}}}
+        out = self.told(text(sensor__camera=camera, sensor__detector__pitch=None, sensor__optics={"aperture": "50 mm"},
+                             sensor__channels=[{"name": "a", "gaussian": {"center": "5 um", "fwhm": "0.1 um"}}]))
+        self.assertIn("64 x 8 pixels, GSD 0.1 m, swath 6.4 m, IFOV 100 urad, f/2\n", out)
+        # A clear aperture: q = 5 um * 2 / 10 um = 1, s = 1/2.
+        clear = 2 / math.pi * (math.acos(0.5) - 0.5 * math.sqrt(0.75))
+        self.assertAlmostEqual(self.number(out, "diffraction #"), clear, delta=5e-4)
+
+    def test_without_a_detector(self):
+        out = self.told(text(sensor__optics=None, sensor__detector=None, sensor__channels=[
+            {"name": "a", "top_hat": {"from": "10 um", "to": "11 um"}, "noise_temperature": "0.1 K"}, {"name": "b", "monochromatic": {"at": "0.5 um"}}]))
+        self.assertIn("NEdT         0.1 K at 300 K\n", out)
+        self.assertNotIn("electrons", out)
+
+    def test_mistakes_are_located(self):
+        with Folder(scene=text(sensor__optics=None)) as folder:
+            done = run("sensor", "scene.json", cwd=folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"^scene\.json:\d+:\d+: a detector needs the sensor's 'optics'")
+
+
+class Presets(unittest.TestCase):
+    def names(self):
+        return [line.split(" (")[0] for line in run("sensors").stdout.splitlines() if not line.startswith(" ")]
+
+    def test_every_preset_has_a_source_and_loads(self):
+        listed = run("sensors").stdout
+        self.assertGreaterEqual(len(self.names()), 7)
+        for name in self.names():
+            with self.subTest(name):
+                self.assertRegex(listed.split(f"{name} (")[1], r"^\d+ bands\): .*\n    .*Licence: ")
+                document = changed(sensor__optics=None, sensor__detector=None, sensor__channels=None)
+                document["sensor"]["preset"] = name.lower()
+                printed = run("sensors", name)
+                self.assertEqual((printed.returncode, printed.stderr), (0, ""))
+                part = json.loads("\n".join(line for line in printed.stdout.splitlines() if not line.startswith("//")))
+                written = changed(sensor__optics=None, sensor__detector=None, sensor__channels=part["sensor"]["channels"])
+                with Folder(named=json.dumps(document), written=json.dumps(written)) as folder:
+                    told = [run("sensor", f"{which}.json", cwd=folder) for which in ("named", "written")]
+                self.assertEqual([one.returncode for one in told], [0, 0], told[0].stderr + told[1].stderr)
+                self.assertEqual(told[0].stdout, told[1].stdout)
+
+    def test_nominal_bands_lie_where_the_responses_do(self):
+        if not (TRUTH / "sensors/expected_bands.csv").exists():
+            self.skipTest("no expected_bands.csv")
+        measured = {}
+        for row in csv.DictReader((TRUTH / "sensors/expected_bands.csv").open()):
+            measured.setdefault(row["sensor"], {})[row["band"]] = row
+        seen = 0
+        for name, of in (("Landsat 8 OLI", "L8_OLI"), ("Landsat 9 OLI-2", "L9_OLI"), ("Landsat 8 TIRS", "L8_TIRS"), ("MODIS", "Terra_MODIS"),
+                         ("Sentinel-2 MSI", "S2A_MSI_V4"), ("ASTER", "TERRA_ASTER_TIR")):
+            printed = run("sensors", name).stdout
+            part = json.loads("\n".join(line for line in printed.splitlines() if not line.startswith("//")))
+            for channel in part["sensor"]["channels"]:
+                row = measured[of].get(channel["name"]) or measured[of].get(channel["name"].lstrip("B"))
+                if row is None:
+                    continue
+                first, last = (float(channel["top_hat"][key].split()[0]) for key in ("from", "to"))
+                with self.subTest(f"{name} {channel['name']}"):
+                    self.assertLess(abs(0.5 * (first + last) - float(row["centroid_um"])), 0.25 * (last - first))
+                    self.assertLess(abs((last - first) / float(row["fwhm_um"]) - 1), 0.5)
+                seen += 1
+        self.assertGreater(seen, 30)
+
+    def test_noise_of_modis(self):
+        """Required NEdT at other temperatures than 300 K is a radiance: of band 33, 0.25 K at 260 K."""
+        document = changed(sensor__optics=None, sensor__detector=None, sensor__channels=None)
+        document["sensor"]["preset"] = "MODIS"
+        with Folder(scene=json.dumps(document)) as folder:
+            out = run("sensor", "scene.json", cwd=folder).stdout
+        nedl = float(re.search(r"^33: .*?NEdL +([0-9.e-]+)", out, re.M | re.S).group(1))
+        slope = mean_radiance(13.185, 13.485, 260.5) - mean_radiance(13.185, 13.485, 259.5)
+        self.assertAlmostEqual(nedl / (0.25 * slope), 1, delta=1e-3)
+        self.assertAlmostEqual(float(re.search(r"^1: .*?NEdL +([0-9.e-]+)", out, re.M | re.S).group(1)), 21.8 / 128, delta=1e-4)
+
+    def test_mistakes(self):
+        done = run("sensors", "Landsat 8 TIR")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("there is no preset 'Landsat 8 TIR'", done.stderr)
+        self.assertIn("Landsat 8 TIRS", done.stderr)
+        document = changed(sensor__optics=None, sensor__detector=None)
+        document["sensor"]["preset"] = "MODIS"
+        with Folder(both=json.dumps(document, indent=1), detector=json.dumps({**changed(sensor__channels=None), "sensor": {
+                **changed(sensor__channels=None)["sensor"], "preset": "Landsat 8 TIRS"}}, indent=1)) as folder:
+            both, detector = (run("check", f"{name}.json", cwd=folder) for name in ("both", "detector"))
+        self.assertRegex(both.stderr, r"^both\.json:\d+:\d+: .*'channels'")
+        self.assertIn("channel '10' states its noise by 'noise_temperature', and its noise also follows from the 'detector'", detector.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
