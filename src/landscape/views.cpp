@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/format.h"
+#include "io/document/aerosol_document.h"
 #include "io/document/cameras/frame_camera.h"
 #include "io/document/cameras/orthographic_camera.h"
 #include "io/document/document.h"
@@ -134,8 +135,10 @@ io::AtmosphereDocument clear_air(const ViewChoice& choice) {
   io::AtmosphereDocument atmosphere;
   atmosphere.modelled.emplace();
   atmosphere.modelled->description.air.model = choice.air;
-  atmosphere.modelled->description.aerosol.type = choice.haze;
-  atmosphere.modelled->description.aerosol.visibility_km = 23.0;
+  io::AerosolDocument haze;
+  haze.tables.type = choice.haze;
+  haze.tables.visibility_km = 23.0;
+  atmosphere.modelled->aerosol = std::make_shared<const io::AerosolDocument>(haze);
   return atmosphere;
 }
 

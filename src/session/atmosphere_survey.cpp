@@ -9,10 +9,12 @@
 #include "atmosphere/survey/survey_effects.h"
 #include "core/names.h"
 #include "geodesy/sun_position.h"
+#include "io/document/aerosol_document.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
 #include "math/angle.h"
 #include "scene/scene.h"
+#include "session/assembly/atmosphere/aerosol_assembly.h"
 #include "session/assembly/atmosphere/atmosphere_assembly.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/survey_stage.h"
@@ -56,7 +58,8 @@ std::pair<double, double> half_width(const radiometry::Channel& channel) {
 }
 
 std::vector<std::string> describe(const atmosphere::AtmosphereColumn& column,
-                                  const atmosphere::SensorGeometry& geometry, const scene::Scene& scene) {
+                                  const atmosphere::SensorGeometry& geometry, const scene::Scene& scene,
+                                  const io::AerosolDocument* aerosol) {
   const atmosphere::AtmosphereDescription& said = column.description();
   const atmosphere::Profile& profile = column.profile();
   std::vector<std::string> lines;
@@ -70,6 +73,10 @@ std::vector<std::string> describe(const atmosphere::AtmosphereColumn& column,
              1e3 * profile.column_atm_cm(atmosphere::Gas::o3), profile.of(atmosphere::Gas::co2).front()));
   if (column.aerosol().empty())
     lines.push_back("No aerosol.");
+  else if (aerosol != nullptr && aerosol->own)
+    lines.push_back(format(
+        "Haze of the document's own: {}. Aerosol in all: {:.3f} at 0.55 um.", haze_statement(*aerosol->own),
+        column.aerosol().thickness_550(profile.ground_km(), atmosphere::kTopOfAtmosphereKm)));
   else
     lines.push_back(
         format("Aerosol: {}, visibility {:.3g} km, optical thickness {:.3f} at 0.55 um.", said.aerosol.type,
@@ -144,7 +151,7 @@ io::AtmosphereReport survey_atmosphere(const io::Document& original, const Atmos
     const SurveyStage stage(document);
     check_channels(document.sources, document.sensor.channels, stage.channels);
     const atmosphere::AtmosphereColumn column =
-        assemble_column(*document.atmosphere.modelled, document.scene.origin);
+        assemble_column(document.sources, *document.atmosphere.modelled, document.scene.origin);
     io::AtmosphereReport report;
     report.geometry = sensor_geometry(document.sources, *document.atmosphere.modelled, document.sensor.camera,
                                       *stage.camera, stage.scene.sun, column.levels().altitude_km.front());
@@ -152,7 +159,8 @@ io::AtmosphereReport survey_atmosphere(const io::Document& original, const Atmos
       if (stage.scene.sun->is_moon) report.body = "Moon";
       report.sun_azimuth_rad = stage.scene.sun->azimuth_rad();
     }
-    report.description = describe(column, report.geometry, stage.scene);
+    report.description =
+        describe(column, report.geometry, stage.scene, document.atmosphere.modelled->aerosol.get());
     const radiometry::Spectrum sunlight =
         stage.scene.sun ? stage.scene.sun->irradiance : radiometry::Spectrum();
 

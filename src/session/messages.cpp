@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "geometry/world.h"
+#include "io/document/aerosol_document.h"
 #include "io/document/document.h"
 #include "io/run_state/run_plan.h"
 #include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
+#include "session/assembly/atmosphere/aerosol_assembly.h"
 #include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/map_scale.h"
 #include "session/atmosphere_messages.h"
@@ -118,6 +120,15 @@ std::vector<std::string> notes(const Parts& parts) {
   if (!parts.air.empty()) {
     lines.push_back(atmosphere_error_note(parts.air));
     lines.push_back(model_error_note(parts.air, parts.channels));
+    const auto& modelled = parts.document.atmosphere.modelled;
+    if (modelled && modelled->aerosol && modelled->aerosol->own)
+      lines.push_back(
+          format("haze: the document's own, {}; {}, and the error of the model "
+                 "of the air is that of gases and of haze of the tables: how far this haze is from the "
+                 "air it does not know",
+                 haze_statement(*modelled->aerosol->own),
+                 modelled->aerosol->own->mie ? "it polarizes light as spheres do"
+                                             : "light that it scatters is not polarized"));
   }
   for (const std::string& line :
        scale_statements(parts.map_scales, ground_sample_m(*parts.camera, *parts.scene.world)))

@@ -102,6 +102,14 @@ Parts imported(const std::string& files) {
           .more = R"(, "atmosphere": {"imported": {)" + files + "}}"};
 }
 
+/// Air with haze of the document's own.
+Parts modelled(const std::string& haze) {
+  return {.sky = R"("surroundings": {"reflectance": 0.2})",
+          .more = R"(, "atmosphere": {"profile": "US standard 1976", "aerosol": {"optical_depth": 0.3,
+               "angstrom": 1.3, "single_scattering_albedo": 0.9, )" +
+                  haze + "}}"};
+}
+
 std::vector<Named> named_by_materials() {
   const std::string placed = R"(, "low_left": ["-8 m", "-8 m"], "size": ["16 m", "16 m"])";
   return {
@@ -247,6 +255,10 @@ std::vector<Named> named_elsewhere() {
         {"d.inp", uvspec_input("0.25")},
         {"e.out", uvspec("363.2 631.6", "210.9")},
         {"f.inp", uvspec_input("0.5")}}},
+      {"aerosol",
+       "phase_function",
+       modelled(R"("phase_function": "FILEa.csv")"),
+       {{"a.csv", "angle_deg,0.55\n0,1\n45,1\n120,1\n180,1\n"}}},
       {"weather",
        "file",
        {.more = R"(, "weather": {"file": "FILEa.csv"})"},

@@ -6,6 +6,7 @@
 #include "io/atmosphere/modtran_json.h"
 #include "io/atmosphere/modtran_tape7.h"
 #include "io/atmosphere/path_csv.h"
+#include "io/atmosphere/phase_function_file.h"
 #include "io/atmosphere/uvspec.h"
 #include "io/weather/weather_file.h"
 
@@ -102,6 +103,11 @@ std::vector<std::string> path_csv_seeds() {
           "wavenumber_cm-1,ground_sensor_transmittance,thermal_path_radiance\n1000,0.8,\n1010,0.7,\n"};
 }
 
+std::vector<std::string> phase_function_seeds() {
+  return {"# isotropic\nangle_deg, 0.44, 0.865\n0, 1, 1\n45, 1, 1\n90, 1, 1\n180, 1, 1\n",
+          "angle 0.55\n0 30\n10 6\n30 1.7\n90 0.2\n180 0.3\n"};
+}
+
 std::vector<std::string> weather_seeds() {
   std::string surfrad = " Alamosa, CO\n  37.70  105.92 2317 m version 1\n";
   for (const char* minute : {"1", "2"}) {
@@ -175,6 +181,11 @@ std::vector<FuzzedReader> atmosphere_readers() {
        path_csv_seeds(),
        {",", "total_radiance", "wavelength_nm", "\n\n", "nan", "#"},
        [](const auto& path) { io::import_paths(path); }},
+      {"phase_functions",
+       "a.csv",
+       phase_function_seeds(),
+       {",", "180", "angle", "\n\n", "nan", "#", "1e300", "1e-300", " -1"},
+       [](const auto& path) { io::read_phase_functions(path); }},
       {"weather",
        "a.txt",
        weather_seeds(),

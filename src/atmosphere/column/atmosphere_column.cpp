@@ -12,7 +12,8 @@
 namespace ifov::atmosphere {
 namespace {
 
-Levels levels_of(const Profile& profile, const std::vector<double>& extra) {
+Levels levels_of(const Profile& profile, std::vector<double> extra, const AerosolColumn& aerosol) {
+  extra.insert(extra.end(), aerosol.boundaries_km().begin(), aerosol.boundaries_km().end());
   Levels levels;
   for (const double altitude : level_altitudes_km(profile.ground_km(), extra)) {
     levels.altitude_km.push_back(altitude);
@@ -38,7 +39,10 @@ std::vector<double> level_altitudes_km(double ground_km, const std::vector<doubl
       throw InputError(
           format("a level at {} km: expected {} to {} km", altitude, ground_km, kTopOfAtmosphereKm));
     const auto above = std::lower_bound(altitudes.begin(), altitudes.end(), altitude);
-    if (*above > altitude) altitudes.insert(above, altitude);
+    constexpr double kSame_km = 1e-6;
+    const bool there = *above - altitude < kSame_km ||
+                       (above != altitudes.begin() && altitude - *std::prev(above) < kSame_km);
+    if (!there) altitudes.insert(above, altitude);
   }
   return altitudes;
 }
@@ -47,8 +51,8 @@ AtmosphereColumn::AtmosphereColumn(const AtmosphereDescription& description, con
     : description_(description),
       options_(options),
       built_(build_profile(description.air)),
-      levels_(levels_of(built_.profile, options.extra_altitudes_km)),
       aerosol_(description.aerosol, built_.profile, description.air.model),
+      levels_(levels_of(built_.profile, options.extra_altitudes_km, aerosol_)),
       gases_(layer_amounts(built_.profile, levels_.altitude_km)) {
   const Profile& profile = built_.profile;
   std::vector<double> air(profile.levels());
@@ -57,8 +61,8 @@ AtmosphereColumn::AtmosphereColumn(const AtmosphereDescription& description, con
     const double low = levels_.altitude_km[l], high = levels_.altitude_km[l + 1];
     air_molecules_cm2_.push_back(column_integral(profile.altitude_km, air, low, high));
     aerosol_550_.emplace_back();
-    for (std::size_t r = 0; r < AerosolColumn::kRegions; ++r)
-      aerosol_550_.back()[r] = aerosol_.thickness_550(r, low, high);
+    for (std::size_t r = 0; r < aerosol_.regions(); ++r)
+      aerosol_550_.back().push_back(aerosol_.thickness_550(r, low, high));
   }
 }
 
@@ -78,21 +82,21 @@ ColumnOptics AtmosphereColumn::at(double wavenumber_cm1) const {
   LayerOptics& layers = optics.scattering;
   layers.depolarization =
       description_.depolarization.value_or(rayleigh_depolarization(optics.wavelength_um, co2_ppm));
-  std::array<AerosolProperties, AerosolColumn::kRegions> properties;
-  for (std::size_t r = 0; r < properties.size() && !aerosol_.empty(); ++r)
-    properties[r] = aerosol_.properties(r, optics.wavelength_um);
+  std::vector<AerosolProperties> properties;
   const auto phases = std::make_shared<AerosolPhases>();
-  for (std::size_t r = 0; r < properties.size() && !aerosol_.empty(); ++r)
+  for (std::size_t r = 0; r < aerosol_.regions(); ++r) {
+    properties.push_back(aerosol_.properties(r, optics.wavelength_um));
     phases->functions.push_back(aerosol_.phase_function(r, optics.wavelength_um));
+  }
   for (std::size_t l = 0; l < levels_.layers(); ++l) {
     optics.continuum.push_back(continuum_depths(wavenumber_cm1, gases_[l], description_.gas_model).total());
     layers.rayleigh_scattering.push_back(cross_section * air_molecules_cm2_[l]);
     double scattering = 0.0, absorption = 0.0, forward = 0.0;
-    std::array<double, AerosolColumn::kRegions> scattered_by{};
+    std::vector<double> scattered_by;
     for (std::size_t r = 0; r < properties.size(); ++r) {
       const double scattered =
           aerosol_550_[l][r] * std::max(properties[r].extinction - properties[r].absorption, 0.0);
-      scattered_by[r] = scattered;
+      scattered_by.push_back(scattered);
       scattering += scattered;
       forward += scattered * properties[r].asymmetry;
       absorption += aerosol_550_[l][r] * properties[r].absorption;
@@ -100,7 +104,6 @@ ColumnOptics AtmosphereColumn::at(double wavenumber_cm1) const {
     layers.aerosol_scattering.push_back(scattering);
     layers.aerosol_absorption.push_back(absorption);
     layers.aerosol_asymmetry.push_back(scattering > 0.0 ? forward / scattering : 0.0);
-    if (aerosol_.empty()) continue;
     for (const double scattered : scattered_by)
       phases->share.push_back(scattering > 0.0 ? scattered / scattering : 0.0);
   }

@@ -58,15 +58,16 @@ class AtmosphereColumn {
   AtmosphereDescription description_;
   ColumnOptions options_;
   BuiltProfile built_;
-  Levels levels_;
   AerosolColumn aerosol_;
-  std::vector<GasAmounts> gases_;          // of each layer
-  std::vector<double> air_molecules_cm2_;  // of each layer
-  std::vector<std::array<double, AerosolColumn::kRegions>> aerosol_550_;
+  Levels levels_;
+  std::vector<GasAmounts> gases_;                 // of each layer
+  std::vector<double> air_molecules_cm2_;         // of each layer
+  std::vector<std::vector<double>> aerosol_550_;  // [layer][region]
 };
 
 /// Altitudes of the levels over a ground: 0.05, 0.1, 0.25, 0.5, 0.75 km ... above it, every half km to 5 km,
-/// every km to 20 km and coarser to 100 km, and at `extra` altitudes (InputError outside the air). Thin near
+/// every km to 20 km and coarser to 100 km, and at `extra` altitudes (InputError outside the air) but for those within
+/// a millimetre of another. Thin near
 /// the ground, because in opaque bands the sky is the air of the first metres.
 std::vector<double> level_altitudes_km(double ground_km, const std::vector<double>& extra = {});
 

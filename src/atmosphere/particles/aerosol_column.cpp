@@ -1,10 +1,14 @@
 #include "atmosphere/particles/aerosol_column.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "atmosphere/particles/aerosol_description.h"
 #include "atmosphere/particles/aerosol_height.h"
+#include "atmosphere/particles/aerosol_phase_functions.h"
+#include "atmosphere/particles/particle_layer.h"
+#include "atmosphere/particles/particles.h"
 #include "atmosphere/profile/column_integral.h"
 #include "core/error.h"
 #include "core/names.h"
@@ -28,6 +32,21 @@ const std::vector<AerosolType>& types() {
   };
   return all;
 }
+
+/// One kind of LOWTRAN7's, at a humidity.
+class TabulatedParticles : public Particles {
+ public:
+  TabulatedParticles(std::string_view kind, double humidity_percent)
+      : optics_(kind, humidity_percent), phase_functions_(kind, humidity_percent) {}
+  AerosolProperties properties(double wavelength_um) const override { return optics_.at(wavelength_um); }
+  PhaseFunction phase_function(double wavelength_um) const override {
+    return phase_functions_.at(wavelength_um);
+  }
+
+ private:
+  AerosolOptics optics_;
+  AerosolPhaseFunctions phase_functions_;
+};
 
 constexpr double kClearestKm = 300.0;  ///< beyond, air alone limits the view (3.912 / 0.01159 km-1)
 constexpr double kThickestKm = 0.05;
@@ -112,6 +131,9 @@ AerosolColumn::AerosolColumn(const AerosolDescription& description, const Profil
   const bool spring_summer = is_spring_summer(description.season, model);
   if (description.visibility_km && description.aot550)
     throw InputError("an aerosol has a visibility or an optical thickness at 550 nm, not both");
+  if (description.own && (description.visibility_km || description.aot550))
+    throw InputError(format("haze of one's own has an optical depth of its own, no {}",
+                            description.aot550 ? "optical thickness at 550 nm" : "visibility"));
   const auto heights_at = [&](double visibility) {
     return aerosol_heights(visibility, spring_summer, state, profile.ground_km());
   };
@@ -129,6 +151,11 @@ AerosolColumn::AerosolColumn(const AerosolDescription& description, const Profil
   AerosolHeights heights = heights_at(visibility_km_);
   for (std::vector<double>& extinction : heights.extinction_km)
     for (double& value : extinction) value *= factor;
+  if (description.own) {
+    visibility_km_ = 0.0;
+    for (const std::size_t region : {0, 1})
+      std::fill_n(heights.extinction_km[region].begin(), heights.altitude_km.size(), 0.0);
+  }
   humidity_percent_ = mean_humidity(profile, heights.altitude_km, heights.extinction_km[0]);
   struct Kind {
     std::string_view name;
@@ -140,33 +167,50 @@ AerosolColumn::AerosolColumn(const AerosolDescription& description, const Profil
                                          {"meteoric_dust", 0.0}};
   for (std::size_t r = 0; r < kRegions; ++r) {
     const auto& [name, humidity] = kinds[r];
-    regions_.push_back({heights.altitude_km, heights.extinction_km[r], AerosolOptics(name, humidity),
-                        AerosolPhaseFunctions(name, humidity)});
+    regions_.push_back({heights.altitude_km, heights.extinction_km[r],
+                        std::make_shared<const TabulatedParticles>(name, humidity)});
   }
+  if (description.own) add(*description.own, profile.ground_km());
+}
+
+void AerosolColumn::add(const ParticleLayer& layer, double ground_km) {
+  constexpr double kThickest = 10.0;
+  if (!(layer.optical_depth >= 0.0 && layer.optical_depth <= kThickest))
+    throw InputError(format("optical depth {:g} of the {}: expected 0 to {:g}", layer.optical_depth,
+                            layer.name, kThickest));
+  const auto heights = std::make_shared<const LayerHeights>(layer, ground_km);
+  const double thickness_550 =
+      layer.optical_depth / layer.particles->properties(layer.wavelength_um).extinction;
+  regions_.push_back({{}, {}, layer.particles, heights, thickness_550});
+  boundaries_km_.insert(boundaries_km_.end(), {heights->base_km(), heights->top_km()});
 }
 
 double AerosolColumn::thickness_550(std::size_t region, double first_km, double last_km) const {
   if (empty()) return 0.0;
-  return column_integral(regions_[region].altitude_km, regions_[region].extinction_km, first_km, last_km);
+  const Region& here = regions_[region];
+  if (here.heights) return here.thickness_550 * here.heights->share(first_km, last_km);
+  return column_integral(here.altitude_km, here.extinction_km, first_km, last_km);
 }
 
 double AerosolColumn::thickness_550(double first_km, double last_km) const {
   double sum = 0.0;
-  for (std::size_t r = 0; r < kRegions; ++r) sum += thickness_550(r, first_km, last_km);
+  for (std::size_t r = 0; r < regions(); ++r) sum += thickness_550(r, first_km, last_km);
   return sum;
 }
 
 double AerosolColumn::extinction_550_km(std::size_t region, double altitude) const {
   if (empty()) return 0.0;
-  return density_at(regions_[region].altitude_km, regions_[region].extinction_km, altitude);
+  const Region& here = regions_[region];
+  if (here.heights) return here.thickness_550 * here.heights->density(altitude);
+  return density_at(here.altitude_km, here.extinction_km, altitude);
 }
 
 AerosolProperties AerosolColumn::properties(std::size_t region, double wavelength_um) const {
-  return regions_[region].optics.at(wavelength_um);
+  return regions_[region].particles->properties(wavelength_um);
 }
 
 PhaseFunction AerosolColumn::phase_function(std::size_t region, double wavelength_um) const {
-  return regions_[region].phase_functions.at(wavelength_um);
+  return regions_[region].particles->phase_function(wavelength_um);
 }
 
 }  // namespace ifov::atmosphere

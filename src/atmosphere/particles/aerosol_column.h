@@ -1,29 +1,36 @@
 #pragma once
 
-#include <array>
+#include <memory>
 #include <string_view>
 #include <vector>
 
 #include "atmosphere/particles/aerosol_optics.h"
-#include "atmosphere/particles/aerosol_phase_functions.h"
 #include "atmosphere/profile/profile.h"
 
 namespace ifov::atmosphere {
 
+class LayerHeights;
+class Particles;
+class PhaseFunction;
 struct AerosolDescription;
+struct ParticleLayer;
 
 /// The aerosol over height: boundary layer to 2 km, tropospheric to 10 km, stratospheric to 30 km, meteoric
 /// dust above; extinction at 550 nm of LOWTRAN7 (interpolated in 1/visibility), each kind with its own
 /// spectral shape, that of the boundary layer at its mean humidity (mean of log(100 % - humidity) weighted
-/// with extinction), the tropospheric at 70 %.
+/// with extinction), the tropospheric at 70 %. Haze of the user's own is a region more, in place of the first two.
 class AerosolColumn {
  public:
-  static constexpr std::size_t kRegions = 4;
-  /// InputError for unknown names, both of visibility and optical thickness, or values that cannot be.
+  static constexpr std::size_t kRegions =
+      4;  ///< of LOWTRAN7, the first in the list where there is its aerosol
+  /// InputError for unknown names, more than one of visibility, optical thickness and own haze, or values that cannot be.
   /// `model` names the model atmosphere whose season holds where none is given.
   AerosolColumn(const AerosolDescription& description, const Profile& profile, std::string_view model);
 
   bool empty() const { return regions_.empty(); }
+  std::size_t regions() const { return regions_.size(); }
+  /// Where own haze begins and ends within the air.
+  const std::vector<double>& boundaries_km() const { return boundaries_km_; }
   double visibility_km() const { return visibility_km_; }
   double boundary_humidity_percent() const { return humidity_percent_; }
   /// Vertical optical thickness at 550 nm of a region between two altitudes.
@@ -36,11 +43,14 @@ class AerosolColumn {
 
  private:
   struct Region {
-    std::vector<double> altitude_km, extinction_km;
-    AerosolOptics optics;
-    AerosolPhaseFunctions phase_functions;
+    std::vector<double> altitude_km, extinction_km;  ///< empty where `heights` tells
+    std::shared_ptr<const Particles> particles;
+    std::shared_ptr<const LayerHeights> heights = {};
+    double thickness_550 = 0.0;  ///< of a region with `heights`
   };
+  void add(const ParticleLayer& layer, double ground_km);
   std::vector<Region> regions_;
+  std::vector<double> boundaries_km_;
   double visibility_km_ = 0.0;
   double humidity_percent_ = 0.0;
 };

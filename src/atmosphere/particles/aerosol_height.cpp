@@ -13,7 +13,9 @@ constexpr std::array<const char*, 5> kBoundary{"BL50", "BL23", "BL10", "BL5", "B
 double at(const char* name, double altitude) {
   return AerosolTables::instance().heights.at(name).at(altitude);
 }
-double at(const std::string& name, double altitude) { return at(name.c_str(), altitude); }
+double at(const std::string& name, double altitude) {
+  return name.empty() ? 0.0 : at(name.c_str(), altitude);
+}
 
 /// Linear in 1/visibility between the values at two visibilities, and beyond them.
 double by_visibility(double visibility, double v0, double x0, double v1, double x1) {
@@ -44,6 +46,7 @@ const std::vector<StratosphereState>& stratosphere_table() {
       {"moderate volcanic", "VUMOSS", "VUMOFW", "VUTONO", "aged_volcanic"},
       {"high volcanic", "HIVUSS", "HIVUFW", "VUTONO", "fresh_volcanic"},
       {"extreme volcanic", "EXVUSS", "EXVUFW", "VUTOEX", "fresh_volcanic"},
+      {"none", "", "", "", "stratospheric_background"},
   };
   return states;
 }

@@ -16,7 +16,7 @@ struct AerosolHeights {
 /// Names of the table's columns that a state of the stratosphere stands for.
 struct StratosphereState {
   std::string name;
-  std::string spring_summer, autumn_winter, upper;  ///< heights
+  std::string spring_summer, autumn_winter, upper;  ///< heights; empty: there is none
   std::string optics;
 };
 const std::vector<StratosphereState>& stratosphere_table();

@@ -77,8 +77,8 @@ PhaseExpansion AerosolProjection::expansion(const PhaseFunction& function) const
   const PhaseAngles& angles = function.angles();
   for (std::size_t k = 0; k < angles.nodes.size(); ++k) {
     const std::size_t at = k * PhaseAngles::kMoments;
-    add_angle(particle_matrix(angles.nodes[k].cosine, function.at_nodes()[k], peak_polarization_),
-              2.0 * angles.nodes[k].weight, &angles.d02[at], &angles.d22[at], &angles.d2m2[at], expansion);
+    add_angle(function.matrix_at_node(k, peak_polarization_), 2.0 * angles.nodes[k].weight, &angles.d02[at],
+              &angles.d22[at], &angles.d2m2[at], expansion);
   }
   for (int l = 0; l < count_; ++l) expansion.beta[l] = (2.0 * l + 1.0) * function.moment(l);
   return expansion;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "atmosphere/gauss_nodes.h"
+#include "atmosphere/scattering/scattering_matrix.h"
 #include "atmosphere/scattering/spherical_functions.h"
 
 namespace ifov::atmosphere {
@@ -35,9 +36,18 @@ PhaseAngles::PhaseAngles(std::vector<double> angles) : angle_rad(std::move(angle
     }
 }
 
-PhaseFunction::PhaseFunction(std::shared_ptr<const PhaseAngles> angles, std::vector<double> logarithms)
-    : angles_(std::move(angles)), logarithms_(std::move(logarithms)) {
-  if (logarithms_.size() != angles_->angle_rad.size())
+PolarizationRatios PolarizationRatios::none(std::size_t angles) {
+  const std::vector<double> zeros(angles, 0.0);
+  return {zeros, zeros, zeros};
+}
+
+PhaseFunction::PhaseFunction(std::shared_ptr<const PhaseAngles> angles, std::vector<double> logarithms,
+                             std::shared_ptr<const PolarizationRatios> polarization)
+    : angles_(std::move(angles)), logarithms_(std::move(logarithms)), polarization_(std::move(polarization)) {
+  const std::size_t count = angles_->angle_rad.size();
+  if (logarithms_.size() != count ||
+      (polarization_ && (polarization_->a2.size() != count || polarization_->a3.size() != count ||
+                         polarization_->b1.size() != count)))
     throw std::invalid_argument("a phase function has one value an angle");
   set_slopes();
   at_nodes_.assign(angles_->nodes.size(), 0.0);
@@ -55,6 +65,7 @@ PhaseFunction::PhaseFunction(std::shared_ptr<const PhaseAngles> angles, std::vec
   }
   if (!(mean > 0.0 && std::isfinite(mean)))
     throw std::invalid_argument("a phase function must have a finite mean above 0");
+  given_mean_ = mean;
   for (double& value : at_nodes_) value /= mean;
   for (double& value : logarithms_) value -= std::log(mean);
 }
@@ -107,14 +118,37 @@ double PhaseFunction::logarithm(std::size_t step, double u) const {
          width * (slope_[step] * u * v * v - slope_[step + 1] * u * u * v);
 }
 
-double PhaseFunction::at(double cosine) const {
+PhaseFunction::Place PhaseFunction::place(double cosine) const {
   const std::vector<double>& angle = angles_->angle_rad;
   const double at = std::acos(std::clamp(cosine, -1.0, 1.0));
   const std::size_t above =
       static_cast<std::size_t>(std::upper_bound(angle.begin(), angle.end(), at) - angle.begin());
   const std::size_t step = std::clamp<std::size_t>(above, 1, angle.size() - 1) - 1;
-  return std::exp(
-      logarithm(step, std::clamp((at - angle[step]) / (angle[step + 1] - angle[step]), 0.0, 1.0)));
+  return {step, std::clamp((at - angle[step]) / (angle[step + 1] - angle[step]), 0.0, 1.0)};
+}
+
+double PhaseFunction::at(double cosine) const {
+  const Place here = place(cosine);
+  return std::exp(logarithm(here.step, here.position));
+}
+
+ScatteringMatrix PhaseFunction::matrix(const Place& here, double cosine, double a1,
+                                       double peak_polarization) const {
+  if (!polarization_) return particle_matrix(cosine, a1, peak_polarization);
+  const auto ratio = [&](const std::vector<double>& of) {
+    return a1 * std::lerp(of[here.step], of[here.step + 1], here.position);
+  };
+  return {a1, ratio(polarization_->a2), ratio(polarization_->a3), ratio(polarization_->b1)};
+}
+
+ScatteringMatrix PhaseFunction::matrix(double cosine, double peak_polarization) const {
+  const Place here = place(cosine);
+  return matrix(here, cosine, std::exp(logarithm(here.step, here.position)), peak_polarization);
+}
+
+ScatteringMatrix PhaseFunction::matrix_at_node(std::size_t node, double peak_polarization) const {
+  const PhaseAngles::Node& at = angles_->nodes[node];
+  return matrix({at.step, at.position}, at.cosine, at_nodes_[node], peak_polarization);
 }
 
 double PhaseFunction::forward_for(double width, double height) const {

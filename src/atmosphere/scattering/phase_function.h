@@ -6,6 +6,8 @@
 
 namespace ifov::atmosphere {
 
+struct ScatteringMatrix;
+
 /// Scattering angles at which phase functions are tabulated, with nodes for integrals over the sphere: 24 in the
 /// first step, closest at 0, where a diffraction peak may be, and 8 in each other. Constant after construction.
 class PhaseAngles {
@@ -29,6 +31,14 @@ class PhaseAngles {
   std::vector<double> d00, d02, d22, d2m2;
 };
 
+/// How particles polarize light that they scatter: elements of the scattering matrix over a1, one an angle of the phase
+/// function, linear in between.
+struct PolarizationRatios {
+  std::vector<double> a2, a3, b1;
+  /// Of particles that scatter light without polarization, whatever comes in.
+  static PolarizationRatios none(std::size_t angles);
+};
+
 /// A phase function from a table of its logarithm: monotone cubics in the angle (Fritsch and Butland 1984), and in the
 /// first step, where tables do not tell how wide a diffraction peak is,
 ///   ln P = ln P_0 + ln(P_1 / P_0) (angle / angle_1)^q
@@ -36,9 +46,10 @@ class PhaseAngles {
 /// function is scaled.
 class PhaseFunction {
  public:
-  /// One logarithm an angle, of a function whose mean is 1 but for rounding and what the first step hides. Throws
-  /// std::invalid_argument.
-  PhaseFunction(std::shared_ptr<const PhaseAngles> angles, std::vector<double> logarithms);
+  /// One logarithm an angle, of a function whose mean is 1 but for rounding and what the first step hides. Without ratios
+  /// (null) polarization is what the solver assumes (particle_matrix). Throws std::invalid_argument.
+  PhaseFunction(std::shared_ptr<const PhaseAngles> angles, std::vector<double> logarithms,
+                std::shared_ptr<const PolarizationRatios> polarization = nullptr);
 
   double at(double cosine) const;
   /// What stands at the corner of a rectangle about the forward direction, of sides `width` and `height` (radians,
@@ -49,21 +60,35 @@ class PhaseFunction {
   /// moment 1.
   double moment(int l) const;
 
+  /// The scattering matrix at an angle and at one of the nodes; `peak_polarization` is of particle_matrix.
+  ScatteringMatrix matrix(double cosine, double peak_polarization) const;
+  ScatteringMatrix matrix_at_node(std::size_t node, double peak_polarization) const;
+
   const PhaseAngles& angles() const { return *angles_; }
   const std::vector<double>& at_nodes() const { return at_nodes_; }
   const std::vector<double>& logarithms() const { return logarithms_; }  ///< normalized
   double peak_exponent() const { return peak_exponent_; }
+  const PolarizationRatios* polarization() const { return polarization_.get(); }  ///< null: assumed
+  /// Mean over the sphere of what was given, before it was scaled: 1 where the first step can make it so.
+  double given_mean() const { return given_mean_; }
 
  private:
   void set_slopes();
   double peak_mean(double exponent) const;
   double fitted_exponent(double mean) const;
   double logarithm(std::size_t step, double position) const;
+  struct Place {
+    std::size_t step;
+    double position;
+  };
+  Place place(double cosine) const;
+  ScatteringMatrix matrix(const Place& at, double cosine, double a1, double peak_polarization) const;
 
   std::shared_ptr<const PhaseAngles> angles_;
   std::vector<double> logarithms_, slope_;  ///< slope: per radian
-  double peak_exponent_ = 2.0;
+  double peak_exponent_ = 2.0, given_mean_ = 1.0;
   std::vector<double> at_nodes_;
+  std::shared_ptr<const PolarizationRatios> polarization_;
 };
 
 /// Phase functions of the aerosol of a column's layers at one wavelength.

@@ -45,10 +45,26 @@ void add_difference(double factor, const std::vector<double>& a, const std::vect
 }
 
 /// The part of what a layer's aerosol scatters that delta-M takes for not scattered.
-double forward_peak(const LayerOptics& optics, std::size_t layer, int terms) {
-  if (!optics.aerosol_phases) return std::pow(std::abs(optics.aerosol_asymmetry[layer]), terms);
-  return std::max(optics.aerosol_phases->moment(layer, terms), 0.0);
-}
+class ForwardPeaks {
+ public:
+  ForwardPeaks(const LayerOptics& optics, int terms) : optics_(optics), terms_(terms) {}
+  double of(std::size_t layer) {
+    if (!optics_.aerosol_phases) return std::pow(std::abs(optics_.aerosol_asymmetry[layer]), terms_);
+    const AerosolPhases& phases = *optics_.aerosol_phases;
+    const double* share = phases.shares(layer);
+    // Layers of one kind of haze follow each other, and a moment is an integral.
+    if (last_ == nullptr || !std::equal(share, share + phases.functions.size(), last_))
+      peak_ = std::max(phases.moment(layer, terms_), 0.0);
+    last_ = share;
+    return peak_;
+  }
+
+ private:
+  const LayerOptics& optics_;
+  int terms_;
+  const double* last_ = nullptr;
+  double peak_ = 0.0;
+};
 
 }  // namespace
 
@@ -60,13 +76,14 @@ ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& opti
       phases(optics.aerosol_phases) {
   check(levels, optics, sun_zenith_rad, spherical);
   const std::size_t n = optics.layers();
+  ForwardPeaks peaks(optics, 2 * options.nodes_per_hemisphere);
   std::vector<double> scaled(n), whole(n);  // extinction per km, top down
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t layer = n - 1 - i;
     const double height = levels.altitude_km[layer + 1] - levels.altitude_km[layer];
     const double rayleigh = optics.rayleigh_scattering[layer], aerosol = optics.aerosol_scattering[layer];
     const double absorbed = optics.gas_absorption[layer] + optics.aerosol_absorption[layer];
-    const double peak = forward_peak(optics, layer, 2 * options.nodes_per_hemisphere);
+    const double peak = peaks.of(layer);
     const double all = rayleigh + aerosol + absorbed, kept = all - peak * aerosol;
     const double inverse = kept > 0.0 ? 1.0 / kept : 0.0;
     mixtures.push_back({rayleigh * inverse, aerosol * inverse, optics.aerosol_asymmetry[layer], peak, layer});

@@ -18,17 +18,22 @@ class SingleScattering {
  public:
   SingleScattering(const ScatteringColumn& column, double aerosol_polarization, const Propagation& direction,
                    const SunCell& cell = {})
-      : column_(column), cosine_(scattering_cosine({-column.sun_mu, 0.0}, direction)) {
+      : column_(column),
+        cosine_(scattering_cosine({-column.sun_mu, 0.0}, direction)),
+        assumed_b1_(particle_matrix(cosine_, 1.0, aerosol_polarization).b1) {
     constexpr double kTowardsSun = 1.0 - 1e-10;
     const bool forward = cell.any() && cosine_ > kTowardsSun;
     const Propagation sun{-column.sun_mu, 0.0};
     molecules_ = scatter_unpolarized(sun, direction, rayleigh_matrix(cosine_, column.depolarization));
-    // Stokes parameters of aerosol have everywhere the same ratios; only a1 depends on the particles.
-    particles_ = scatter_unpolarized(sun, direction, particle_matrix(cosine_, 1.0, aerosol_polarization));
+    polarized_ = scatter_unpolarized(sun, direction, {0.0, 0.0, 0.0, 1.0});
     if (!column.phases) return;
-    for (const PhaseFunction& function : column.phases->functions)
-      values_.push_back(forward ? function.forward_for(cell.along_zenith_rad, cell.along_azimuth_rad)
-                                : function.at(cosine_));
+    for (const PhaseFunction& function : column.phases->functions) {
+      const ScatteringMatrix matrix = function.matrix(cosine_, aerosol_polarization);
+      // No particle polarizes what it scatters straight on.
+      values_.push_back(forward
+                            ? Value{function.forward_for(cell.along_zenith_rad, cell.along_azimuth_rad), 0.0}
+                            : Value{matrix.a1, matrix.b1});
+    }
   }
 
   bool operator()(const PathPiece& piece) {
@@ -44,7 +49,8 @@ class SingleScattering {
     if (&mixture != mixture_) enter(mixture);
     const double light = beam_integral(depth, depth_ + near_beam, depth_ + far_beam);
     rayleigh_sum_ += light * mixture.rayleigh;
-    aerosol_sum_ += light * mixture.aerosol * a1_;
+    aerosol_sum_ += light * mixture.aerosol * aerosol_.a1;
+    polarized_sum_ += light * mixture.aerosol * aerosol_.b1;
     pass(depth, true_depth);
   }
   /// Through what is not lit.
@@ -55,29 +61,39 @@ class SingleScattering {
 
   PathLight light() const {
     PathLight light;
-    light.single = 0.25 / std::numbers::pi * (rayleigh_sum_ * molecules_ + aerosol_sum_ * particles_);
+    light.single = 0.25 / std::numbers::pi * (rayleigh_sum_ * molecules_ + polarized_sum_ * polarized_);
+    light.single.i += 0.25 / std::numbers::pi * aerosol_sum_;
     light.transmittance = std::exp(-true_depth_);
     light.peak_transmittance = std::exp(-depth_);
     return light;
   }
 
  private:
+  struct Value {
+    double a1 = 0.0, b1 = 0.0;
+  };
   void enter(const ScatteringColumn::Mixture& mixture) {
-    if (!column_.phases && (mixture_ == nullptr || mixture.asymmetry != mixture_->asymmetry))
-      a1_ = aerosol_matrix(cosine_, mixture.asymmetry, 0.0).a1;
+    if (!column_.phases && (mixture_ == nullptr || mixture.asymmetry != mixture_->asymmetry)) {
+      aerosol_.a1 = aerosol_matrix(cosine_, mixture.asymmetry, 0.0).a1;
+      aerosol_.b1 = aerosol_.a1 * assumed_b1_;
+    }
     mixture_ = &mixture;
     if (!column_.phases) return;
     const double* share = column_.phases->shares(mixture.layer);
-    a1_ = 0.0;
-    for (std::size_t f = 0; f < values_.size(); ++f) a1_ += share[f] * values_[f];
+    aerosol_ = {};
+    for (std::size_t f = 0; f < values_.size(); ++f) {
+      aerosol_.a1 += share[f] * values_[f].a1;
+      aerosol_.b1 += share[f] * values_[f].b1;
+    }
   }
 
   const ScatteringColumn& column_;
   const ScatteringColumn::Mixture* mixture_ = nullptr;
-  std::vector<double> values_;  ///< of the column's phase functions
-  double cosine_, a1_ = 0.0;    ///< a1: of the aerosol of `mixture_`
-  StokesVector molecules_, particles_;
-  double rayleigh_sum_ = 0.0, aerosol_sum_ = 0.0, depth_ = 0.0, true_depth_ = 0.0;
+  std::vector<Value> values_;  ///< of the column's phase functions
+  Value aerosol_;              ///< of the aerosol of `mixture_`
+  double cosine_, assumed_b1_;
+  StokesVector molecules_, polarized_;  ///< polarized: of b1 = 1
+  double rayleigh_sum_ = 0.0, aerosol_sum_ = 0.0, polarized_sum_ = 0.0, depth_ = 0.0, true_depth_ = 0.0;
 };
 
 }  // namespace

@@ -34,6 +34,9 @@ std::vector<double> solution_question(const ScatteringOptions& options, const Se
         all.push_back(static_cast<double>(list->size()));
         all.insert(all.end(), list->begin(), list->end());
       }
+      if (const PolarizationRatios* ratios = function.polarization())
+        for (const std::vector<double>* list : {&ratios->a2, &ratios->a3, &ratios->b1})
+          all.insert(all.end(), list->begin(), list->end());
     }
   if (optics.aerosol_phases)
     all.insert(all.end(), optics.aerosol_phases->share.begin(), optics.aerosol_phases->share.end());

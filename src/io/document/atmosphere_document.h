@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,11 +38,11 @@ struct FourCurveAtmosphere {
 
 /// An atmosphere computed from its state.
 struct ModelledAtmosphere {
-  atmosphere::AtmosphereDescription description;
+  atmosphere::AtmosphereDescription description;          ///< but for its aerosol
+  std::shared_ptr<const struct AerosolDocument> aerosol;  ///< null: that of no key
   /// Above mean sea level; absent: a frame camera's own, else above the air.
   std::optional<double> sensor_altitude_km;
-  bool adjacency =
-      true;  ///< the scene's own ground lights the air, place by place; false: surroundings alone
+  bool adjacency = true;               ///< the scene's own ground lights the air; false: surroundings alone
   std::string interval = "numerical";  ///< or "with model": intervals hold how far the model is from the air
 };
 

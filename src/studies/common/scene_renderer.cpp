@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/format.h"
+#include "io/document/aerosol_document.h"
 #include "io/document/document.h"
 #include "render/image_renderer.h"
 #include "render/tolerance/accuracy_tolerance.h"
@@ -90,7 +91,8 @@ std::string SceneRenderer::lighting() const {
   const auto& modelled = session_.parts().document.atmosphere.modelled;
   if (modelled)
     out += format("; the {} atmosphere with {} aerosol, over surroundings of the document",
-                  modelled->description.air.model, modelled->description.aerosol.type);
+                  modelled->description.air.model,
+                  (modelled->aerosol ? modelled->aerosol->tables : atmosphere::AerosolDescription{}).type);
   else if (scene.sky.radiance)
     out += format("; a uniform sky of {:.3g} W m-2 sr-1 um-1 at {} um", scene.sky.radiance->at(kGreen_um),
                   kGreen_um);

@@ -1,5 +1,6 @@
 #include "atmosphere/profile/profile.h"
 #include "core/format.h"
+#include "io/document/aerosol_document.h"
 #include "io/document/atmosphere_document.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
@@ -7,15 +8,8 @@
 namespace ifov::io {
 namespace {
 
-using atmosphere::AerosolDescription;
 using atmosphere::ProfileDescription;
 using atmosphere::UserLevel;
-
-SchemaType<std::string> word(const std::vector<std::string>& words) {
-  std::vector<std::pair<std::string, std::string>> choices;
-  for (const std::string& w : words) choices.push_back({w, w});
-  return choice<std::string>(choices);
-}
 
 SchemaType<TabulatedAtmosphere> tabulated_atmosphere_type() {
   const SchemaType<SpectrumDocument> transmittance = spectrum_type(SpectrumOf::fraction);
@@ -72,23 +66,6 @@ SchemaType<FourCurveAtmosphere> four_curve_type() {
   return record.type();
 }
 
-SchemaType<AerosolDescription> aerosol_type() {
-  Record<AerosolDescription> record("aerosol", "Haze and dust (Shettle and Fenn 1979).");
-  record
-      .with_default("type", &AerosolDescription::type, word(atmosphere::aerosol_types()), "\"rural\"",
-                    "of the lowest 2 km; \"none\": clear air at all heights")
-      .at_most_one()
-      .one("visibility", &AerosolDescription::visibility_km, quantity(kLength, Range::above(0.0, "m"), 1e-3),
-           "meteorological range at the ground; 23 km if nothing is said")
-      .one("aot550", &AerosolDescription::aot550, number(Range::at_least(0.0)),
-           "vertical optical thickness of all aerosol at 550 nm")
-      .optional("season", &AerosolDescription::season, word({"spring-summer", "autumn-winter"}),
-                "of the air above 2 km; without it that of the profile")
-      .with_default("stratosphere", &AerosolDescription::stratosphere,
-                    word(atmosphere::stratosphere_states()), "\"background\"", "aerosol from 10 to 30 km");
-  return record.type();
-}
-
 SchemaType<UserLevel> level_type() {
   Record<UserLevel> record("level", "The air at one altitude, as a radiosonde tells it.");
   record.required("altitude", &UserLevel::altitude_km, quantity(kLength, {}, 1e-3), "above mean sea level")
@@ -133,6 +110,12 @@ auto profile(Member member) {
 
 }  // namespace
 
+SchemaType<std::string> word_type(const std::vector<std::string>& words) {
+  std::vector<std::pair<std::string, std::string>> choices;
+  for (const std::string& w : words) choices.push_back({w, w});
+  return choice<std::string>(choices);
+}
+
 SchemaType<AtmosphereDocument> atmosphere_type() {
   Record<AtmosphereDocument> record("atmosphere", "What lies between Sun, scene and camera.");
   record.at_most_one()
@@ -145,7 +128,7 @@ SchemaType<AtmosphereDocument> atmosphere_type() {
       .one("four_curve", &AtmosphereDocument::four_curve, four_curve_type(),
            "four spectra, the same for every path")
       .one(
-          "profile", profile(&ProfileDescription::model), word(atmosphere::model_atmosphere_names()),
+          "profile", profile(&ProfileDescription::model), word_type(atmosphere::model_atmosphere_names()),
           "the model atmosphere (Anderson et al. 1986) that gives pressure, temperature and gases where the keys "
           "below say nothing else")
       .optional("levels", profile(&ProfileDescription::levels), list(level_type(), 2, 1000),
@@ -167,7 +150,14 @@ SchemaType<AtmosphereDocument> atmosphere_type() {
                     quantity(kMixingRatioByVolume, Range::at_least(0.0, "ppm")), "\"0.335 ppm\"",
                     "nitrous oxide at the ground")
       .optional("aerosol",
-                modelled(&ModelledAtmosphere::description, &atmosphere::AtmosphereDescription::aerosol),
+                via(
+                    [](AtmosphereDocument& document, const AerosolDocument& aerosol) {
+                      if (!document.modelled) document.modelled.emplace();
+                      document.modelled->aerosol = std::make_shared<const AerosolDocument>(aerosol);
+                    },
+                    [](const AtmosphereDocument& document) {
+                      return document.modelled ? document.modelled->aerosol.get() : nullptr;
+                    }),
                 aerosol_type(), "haze and dust; without it rural aerosol of 23 km visibility")
       .optional(
           "sensor_altitude", modelled(&ModelledAtmosphere::sensor_altitude_km),
@@ -177,7 +167,7 @@ SchemaType<AtmosphereDocument> atmosphere_type() {
           "adjacency", modelled(&ModelledAtmosphere::adjacency), boolean(), "true",
           "whether the scene's own ground lights the air about each pixel; `false`: the surroundings alone do")
       .with_default(
-          "interval", modelled(&ModelledAtmosphere::interval), word({"numerical", "with model"}),
+          "interval", modelled(&ModelledAtmosphere::interval), word_type({"numerical", "with model"}),
           "\"numerical\"",
           "what intervals hold of the air: how exactly this model is computed, or how far the model is from the "
           "air besides; what is asked for is judged by what they hold");

@@ -8,6 +8,7 @@
 
 namespace ifov::io {
 
+struct AerosolDocument;
 struct AtmosphereDocument;
 struct CameraDocument;
 struct ChannelDocument;
@@ -34,6 +35,7 @@ enum class SpectrumOf;
 
 SchemaType<SpectrumDocument> spectrum_type(SpectrumOf quantity);
 SchemaType<double> um_per_unit_type();  ///< "um" or "nm", as micrometres per unit
+SchemaType<std::string> word_type(const std::vector<std::string>& words);  ///< one of these
 
 SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type();
 SchemaType<TemperatureDocument> temperature_type();
@@ -44,6 +46,7 @@ SchemaType<SceneDocument> scene_type();
 SchemaType<LightDocument> light_type();
 SchemaType<std::vector<LampDocument>> lamps_type();
 SchemaType<AtmosphereDocument> atmosphere_type();
+SchemaType<AerosolDocument> aerosol_type();
 SchemaType<ImportedDocument> imported_type();
 SchemaType<WeatherDocument> weather_type();
 SchemaType<CameraDocument> camera_type();

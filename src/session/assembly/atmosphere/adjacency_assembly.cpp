@@ -56,7 +56,7 @@ AssembledAdjacency assemble_adjacency(const io::ModelledAtmosphere& written, con
         nullptr,
         "ground in the air: the surroundings alone, as looking at all of a scene whose trees are made when rays come "
         "near would make them all"};
-  const atmosphere::AtmosphereColumn column = assemble_column(written, origin);
+  const atmosphere::AtmosphereColumn column = assemble_column(subject.sources, written, origin);
   const std::vector<atmosphere::ChannelSpread> spreads =
       atmosphere::channel_spreads(column, subject.channels, air.geometry(), threads);
   AssembledAdjacency result{

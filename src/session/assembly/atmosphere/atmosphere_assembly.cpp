@@ -9,11 +9,13 @@
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "core/format.h"
 #include "geometry/world.h"
+#include "io/document/aerosol_document.h"
 #include "io/document/atmosphere_document.h"
 #include "io/document/scene_document.h"
 #include "io/document/sensor_document.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
+#include "session/assembly/atmosphere/aerosol_assembly.h"
 #include "session/assembly/atmosphere/node_tolerance.h"
 #include "session/assembly/shared/with_position.h"
 
@@ -57,12 +59,15 @@ void check_channels(const io::DocumentSources& sources, std::span<const io::Chan
   }
 }
 
-atmosphere::AtmosphereColumn assemble_column(const io::ModelledAtmosphere& air,
+atmosphere::AtmosphereColumn assemble_column(const io::DocumentSources& sources,
+                                             const io::ModelledAtmosphere& air,
                                              const io::OriginDocument& origin) {
   atmosphere::AtmosphereDescription description = air.description;
+  if (air.aerosol) description.aerosol = assemble_aerosol(sources, *air.aerosol);
   if (!description.air.ground_altitude_km && description.air.levels.empty())
     description.air.ground_altitude_km = std::max(0.0, 1e-3 * origin.height_m);
-  return atmosphere::AtmosphereColumn(description);
+  const auto column = [&] { return atmosphere::AtmosphereColumn(description); };
+  return air.aerosol && air.aerosol->own ? with_position(sources, air.aerosol->position, column) : column();
 }
 
 atmosphere::SensorGeometry sensor_geometry(const io::DocumentSources& sources,
@@ -160,7 +165,7 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
   const io::ModelledAtmosphere& modelled = written.modelled.value();
   check_channels(subject.sources, sensor.channels, subject.channels);
   return with_position(subject.sources, written.position, [&] {
-    const atmosphere::AtmosphereColumn column = assemble_column(modelled, origin);
+    const atmosphere::AtmosphereColumn column = assemble_column(subject.sources, modelled, origin);
     const double ground_km = column.levels().altitude_km.front();
     atmosphere::SensorAtmosphere::Inputs inputs;
     inputs.channels = subject.channels;

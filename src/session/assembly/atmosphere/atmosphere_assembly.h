@@ -45,7 +45,8 @@ void check_channels(const io::DocumentSources& sources, std::span<const io::Chan
                     std::span<const radiometry::Channel> channels);
 
 /// The air that a document describes, over ground as high as the scene's origin where it does not say. Throws InputError.
-atmosphere::AtmosphereColumn assemble_column(const io::ModelledAtmosphere& air,
+atmosphere::AtmosphereColumn assemble_column(const io::DocumentSources& sources,
+                                             const io::ModelledAtmosphere& air,
                                              const io::OriginDocument& origin);
 
 /// Sun and sensor over ground at this altitude. Throws InputError, at the place in the document.

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <complex>
+#include <span>
+#include <vector>
+
+namespace ifov::atmosphere {
+
+/// Light scattered by a sphere (Mie 1908; Bohren and Huffman 1983, ch. 4). Size parameter x = 2 pi radius / wavelength, index
+/// of refraction m = n + ik relative to the medium (k > 0 absorbs, waves go as exp(-i omega t)).
+///
+/// Logarithmic derivatives of psi(mx) come from a downward recursion (Wiscombe 1980, Appl. Opt. 19, 1505), psi(x) from the
+/// upward one as far as it is stable, n <= x, and from ratios beyond; x + 4 x^(1/3) + 2 terms or so, as Wiscombe found.
+class MieSphere {
+ public:
+  static constexpr double kLargest = 50000.0;  ///< x
+  /// Throws std::invalid_argument unless 0 < x <= 50000, n > 0 and k >= 0.
+  MieSphere(double size_parameter, std::complex<double> index);
+
+  /// Cross-sections over that of the sphere, pi radius^2.
+  double extinction() const { return extinction_; }
+  double scattering() const { return scattering_; }
+  double asymmetry() const { return asymmetry_; }  ///< mean cosine of the scattering angle
+
+  /// Amplitudes at cosines of the scattering angle, of fields across (S1) and in (S2) the scattering plane. All spans are of
+  /// one length.
+  void amplitudes(std::span<const double> cosine, std::span<std::complex<double>> s1,
+                  std::span<std::complex<double>> s2) const;
+
+ private:
+  std::vector<std::complex<double>> a_, b_;  ///< from n = 1
+  double extinction_ = 0.0, scattering_ = 0.0, asymmetry_ = 0.0;
+};
+
+/// Radii of many spheres, and how many have each (in any unit).
+struct SizeDistribution {
+  std::vector<double> radius_um, number;
+  /// Ratio of the sums of r^3 and r^2, and Hansen and Travis's (1974, eq. 2.54) variance about it.
+  double effective_radius_um() const;
+  double effective_variance() const;
+};
+
+/// Numbers that are normal in ln r: median radius and geometric standard deviation (above 1).
+SizeDistribution lognormal(double median_um, double deviation);
+/// Numbers per radius as r^alpha exp(-(alpha / gamma) (r / mode)^gamma) (Deirmendjian 1969), alpha and gamma above 0.
+SizeDistribution modified_gamma(double mode_um, double alpha, double gamma);
+/// That with gamma = 1 which has this effective radius and variance, 0 to 1/3 without the ends (Hansen and Travis 1974, eq. 2.56).
+SizeDistribution gamma_by_effective_radius(double effective_um, double variance);
+
+/// What spheres of many sizes make of light together.
+struct MieMixture {
+  double extinction = 0.0, scattering = 0.0;  ///< cross-sections, um^2, of a mean sphere
+  double volume = 0.0;                        ///< um^3 of a mean sphere
+  double asymmetry = 0.0;
+  /// Scattering matrix at the cosines asked for, the mean of a1 over the sphere 1; a2 is a1.
+  std::vector<double> a1, a3, b1;
+};
+MieMixture mie_mixture(const SizeDistribution& sizes, double wavelength_um, std::complex<double> index,
+                       std::span<const double> cosine);
+
+}  // namespace ifov::atmosphere

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace ifov::atmosphere {
+
+class Particles;
+
+/// Particles between two altitudes, as somebody asks for them.
+struct ParticleLayer {
+  std::string name = "haze";    ///< in messages
+  double optical_depth = 0.0;   ///< vertical, of extinction ...
+  double wavelength_um = 0.55;  ///< ... at this wavelength
+  std::shared_ptr<const Particles> particles;
+  std::optional<double> base_km;  ///< above mean sea level; none: the ground
+  std::optional<double> top_km;   ///< none: the end of the air
+  std::optional<double>
+      scale_height_km;  ///< of a density that falls exponentially; none: uniform, or 2 km without a top
+};
+
+/// Where the particles of a layer are, over ground at some altitude.
+class LayerHeights {
+ public:
+  static constexpr double kUsualScale_km = 2.0;
+  /// InputError for a layer inside the ground, above the air or upside down.
+  LayerHeights(const ParticleLayer& layer, double ground_km);
+  /// Of the layer's particles, the share between two altitudes.
+  double share(double low_km, double high_km) const;
+  /// Share per km at an altitude.
+  double density(double altitude_km) const;
+  double base_km() const { return base_km_; }
+  double top_km() const { return top_km_; }
+
+ private:
+  double above(double altitude_km) const;
+  double base_km_, top_km_;
+  std::optional<double> scale_km_;
+};
+
+}  // namespace ifov::atmosphere

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "atmosphere/particles/aerosol_optics.h"
+#include "atmosphere/scattering/phase_function.h"
+
+namespace ifov::atmosphere {
+
+/// What haze or a cloud consists of: its optics by wavelength, from 0.2 to 50 um. May be asked by several threads.
+class Particles {
+ public:
+  static constexpr double kReference_um = 0.55;  ///< of AerosolProperties
+  virtual ~Particles() = default;
+  /// InputError where something was given that does not reach to this wavelength.
+  virtual AerosolProperties properties(double wavelength_um) const = 0;
+  virtual PhaseFunction phase_function(double wavelength_um) const = 0;
+};
+
+}  // namespace ifov::atmosphere

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+namespace ifov::atmosphere {
+struct AerosolDescription;
+}
+namespace ifov::io {
+struct AerosolDocument;
+struct DocumentSources;
+struct OwnHazeDocument;
+}  // namespace ifov::io
+
+namespace ifov::session {
+
+/// A document's haze, with the files that it names read. Throws InputError, at the place in the document.
+atmosphere::AerosolDescription assemble_aerosol(const io::DocumentSources& sources,
+                                                const io::AerosolDocument& written);
+
+/// What a document says of its own haze, for people: "depth 0.3 at 0.55 um, ..., from the ground up over 2 km".
+std::string haze_statement(const io::OwnHazeDocument& haze);
+
+}  // namespace ifov::session
