@@ -92,6 +92,9 @@ struct TileOptions {
   /// the atmosphere was worked out to stays; where that is not enough, pixels are marked ("air").
   const Document* sampling = nullptr;
   std::optional<std::chrono::steady_clock::time_point> deadline = {};  ///< when no more tiles come
+  /// What tiles tell of pixels beside what they always do: words of the document's output.products, "abundance". What this
+  /// image cannot have, such as errors of single rays, is left out.
+  std::vector<std::string> quantities = {};
   const CancelToken* cancel = nullptr;
   ProgressSink* progress = nullptr;
 };
@@ -119,7 +122,7 @@ class IFOV_API Simulation {
   Simulation& operator=(Simulation&&) noexcept;
   ~Simulation();
 
-  /// Size and channels.
+  /// Size, channels, place and what is asked for.
   ImageDescription image() const;
   /// What was loaded and where it is, as `ifov check` prints it: lines, each with its end.
   std::string description() const;
