@@ -6,6 +6,7 @@ import copy
 import dataclasses
 import os
 import pathlib
+import time
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
@@ -62,7 +63,7 @@ class Outcome:
 
 @dataclasses.dataclass(frozen=True)
 class Forecast:
-    """What a run will take. uncertainty: relative standard error of rays and times; shortages: "": it will do."""
+    """What a run will take. uncertainty: relative standard error of rays and times; shortages: what will not do, empty: it will."""
 
     rays: float
     elapsed_s: float
@@ -155,12 +156,12 @@ class Run:
         progress: Show,
         callback: Callback | None,
     ) -> Run:
+        begun = time.monotonic()
         with Reporter(progress, callback) as reporter, Written(document) as written:
             told = reporter.function()
             simulation = library().load(parsed(written, self.assets), False, self.threads, told, _said)
-            ended = simulation.render(
-                self.folder, self.threads, start, keep, refine, anyway, share, time_limit, told, _said
-            )
+            left = None if time_limit is None else max(0.0, time_limit - (time.monotonic() - begun))
+            ended = simulation.render(self.folder, self.threads, start, keep, refine, anyway, share, left, told, _said)
         self.outcome = _of(Outcome, ended)
         return self
 

@@ -1,8 +1,26 @@
 #include "call.h"
 
-namespace ifov::python {
+#include <unistd.h>
 
-Call::Call(nb::object progress, nb::object log) : progress_(std::move(progress)), log_(std::move(log)) {}
+#include <stdexcept>
+
+namespace ifov::python {
+namespace {
+
+/// A fork takes one thread along; those of the library would be waited for for ever.
+void require_own_threads() {
+  static const pid_t kAtWork = getpid();
+  if (getpid() != kAtWork)
+    throw std::runtime_error(
+        "this process was forked from one in which ifov was at work, and has none of its threads; start processes with "
+        "multiprocessing's 'spawn'");
+}
+
+}  // namespace
+
+Call::Call(nb::object progress, nb::object log) : progress_(std::move(progress)), log_(std::move(log)) {
+  require_own_threads();
+}
 
 void Call::report(const Progress& progress) {
   if (!is_function(progress_)) return;

@@ -114,7 +114,7 @@ class Calls(unittest.TestCase):
             self.assertEqual(one["radiance"].values.tobytes(), alone["radiance"].values.tobytes())
 
     def test_nothing_is_kept(self):
-        """Of the arrays of 60 renders of 5 MB each, and of what callbacks held."""
+        """Of the arrays of 15 renders of 18 MB each, and of what callbacks held."""
         document = scenes.small(sampling={"single": {}})
         document["sensor"]["camera"]["orthographic"]["pixels"] = [640, 480]
         scene = ifov.Scene(document)
@@ -134,15 +134,40 @@ class Calls(unittest.TestCase):
         def render():
             scene.render(callback=Held(), on_tile=Held(), progress=False)
 
-        for _ in range(5):
+        for _ in range(3):
             render()
         gc.collect()
         before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-        for _ in range(60):
+        for _ in range(15):
             render()
         gc.collect()
         self.assertEqual(Held.alive, 0)
         self.assertLess(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before, 60_000)
+
+
+class Processes(unittest.TestCase):
+    def test_a_forked_process_says_that_it_cannot_go_on(self):
+        """The threads of the library stay behind in the parent."""
+        ifov.Scene(scenes.small())
+        child = os.fork()
+        if child == 0:
+            try:
+                ifov.Scene(scenes.small())
+            except RuntimeError as error:
+                os._exit(7 if "spawn" in str(error) else 8)
+            os._exit(9)
+        self.assertEqual(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), 7)
+
+    def test_spawned_processes(self):
+        import multiprocessing
+
+        with multiprocessing.get_context("spawn").Pool(1) as pool:
+            far = pool.apply(render_small)
+        self.assertEqual(far, render_small())
+
+
+def render_small():
+    return ifov.render(scenes.small(), progress=False)["radiance"].values.tobytes()
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 import json
 import pathlib
+import re
 import unittest
 
 import numpy as np
@@ -133,6 +134,24 @@ class Images(scenes.InFolder):
         self.assertTrue(gaps.any())
         self.assertTrue(np.all(made["reasons"].values[gaps] == 4))
         self.assertFalse(made["converged"].values[gaps].any())
+
+
+class Flags(scenes.InFolder):
+    def test_are_those_of_the_headers(self):
+        ifov.run(scenes.small(), "out", progress=False)
+        loaded = ifov.load("out")
+        header = pathlib.Path("out/image_reasons.img.hdr").read_text(encoding="utf-8")
+        bits = re.search(r"reason bits = \{(.*?)\}", header, re.DOTALL).group(1).split(",")
+        attributes = loaded["reasons"].attrs
+        names = zip(attributes["flag_masks"], attributes["flag_meanings"].split(), strict=True)
+        self.assertEqual([f"{mask} {name}" for mask, name in names], [bit.strip().replace(" ", "_").replace("_", " ", 1) for bit in bits])
+        classes = re.search(
+            r"class names = \{(.*?)\}", pathlib.Path("out/image_quality_class.img.hdr").read_text(encoding="utf-8"), re.DOTALL
+        )
+        self.assertEqual(
+            loaded["quality_class"].attrs["flag_meanings"].split(),
+            [name.strip().replace(" ", "_") for name in classes.group(1).split(",")],
+        )
 
 
 class Loading(scenes.InFolder):

@@ -2,6 +2,7 @@
 
 #include "core/call_scope.h"
 #include "core/error.h"
+#include "ifov/tile.h"
 #include "io/files/inputs.h"
 #include "io/run_state/run_plan.h"
 #include "sampling/reasons.h"

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "ifov/tile.h"
 #include "io/product_parts/map_info.h"
 #include "io/run_state/run_plan.h"
 #include "render/image_renderer.h"
