@@ -3,6 +3,7 @@
 #   make          install what is missing, build: leaves the program at build/ifov
 #   make demo     the same, render examples/demo.json, say where its pictures and report are
 #   make test     build and run every test
+#   make python   build the Python package into build/venv (build/venv/bin/python has it)
 #   make bench    build and run the benchmarks (BENCH="speed honesty": only these; BENCH_FLAGS=--long: the long versions)
 #   make sanitize build and run the C++ tests under sanitizers (SANITIZE=thread: for data races)
 #   make tidy     look for mistakes with clang-tidy (SINCE=main: only in what changed since then)
@@ -37,8 +38,15 @@ demo: program
 	@echo "Picture: $(BUILD)/demo/image_quicklook.png"
 	@echo "Report:  $(BUILD)/demo/image_report.html (open it in a browser)"
 
+python: configure
+	@$(TOOLS) --target libifov
+	@sh tools/make_python.sh $(BUILD)
+	@echo "Python with ifov: $(BUILD)/venv/bin/python"
+
+# Without PyPI there is no package, and its tests are skipped and say so.
 test: configure
 	@$(TOOLS) --target all
+	@sh tools/make_python.sh $(BUILD) || true
 	@python3 tools/run_tests.py $(BUILD) --jobs $(JOBS)
 
 bench: configure
@@ -56,4 +64,4 @@ tidy: packages
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all packages configure program demo test bench sanitize tidy clean
+.PHONY: all packages configure program demo python test bench sanitize tidy clean

@@ -1,13 +1,22 @@
 #!/usr/bin/env python3
 """Runs one unittest file for ctest; ends with status 77 where every test in it was skipped. A test that fails with the words by
-which a program says that it was built without a part is skipped with them."""
+which a program says that it was built without a part is skipped with them. `--environment FOLDER` runs it by the Python of a virtual
+environment that `make python` has made, and skips it where that is not there."""
 
 import importlib.util
+import os
 import pathlib
 import re
 import sys
 import unittest
 
+if sys.argv[1] == "--environment":
+    environment = pathlib.Path(sys.argv[2])
+    if not (environment / "ready").exists():
+        missing = environment.with_name("venv.missing")
+        print("skipped:", missing.read_text().strip() if missing.exists() else "the Python package was not made (make python)")
+        sys.exit(77)
+    os.execv(environment / "bin/python", [environment / "bin/python", __file__, *sys.argv[3:]])
 file = pathlib.Path(sys.argv[1]).resolve()
 sys.path.insert(0, str(file.parent))
 specification = importlib.util.spec_from_file_location(file.stem, file)

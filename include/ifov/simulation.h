@@ -14,11 +14,12 @@
 #include "ifov/document.h"
 #include "ifov/outcome.h"
 #include "ifov/run_control.h"
-#include "ifov/tile.h"
 
 namespace ifov {
 
 class Ranks;
+struct ImageDescription;  // ifov/tile.h
+class TileSink;
 
 /// How a document is loaded. Pointers may be null, and what they point to must live as long as the call.
 struct LoadOptions {
@@ -92,6 +93,9 @@ struct TileOptions {
   /// the atmosphere was worked out to stays; where that is not enough, pixels are marked ("air").
   const Document* sampling = nullptr;
   std::optional<std::chrono::steady_clock::time_point> deadline = {};  ///< when no more tiles come
+  /// What tiles tell of pixels beside what they always do: words of the document's output.products, "abundance". What this
+  /// image cannot have, such as errors of single rays, is left out.
+  std::vector<std::string> quantities = {};
   const CancelToken* cancel = nullptr;
   ProgressSink* progress = nullptr;
 };
@@ -119,7 +123,7 @@ class IFOV_API Simulation {
   Simulation& operator=(Simulation&&) noexcept;
   ~Simulation();
 
-  /// Size and channels.
+  /// Size, channels, place and what is asked for.
   ImageDescription image() const;
   /// What was loaded and where it is, as `ifov check` prints it: lines, each with its end.
   std::string description() const;

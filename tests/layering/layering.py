@@ -11,7 +11,7 @@ PRINTS = re.compile(
     r"|\bstd::(?:cout|cerr|clog|print|println)\b|\bfmt::print(?:ln)?\b|\b(?:stdout|stderr)\b"
 )
 EXITS = re.compile(r"(?<![\w.>:])(?:std::)?(?:exit|_exit|_Exit|quick_exit|abort|terminate)\s*\(")
-SPEAKERS = ("cli", "python")  # the rooms that own the terminal
+SPEAKERS = ("cli",)  # the room that owns the terminal
 
 
 @dataclasses.dataclass

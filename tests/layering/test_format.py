@@ -10,7 +10,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Another version lays some lines out differently; this one is Debian 12's.
 PROGRAM = "clang-format-14"
-FOLDERS = ("benchmarks", "examples", "include", "src", "tests", "tools")
+FOLDERS = ("benchmarks", "examples", "include", "python", "src", "tests", "tools")
 
 
 def unformatted(files):

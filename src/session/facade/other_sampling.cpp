@@ -26,6 +26,7 @@ void OtherSampling::tell(io::RunPlan& plan) const {
   plan.identity.seed = document_.seed;
   plan.identity.sampler = plan_.method;
   plan.identity.accuracy_asked = plan_.accuracy_asked;
+  if (tolerance_) plan.identity.confidence = tolerance_->confidence();
   plan.judged = tolerance_ != nullptr;
   plan.image_wide = plan_.request && plan_.request->image_wide;
   plan.knows_errors = plan_.knows_errors;

@@ -2,7 +2,9 @@
 
 #include "core/call_scope.h"
 #include "core/error.h"
+#include "ifov/tile.h"
 #include "io/files/inputs.h"
+#include "io/run_state/run_plan.h"
 #include "sampling/reasons.h"
 #include "session/facade/access.h"
 #include "session/facade/document_inside.h"
@@ -13,6 +15,7 @@
 #include "session/preview.h"
 #include "session/runs/coordinator.h"
 #include "session/runs/forecast.h"
+#include "session/runs/plan_assembly.h"
 #include "session/runs/run.h"
 #include "session/session.h"
 
@@ -88,7 +91,9 @@ Simulation Simulation::load(const Document& document, const LoadOptions& options
   return Simulation(std::make_unique<const Inside>(Inside{std::move(session), source.inputs}));
 }
 
-ImageDescription Simulation::image() const { return session::describe_image(inside_->session.parts().info); }
+ImageDescription Simulation::image() const {
+  return session::describe_image(session::assemble_plan(inside_->session.parts(), false));
+}
 
 std::string Simulation::description() const { return inside_->session.description(); }
 

@@ -6,12 +6,15 @@
 #include <utility>
 
 #include "core/error.h"
+#include "ifov/tile.h"
+#include "io/product_parts/map_info.h"
 #include "io/run_state/run_plan.h"
 #include "render/image_renderer.h"
 #include "render/tile_grid.h"
 #include "sampling/reason_words.h"
 #include "sampling/tile.h"
 #include "session/facade/other_sampling.h"
+#include "session/facade/tile_quantities.h"
 #include "session/image_errors.h"
 #include "session/loaded/parts.h"
 #include "session/messages.h"
@@ -25,9 +28,11 @@ namespace {
 /// Shows finished tiles to a program, and counts them.
 class HandingOver final : public render::TileSink {
  public:
-  explicit HandingOver(ifov::TileSink& program) : program_(program) {}
-  void begin(const render::ImageInfo& image) override { program_.begin(describe_image(image)); }
+  HandingOver(ifov::TileSink& program, const io::RunPlan& plan)
+      : program_(program), plan_(plan), quantities_(plan) {}
+  void begin(const render::ImageInfo&) override { program_.begin(describe_image(plan_)); }
   void write(const sampling::TileResult& tile) override {
+    const QuantityValues values = quantities_.of(tile);
     program_.write({.x_px = tile.tile.x0,
                     .y_px = tile.tile.y0,
                     .width_px = tile.tile.width(),
@@ -36,7 +41,8 @@ class HandingOver final : public render::TileSink {
                     .radiance = tile.mean,
                     .half_width = tile.half_width,
                     .samples = tile.samples,
-                    .reasons = tile.reasons});
+                    .reasons = tile.reasons,
+                    .quantities = values.spans()});
     const std::scoped_lock lock(mutex_);
     ++count_;
     sampling::add_reasons(tile.reasons, reasons_);
@@ -46,6 +52,8 @@ class HandingOver final : public render::TileSink {
 
  private:
   ifov::TileSink& program_;
+  const io::RunPlan& plan_;
+  const AskedQuantities quantities_;
   std::mutex mutex_;
   std::size_t count_ = 0;
   sampling::ReasonCounts reasons_{};
@@ -68,10 +76,17 @@ class LastProgress final : public ProgressSink {
 
 }  // namespace
 
-ImageDescription describe_image(const render::ImageInfo& image) {
-  ImageDescription description{image.width_px, image.height_px, {}};
+ImageDescription describe_image(const io::RunPlan& plan) {
+  const render::ImageInfo& image = plan.image;
+  ImageDescription description{.width_px = image.width_px, .height_px = image.height_px, .channels = {}};
   for (const render::ChannelInfo& channel : image.channels)
     description.channels.push_back({channel.name, channel.centre_um, channel.fwhm_um});
+  description.materials = image.materials;
+  if (image.has_map) description.geotransform = io::geotransform(image);
+  if (image.has_map) description.crs = io::coordinate_system_text(image);
+  description.seed = plan.identity.seed;
+  description.accuracy_asked = plan.identity.accuracy_asked;
+  description.confidence = plan.identity.confidence;
   return description;
 }
 
@@ -82,14 +97,15 @@ RunResult render_tiles(const Session& session, const TileOptions& options, const
   const std::optional<OtherSampling> other =
       sampling != nullptr ? std::optional<OtherSampling>(std::in_place, parts, *sampling) : std::nullopt;
   if (other) other->tell(plan);
-  HandingOver program(sink);
+  plan.cubes = quantities_named(options.quantities);
+  HandingOver program(sink, plan);
   OneValue one_value(program);
   ImageErrors image_errors(one_value);
   const TimeLimit limit(options.deadline, options.cancel);
   LastProgress progress(options.progress,
                         static_cast<std::int64_t>(plan.image.width_px) * plan.image.height_px);
   render::RenderJob job = other ? other->job(parts) : parts.job();
-  job.keep_variances = false;
+  set_contents(plan, job);
   render::RenderControl control;
   control.threads = options.threads;
   control.cancel = limit.token();

@@ -1,0 +1,64 @@
+#include "ifov/runs.h"
+
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "bindings.h"
+#include "call.h"
+#include "ifov/detect.h"
+#include "ifov/products.h"
+
+namespace ifov::python {
+
+void add_runs(nb::module_& module) {
+  module.def("run_status", &run_status, nb::arg("folder"));
+  module.def(
+      "merge",
+      [](const std::vector<std::filesystem::path>& folders, const std::filesystem::path& output, bool partial,
+         int threads, nb::object log) {
+        Call call(nb::none(), std::move(log));
+        return call.run([&] {
+          return merge(folders,
+                       {.output_folder = output, .threads = threads, .partial = partial, .log = &call});
+        });
+      },
+      nb::arg("folders"), nb::arg("output"), nb::arg("partial"), nb::arg("threads"), nb::arg("log").none());
+
+  module.def(
+      "detect",
+      [](const std::filesystem::path& run, const std::filesystem::path& folder, std::uint64_t seed, int count,
+         const std::optional<Document>& other, int threads) {
+        Call call;
+        const Detection detection = call.run([&] {
+          return detect(run, {.folder = folder,
+                              .first_seed = seed,
+                              .realizations = count,
+                              .other = other,
+                              .threads = threads,
+                              .cancel = call.cancel()});
+        });
+        nb::dict noise;
+        for (const Detection::Channel& channel : detection.channels)
+          noise[channel.name.c_str()] = channel.noise;
+        return nb::make_tuple(noise, detection.cubes);
+      },
+      nb::arg("run"), nb::arg("folder"), nb::arg("seed"), nb::arg("count"), nb::arg("other").none(),
+      nb::arg("threads"));
+
+  nb::class_<RegionMean::Channel>(module, "RegionChannel")
+      .def_ro("name", &RegionMean::Channel::name)
+      .def_ro("pixels", &RegionMean::Channel::pixels)
+      .def_ro("mean", &RegionMean::Channel::mean)
+      .def_ro("half_width", &RegionMean::Channel::half_width);
+  nb::class_<RegionMean>(module, "RegionMean")
+      .def_ro("region", &RegionMean::region)
+      .def_ro("pixels", &RegionMean::pixels)
+      .def_ro("converged", &RegionMean::converged)
+      .def_ro("reasons", &RegionMean::reasons)
+      .def_ro("channels", &RegionMean::channels);
+  module.def("region_means", &region_means, nb::arg("products"), nb::arg("regions"));
+}
+
+}  // namespace ifov::python

@@ -1,0 +1,174 @@
+"""Ctrl-C, callbacks, threads: what Python does while the library works."""
+
+import gc
+import os
+import resource
+import signal
+import threading
+import time
+import unittest
+
+import scenes
+
+import ifov
+
+
+class Calls(unittest.TestCase):
+    def test_ctrl_c(self):
+        begun = threading.Event()
+        sent = []
+
+        def interrupt():
+            begun.wait(60)
+            sent.append(time.monotonic())
+            os.kill(os.getpid(), signal.SIGINT)
+
+        scene = ifov.Scene(scenes.endless())
+        thread = threading.Thread(target=interrupt)
+        thread.start()
+        with self.assertRaises(KeyboardInterrupt):
+            scene.render(callback=lambda _: begun.set(), progress=False)
+        waited = time.monotonic() - sent[0]
+        thread.join()
+        # Tenths of a second on an idle machine; here only that it does not wait for the image, which takes hours.
+        self.assertLess(waited, 20)
+        # What is loaded is as it was.
+        self.assertEqual(scene.cast([0, 0, 1], [0, 0, -1])["hit"].values.tolist(), [True])
+
+    def test_exceptions_of_callbacks_arrive_as_they_were(self):
+        scene = ifov.Scene(scenes.endless())
+
+        class Own(Exception):
+            pass
+
+        raised = Own("mine")
+
+        def throw(_):
+            raise raised
+
+        for hook in ({"callback": throw}, {"on_tile": throw}):
+            with self.assertRaises(Own) as caught:
+                scene.render(progress=False, **hook)
+            self.assertIs(caught.exception, raised)
+
+    def test_progress(self):
+        seen = []
+        ifov.render(scenes.small(), callback=seen.append, progress=False)
+        self.assertEqual(seen[-1].pixels_done, 20 * 14)
+        self.assertEqual(seen[-1].pixels_total, 20 * 14)
+        self.assertGreater(seen[-1].rays, 0)
+        self.assertLessEqual(seen[-1].worst_error_ratio, 1.0)
+
+    def test_tiles(self):
+        covered = set()
+
+        def note(tile):
+            self.assertEqual(tile.radiance.shape, (2, tile.height, tile.width))
+            self.assertEqual(tile.samples.shape, (tile.height, tile.width))
+            self.assertTrue((tile.radiance > 0).any())
+            covered.update((x, y) for x in range(tile.x, tile.x + tile.width) for y in range(tile.y, tile.y + tile.height))
+
+        ifov.render(scenes.small(), on_tile=note, progress=False)
+        self.assertEqual(len(covered), 20 * 14)
+
+    def test_a_bar(self):
+        try:
+            import tqdm  # noqa: F401
+        except ImportError:
+            self.skipTest("tqdm is not installed")
+        ifov.render(scenes.small(), progress=True)
+
+    def test_other_threads_go_on(self):
+        """The lock of the interpreter is free while the library works."""
+        count = 0
+        stop = threading.Event()
+
+        def counting():
+            nonlocal count
+            while not stop.is_set():
+                count += 1
+                time.sleep(0.001)
+
+        thread = threading.Thread(target=counting)
+        thread.start()
+        ifov.render(scenes.endless(), time_limit=0.4, progress=False)
+        stop.set()
+        thread.join()
+        self.assertGreater(count, 10)
+
+    def test_two_renders_at_once(self):
+        alone = ifov.render(scenes.small(), progress=False)
+        scene = ifov.Scene(scenes.small())
+        found = []
+
+        def work():
+            found.append(scene.render(progress=False))
+
+        threads = [threading.Thread(target=work) for _ in range(3)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(len(found), 3)
+        for one in found:
+            self.assertEqual(one["radiance"].values.tobytes(), alone["radiance"].values.tobytes())
+
+    def test_nothing_is_kept(self):
+        """Of the arrays of 15 renders of 18 MB each, and of what callbacks held."""
+        document = scenes.small(sampling={"single": {}})
+        document["sensor"]["camera"]["orthographic"]["pixels"] = [640, 480]
+        scene = ifov.Scene(document)
+
+        class Held:
+            alive = 0
+
+            def __init__(self):
+                Held.alive += 1
+
+            def __del__(self):
+                Held.alive -= 1
+
+            def __call__(self, _):
+                pass
+
+        def render():
+            scene.render(callback=Held(), on_tile=Held(), progress=False)
+
+        for _ in range(3):
+            render()
+        gc.collect()
+        before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        for _ in range(15):
+            render()
+        gc.collect()
+        self.assertEqual(Held.alive, 0)
+        self.assertLess(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before, 60_000)
+
+
+class Processes(unittest.TestCase):
+    def test_a_forked_process_says_that_it_cannot_go_on(self):
+        """The threads of the library stay behind in the parent."""
+        ifov.Scene(scenes.small())
+        child = os.fork()
+        if child == 0:
+            try:
+                ifov.Scene(scenes.small())
+            except RuntimeError as error:
+                os._exit(7 if "spawn" in str(error) else 8)
+            os._exit(9)
+        self.assertEqual(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), 7)
+
+    def test_spawned_processes(self):
+        import multiprocessing
+
+        with multiprocessing.get_context("spawn").Pool(1) as pool:
+            far = pool.apply(render_small)
+        self.assertEqual(far, render_small())
+
+
+def render_small():
+    return ifov.render(scenes.small(), progress=False)["radiance"].values.tobytes()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,43 @@
+"""The examples of docs/guide/python.md and the cells of docs/notebooks run as written, one after another."""
+
+import json
+import pathlib
+import re
+import unittest
+
+import scenes
+
+GUIDE = scenes.ROOT / "docs" / "guide" / "python.md"
+NOTEBOOKS = sorted((scenes.ROOT / "docs" / "notebooks").glob("*.ipynb"))
+
+
+class Guide(scenes.InFolder):
+    def run_parts(self, name, parts):
+        names = {}
+        for number, part in enumerate(parts, 1):
+            try:
+                exec(compile(part, f"{name}, part {number}", "exec"), names)  # noqa: S102
+            except Exception as error:
+                raise AssertionError(f"{name}, part {number}:\n{part}") from error
+        return names
+
+    def test_examples(self):
+        parts = re.findall(r"```python\n(.*?)```", GUIDE.read_text(encoding="utf-8"), re.DOTALL)
+        self.assertGreater(len(parts), 7)
+        names = self.run_parts("python.md", parts)
+        self.assertEqual(names["picture"].dims, ("y", "x", "rgb"))
+        self.assertTrue(pathlib.Path("out/image_run.json").exists())
+
+    def test_notebooks(self):
+        self.assertTrue(NOTEBOOKS)
+        for file in NOTEBOOKS:
+            with self.subTest(file.name):
+                notebook = json.loads(file.read_text(encoding="utf-8"))
+                cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+                # Outputs are of the reader's own run.
+                self.assertTrue(all(not cell["outputs"] and cell["execution_count"] is None for cell in cells))
+                self.run_parts(file.name, ["".join(cell["source"]) for cell in cells])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,131 @@
+"""The package as it is installed: what importing it brings, its types, and its neighbours in one process."""
+
+import importlib.metadata
+import importlib.util
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+import scenes
+
+import ifov
+
+PACKAGE = scenes.ROOT / "python" / "ifov"
+
+
+def run(code, **environment):
+    """What a process of its own prints."""
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False, env=os.environ | environment, cwd="/"
+    )
+    return done.stdout.strip() if done.returncode == 0 else f"{done.returncode}: {done.stdout}{done.stderr}"
+
+
+class Package(unittest.TestCase):
+    def test_is_that_of_this_tree(self):
+        """Else `make python` has to be run again."""
+        installed = pathlib.Path(ifov.__file__).parent
+        for file in PACKAGE.iterdir():
+            if file.suffix in (".py", ".pyi", ".typed"):
+                self.assertEqual(file.read_bytes(), (installed / file.name).read_bytes(), file.name)
+
+    def test_version(self):
+        self.assertEqual(importlib.metadata.version("ifov"), ifov.version())
+
+    def test_importing_is_light(self):
+        code = "import sys, ifov; print([name for name in ('xarray', 'pandas', 'ifov._ifov', 'tqdm') if name in sys.modules])"
+        self.assertEqual(run(code), "[]")
+
+    def test_the_accessor_is_there_where_xarray_was_first(self):
+        self.assertEqual(run("import xarray, ifov; print(hasattr(xarray.Dataset, 'ifov'))"), "True")
+
+    def test_schema(self):
+        import json
+
+        self.assertEqual(ifov.schema(), json.loads(subprocess.run([scenes.PROGRAM, "schema"], capture_output=True).stdout))
+
+    def test_materials(self):
+        found = ifov.materials.search("asphalt")
+        self.assertTrue(found)
+        curve = found[0].curves[0]
+        self.assertEqual(curve.wavelength.shape, curve.reflectance.shape)
+        with self.assertRaisesRegex(ifov.DocumentError, "asphalt"):
+            ifov.materials.search("asphelt")
+
+    def test_the_module_shows_no_symbols_but_its_own(self):
+        names = subprocess.run(["nm", "-D", "--defined-only", ifov._library().__file__], capture_output=True, text=True, check=True)
+        own = [line.split()[-1] for line in names.stdout.splitlines()]
+        self.assertEqual([name for name in own if name != "PyInit__ifov"], [])
+
+
+    def test_the_module_stands_on_the_facade_alone(self):
+        """Its sources include the headers of include/ifov, nanobind, the standard library and each other."""
+        sources = sorted((scenes.ROOT / "python" / "src").glob("*.*"))
+        self.assertGreater(len(sources), 8)
+        own = {file.name for file in sources}
+        for file in sources:
+            for name in re.findall(r'#include [<"]([^>"]+)[>"]', file.read_text(encoding="utf-8")):
+                there = name in own or name.startswith("nanobind/") or "/" not in name and "." not in name
+                self.assertTrue(there or (name.startswith("ifov/") and (scenes.ROOT / "include" / name).exists()), (file.name, name))
+
+
+class Typed(unittest.TestCase):
+    def test_mypy(self):
+        if importlib.util.find_spec("mypy") is None:
+            self.skipTest("mypy is not installed")
+        done = subprocess.run(
+            [sys.executable, "-m", "mypy", "--config-file", "pyproject.toml", "--cache-dir", os.environ["IFOV_BUILD"] + "/mypy"],
+            cwd=scenes.ROOT,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+
+class WithoutTheExtension(scenes.InFolder):
+    def test_products_are_loaded(self):
+        ifov.run(scenes.small(), "out", progress=False)
+        code = (
+            "import sys; sys.modules['ifov._ifov'] = None\n"
+            "import ifov\n"
+            f"ds = ifov.load({str(self.folder / 'out')!r})\n"
+            "print(ds.ifov.rgb().shape, ds.ifov.brightness_temperature().shape, ifov.read.__name__)\n"
+            "try: ifov.render({})\n"
+            "except ImportError as error: print('pip install' in str(error))\n"
+        )
+        self.assertEqual(run(code), "(14, 20, 3) (2, 14, 20) read\nTrue")
+
+
+class Neighbours(scenes.InFolder):
+    """Others bring libraries of the same names; each keeps its own, in any order."""
+
+    def test_rasters(self):
+        if importlib.util.find_spec("rasterio") is None or importlib.util.find_spec("netCDF4") is None:
+            self.skipTest("rasterio and netCDF4 are not both installed")
+        import json
+
+        # A document whose terrain is read by the library's own GDAL, and whose products are written by its own netCDF.
+        document = scenes.small(output={"formats": ["geotiff", "netcdf"]})
+        document["scene"]["origin"] = {"crs": "EPSG:32633", "easting": "500000 m", "northing": "5300000 m", "height": "0 m"}
+        pathlib.Path("scene.json").write_text(json.dumps(document), encoding="utf-8")
+        parts = {
+            "ifov": f"ifov.run(ifov.read({str(self.folder / 'scene.json')!r}), FOLDER, progress=False)",
+            "rasterio": "assert rasterio.open(FOLDER + '/image_radiance.tif').crs.to_epsg() == 32633",
+            "netCDF4": "assert netCDF4.Dataset(FOLDER + '/image_radiance.nc')['radiance'].shape == (2, 14, 20)",
+        }
+        for number, order in enumerate((("ifov", "rasterio", "netCDF4"), ("netCDF4", "rasterio", "ifov"))):
+            code = f"FOLDER = {str(self.folder / str(number))!r}\n"
+            code += "".join(f"import {name}\n" for name in order)
+            # All at work twice: the first to be used is not the first to be imported.
+            first = "" if number == 0 else "from rasterio.crs import CRS; assert CRS.from_epsg(4326).to_wkt()\n"
+            code += first + parts["ifov"] + "\n" + parts["rasterio"] + "\n" + parts["netCDF4"] + "\n"
+            code += "assert rasterio.__gdal_version__ == rasterio.gdal_version()\nprint('well')"
+            self.assertEqual(run(code), "well", order)
+
+
+if __name__ == "__main__":
+    unittest.main()
