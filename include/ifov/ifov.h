@@ -23,5 +23,6 @@
 #include "ifov/run_control.h"
 #include "ifov/runs.h"
 #include "ifov/simulation.h"
+#include "ifov/temperature.h"
 #include "ifov/tile.h"
 #include "ifov/version.h"

@@ -86,7 +86,10 @@ class Sampler {
   }
 
   double end_s() const { return atmosphere::seconds_of(span_.end); }
-  double begin_s() const { return end_s() - kShownDay_s - span_.spin_up_s; }
+  /// Whole steps back.
+  double begin_s() const {
+    return end_s() - span_.step_s * std::round((kShownDay_s + span_.spin_up_s) / span_.step_s);
+  }
 
   Outdoors at(double actual_s) const {
     const double time_s = looked_up_s(actual_s);

@@ -24,6 +24,8 @@ struct SceneDocument;
 struct SensorDocument;
 struct SpectrumDocument;
 struct TemperatureDocument;
+struct TemperaturesDocument;
+struct ThermalDocument;
 struct WeatherDocument;
 enum class SpectrumOf;
 
@@ -34,6 +36,8 @@ SchemaType<double> um_per_unit_type();  ///< "um" or "nm", as micrometres per un
 
 SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type();
 SchemaType<TemperatureDocument> temperature_type();
+SchemaType<ThermalDocument> thermal_type();
+SchemaType<TemperaturesDocument> temperatures_type();
 SchemaType<ScatteringDocument> scattering_type();
 SchemaType<std::vector<ObjectDocument>> objects_type();
 SchemaType<SceneDocument> scene_type();
