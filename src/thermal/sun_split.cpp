@@ -13,13 +13,15 @@ double diffuse_share(double clearness) {
 }
 
 SunAndSky split_global(double global_w_m2, double sun_elevation_rad, double sun_distance_au) {
-  constexpr double kLowest_rad = 3.0 * std::numbers::pi / 180.0;
+  constexpr double kDegree = std::numbers::pi / 180.0, kLowest_rad = 3.0 * kDegree,
+                   kWhole_rad = 6.0 * kDegree;
   const double global = std::max(0.0, global_w_m2);
   if (sun_elevation_rad < kLowest_rad) return {0.0, global};
   const double outside = kSolarConstant_w_m2 / (sun_distance_au * sun_distance_au);
   const double height = std::sin(sun_elevation_rad);
   const double share = diffuse_share(global / (outside * height));
-  const double direct = std::min((1.0 - share) * global / height, outside);
+  const double in_full = std::min(1.0, (sun_elevation_rad - kLowest_rad) / (kWhole_rad - kLowest_rad));
+  const double direct = in_full * std::min((1.0 - share) * global / height, outside);
   return {direct, global - direct * height};
 }
 

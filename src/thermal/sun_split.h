@@ -13,8 +13,8 @@ struct SunAndSky {
   double direct_w_m2 = 0.0;
   double diffuse_w_m2 = 0.0;
 };
-/// From the global irradiance of a level plane, W m-2. Below 3 degrees all of it is the sky's, and the Sun never
-/// gives more than it would without air.
+/// From the global irradiance of a level plane, W m-2. Below 3 degrees all of it is the sky's, from 6 degrees on the Sun has its
+/// part, which grows between; and the Sun never gives more than it would without air.
 SunAndSky split_global(double global_w_m2, double sun_elevation_rad, double sun_distance_au);
 
 }  // namespace ifov::thermal

@@ -83,7 +83,7 @@ Fluxes SurfaceBalance::complete(const Row& row, double surface_k, double& slope)
   fluxes.convection = -skin_.convecting_faces * h.h_w_m2_k * warmer_k;
   slope -= skin_.convecting_faces * (h.h_w_m2_k + h.slope_w_m2_k2 * warmer_k);
   const LatentHeat latent = latent_heat(skin_.wetness, surface_k, row.air, h);
-  fluxes.latent = -latent.w_m2;
+  fluxes.latent = 0.0 - latent.w_m2;
   slope -= latent.slope_w_m2_k;
   return fluxes;
 }

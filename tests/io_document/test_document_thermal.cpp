@@ -90,7 +90,7 @@ TEST(DocumentThermal, Messages) {
                 .find("wetness' is the number 1.2, expected"),
             std::string::npos);
   EXPECT_NE(message(R"({"layers": [{"thickness": "5 mm", "library": "steel"}], "roughness": "ruff"})")
-                .find("roughness' is \"ruff\""),
+                .find("roughness' is the text \"ruff\", expected 'very rough', 'rough'"),
             std::string::npos)
       << message(R"({"layers": [{"thickness": "5 mm", "library": "steel"}], "roughness": "ruff"})");
 }

@@ -120,6 +120,8 @@ TEST(SunSplit, ErbsIsContinuousAndSums) {
     EXPECT_LE(split.direct_w_m2, kSolarConstant_w_m2);
   }
   EXPECT_EQ(split_global(3.0, -0.01, 1.0).direct_w_m2, 0.0);
+  EXPECT_EQ(split_global(40.0, 0.052, 1.0).direct_w_m2, 0.0);  // 3 degrees: no jump there
+  EXPECT_NEAR(split_global(40.0, 0.0525, 1.0).direct_w_m2, 0.0, 6.0);
 }
 
 // Allen et al. (1998), eq. 3, with the slope of the saturation pressure at the air's temperature, is the balance to first
