@@ -24,5 +24,6 @@
 #include "ifov/runs.h"
 #include "ifov/sensor.h"
 #include "ifov/simulation.h"
+#include "ifov/temperature.h"
 #include "ifov/tile.h"
 #include "ifov/version.h"

@@ -27,6 +27,7 @@ Command add_info_command(CLI::App& app);
 Command add_study_command(CLI::App& app);
 Command add_materials_command(CLI::App& app);
 Command add_brdf_command(CLI::App& app);
+Command add_temperature_command(CLI::App& app);
 Command add_make_command(CLI::App& app);
 Command add_schema_command(CLI::App& app);
 

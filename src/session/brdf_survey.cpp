@@ -5,17 +5,15 @@
 #include <limits>
 #include <numbers>
 
-#include "core/names.h"
 #include "core/parallel.h"
 #include "io/document/document.h"
 #include "io/document/reading/scattering_models.h"
 #include "materials/bsdf/bsdf.h"
 #include "math/angle.h"
-#include "scene/scene.h"
-#include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/spectrum_assembly.h"
 #include "session/assembly/shared/with_position.h"
-#include "session/assembly/surfaces/assignment_assembly.h"
+#include "session/assembly/surfaces/scattering_assembly.h"
+#include "session/one_material.h"
 #include "session/surface_at.h"
 
 namespace ifov::session {
@@ -26,33 +24,6 @@ using math::kDegree;
 constexpr int kMapSide = 480;
 constexpr double kLastView_deg = 89.0, kLastZenith_deg = 87.5, kZenithStep_deg = 2.5;
 constexpr double kSpectra_deg[] = {0.0, 60.0};
-
-const io::MaterialDocument& find_material(const io::Document& document, const std::string& name) {
-  std::vector<std::string> names;
-  for (const io::MaterialDocument& material : document.scene.materials) {
-    if (material.name == name) return material;
-    names.push_back(material.name);
-  }
-  const std::string choices = list_names(names, "and"), hint = did_you_mean(name, names);
-  if (name.empty())
-    throw InputError(format("which material of {}? There are {}", document.sources.file_name, choices));
-  throw InputError(format("{}: there is no material '{}'{} {}", document.sources.file_name, name,
-                          hint.empty() ? "; there are" : hint + " There are", choices));
-}
-
-materials::Material assemble_material(const io::Document& document, const io::MaterialDocument& source,
-                                      int curve) {
-  const auto count = static_cast<int>(source.further_curves.size()) + 1;
-  if (curve < 1 || curve > count)
-    throw io::document_error(document.sources, source.position,
-                             format("'{}' has no curve {}; it has {}", source.name, curve,
-                                    count == 1 ? std::string("one") : format("1 to {}", count)));
-  const std::vector<io::MaterialDocument> alone{source};
-  scene::Scene scene;
-  const MapFrame frame(document.sources, {});
-  const AssignmentAssembly assembly(document.sources, alone, document.seed, frame, scene, nullptr);
-  return scene.materials.at(static_cast<std::size_t>(curve - 1));
-}
 
 /// "slope 25 deg, reflectance 0.3", of what the material was made of.
 std::string parameter_line(const io::Document& document, const io::MaterialDocument& source, int curve,

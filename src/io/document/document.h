@@ -20,6 +20,7 @@
 #include "io/json/document_override.h"
 
 namespace ifov::io {
+struct TemperaturesDocument;
 
 /// Version of the document format that this program reads and writes.
 inline constexpr int kDocumentVersion = 1;
@@ -30,8 +31,7 @@ struct FormerKey {
   std::string former, name;
 };
 
-/// What the user wrote, checked and in SI units (metres, kelvins, radians; wavelength in micrometres).
-/// Files it names have not been opened.
+/// What the user wrote, checked and in SI units (wavelength in micrometres). Files it names have not been opened.
 struct Document {
   int version = kDocumentVersion;
   std::uint64_t seed = 1;
@@ -40,6 +40,7 @@ struct Document {
   LightDocument light;
   AtmosphereDocument atmosphere;
   std::optional<WeatherDocument> weather;
+  std::shared_ptr<const TemperaturesDocument> temperatures;  ///< null: as by default
   SensorDocument sensor;
   SamplingDocument sampling;
   OutputDocument output;

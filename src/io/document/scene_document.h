@@ -33,6 +33,7 @@ struct OriginDocument {
 
 struct OpacityDocument;
 struct ParameterMap;
+struct ThermalDocument;
 /// A model of materials::bsdf_models() with its parameters.
 struct ScatteringDocument {
   std::string model = "lambertian";
@@ -53,6 +54,7 @@ struct MaterialDocument {
   std::optional<ReliefDocument> relief;
   std::shared_ptr<const OpacityDocument> opacity;  ///< null: it has no holes
   std::optional<TemperatureDocument> temperature;  ///< absent here and on the object: 0 K, emits nothing
+  std::shared_ptr<const ThermalDocument> thermal;  ///< what its temperature would follow from; null: not told
   ScatteringDocument scattering;
   std::optional<bool> emitter;  ///< light is sought from it; absent: where it is twice as bright as the scene
   SourcePosition position;

@@ -10,6 +10,7 @@ namespace ifov::io {
 class Assets;
 struct AtmosphereReport;
 struct BrdfReport;
+struct TemperatureReport;
 }  // namespace ifov::io
 namespace ifov::session {
 class Coordinator;
@@ -20,6 +21,7 @@ namespace ifov {
 class AtmosphereReport;
 class BrdfReport;
 class Ranks;
+class TemperatureReport;
 
 /// What public classes keep, for the functions of the facade alone. Each `Inside` is defined where its class is, that of a
 /// document in document_inside.h.
@@ -31,6 +33,7 @@ struct FacadeAccess {
   static session::Coordinator* coordinator(const Ranks* ranks);
   static void set(AtmosphereReport& report, io::AtmosphereReport inside);
   static void set(BrdfReport& report, io::BrdfReport inside);
+  static void set(TemperatureReport& report, io::TemperatureReport inside);
 };
 
 }  // namespace ifov

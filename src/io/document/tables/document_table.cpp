@@ -3,6 +3,7 @@
 #include "io/document/document.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
+#include "io/document/thermal_document.h"
 
 namespace ifov::io {
 namespace {
@@ -71,6 +72,13 @@ SchemaType<Document> document_type() {
       .with_default("light", &Document::light, light_type(), "{}", "Sun and sky")
       .with_default("atmosphere", &Document::atmosphere, atmosphere_type(), "{}", "air")
       .optional("weather", &Document::weather, weather_type(), "air at the ground over time")
+      .with_default("temperatures",
+                    via(
+                        [](Document& d, TemperaturesDocument how) {
+                          d.temperatures = std::make_shared<const TemperaturesDocument>(std::move(how));
+                        },
+                        [](const Document& d) { return d.temperatures.get(); }),
+                    temperatures_type(), "{}", "how `ifov temperature` solves for those of surfaces")
       .required("sensor", &Document::sensor, sensor_type(), "camera and channels")
       .with_default("sampling", &Document::sampling, sampling_type(), "{}", "rays")
       .with_default("output", &Document::output, output_type(), "{}", "products");

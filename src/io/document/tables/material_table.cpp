@@ -4,6 +4,7 @@
 #include "io/document/schema/record.h"
 #include "io/document/tables/map_tables.h"
 #include "io/document/tables/tables.h"
+#include "io/document/thermal_document.h"
 
 namespace ifov::io {
 namespace {
@@ -76,6 +77,15 @@ SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type
       .optional("temperature", &MaterialDocument::temperature, temperature_type(),
                 "without one, here or on the object, a surface emits nothing")
       .optional(
+          "thermal",
+          via(
+              [](MaterialDocument& m, ThermalDocument thermal) {
+                m.thermal = std::make_shared<const ThermalDocument>(std::move(thermal));
+              },
+              [](const MaterialDocument& m) { return m.thermal.get(); }),
+          thermal_type(),
+          "what its temperature follows from, for `ifov temperature`; images do not take it from there yet")
+      .optional(
           "emitter", &MaterialDocument::emitter, boolean(),
           "whether the light that it emits is sought from other surfaces; absent: where it is twice as bright as the scene; false leaves it to "
           "chance, and pixels that it may light say so")
@@ -96,6 +106,9 @@ SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type
           "emissivity is then 1 - reflectance - transmittance")
       .check([](const MaterialDocument& material, const DocumentNode& node) {
         const char* key = material.is_emissivity ? "emissivity" : "reflectance";
+        if (material.temperature && material.thermal)
+          node.given("temperature")
+              .fail_at_key("a 'temperature' is given, and 'thermal' to solve for one; give one of them");
         if (material.transmittance && material.is_emissivity)
           node.given("transmittance")
               .fail_at_key(

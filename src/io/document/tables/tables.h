@@ -28,6 +28,8 @@ struct SensorDocument;
 struct SnrDocument;
 struct SpectrumDocument;
 struct TemperatureDocument;
+struct TemperaturesDocument;
+struct ThermalDocument;
 struct WeatherDocument;
 enum class SpectrumOf;
 
@@ -39,6 +41,8 @@ SchemaType<std::string> word_type(const std::vector<std::string>& words);  ///< 
 
 SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type();
 SchemaType<TemperatureDocument> temperature_type();
+SchemaType<ThermalDocument> thermal_type();
+SchemaType<TemperaturesDocument> temperatures_type();
 SchemaType<ScatteringDocument> scattering_type();
 SchemaType<std::vector<ObjectDocument>> objects_type();
 SchemaType<SceneDocument> scene_type();

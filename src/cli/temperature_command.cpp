@@ -1,0 +1,97 @@
+#include <CLI/CLI.hpp>
+#include <numbers>
+
+#include "cli/command.h"
+#include "cli/inputs_below.h"
+#include "cli/terminal/say.h"
+#include "core/error.h"
+#include "core/format.h"
+#include "ifov/products.h"
+#include "ifov/temperature.h"
+
+namespace ifov::cli {
+namespace {
+
+struct TemperatureArguments {
+  std::string document, plot, csv;
+  std::vector<std::string> set, only;
+  double slope_deg = 0.0, azimuth_deg = 180.0, height_m = 0.0;
+  bool materials = false, quiet = false;
+};
+
+ExitCode run_temperature(const TemperatureArguments& arguments) {
+  if (!arguments.materials && arguments.only.empty())
+    throw InputError(
+        "ifov: temperature wants --materials: the day of every material, in the Sun and in the shade");
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  TemperatureQuestion question;
+  question.materials = arguments.only;
+  question.slope_rad = arguments.slope_deg * kDegree;
+  question.azimuth_rad = arguments.azimuth_deg * kDegree;
+  question.height_m = arguments.height_m;
+  const TemperatureReport report =
+      survey_temperatures(Document::read(arguments.document, arguments.set), question);
+  if (arguments.plot.empty() && arguments.csv.empty()) say(report.table());
+  if (!arguments.plot.empty()) {
+    write_file(arguments.plot, report.figure());
+    if (!arguments.quiet)
+      complain(format("{}  (curves of {} materials, PNG)", arguments.plot, report.materials.size()));
+  }
+  if (!arguments.csv.empty()) {
+    write_file(arguments.csv, report.csv());
+    if (!arguments.quiet)
+      complain(
+          format("{}  (temperatures and fluxes of {} materials)", arguments.csv, report.materials.size()));
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Command add_temperature_command(CLI::App& app) {
+  auto arguments = std::make_shared<TemperatureArguments>();
+  CLI::App* parser =
+      app.add_subcommand("temperature", "Show how warm materials get under the document's weather");
+  parser->add_option("FILE", arguments->document, "The document (JSON)")->required();
+  parser->add_flag("--materials", arguments->materials,
+                   "The day of every material that has \"thermal\" or a reflectance of the library");
+  parser->add_option("--only", arguments->only, "This material alone; may be given several times")
+      ->type_name("NAME")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  parser
+      ->add_option("--slope", arguments->slope_deg,
+                   "Of the surfaces, in degrees: 0 is level, 90 a wall (default: 0)")
+      ->check(CLI::Range(0.0, 180.0))
+      ->type_name("DEG");
+  parser
+      ->add_option("--azimuth", arguments->azimuth_deg,
+                   "That a slope faces, in degrees clockwise from north (default: 180)")
+      ->check(CLI::Range(0.0, 360.0))
+      ->type_name("DEG");
+  parser->add_option("--height", arguments->height_m, "Above ground, in metres, for the wind (default: 0)")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->type_name("M");
+  parser->add_option("--plot", arguments->plot, "Draw the curves into this file (PNG)")->type_name("PNG");
+  parser->add_option("--csv", arguments->csv, "Write all temperatures and fluxes into this file")
+      ->type_name("CSV");
+  parser
+      ->add_option("--set", arguments->set,
+                   "A value of the document in place of its own: --set time=2026-06-21T14:00Z")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_inputs_below(*parser);
+  parser->add_flag("-q,--quiet", arguments->quiet, "Print nothing but errors and tables");
+  parser->footer(
+      "Solves the heat balance of a surface of each material over the 24 hours before the document's time, once\n"
+      "always in the Sun and once never, and says when one becomes warmer than another. The document needs\n"
+      "\"time\", \"weather\" and a place; \"temperatures\" says how it is solved.\n\n"
+      "Examples:\n"
+      "  ifov temperature scene.json --materials\n"
+      "  ifov temperature scene.json --materials --csv day.csv --plot day.png\n"
+      "  ifov temperature scene.json --only wall --slope 90 --azimuth 180 --height 3");
+  return {parser, [arguments] { return run_temperature(*arguments); }};
+}
+
+}  // namespace ifov::cli

@@ -1,0 +1,180 @@
+#include <cmath>
+
+#include "core/format.h"
+#include "io/document/schema/heat_quantities.h"
+#include "io/document/schema/record.h"
+#include "io/document/tables/tables.h"
+#include "io/document/thermal_document.h"
+#include "io/library/thermal_library.h"
+#include "thermal/convection.h"
+#include "thermal/solid.h"
+#include "thermal/wind_profile.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr std::size_t kMostLayers = 100;
+
+SchemaType<double> above_zero(const Dimension& dimension, std::string_view unit) {
+  return quantity(dimension, Range::above(0.0, unit));
+}
+
+SchemaType<double> thickness() {
+  return quantity(kLength, Range::at_least(1e6 * thermal::kThinnestLayer_m, "um"));
+}
+
+/// The names of the first `count` of an enumeration, each as itself.
+template <class E>
+SchemaType<std::string> names_of(int count) {
+  std::vector<std::pair<std::string, std::string>> words;
+  for (int i = 0; i < count; ++i) {
+    const std::string name(thermal::name_of(static_cast<E>(i)));
+    words.emplace_back(name, name);
+  }
+  return choice(words);
+}
+
+SchemaType<ThermalLayerDocument> layer_type() {
+  using Layer = ThermalLayerDocument;
+  Record<Layer> record("thermal layer", "A sheet of one solid: of the library, or of three numbers.");
+  record.required("thickness", &Layer::thickness_m, thickness(), "at least 10 um");
+  const auto given = [](auto member) {
+    return via([member](Layer& layer, double value) { layer.*member = value; },
+               [member](const Layer& layer) {
+                 return layer.library.empty() ? std::optional(layer.*member) : std::nullopt;
+               });
+  };
+  record.exactly_one()
+      .one("library",
+           via([](Layer& layer, std::string name) { layer.library = std::move(name); },
+               [](const Layer& layer) {
+                 return layer.library.empty() ? std::nullopt : std::optional(layer.library);
+               }),
+           label(), "name of a thermal material that is built in")
+      .one("conductivity", given(&Layer::conductivity_w_m_k), above_zero(kConductivity, "W m-1 K-1"),
+           "of heat")
+      .optional("density", given(&Layer::density_kg_m3), above_zero(kMassDensity, "kg/m3"), "of mass")
+      .optional("specific_heat", given(&Layer::specific_heat_j_kg_k), above_zero(kSpecificHeat, "J kg-1 K-1"),
+                "heat by mass and temperature");
+  for (const char* key : {"density", "specific_heat"}) record.needs(key, "conductivity");
+  record.check([](const Layer& layer, const DocumentNode& node) {
+    if (!layer.library.empty()) {
+      try {
+        thermal_library().solid(layer.library);
+      } catch (const InputError& error) {
+        node.given("library").fail(error.what());
+      }
+    } else if (!(layer.density_kg_m3 > 0.0) || !(layer.specific_heat_j_kg_k > 0.0)) {
+      node.given("conductivity").fail_at_key("a conductivity needs 'density' and 'specific_heat' beside it");
+    }
+  });
+  return record.type();
+}
+
+SchemaType<ThermalBackDocument> back_type() {
+  using Back = ThermalBackDocument;
+  Record<Back::Room> room("room behind a wall", "Air at a temperature that is held.");
+  room.with_default("temperature", &Back::Room::temperature_k, above_zero(kTemperature, "K"), "\"20 degC\"",
+                    "of the air")
+      .with_default("conductance", &Back::Room::conductance_w_m2_k,
+                    quantity(kConductance, Range::at_least(0.0, "W m-2 K-1")), "\"7.7 W m-2 K-1\"",
+                    "between it and the last layer (ISO 6946: 1 / 0.13)");
+  Record<Back::Ground> ground(
+      "deep ground",
+      "The last layer goes on to ten times the depth of a day's wave, where the temperature is held.");
+  ground.optional(
+      "temperature", &Back::Ground::temperature_k, above_zero(kTemperature, "K"),
+      "deep down; without it the mean of the air over the weather's year, or what there is of it");
+  Record<Back> record("back of layers", "What lies behind the last layer.");
+  record.exactly_one()
+      .one("temperature", &Back::held_k, above_zero(kTemperature, "K"), "that is held there")
+      .one("room", &Back::room, room.type(), "air of a room")
+      .one("ground", &Back::ground, ground.type(), "deep ground");
+  return record.type();
+}
+
+SchemaType<ThermDocument> therm_type() {
+  const SchemaType<double> share = fraction(Range::between(0.0, 1.0));
+  Record<ThermDocument> record(
+      "THERM slab",
+      "The seven numbers of DIRSIG's THERM: a slab, insulated behind, that begins at the temperature of the air.");
+  record.required("density", &ThermDocument::density_kg_m3, above_zero(kMassDensity, "kg/m3"), "of mass")
+      .required("specific_heat", &ThermDocument::specific_heat_j_kg_k,
+                above_zero(kSpecificHeat, "J kg-1 K-1"), "heat by mass and temperature")
+      .required("conductivity", &ThermDocument::conductivity_w_m_k, above_zero(kConductivity, "W m-1 K-1"),
+                "of heat")
+      .required("thickness", &ThermDocument::thickness_m, thickness(), "at least 10 um")
+      .required("solar_absorption", &ThermDocument::solar_absorption, share, "share of sunlight")
+      .required("emissivity", &ThermDocument::emissivity, share, "of long waves")
+      .with_default("exposed_area", &ThermDocument::exposed_area, share, "0.5",
+                    "share of both faces that the air reaches: 0.5 is the front alone");
+  return record.type();
+}
+
+}  // namespace
+
+SchemaType<ThermalDocument> thermal_type() {
+  using Thermal = ThermalDocument;
+  Record<Thermal> record("thermal material",
+                         "What a surface's temperature follows from under weather (`ifov temperature`).");
+  record.exactly_one()
+      .one("layers",
+           via([](Thermal& thermal,
+                  std::vector<ThermalLayerDocument> layers) { thermal.layers = std::move(layers); },
+               [](const Thermal& thermal) {
+                 return thermal.layers.empty() ? std::nullopt : std::optional(thermal.layers);
+               }),
+           list(layer_type(), 1, kMostLayers), "from the surface inwards")
+      .one("therm", &Thermal::therm, therm_type(), "THERM's seven numbers in their place")
+      .optional("back",
+                via([](Thermal& thermal, ThermalBackDocument back) { thermal.back = back; },
+                    [](const Thermal& thermal) {
+                      const ThermalBackDocument& back = thermal.back;
+                      return back.held_k || back.room || back.ground ? std::optional(back) : std::nullopt;
+                    }),
+                back_type(), "what lies behind the last layer; without it no heat passes there")
+      .with_default("roughness", &Thermal::roughness, names_of<thermal::Roughness>(thermal::kRoughnesses),
+                    "\"rough\"", "to the wind")
+      .with_default("wetness", &Thermal::wetness, fraction(Range::between(0.0, 1.0)), "0",
+                    "share of the surface that gives off water")
+      .with_default("resistance", &Thermal::resistance_s_m,
+                    quantity(kResistance, Range::at_least(0.0, "s/m")), "\"0 s/m\"",
+                    "what stands in the vapour's way before the air does: 70 s/m of a lawn's stomata")
+      .with_default("power", &Thermal::power_w_m2, quantity(kHeatFlux), "\"0 W m-2\"",
+                    "given off at the surface from inside")
+      .optional("solar_absorptance", &Thermal::solar_absorptance, fraction(Range::between(0.0, 1.0)),
+                "in place of what the material's spectrum takes of sunlight")
+      .optional("emissivity", &Thermal::emissivity, fraction(Range::between(0.0, 1.0)),
+                "of long waves, in place of the spectrum's");
+  for (const char* key : {"back", "wetness", "resistance", "solar_absorptance", "emissivity"})
+    record.needs(key, "layers");
+  return record.type();
+}
+
+SchemaType<TemperaturesDocument> temperatures_type() {
+  using Temperatures = TemperaturesDocument;
+  const SchemaType<std::string> terrain = names_of<thermal::Terrain>(thermal::kTerrains);
+  Record<Temperatures> record("temperatures", "How surface temperatures are solved.");
+  record
+      .with_default("spin_up", &Temperatures::spin_up_s, quantity(kDuration, Range::between(0.0, 60.0, "d")),
+                    "\"3 d\"", "before the day that is shown")
+      .with_default("step", &Temperatures::step_s, quantity(kDuration, Range::between(0.5, 60.0, "min")),
+                    "\"5 min\"", "of time")
+      .with_default("repeat_first_day", &Temperatures::repeat_first_day, boolean(), "false",
+                    "whether days before the weather begins are like its first 24 hours")
+      .with_default("terrain", &Temperatures::terrain, terrain, "\"open\"", "about the scene, for the wind")
+      .with_default("anemometer_height", &Temperatures::anemometer_m,
+                    quantity(kLength, Range::at_least(1.0, "m")), "\"10 m\"",
+                    "that the weather's wind was measured at")
+      .with_default("anemometer_terrain", &Temperatures::anemometer_terrain, terrain, "\"open\"",
+                    "that it was measured over")
+      .check([](const Temperatures& how, const DocumentNode& node) {
+        const double steps = 86400.0 / how.step_s;
+        if (std::abs(steps - std::round(steps)) > 1e-6)
+          node.given("step").fail(format("{} is {:g} s, expected a whole number of steps in a day",
+                                         node.given("step").title(), how.step_s));
+      });
+  return record.type();
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+
+namespace ifov::io {
+
+/// A sheet of a solid: of the library, or of its three numbers.
+struct ThermalLayerDocument {
+  double thickness_m = 0.0;
+  std::string library;  ///< empty: the numbers
+  double conductivity_w_m_k = 0.0, density_kg_m3 = 0.0, specific_heat_j_kg_k = 0.0;
+};
+
+/// What lies behind the last layer; nothing given: no heat passes.
+struct ThermalBackDocument {
+  struct Room {
+    double temperature_k = 0.0, conductance_w_m2_k = 0.0;
+  };
+  struct Ground {
+    std::optional<double> temperature_k;  ///< absent: the mean of the air
+  };
+  std::optional<double> held_k;
+  std::optional<Room> room;
+  std::optional<Ground> ground;
+};
+
+/// The seven numbers of DIRSIG's THERM.
+struct ThermDocument {
+  double density_kg_m3 = 0.0, specific_heat_j_kg_k = 0.0, conductivity_w_m_k = 0.0, thickness_m = 0.0;
+  double solar_absorption = 0.0, emissivity = 0.0, exposed_area = 0.5;
+};
+
+/// What a surface's temperature follows from: layers, or THERM's numbers.
+struct ThermalDocument {
+  std::vector<ThermalLayerDocument> layers;
+  std::optional<ThermDocument> therm;
+  ThermalBackDocument back;
+  std::string roughness = "rough";  ///< one of thermal::Roughness
+  double wetness = 0.0;
+  double resistance_s_m = 0.0;
+  double power_w_m2 = 0.0;
+  std::optional<double> solar_absorptance, emissivity;  ///< absent: of the spectrum
+  SourcePosition position;
+};
+
+/// How temperatures are solved.
+struct TemperaturesDocument {
+  double spin_up_s = 3.0 * 86400.0;
+  double step_s = 300.0;
+  bool repeat_first_day = false;
+  std::string terrain = "open";  ///< one of thermal::Terrain
+  double anemometer_m = 10.0;
+  std::string anemometer_terrain = "open";
+};
+
+}  // namespace ifov::io

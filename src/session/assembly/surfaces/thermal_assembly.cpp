@@ -1,0 +1,179 @@
+#include "session/assembly/surfaces/thermal_assembly.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "io/document/document_error.h"
+#include "io/document/scene_document.h"
+#include "io/document/thermal_document.h"
+#include "io/library/thermal_library.h"
+#include "materials/material.h"
+#include "radiometry/planck.h"
+#include "radiometry/solar_spectrum.h"
+#include "session/assembly/shared/with_position.h"
+#include "thermal/therm_slab.h"
+
+namespace ifov::session {
+namespace {
+
+using radiometry::Spectrum;
+
+constexpr double kRoom_k = 293.15, kRoom_w_m2_k = 7.7;  // ISO 6946: 0.13 m2 K W-1
+
+/// Mean of a spectrum with a weight over what is known of both, and the share of the weight, on [first, last] um, that is.
+struct Mean {
+  double value = 0.0, known = 0.0;
+};
+template <class Weight>
+Mean mean_of(const Spectrum& spectrum, double first_um, double last_um, const Weight& weight) {
+  if (spectrum.is_constant()) return {spectrum.values()[0], 1.0};
+  constexpr int kPoints = 4000;
+  const bool goes_on = spectrum.outside() != radiometry::OutsideRange::error;
+  double sum = 0.0, known = 0.0, all = 0.0;
+  for (int i = 0; i < kPoints; ++i) {  // equal steps of the logarithm
+    const double um = first_um * std::pow(last_um / first_um, (i + 0.5) / kPoints), part = um * weight(um);
+    all += part;
+    if (!goes_on && (um < spectrum.first_um() || um > spectrum.last_um())) continue;
+    known += part;
+    sum += part * spectrum.at(um);
+  }
+  return {known > 0.0 ? sum / known : 0.0, known / all};
+}
+
+Spectrum transmittance_of(const materials::Material& optics) {
+  return optics.transmittance.value_or(Spectrum::constant(0.0));
+}
+
+/// What is neither reflected nor let through, in the light of the Sun above the air, 0.3 to 4 um.
+Mean solar_absorptance(const materials::Material& optics) {
+  const Spectrum& sun = radiometry::solar_irradiance_1au();
+  const auto weight = [&](double um) { return sun.at(um); };
+  const Mean back = mean_of(optics.reflectance, 0.3, 4.0, weight),
+             through = mean_of(transmittance_of(optics), 0.3, 4.0, weight);
+  return {1.0 - back.value - through.value, std::min(back.known, through.known)};
+}
+
+/// The same for what a surface of 290 K gives off, 3 to 50 um.
+Mean longwave_emissivity(const materials::Material& optics) {
+  const auto weight = [](double um) { return radiometry::planck_w_m2_sr_um(um, 290.0); };
+  const Mean back = mean_of(optics.reflectance, 3.0, 50.0, weight),
+             through = mean_of(transmittance_of(optics), 3.0, 50.0, weight);
+  return {1.0 - back.value - through.value, std::min(back.known, through.known)};
+}
+
+thermal::Back back_of(const io::ThermalBackDocument& back, double deep_k) {
+  if (back.held_k) return thermal::HeldBack{*back.held_k};
+  if (back.room) return thermal::RoomAir{back.room->temperature_k, back.room->conductance_w_m2_k};
+  if (back.ground) return thermal::DeepGround{back.ground->temperature_k.value_or(deep_k)};
+  return thermal::Insulated{};
+}
+
+thermal::Roughness roughness_named(const std::string& name) {
+  int i = 0;
+  while (thermal::name_of(static_cast<thermal::Roughness>(i)) != name) ++i;
+  return static_cast<thermal::Roughness>(i);
+}
+
+std::string layer_text(const thermal::SolidLayer& layer, const std::string& name) {
+  return format("{:g} mm{} of {:g} W m-1 K-1, {:g} kg m-3, {:g} J kg-1 K-1: a day's wave goes {:.3g} cm deep",
+                1e3 * layer.thickness_m, name.empty() ? "" : " " + name, layer.conductivity_w_m_k,
+                layer.density_kg_m3, layer.specific_heat_j_kg_k, 100.0 * thermal::daily_depth_m(layer));
+}
+
+void take_layers(const io::ThermalDocument& source, ThermalMaterial& result) {
+  for (const io::ThermalLayerDocument& layer : source.layers) {
+    thermal::SolidLayer solid{layer.thickness_m, layer.conductivity_w_m_k, layer.density_kg_m3,
+                              layer.specific_heat_j_kg_k};
+    if (!layer.library.empty()) {
+      solid = io::thermal_library().solid(layer.library).values;
+      solid.thickness_m = layer.thickness_m;
+    }
+    result.solid.layers.push_back(solid);
+    result.description.push_back(layer_text(solid, layer.library));
+  }
+}
+
+ThermalMaterial from_document(const io::ThermalDocument& source, double deep_k) {
+  ThermalMaterial result;
+  if (const auto& therm = source.therm) {
+    const thermal::ThermSlab slab{
+        therm->density_kg_m3,    therm->specific_heat_j_kg_k, therm->conductivity_w_m_k, therm->thickness_m,
+        therm->solar_absorption, therm->emissivity,           therm->exposed_area};
+    result.solid = thermal::solid_of(slab);
+    result.skin = thermal::skin_of(slab);
+    result.start = thermal::Start::air;
+    result.description.push_back("THERM: " + layer_text(result.solid.layers[0], {}));
+  } else {
+    take_layers(source, result);
+    result.solid.back = back_of(source.back, deep_k);
+    result.skin.wetness = {source.wetness, source.resistance_s_m};
+  }
+  result.skin.roughness = roughness_named(source.roughness);
+  result.skin.power_w_m2 = source.power_w_m2;
+  return result;
+}
+
+ThermalMaterial from_library(const io::LibrarySurface& surface, const std::string& name, double deep_k) {
+  using Back = io::LibrarySurface::Back;
+  ThermalMaterial result;
+  result.solid.layers = surface.layers;
+  for (const thermal::SolidLayer& layer : surface.layers) result.description.push_back(layer_text(layer, {}));
+  result.description.push_back(format("as '{}' of the library", name));
+  if (surface.back == Back::ground) result.solid.back = thermal::DeepGround{deep_k};
+  if (surface.back == Back::room) result.solid.back = thermal::RoomAir{kRoom_k, kRoom_w_m2_k};
+  result.skin.roughness = surface.roughness;
+  result.skin.wetness = {surface.wet_share, surface.resistance_s_m};
+  return result;
+}
+
+/// Takes what the spectrum says of the skin, unless the document does.
+void take_optics(const io::DocumentSources& sources, const io::MaterialDocument& source,
+                 const materials::Material& optics, ThermalMaterial& result) {
+  const auto take = [&](const std::optional<double>& given, const Mean& mean, double least, const char* what,
+                        const char* key, double& value) {
+    if (given) {
+      value = *given;
+      result.description.push_back(
+          mean.known >= least ? format("{} {:.3f} as given; its spectrum has {:.3f}", what, value, mean.value)
+                              : format("{} {:.3f} as given", what, value));
+      return;
+    }
+    if (mean.known < least)
+      throw io::document_error(
+          sources, source.position,
+          format("the spectrum of '{}' covers {:.0f} % of what its {} is the mean of, expected {:.0f} "
+                 "%; give \"thermal\": {{..., \"{}\": ...}}",
+                 source.name, 100.0 * mean.known, what, 100.0 * least, key));
+    value = std::clamp(mean.value, 0.0, 1.0);
+    result.description.push_back(format("{} {:.3f}", what, value));
+  };
+  const std::optional<double> absorptance = source.thermal ? source.thermal->solar_absorptance : std::nullopt,
+                              emissivity = source.thermal ? source.thermal->emissivity : std::nullopt;
+  take(absorptance, solar_absorptance(optics), 0.8, "absorptance of sunlight", "solar_absorptance",
+       result.skin.solar_absorptance);
+  take(emissivity, longwave_emissivity(optics), 0.3, "long-wave emissivity", "emissivity",
+       result.skin.emissivity);
+}
+
+}  // namespace
+
+std::optional<ThermalMaterial> assemble_thermal(const io::DocumentSources& sources,
+                                                const io::MaterialDocument& source,
+                                                const materials::Material& optics, double deep_k) {
+  std::optional<ThermalMaterial> result;
+  if (source.thermal) {
+    result = from_document(*source.thermal, deep_k);
+  } else if (const auto* library = std::get_if<io::LibrarySource>(&source.spectrum.source)) {
+    if (const io::LibrarySurface* surface = io::thermal_library().surface(library->material))
+      result = from_library(*surface, library->material, deep_k);
+  }
+  if (!result) return result;
+  with_position(sources, source.thermal ? source.thermal->position : source.position,
+                [&] { thermal::check(result->solid); });
+  if (source.thermal && source.thermal->therm) return result;  // has both numbers of its own
+  take_optics(sources, source, optics, *result);
+  return result;
+}
+
+}  // namespace ifov::session

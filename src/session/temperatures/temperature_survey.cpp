@@ -1,0 +1,184 @@
+#include "session/temperatures/temperature_survey.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/names.h"
+#include "core/parallel.h"
+#include "io/document/document.h"
+#include "io/document/thermal_document.h"
+#include "materials/material.h"
+#include "math/angle.h"
+#include "session/assembly/atmosphere/weather_assembly.h"
+#include "session/assembly/shared/with_position.h"
+#include "session/assembly/surfaces/thermal_assembly.h"
+#include "session/one_material.h"
+#include "thermal/outdoors_series.h"
+
+namespace ifov::session {
+namespace {
+
+using atmosphere::WeatherSeries;
+
+thermal::Terrain terrain_named(const std::string& name) {
+  int i = 0;
+  while (thermal::name_of(static_cast<thermal::Terrain>(i)) != name) ++i;
+  return static_cast<thermal::Terrain>(i);
+}
+
+/// Where the document stands, else where its weather was measured.
+geodesy::Geodetic place_of(const io::Document& document, const WeatherSeries& weather) {
+  const io::OriginDocument& origin = document.scene.origin;
+  if (origin.geographic)
+    return {origin.geographic->latitude_rad, origin.geographic->longitude_rad, origin.height_m};
+  const atmosphere::WeatherSite& site = weather.site();
+  if (site.latitude_rad && site.longitude_rad)
+    return {*site.latitude_rad, *site.longitude_rad, site.altitude_m.value_or(0.0)};
+  throw InputError(format(
+      "{}: surface temperatures need a place, for the Sun: give the scene's \"origin\" a \"latitude\" and a \"longitude\", "
+      "or weather whose file has them",
+      document.sources.file_name));
+}
+
+/// The mean of the air over what the weather has.
+double mean_air_k(const WeatherSeries& weather) {
+  const auto& knots = weather.knots(atmosphere::WeatherQuantity::air_temperature_k);
+  double sum = 0.0;
+  for (const atmosphere::WeatherKnot& knot : knots) sum += knot.value;
+  return sum / static_cast<double>(knots.size());
+}
+
+struct Named {
+  std::string name;
+  ThermalMaterial thermal;
+};
+
+/// Materials that are asked for, or all that say what their temperature follows from.
+std::vector<Named> materials_of(const io::Document& document, const std::vector<std::string>& asked,
+                                double deep_k, std::vector<std::string>& notes) {
+  std::vector<Named> found;
+  std::vector<std::string> left_out;
+  for (const std::string& name : asked) find_material(document, name);
+  for (const io::MaterialDocument& source : document.scene.materials) {
+    if (!asked.empty() && std::find(asked.begin(), asked.end(), source.name) == asked.end()) continue;
+    if (source.sides) continue;  // of two others
+    const materials::Material optics = assemble_material(document, source, 1);
+    if (auto material = assemble_thermal(document.sources, source, optics, deep_k))
+      found.push_back({source.name, std::move(*material)});
+    else if (asked.empty())
+      left_out.push_back(source.name);
+    else
+      throw io::document_error(
+          document.sources, source.position,
+          format("'{}' has neither \"thermal\" nor a reflectance of the library, of which it is known "
+                 "what it stands on: its temperature cannot be solved for",
+                 source.name));
+  }
+  if (found.empty())
+    throw InputError(format(
+        "{}: no material has \"thermal\" or a reflectance of the library ({}): there is no temperature "
+        "to solve for",
+        document.sources.file_name, list_names(left_out, "and", 8)));
+  if (!left_out.empty())
+    notes.push_back(format("left out, having neither \"thermal\" nor a reflectance of the library: {}",
+                           list_names(left_out, "and", 8)));
+  return found;
+}
+
+io::TemperatureReport::Day day_of(const thermal::SurfaceSolution& solution, std::size_t first,
+                                  const thermal::OutdoorsSeries& series) {
+  io::TemperatureReport::Day day;
+  for (std::size_t row = first; row < series.rows.size(); ++row) {
+    day.surface_k.push_back(solution.surface_k(row));
+    day.fluxes.push_back(solution.balance.fluxes(series.begin_s + static_cast<double>(row) * series.step_s,
+                                                 day.surface_k.back()));
+  }
+  return day;
+}
+
+/// What came in over all the time and neither left nor was stored, over what came in.
+double unaccounted_of(const thermal::SurfaceSolution& solution) {
+  const thermal::Fluxes& mean = solution.mean;
+  const double all_s = solution.history.nodes.back().time_s - solution.history.nodes.front().time_s;
+  const double in = mean.sun + mean.sky + mean.reflected + mean.sky_longwave + mean.ground_longwave;
+  return (mean.sum() - (solution.history.out_of_back_j_m2 + solution.history.stored_j_m2) / all_s) / in;
+}
+
+std::string stand_text(const TemperatureQuestion& question, const thermal::Stand& stand) {
+  std::string text =
+      question.slope_rad > 0.0
+          ? format(
+                "surfaces slope by {:g} deg and face {:g} deg from north; the ground about them is as warm as "
+                "the air and reflects {:g}",
+                question.slope_rad / math::kDegree, question.azimuth_rad / math::kDegree,
+                stand.ground_reflectance)
+          : std::string("surfaces are level");
+  return text + format(", {:g} m above {} terrain", stand.height_m, thermal::name_of(stand.terrain));
+}
+
+}  // namespace
+
+io::TemperatureReport survey_temperatures(const io::Document& document, const TemperatureQuestion& question) {
+  const std::string& file = document.sources.file_name;
+  if (!document.time)
+    throw InputError(
+        format("{}: surface temperatures need a \"time\": the 24 hours before it are shown", file));
+  if (!document.weather)
+    throw InputError(format(
+        "{}: surface temperatures need \"weather\": a file with air temperature, wind and sunlight, such as "
+        "\"weather\": {{\"file\": \"amsterdam.epw\"}}",
+        file));
+  const WeatherSeries weather = assemble_weather(document.sources, *document.weather, document.time);
+  const geodesy::Geodetic place = place_of(document, weather);
+  const io::TemperaturesDocument how =
+      document.temperatures ? *document.temperatures : io::TemperaturesDocument{};
+  const SourcePosition& weather_position =
+      document.weather->source.file ? document.weather->source.file->position : document.weather->position;
+  thermal::OutdoorsOfWeather outdoors = with_position(document.sources, weather_position, [&] {
+    return thermal::outdoors_of(weather, place,
+                                {*document.time, how.spin_up_s, how.step_s, how.repeat_first_day});
+  });
+  outdoors.series.anemometer = {how.anemometer_m, terrain_named(how.anemometer_terrain)};
+  const thermal::OutdoorsSeries& series = outdoors.series;
+
+  thermal::Stand stand;
+  stand.tilt_rad = question.slope_rad;
+  stand.azimuth_rad = question.azimuth_rad;
+  stand.height_m = question.height_m;
+  stand.terrain = terrain_named(how.terrain);
+  io::TemperatureReport report;
+  report.document = file;
+  report.notes.push_back(format("weather: {}; Sun at {:.4f} N {:.4f} E; {:g} h of spin-up, steps of {:g} min",
+                                weather.site().name, place.latitude_rad / math::kDegree,
+                                place.longitude_rad / math::kDegree, how.spin_up_s / 3600.0,
+                                how.step_s / 60.0));
+  report.notes.insert(report.notes.end(), outdoors.notes.begin(), outdoors.notes.end());
+  report.notes.push_back(stand_text(question, stand));
+
+  const std::vector<Named> materials =
+      materials_of(document, question.materials, mean_air_k(weather), report.notes);
+  const auto a_day = static_cast<std::size_t>(std::round(thermal::kShownDay_s / how.step_s));
+  const std::size_t first = series.rows.size() - 1 - a_day;
+  for (std::size_t row = first; row < series.rows.size(); ++row) {
+    report.time_s.push_back(series.begin_s + static_cast<double>(row) * series.step_s);
+    report.air_k.push_back(series.rows[row].air.temperature_k);
+  }
+  report.materials.resize(materials.size());
+  parallel_for(static_cast<std::int64_t>(materials.size()), 0, [&](std::int64_t index) {
+    const Named& source = materials[static_cast<std::size_t>(index)];
+    const ThermalMaterial& thermal = source.thermal;
+    const auto solve = [&](double visibility) {
+      return thermal::solve_surface(thermal.solid, thermal.skin, stand, series, thermal.start,
+                                    std::vector<double>(series.rows.size(), visibility));
+    };
+    const thermal::SurfaceSolution sunlit = solve(1.0);
+    report.materials[static_cast<std::size_t>(index)] = {
+        source.name, thermal.description, day_of(sunlit, first, series), day_of(solve(0.0), first, series),
+        unaccounted_of(sunlit)};
+  });
+  report.crossovers = io::crossovers_of(report);
+  return report;
+}
+
+}  // namespace ifov::session

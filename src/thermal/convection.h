@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string_view>
+
+namespace ifov::thermal {
+
+/// How rough a surface is to the wind, with the factor on forced convection over that of glass: Walton (1983), TARP
+/// reference manual, NBSIR 83-2655, of ASHRAE's classes.
+enum class Roughness {
+  very_rough,     ///< 2.17: stucco, shingle, vegetation
+  rough,          ///< 1.67: brick, soil
+  medium_rough,   ///< 1.52: concrete
+  medium_smooth,  ///< 1.13: clear pine
+  smooth,         ///< 1.11: plaster, metal
+  very_smooth,    ///< 1.00: glass, gloss paint
+};
+inline constexpr int kRoughnesses = 6;
+std::string_view name_of(Roughness roughness);  ///< "very rough"
+double roughness_factor(Roughness roughness);
+
+/// A coefficient, W m-2 K-1, and its derivative by the surface's temperature, W m-2 K-2.
+struct Coefficient {
+  double h_w_m2_k = 0.0;
+  double slope_w_m2_k2 = 0.0;
+};
+
+/// Free convection at a plate whose normal has this cosine to the vertical (1: faces up), the surface warmer than the air
+/// by `warmer_k`. Walton (1983): 9.482 |dT|^(1/3) / (7.238 - |cos|) where the air beside is unstable, 1.810 |dT|^(1/3) /
+/// (1.382 + |cos|) where it is stable, so that a wall has ASHRAE's 1.31, a roof 1.52 and 0.76.
+Coefficient natural_convection(double warmer_k, double cos_tilt);
+
+/// Forced convection at glass, a V^b: Yazdanian and Klems (1994), ASHRAE Transactions 100(1), 1087, of walls of the mobile
+/// window thermal test facility (MoWiTT): 3.26 V^0.89 to windward, 3.55 V^0.617 to leeward; V in m/s at the surface's height.
+double forced_convection(double wind_m_s, bool windward);
+
+/// Both, as in DOE-2: h = h_n + R (sqrt(h_n^2 + h_f^2) - h_n) with the roughness factor R.
+Coefficient convection(double warmer_k, double cos_tilt, double wind_m_s, bool windward, Roughness roughness);
+
+/// Whether the wind blows against a surface: all that lies flatter than 8 degrees, and walls that it meets at up to 100
+/// degrees from their normal (Walton 1983). Azimuths clockwise from north; the wind's is where it comes from.
+bool faces_wind(double tilt_rad, double azimuth_rad, double wind_from_rad);
+
+}  // namespace ifov::thermal

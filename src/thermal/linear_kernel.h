@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace ifov::thermal {
+
+struct Cells;
+struct History;
+
+/// What the past is worth: kelvins of the surface at node `now` per W m-2 that it gained more at each node up to there, to
+/// first order about a history. A gain a(t) that is linear between nodes adds the sum of kernel[i] a(t_i). The transposed
+/// steps of the history itself, so that there is no error but that of leaving out higher orders. Values are above 0 but
+/// for the ringing of Crank-Nicolson steps.
+std::vector<double> linear_kernel(const Cells& cells, const History& history, std::size_t now);
+
+}  // namespace ifov::thermal

@@ -1,0 +1,44 @@
+#include "thermal/solid.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/error.h"
+
+namespace ifov::thermal {
+namespace {
+
+constexpr double kDay_s = 86400.0;
+
+void check_value(std::size_t index, const char* name, double value, const char* unit) {
+  if (std::isfinite(value) && value > 0.0) return;
+  throw InputError(
+      format("layer {}: {} is {:g} {}, expected a number above 0", index + 1, name, value, unit));
+}
+
+}  // namespace
+
+double daily_depth_m(const SolidLayer& layer) {
+  const double diffusivity = layer.conductivity_w_m_k / (layer.density_kg_m3 * layer.specific_heat_j_kg_k);
+  return std::sqrt(diffusivity * kDay_s / std::numbers::pi);
+}
+
+double thermal_inertia(const SolidLayer& layer) {
+  return std::sqrt(layer.conductivity_w_m_k * layer.density_kg_m3 * layer.specific_heat_j_kg_k);
+}
+
+void check(const Solid& solid) {
+  if (solid.layers.empty()) throw InputError("expected at least one layer, found none");
+  for (std::size_t i = 0; i < solid.layers.size(); ++i) {
+    const SolidLayer& layer = solid.layers[i];
+    check_value(i, "thickness", layer.thickness_m, "m");
+    if (layer.thickness_m < kThinnestLayer_m)
+      throw InputError(format("layer {}: it is {:g} um thick, expected at least {:g} um", i + 1,
+                              1e6 * layer.thickness_m, 1e6 * kThinnestLayer_m));
+    check_value(i, "conductivity", layer.conductivity_w_m_k, "W m-1 K-1");
+    check_value(i, "density", layer.density_kg_m3, "kg m-3");
+    check_value(i, "specific heat", layer.specific_heat_j_kg_k, "J kg-1 K-1");
+  }
+}
+
+}  // namespace ifov::thermal

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <variant>
+#include <vector>
+
+namespace ifov::thermal {
+
+/// A sheet of one solid. Values above 0.
+struct SolidLayer {
+  double thickness_m = 0.0;
+  double conductivity_w_m_k = 0.0;
+  double density_kg_m3 = 0.0;
+  double specific_heat_j_kg_k = 0.0;
+};
+
+/// Thinner layers are taken for mistakes of unit.
+inline constexpr double kThinnestLayer_m = 1e-5;
+
+/// sqrt(2 k / (rho c omega)) of a period of one day: a wave of that period is 1/e of its size that far below the surface.
+double daily_depth_m(const SolidLayer& layer);
+/// sqrt(k rho c), J m-2 K-1 s-1/2: thermal inertia (effusivity).
+double thermal_inertia(const SolidLayer& layer);
+
+/// What lies behind the last layer: no heat passes; a temperature that is held; air of a room, with the conductance
+/// between it and the last layer's back; the last layer's solid, going on to kGroundDepths daily depths, where the
+/// temperature is held.
+struct Insulated {};
+struct HeldBack {
+  double temperature_k = 0.0;
+};
+struct RoomAir {
+  double temperature_k = 0.0;
+  double conductance_w_m2_k = 0.0;
+};
+struct DeepGround {
+  double temperature_k = 0.0;
+};
+using Back = std::variant<Insulated, HeldBack, RoomAir, DeepGround>;
+inline constexpr double kGroundDepths = 10.0;
+
+/// From the surface inwards.
+struct Solid {
+  std::vector<SolidLayer> layers;
+  Back back;
+};
+
+/// Throws InputError that says which layer is wrong, counted from 1 at the surface, and what is expected.
+void check(const Solid& solid);
+
+}  // namespace ifov::thermal

@@ -1,0 +1,102 @@
+#include "thermal/surface_balance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "thermal/sky_longwave.h"
+
+namespace ifov::thermal {
+namespace {
+
+double black_w_m2(double temperature_k) {
+  const double squared = temperature_k * temperature_k;
+  return kStefanBoltzmann_w_m2_k4 * squared * squared;
+}
+
+double cos_incidence(const Outdoors& now, const Stand& stand) {
+  if (now.sun_elevation_rad <= 0.0) return 0.0;
+  return std::max(0.0, std::sin(now.sun_elevation_rad) * std::cos(stand.tilt_rad) +
+                           std::cos(now.sun_elevation_rad) * std::sin(stand.tilt_rad) *
+                               std::cos(now.sun_azimuth_rad - stand.azimuth_rad));
+}
+
+double mix(double a, double b, double share) { return a + share * (b - a); }
+
+}  // namespace
+
+SurfaceBalance::SurfaceBalance(const OutdoorsSeries& series, const Skin& skin, const Stand& stand,
+                               std::vector<double> visibility)
+    : begin_s_(series.begin_s), step_s_(series.step_s), cos_tilt_(std::cos(stand.tilt_rad)), skin_(skin) {
+  rows_.reserve(series.rows.size());
+  full_sun_.reserve(series.rows.size());
+  for (std::size_t i = 0; i < series.rows.size(); ++i)
+    rows_.push_back(row_of(series, stand, i, visibility.empty() ? 1.0 : visibility[i]));
+}
+
+SurfaceBalance::Row SurfaceBalance::row_of(const OutdoorsSeries& series, const Stand& stand,
+                                           std::size_t index, double visibility) {
+  const Outdoors& now = series.rows[index];
+  const double sky_view = 0.5 * (1.0 + cos_tilt_), ground_view = 1.0 - sky_view;
+  const double on_ground =
+      now.diffuse_w_m2 + now.direct_w_m2 * std::max(0.0, std::sin(now.sun_elevation_rad));
+  full_sun_.push_back(skin_.solar_absorptance * now.direct_w_m2 * cos_incidence(now, stand));
+  Row row;
+  row.given.sun = visibility * full_sun_.back();
+  row.given.sky = skin_.solar_absorptance * now.diffuse_w_m2 * sky_view;
+  row.given.reflected = skin_.solar_absorptance * stand.ground_reflectance * on_ground * ground_view;
+  row.given.sky_longwave = skin_.emissivity * now.longwave_w_m2 * sky_view;
+  row.given.ground_longwave = skin_.emissivity * black_w_m2(now.air.temperature_k) * ground_view;
+  row.given.power = skin_.power_w_m2;
+  row.air = now.air;
+  row.wind_m_s = wind_at_m_s(now.wind_m_s, series.anemometer, stand.height_m, stand.terrain);
+  row.windward = faces_wind(stand.tilt_rad, stand.azimuth_rad, now.wind_from_rad);
+  return row;
+}
+
+SurfaceBalance::Row SurfaceBalance::at(double time_s) const {
+  const double last = static_cast<double>(rows_.size() - 1);
+  const double place = std::clamp((time_s - begin_s_) / step_s_, 0.0, last);
+  const auto i = static_cast<std::size_t>(std::min(std::floor(place), std::max(0.0, last - 1.0)));
+  const double share = place - static_cast<double>(i);
+  if (share == 0.0) return rows_[i];
+  const Row &a = rows_[i], &b = rows_[i + 1];
+  if (share == 1.0) return b;
+  Row row = a;
+  row.given.sun = mix(a.given.sun, b.given.sun, share);
+  row.given.sky = mix(a.given.sky, b.given.sky, share);
+  row.given.reflected = mix(a.given.reflected, b.given.reflected, share);
+  row.given.sky_longwave = mix(a.given.sky_longwave, b.given.sky_longwave, share);
+  row.given.ground_longwave = mix(a.given.ground_longwave, b.given.ground_longwave, share);
+  row.air.temperature_k = mix(a.air.temperature_k, b.air.temperature_k, share);
+  row.air.vapour_pa = mix(a.air.vapour_pa, b.air.vapour_pa, share);
+  row.air.pressure_pa = mix(a.air.pressure_pa, b.air.pressure_pa, share);
+  row.wind_m_s = mix(a.wind_m_s, b.wind_m_s, share);
+  return row;
+}
+
+Fluxes SurfaceBalance::complete(const Row& row, double surface_k, double& slope) const {
+  Fluxes fluxes = row.given;
+  fluxes.emitted = -skin_.emissivity * black_w_m2(surface_k);
+  slope = 4.0 * fluxes.emitted / std::max(surface_k, 1.0);
+  const double warmer_k = surface_k - row.air.temperature_k;
+  const Coefficient h = convection(warmer_k, cos_tilt_, row.wind_m_s, row.windward, skin_.roughness);
+  fluxes.convection = -skin_.convecting_faces * h.h_w_m2_k * warmer_k;
+  slope -= skin_.convecting_faces * (h.h_w_m2_k + h.slope_w_m2_k2 * warmer_k);
+  const LatentHeat latent = latent_heat(skin_.wetness, surface_k, row.air, h);
+  fluxes.latent = 0.0 - latent.w_m2;
+  slope -= latent.slope_w_m2_k;
+  return fluxes;
+}
+
+SurfaceGain SurfaceBalance::gain(double time_s, double surface_k) const {
+  double slope = 0.0;
+  const Fluxes fluxes = complete(at(time_s), surface_k, slope);
+  return {fluxes.sum(), slope};
+}
+
+Fluxes SurfaceBalance::fluxes(double time_s, double surface_k) const {
+  double slope = 0.0;
+  return complete(at(time_s), surface_k, slope);
+}
+
+}  // namespace ifov::thermal

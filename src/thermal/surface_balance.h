@@ -1,0 +1,93 @@
+#pragma once
+
+#include <vector>
+
+#include "thermal/convection.h"
+#include "thermal/evaporation.h"
+#include "thermal/surface_exchange.h"
+#include "thermal/wind_profile.h"
+
+namespace ifov::thermal {
+
+/// What comes from outside at one instant.
+struct Outdoors {
+  double direct_w_m2 = 0.0;   ///< of the Sun across its beam
+  double diffuse_w_m2 = 0.0;  ///< of the sky in sunlight on a level plane
+  double sun_azimuth_rad = 0.0, sun_elevation_rad = -1.0;
+  double longwave_w_m2 = 0.0;  ///< of the sky on a level plane
+  MoistAir air;
+  double wind_m_s = 0.0;  ///< as measured
+  double wind_from_rad = 0.0;
+};
+
+/// The same over time at equal distances, linear between; the first and last hold beyond.
+struct OutdoorsSeries {
+  double begin_s = 0.0, step_s = 300.0;
+  std::vector<Outdoors> rows;
+  Anemometer anemometer;
+};
+
+/// A surface's skin: what it takes of what comes.
+struct Skin {
+  double solar_absorptance = 0.7;
+  double emissivity = 0.95;
+  Roughness roughness = Roughness::rough;
+  Wetness wetness;
+  double power_w_m2 = 0.0;        ///< from inside, given off at the surface
+  double convecting_faces = 1.0;  ///< areas that the air reaches, over that of one face
+};
+
+/// How a surface stands. The ground about a tilted one is taken to be as warm as the air and to reflect `ground_reflectance`.
+struct Stand {
+  double tilt_rad = 0.0;     ///< 0: level, facing up
+  double azimuth_rad = 0.0;  ///< that it faces, clockwise from north
+  double height_m = 0.0;     ///< above ground
+  Terrain terrain = Terrain::open;
+  double ground_reflectance = 0.2;
+};
+
+/// Where the heat comes from and goes, W m-2, positive where the surface gains it.
+struct Fluxes {
+  double sun = 0.0, sky = 0.0, reflected = 0.0;  ///< absorbed sunlight: direct, of the sky, from the ground
+  double sky_longwave = 0.0, ground_longwave = 0.0, emitted = 0.0;
+  double convection = 0.0, latent = 0.0, power = 0.0;
+
+  double sum() const {
+    return sun + sky + reflected + sky_longwave + ground_longwave + emitted + convection + latent + power;
+  }
+};
+
+/// The balance of a surface outdoors,
+///   a (E_sun V cos + E_sky F + r E_global (1 - F)) + e (L_sky F + sigma T_a^4 (1 - F)) - e sigma T^4 + h (T_a - T) - LE + P,
+/// with the sky's share of its view F = (1 + cos tilt) / 2 and V of the Sun that it sees.
+class SurfaceBalance : public SurfaceExchange {
+ public:
+  /// `visibility`: V at each row, from 0 to 1; empty: 1.
+  SurfaceBalance(const OutdoorsSeries& series, const Skin& skin, const Stand& stand,
+                 std::vector<double> visibility = {});
+
+  SurfaceGain gain(double time_s, double surface_k) const override;
+  Fluxes fluxes(double time_s, double surface_k) const;
+  /// a E_sun cos at a row: what the Sun adds there where nothing is in the way, W m-2.
+  double full_sun_w_m2(std::size_t row) const { return full_sun_[row]; }
+
+ private:
+  /// What does not depend on the surface's temperature, and what convection and latent heat go by.
+  struct Row {
+    Fluxes given;
+    MoistAir air;
+    double wind_m_s = 0.0;
+    bool windward = true;
+  };
+  Row row_of(const OutdoorsSeries& series, const Stand& stand, std::size_t index, double visibility);
+  Row at(double time_s) const;
+  /// Adds the rest, and the derivative of the sum.
+  Fluxes complete(const Row& row, double surface_k, double& slope) const;
+
+  double begin_s_, step_s_, cos_tilt_;
+  Skin skin_;
+  std::vector<Row> rows_;
+  std::vector<double> full_sun_;
+};
+
+}  // namespace ifov::thermal

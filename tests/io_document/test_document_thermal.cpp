@@ -1,0 +1,123 @@
+// Keys of surface temperatures, their units and messages.
+#include <gtest/gtest.h>
+
+#include "document_maker.h"
+#include "io/document/document.h"
+#include "io/document/thermal_document.h"
+
+namespace ifov::io {
+namespace {
+
+const std::string kSoil = "\"soil\": {\"reflectance\": 0.25, \"temperature\": \"20 degC\"}";
+
+std::string with_thermal(const std::string& thermal) {
+  return "\"soil\": {\"reflectance\": 0.25, \"thermal\": " + thermal + "}";
+}
+
+ThermalDocument read(const std::string& thermal) {
+  const Document document =
+      parse_document(test::document_with(kSoil, with_thermal(thermal)), "folder/a.json");
+  for (const MaterialDocument& material : document.scene.materials)
+    if (material.thermal) return *material.thermal;
+  ADD_FAILURE() << "no thermal";
+  return {};
+}
+
+std::string message(const std::string& thermal) {
+  const std::string text = test::message_with(kSoil, with_thermal(thermal));
+  const std::size_t place = text.find("'scene.materials.soil.thermal");
+  return text.substr(place == std::string::npos ? 0 : place,
+                     text.find('\n') - (place == std::string::npos ? 0 : place));
+}
+
+TEST(DocumentThermal, LayersAndBacks) {
+  const ThermalDocument road = read(
+      R"({"layers": [{"thickness": "6 cm", "library": "asphalt"}, {"thickness": "1 m", "conductivity": "0.3 W m-1 K-1", "density": "1.6 g/cm3", "specific_heat": "800 J kg-1 K-1"}],
+          "back": {"ground": {}}, "roughness": "medium rough", "wetness": "20 %", "resistance": "70 s/m", "power": "60 W m-2"})");
+  ASSERT_EQ(road.layers.size(), 2u);
+  EXPECT_EQ(road.layers[0].library, "asphalt");
+  EXPECT_DOUBLE_EQ(road.layers[0].thickness_m, 0.06);
+  EXPECT_DOUBLE_EQ(road.layers[1].density_kg_m3, 1600.0);
+  EXPECT_TRUE(road.back.ground && !road.back.ground->temperature_k && !road.back.room && !road.back.held_k);
+  EXPECT_EQ(road.roughness, "medium rough");
+  EXPECT_DOUBLE_EQ(road.wetness, 0.2);
+  EXPECT_DOUBLE_EQ(road.resistance_s_m, 70.0);
+  EXPECT_DOUBLE_EQ(road.power_w_m2, 60.0);
+  const ThermalDocument wall =
+      read(R"({"layers": [{"thickness": "20 cm", "library": "brick"}], "back": {"room": {}}})");
+  ASSERT_TRUE(wall.back.room.has_value());
+  EXPECT_DOUBLE_EQ(wall.back.room->temperature_k, 293.15);
+  EXPECT_DOUBLE_EQ(wall.back.room->conductance_w_m2_k, 7.7);
+}
+
+// 1 cal g-1 K-1 is 1 BTU lb-1 degF-1; handbooks: 1 kcal m-1 h-1 K-1 is 1.163 W m-1 K-1, 1 BTU h-1 ft-1 degF-1 1.7307.
+TEST(DocumentThermal, UnitsOfHandbooks) {
+  const auto therm = [](const std::string& conductivity, const std::string& heat) {
+    return *read(R"({"therm": {"density": "487 lb/ft3", "specific_heat": ")" + heat +
+                 R"(", "conductivity": ")" + conductivity +
+                 R"(", "thickness": "1 mm", "solar_absorption": 0.7, "emissivity": 0.9}})")
+                .therm;
+  };
+  EXPECT_NEAR(therm("43 kcal m-1 h-1 K-1", "0.11 cal g-1 K-1").conductivity_w_m_k, 43.0 * 1.163, 1e-9);
+  EXPECT_NEAR(therm("43 kcal m-1 h-1 K-1", "0.11 cal g-1 K-1").specific_heat_j_kg_k, 0.11 * 4186.8, 1e-9);
+  EXPECT_NEAR(therm("1 BTU h-1 ft-1 degF-1", "0.11 BTU lb-1 degF-1").specific_heat_j_kg_k, 0.11 * 4186.8,
+              1e-6);
+  EXPECT_NEAR(therm("1 BTU h-1 ft-1 degF-1", "1 J kg-1 K-1").conductivity_w_m_k, 1.730735, 1e-6);
+  EXPECT_NEAR(therm("12 BTU in h-1 ft-2 degF-1", "1 J kg-1 K-1").conductivity_w_m_k, 1.730735, 1e-6);
+  EXPECT_NEAR(therm("1 cal cm-1 s-1 K-1", "1 J kg-1 K-1").conductivity_w_m_k, 418.68, 1e-9);
+  EXPECT_NEAR(therm("1 W m-1 K-1", "1 J kg-1 K-1").density_kg_m3, 7801.0, 1.0);
+  EXPECT_DOUBLE_EQ(therm("1 W m-1 K-1", "1 J kg-1 K-1").exposed_area, 0.5);
+}
+
+TEST(DocumentThermal, Messages) {
+  EXPECT_EQ(
+      message(R"({"layers": [{"thickness": "5 um", "library": "steel"}]})"),
+      "'scene.materials.soil.thermal.layers[0].thickness' is the text \"5 um\", expected a length of at least 10 um, "
+      "such as \"1 m\" (units: m, km, cm, mm, um, nm, ft, in)");
+  EXPECT_EQ(
+      message(
+          R"({"layers": [{"thickness": "5 mm", "conductivity": "0 W m-1 K-1", "density": "1 kg/m3", "specific_heat": "1 J kg-1 K-1"}]})"),
+      "'scene.materials.soil.thermal.layers[0].conductivity' is the text \"0 W m-1 K-1\", expected a conductivity of "
+      "heat above 0 W m-1 K-1, such as \"1.4 W m-1 K-1\" (units: W m-1 K-1, kcal m-1 h-1 K-1, cal cm-1 s-1 K-1, BTU h-1 "
+      "ft-1 degF-1, BTU in h-1 ft-2 degF-1)");
+  EXPECT_NE(
+      message(R"({"layers": [{"thickness": "5 mm", "library": "asfalt"}]})").find("did you mean 'asphalt'?"),
+      std::string::npos);
+  EXPECT_NE(message(R"({"layers": [{"thickness": "5 mm", "conductivity": "1 W m-1 K-1"}]})")
+                .find("a conductivity needs 'density' and 'specific_heat' beside it"),
+            std::string::npos);
+  EXPECT_NE(message(R"({"layers": [{"thickness": "5 mm", "library": "steel"}], "wetness": 1.2})")
+                .find("wetness' is the number 1.2, expected"),
+            std::string::npos);
+  EXPECT_NE(message(R"({"layers": [{"thickness": "5 mm", "library": "steel"}], "roughness": "ruff"})")
+                .find("roughness' is the text \"ruff\", expected 'very rough', 'rough'"),
+            std::string::npos)
+      << message(R"({"layers": [{"thickness": "5 mm", "library": "steel"}], "roughness": "ruff"})");
+}
+
+TEST(DocumentThermal, GivenAndSolvedIsOneTooMany) {
+  const std::string text = test::message_with(
+      kSoil,
+      "\"soil\": {\"reflectance\": 0.25, \"temperature\": \"20 degC\", \"thermal\": {\"layers\": [{\"thickness\": \"1 m\", \"library\": \"dry soil\"}]}}");
+  EXPECT_NE(text.find("a 'temperature' is given, and 'thermal' to solve for one; give one of them"),
+            std::string::npos)
+      << text;
+}
+
+TEST(DocumentThermal, TemperaturesAreSolvedSo) {
+  const Document document = parse_document(
+      test::document_with(
+          "\"ifov\": 1,",
+          "\"ifov\": 1, \"temperatures\": {\"spin_up\": \"36 h\", \"step\": \"15 min\", \"terrain\": \"suburb\"},"),
+      "folder/a.json");
+  EXPECT_DOUBLE_EQ(document.temperatures->spin_up_s, 129600.0);
+  EXPECT_DOUBLE_EQ(document.temperatures->step_s, 900.0);
+  EXPECT_EQ(document.temperatures->terrain, "suburb");
+  EXPECT_FALSE(document.temperatures->repeat_first_day);
+  EXPECT_NE(test::message_with("\"ifov\": 1,", "\"ifov\": 1, \"temperatures\": {\"step\": \"7 min\"},")
+                .find("whole number of steps"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace ifov::io

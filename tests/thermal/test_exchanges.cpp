@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "atmosphere/weather_series.h"
+#include "core/error.h"
+#include "exchanges.h"
+#include "thermal/convection.h"
+#include "thermal/evaporation.h"
+#include "thermal/sky_longwave.h"
+#include "thermal/sun_split.h"
+#include "thermal/wind_profile.h"
+
+namespace ifov::thermal {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// absorbed + e L = e sigma T^4 + h (T - T_a).
+class PlateExchange : public SurfaceExchange {
+ public:
+  PlateExchange(double absorbed, double sky_k, double h, double air_k)
+      : absorbed_(absorbed), sky_k_(sky_k), h_(h), air_k_(air_k) {}
+  SurfaceGain gain(double, double t) const override {
+    const double emitted = 0.9 * kStefanBoltzmann_w_m2_k4;
+    return {absorbed_ + emitted * (std::pow(sky_k_, 4) - std::pow(t, 4)) + h_ * (air_k_ - t),
+            -4.0 * emitted * std::pow(t, 3) - h_};
+  }
+
+ private:
+  double absorbed_, sky_k_, h_, air_k_;
+};
+
+TEST(SteadyPlate, InSunAndByNight) {
+  EXPECT_NEAR(balanced_temperature_k(PlateExchange(900.0, 280.0, 10.0, 300.0), 0.0, 0.0, 0.0, 280.0), 347.204,
+              1e-3);
+  EXPECT_NEAR(balanced_temperature_k(PlateExchange(0.0, 230.0, 5.0, 285.0), 0.0, 0.0, 0.0, 280.0), 263.990,
+              1e-3);
+  // A fault: a sky as warm as the air.
+  EXPECT_GT(
+      std::abs(balanced_temperature_k(PlateExchange(0.0, 285.0, 5.0, 285.0), 0.0, 0.0, 0.0, 280.0) - 263.990),
+      20.0);
+}
+
+TEST(SteadyPlate, WithoutABalanceIsAnError) {
+  EXPECT_THROW(
+      balanced_temperature_k(test::LinearExchange([](double) { return 10.0; }), 0.0, 0.0, 0.0, 280.0),
+      InputError);
+}
+
+// ASHRAE's constants, of which Walton's formulas are made: 1.31 for walls, 1.52 for warm roofs, 0.76 for cold ones.
+TEST(Convection, NaturalOfWallsAndRoofs) {
+  EXPECT_NEAR(natural_convection(8.0, 0.0).h_w_m2_k, 1.31 * 2.0, 0.002);
+  EXPECT_NEAR(natural_convection(-8.0, 0.0).h_w_m2_k, 1.31 * 2.0, 0.002);
+  EXPECT_NEAR(natural_convection(8.0, 1.0).h_w_m2_k, 1.52 * 2.0, 0.002);
+  EXPECT_NEAR(natural_convection(-8.0, 1.0).h_w_m2_k, 0.76 * 2.0, 0.002);
+  EXPECT_NEAR(natural_convection(-8.0, -1.0).h_w_m2_k, 1.52 * 2.0, 0.002);
+}
+
+TEST(Convection, SlopesAreDerivatives) {
+  for (const double warmer : {-12.0, -0.5, 0.5, 12.0})
+    for (const double wind : {0.0, 1.0, 6.0}) {
+      const auto h = [&](double t) { return convection(t, 0.7, wind, true, Roughness::very_rough).h_w_m2_k; };
+      EXPECT_NEAR(convection(warmer, 0.7, wind, true, Roughness::very_rough).slope_w_m2_k2,
+                  (h(warmer + 1e-5) - h(warmer - 1e-5)) / 2e-5, 1e-6);
+    }
+}
+
+TEST(Convection, ForcedByWindAndRoughness) {
+  EXPECT_NEAR(forced_convection(4.0, true), 3.26 * 3.434, 0.01);   // 4^0.89
+  EXPECT_NEAR(forced_convection(4.0, false), 3.55 * 2.352, 0.01);  // 4^0.617
+  const double natural = natural_convection(5.0, 1.0).h_w_m2_k;
+  const double glass = std::hypot(natural, forced_convection(3.0, true));
+  EXPECT_NEAR(convection(5.0, 1.0, 3.0, true, Roughness::very_smooth).h_w_m2_k, glass, 1e-12);
+  EXPECT_NEAR(convection(5.0, 1.0, 3.0, true, Roughness::rough).h_w_m2_k, natural + 1.67 * (glass - natural),
+              1e-12);
+  EXPECT_TRUE(faces_wind(0.1, 0.0, kPi));
+  EXPECT_FALSE(faces_wind(0.5 * kPi, 0.0, kPi));
+  EXPECT_TRUE(faces_wind(0.5 * kPi, 0.1, 2.0 * kPi - 0.1));
+}
+
+TEST(WindProfile, LogarithmicOverOneTerrain) {
+  const Anemometer station;
+  EXPECT_NEAR(wind_at_m_s(5.0, station, 10.0, Terrain::open), 5.0, 1e-12);
+  EXPECT_NEAR(wind_at_m_s(5.0, station, 2.0, Terrain::open),
+              5.0 * std::log(2.0 / 0.03) / std::log(10.0 / 0.03), 1e-12);
+  // At the ground there is no wind at all, and less than 10 m up: what convection goes by is that of 2 m.
+  EXPECT_EQ(wind_at_m_s(5.0, station, 0.0, Terrain::open), wind_at_m_s(5.0, station, 2.0, Terrain::open));
+  EXPECT_LT(wind_at_m_s(5.0, station, 0.0, Terrain::open), 0.73 * 5.0);  // a fault: the wind at 10 m
+}
+
+TEST(WindProfile, OtherTerrainsShareTheWindAt60Metres) {
+  const Anemometer station;
+  const double open = wind_at_m_s(5.0, station, 60.0, Terrain::open);
+  for (const Terrain terrain : {Terrain::sea, Terrain::smooth, Terrain::rough, Terrain::suburb})
+    EXPECT_NEAR(wind_at_m_s(5.0, station, 60.0, terrain), open, 1e-12);
+  EXPECT_NEAR(wind_at_m_s(5.0, station, 10.0, Terrain::suburb), open * std::log(10.0) / std::log(60.0),
+              1e-12);
+}
+
+TEST(SkyLongwave, PrataAndCloud) {
+  // Dry air: 1 - exp(-sqrt(1.2)). 288.15 K and 10 hPa: w = 1.6137.
+  EXPECT_NEAR(clear_sky_emissivity(280.0, 0.0), 1.0 - std::exp(-std::sqrt(1.2)), 1e-12);
+  EXPECT_NEAR(clear_sky_emissivity(288.15, 1000.0), 1.0 - 2.61374 * std::exp(-std::sqrt(1.2 + 4.84123)),
+              1e-4);
+  EXPECT_NEAR(sky_emissivity(0.7, 0.0), 0.7, 1e-12);
+  EXPECT_NEAR(sky_emissivity(0.7, 0.5), 0.85, 1e-12);
+  EXPECT_NEAR(sky_longwave_w_m2(285.0, 900.0, 1.0), kStefanBoltzmann_w_m2_k4 * std::pow(285.0, 4), 1e-9);
+}
+
+TEST(SunSplit, ErbsIsContinuousAndSums) {
+  EXPECT_NEAR(diffuse_share(0.22), diffuse_share(0.2200001), 5e-4);
+  EXPECT_NEAR(diffuse_share(0.8), diffuse_share(0.8000001), 5e-3);
+  EXPECT_NEAR(diffuse_share(0.5), 0.6592, 5e-4);
+  for (const double elevation : {0.02, 0.2, 1.0}) {
+    const SunAndSky split = split_global(500.0 * std::sin(elevation), elevation, 1.0);
+    EXPECT_NEAR(split.direct_w_m2 * std::sin(elevation) + split.diffuse_w_m2, 500.0 * std::sin(elevation),
+                1e-9);
+    EXPECT_LE(split.direct_w_m2, kSolarConstant_w_m2);
+  }
+  EXPECT_EQ(split_global(3.0, -0.01, 1.0).direct_w_m2, 0.0);
+  EXPECT_EQ(split_global(40.0, 0.052, 1.0).direct_w_m2, 0.0);  // 3 degrees: no jump there
+  EXPECT_NEAR(split_global(40.0, 0.0525, 1.0).direct_w_m2, 0.0, 6.0);
+}
+
+// Allen et al. (1998), eq. 3, with the slope of the saturation pressure at the air's temperature, is the balance to first
+// order in T - T_a: with little radiation and a small deficit both agree.
+TEST(Evaporation, PenmanAndMonteith) {
+  MoistAir air{293.15, 0.0, 101325.0};
+  air.vapour_pa = 0.97 * atmosphere::saturation_pressure_pa(293.15);
+  const Coefficient h{12.0, 0.0};
+  const Wetness wetness{1.0, 70.0};
+  const double available = 20.0;  // R_n - G
+  double surface_k = 293.15;
+  for (int i = 0; i < 50; ++i) {
+    const LatentHeat latent = latent_heat(wetness, surface_k, air, h);
+    surface_k += (available - 12.0 * (surface_k - 293.15) - latent.w_m2) / (12.0 + latent.slope_w_m2_k);
+  }
+  const double density = air_density_kg_m3(air), ra = density * kAirHeat_j_kg_k / 12.0;
+  const double slope =
+      (atmosphere::saturation_pressure_pa(293.16) - atmosphere::saturation_pressure_pa(293.14)) / 0.02;
+  const double gamma = kAirHeat_j_kg_k * 101325.0 / (0.622 * kLatentHeat_j_kg);
+  const double deficit = 0.03 * atmosphere::saturation_pressure_pa(293.15);
+  const auto expected = [&](double resistance) {
+    return (slope * available + density * kAirHeat_j_kg_k * deficit / ra) /
+           (slope + gamma * (1.0 + resistance / ra));
+  };
+  const double found = latent_heat(wetness, surface_k, air, h).w_m2;
+  EXPECT_NEAR(found, expected(70.0), 0.01 * found);
+  EXPECT_GT(std::abs(found - expected(75.0)), 0.01 * found);  // the test sees 5 s/m
+}
+
+TEST(Evaporation, DewPassesNoStomataAndDrySurfacesNothing) {
+  const MoistAir air{293.15, 2000.0, 101325.0};
+  const Coefficient h{12.0, 0.3};
+  EXPECT_EQ(latent_heat({0.0, 0.0}, 300.0, air, h).w_m2, 0.0);
+  EXPECT_EQ(latent_heat({1.0, 70.0}, 280.0, air, h).w_m2, latent_heat({1.0, 0.0}, 280.0, air, h).w_m2);
+  EXPECT_LT(latent_heat({1.0, 70.0}, 280.0, air, h).w_m2, 0.0);
+  EXPECT_LT(latent_heat({1.0, 70.0}, 300.0, air, h).w_m2, 0.6 * latent_heat({1.0, 0.0}, 300.0, air, h).w_m2);
+  // Slopes, with a coefficient that changes as 12 + 0.3 (T - 300).
+  const auto at = [&](double t) { return latent_heat({0.5, 70.0}, t, air, {12.0 + 0.3 * (t - 300.0), 0.3}); };
+  EXPECT_NEAR(at(300.0).slope_w_m2_k, (at(300.01).w_m2 - at(299.99).w_m2) / 0.02, 1e-4);
+}
+
+}  // namespace
+}  // namespace ifov::thermal

@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "core/error.h"
+#include "exchanges.h"
+#include "thermal/cells.h"
+#include "thermal/solid.h"
+#include "thermal/tridiagonal.h"
+
+namespace ifov::thermal {
+namespace {
+
+std::string message(const Solid& solid) {
+  try {
+    check(solid);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Solid, SaysWhichLayerIsWrong) {
+  const SolidLayer good = test::concrete(0.1);
+  EXPECT_EQ(message({{good}, Insulated{}}), "");
+  EXPECT_EQ(message({{}, Insulated{}}), "expected at least one layer, found none");
+  SolidLayer thin = good, hard = good;
+  thin.thickness_m = 5e-6;
+  hard.conductivity_w_m_k = 0.0;
+  EXPECT_EQ(message({{good, thin}, Insulated{}}), "layer 2: it is 5 um thick, expected at least 10 um");
+  EXPECT_EQ(message({{hard}, Insulated{}}),
+            "layer 1: conductivity is 0 W m-1 K-1, expected a number above 0");
+}
+
+TEST(Solid, DepthAndInertiaOfConcrete) {
+  EXPECT_NEAR(daily_depth_m(test::concrete(1.0)), 0.138, 5e-4);
+  EXPECT_NEAR(thermal_inertia(test::concrete(1.0)), 1683.33, 0.01);
+}
+
+TEST(Cells, HoldTheWholeSolid) {
+  const Solid solid{{test::concrete(0.1), {0.02, 0.04, 50.0, 1000.0}}, RoomAir{293.0, 8.0}};
+  for (const int parts : {1, 4}) {
+    const Cells cells = cut_into_cells(solid, {1.0 / 60.0, 1.15, parts});
+    EXPECT_NEAR(std::accumulate(cells.capacity_j_m2_k.begin(), cells.capacity_j_m2_k.end(), 0.0),
+                0.1 * 2300.0 * 880.0 + 0.02 * 50.0 * 1000.0, 1e-6);
+    double resistance = 1.0 / cells.back_conductance_w_m2_k;
+    for (const double conductance : cells.conductance_w_m2_k) resistance += 1.0 / conductance;
+    EXPECT_NEAR(resistance, 0.1 / 1.4 + 0.02 / 0.04 + 1.0 / 8.0, 1e-12);
+  }
+}
+
+TEST(Tridiagonal, SolvesWithALossInPlaceOfTheSurface) {
+  const Cells cells = cut_into_cells({{test::concrete(0.1)}, HeldBack{0.0}});
+  const Tridiagonal matrix(cells, 300.0);
+  const std::size_t count = cells.depth_m.size();
+  std::vector<double> x(count, 0.0), p;
+  x[2] = 1.0;
+  const std::vector<double> right = x;
+  const double loss = 7.0;
+  matrix.solve_with_loss(loss, x, p);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double above = i > 0 ? cells.conductance_w_m2_k[i] * (x[i] - x[i - 1]) : loss * x[0];
+    const double below = i + 1 < count ? cells.conductance_w_m2_k[i + 1] * (x[i] - x[i + 1])
+                                       : cells.back_conductance_w_m2_k * x[i];
+    EXPECT_NEAR(cells.capacity_j_m2_k[i] * x[i] + 300.0 * (above + below), right[i], 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace ifov::thermal

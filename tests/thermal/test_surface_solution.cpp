@@ -1,0 +1,195 @@
+#include <gtest/gtest.h>
+
+#include "exchanges.h"
+#include "outdoors.h"
+#include "thermal/linear_kernel.h"
+#include "thermal/surface_solution.h"
+#include "thermal/therm_slab.h"
+
+namespace ifov::thermal {
+namespace {
+
+using test::june;
+
+Solid road() { return {{{0.06, 0.75, 2360.0, 920.0}, {0.5, 0.30, 1600.0, 800.0}}, DeepGround{290.0}}; }
+
+TEST(SurfaceBalance, FluxesOfATiltedSurface) {
+  OutdoorsSeries series;
+  Outdoors now;
+  now.direct_w_m2 = 800.0;
+  now.diffuse_w_m2 = 100.0;
+  now.sun_azimuth_rad = std::numbers::pi;
+  now.sun_elevation_rad = std::numbers::pi / 6.0;
+  now.longwave_w_m2 = 300.0;
+  now.air = {290.0, 1000.0, 101325.0};
+  series.rows = {now, now};
+  Skin skin;
+  skin.solar_absorptance = 0.5;
+  skin.emissivity = 0.9;
+  skin.power_w_m2 = 7.0;
+  Stand wall;
+  wall.tilt_rad = 0.5 * std::numbers::pi;
+  wall.azimuth_rad = std::numbers::pi;
+  const SurfaceBalance balance(series, skin, wall, {0.25, 0.25});
+  const Fluxes fluxes = balance.fluxes(10.0, 300.0);
+  const double sigma = kStefanBoltzmann_w_m2_k4;
+  EXPECT_NEAR(balance.full_sun_w_m2(0), 0.5 * 800.0 * std::cos(std::numbers::pi / 6.0), 1e-9);
+  EXPECT_NEAR(fluxes.sun, 0.25 * balance.full_sun_w_m2(0), 1e-9);
+  EXPECT_NEAR(fluxes.sky, 0.5 * 100.0 * 0.5, 1e-9);
+  EXPECT_NEAR(fluxes.reflected, 0.5 * 0.2 * (100.0 + 400.0) * 0.5, 1e-9);
+  EXPECT_NEAR(fluxes.sky_longwave, 0.9 * 300.0 * 0.5, 1e-9);
+  EXPECT_NEAR(fluxes.ground_longwave, 0.9 * sigma * std::pow(290.0, 4) * 0.5, 1e-9);
+  EXPECT_NEAR(fluxes.emitted, -0.9 * sigma * std::pow(300.0, 4), 1e-9);
+  EXPECT_NEAR(fluxes.convection, -natural_convection(10.0, 0.0).h_w_m2_k * 10.0, 0.01);
+  EXPECT_EQ(fluxes.power, 7.0);
+  const SurfaceGain gain = balance.gain(10.0, 300.0);
+  EXPECT_NEAR(gain.w_m2, fluxes.sum(), 1e-9);
+  EXPECT_NEAR(gain.slope_w_m2_k, (balance.gain(10.0, 300.01).w_m2 - balance.gain(10.0, 299.99).w_m2) / 0.02,
+              1e-4);
+}
+
+TEST(SurfaceSolution, EnergyOfASpunUpDay) {
+  Skin wet;
+  wet.wetness = {0.4, 70.0};
+  for (const Skin& skin : {Skin{}, wet}) {
+    const OutdoorsSeries series = june(4.0);
+    const SurfaceSolution solution = solve_surface(road(), skin, {}, series);
+    const History& history = solution.history;
+    const Fluxes& mean = solution.mean;
+    const double all_s = history.nodes.back().time_s - history.nodes.front().time_s;
+    const double in = mean.sun + mean.sky + mean.sky_longwave;
+    const double out = -(mean.emitted + mean.convection + mean.latent) + history.out_of_back_j_m2 / all_s;
+    EXPECT_LT(std::abs(in - out - history.stored_j_m2 / all_s), 1e-6 * in);
+    EXPECT_GT(in, 400.0);
+  }
+}
+
+TEST(SurfaceSolution, StepsOfFiveAndFifteenMinutesAgreeWithFineOnes) {
+  const SurfaceSolution fine = solve_surface(road(), {}, {}, june(4.0, 20.0));
+  for (const double step_s : {300.0, 900.0}) {
+    const SurfaceSolution coarse = solve_surface(road(), {}, {}, june(4.0, step_s));
+    double worst = 0.0;
+    const int a_day = static_cast<int>(86400.0 / step_s);
+    for (int i = 3 * a_day; i <= 4 * a_day; ++i)
+      worst = std::max(worst,
+                       std::abs(coarse.surface_k(i) - fine.surface_k(i * static_cast<int>(step_s / 20.0))));
+    EXPECT_LT(worst, step_s > 300.0 ? 0.1 : 0.02);
+  }
+}
+
+TEST(SurfaceSolution, HistoryOfTheWrongDayIsNoticed) {
+  // Yesterday was overcast: 24 hours on, the surface still knows it by a third of a kelvin.
+  OutdoorsSeries cloudy = june(4.0);
+  for (std::size_t i = 576; i < 864; ++i) cloudy.rows[i].direct_w_m2 = 0.0;
+  const double clear_k = solve_surface(road(), {}, {}, june(4.0)).surface_k(1152);
+  EXPECT_GT(clear_k - solve_surface(road(), {}, {}, cloudy).surface_k(1152), 0.25);
+}
+
+TEST(SurfaceSolution, GrassIsCoolerThanAsphaltInTheSun) {
+  Skin grass;
+  grass.wetness = {1.0, 70.0};
+  grass.roughness = Roughness::very_rough;
+  const OutdoorsSeries series = june(3.0);
+  const double lawn = solve_surface(road(), grass, {}, series).surface_k(720);
+  const double asphalt = solve_surface(road(), {}, {}, series).surface_k(720);
+  EXPECT_GT(asphalt - lawn, 10.0);
+  EXPECT_LT(std::abs(lawn - series.rows[720].air.temperature_k), 10.0);
+}
+
+/// The sunlit day with the Sun let in, or kept out, for a while is the kernel's sum over what was absorbed more.
+TEST(LinearKernel, IsTheDifferenceOfFullSolutions) {
+  const OutdoorsSeries series = june(3.0);
+  const std::size_t now = 2 * 288 + 180;  // 15 h of the third day
+  Skin skin;
+  const SurfaceSolution sunlit = solve_surface(road(), skin, {}, series);
+  const std::vector<double> kernel = linear_kernel(sunlit.cells, sunlit.history, sunlit.node_of_row(now));
+  const auto compare = [&](std::size_t from, std::size_t to, double visibility) {
+    std::vector<double> seen(series.rows.size(), 1.0);
+    for (std::size_t i = from; i < to; ++i) seen[i] = visibility;
+    double expected = 0.0;
+    for (std::size_t i = from; i < to; ++i)
+      expected += kernel[sunlit.node_of_row(i)] * sunlit.balance.full_sun_w_m2(i) * (visibility - 1.0);
+    const double full =
+        solve_surface(road(), skin, {}, series, Start::steady, seen).surface_k(now) - sunlit.surface_k(now);
+    return std::pair(full, expected);
+  };
+  // To first order: a thousandth of the Sun, of a minute ago and of yesterday.
+  for (const auto& [from, to] :
+       {std::pair<std::size_t, std::size_t>{now, now + 1}, {now - 12, now}, {now - 288, now - 240}}) {
+    const auto [full, expected] = compare(from, to, 0.999);
+    EXPECT_NEAR(full / expected, 1.0, 2e-3) << from;
+    EXPECT_LT(full, 0.0);
+  }
+  // All of the Sun for half an hour: what is left over is the bend, and small.
+  const auto [full, expected] = compare(now - 6, now, 0.0);
+  EXPECT_GT(std::abs(full), 3.0);
+  EXPECT_NEAR(full, expected, 0.05 * std::abs(full));
+  // A fault: the kernel of an hour earlier.
+  const std::vector<double> earlier =
+      linear_kernel(sunlit.cells, sunlit.history, sunlit.node_of_row(now - 12));
+  EXPECT_GT(std::abs(earlier[sunlit.node_of_row(now - 18)] / kernel[sunlit.node_of_row(now - 18)] - 1.0),
+            0.2);
+}
+
+TEST(LinearKernel, SumsToTheSteadyAnswer) {
+  // A constant gain for a long time: 1 / (h + resistance^-1), whatever the steps were.
+  const Cells cells = cut_into_cells({{test::concrete(0.1)}, HeldBack{300.0}});
+  const test::LinearExchange exchange([](double) { return 0.0; }, 10.0, 300.0);
+  const History history =
+      conduct(cells, std::vector<double>(cells.depth_m.size(), 300.0), exchange, {0.0, 900.0, 960});
+  double sum = 0.0;
+  for (const double value : linear_kernel(cells, history, history.nodes.size() - 1)) sum += value;
+  EXPECT_NEAR(sum, 1.0 / (10.0 + 1.4 / 0.1), 1e-8);
+}
+
+/// THERM's case, integrated by hand: 50 slices, explicit steps of a quarter of a second.
+TEST(ThermSlab, AsTheSameNumbersByHand) {
+  ThermSlab slab;
+  slab.density_kg_m3 = 2000.0;
+  slab.specific_heat_j_kg_k = 900.0;
+  slab.conductivity_w_m_k = 1.0;
+  slab.thickness_m = 0.05;
+  slab.solar_absorption = 0.7;
+  slab.emissivity = 0.9;
+  slab.exposed_area = 0.75;
+  const OutdoorsSeries series = june(1.0, 300.0);
+  const SurfaceSolution solution = solve_surface(solid_of(slab), skin_of(slab), {}, series, Start::air);
+
+  constexpr int kSlices = 50;
+  constexpr double kSlice_m = 0.05 / kSlices, kStep_s = 0.25;
+  std::vector<double> t(kSlices, series.rows[0].air.temperature_k), flux(kSlices + 1, 0.0);
+  double worst = 0.0, surface_k = t[0];
+  for (std::size_t row = 0; row + 1 < series.rows.size(); ++row) {
+    if (row >= 12) worst = std::max(worst, std::abs(surface_k - solution.surface_k(row)));
+    for (int k = 0; k < static_cast<int>(300.0 / kStep_s); ++k) {
+      const double share = k * kStep_s / 300.0;
+      const Outdoors &a = series.rows[row], &b = series.rows[row + 1];
+      const auto mixed = [&](double x, double y) { return x + share * (y - x); };
+      const auto level = [](const Outdoors& now) {
+        return now.direct_w_m2 * std::max(0.0, std::sin(now.sun_elevation_rad));
+      };
+      const double air_k = mixed(a.air.temperature_k, b.air.temperature_k);
+      const double wind = mixed(a.wind_m_s, b.wind_m_s) * std::log(2.0 / 0.03) / std::log(10.0 / 0.03);
+      const double sun = 0.7 * (mixed(level(a), level(b)) + mixed(a.diffuse_w_m2, b.diffuse_w_m2));
+      const double longwave = 0.9 * mixed(a.longwave_w_m2, b.longwave_w_m2);
+      const double warmer = surface_k - air_k;
+      const double natural = warmer > 0.0 ? 1.52 * std::cbrt(warmer) : 0.76 * std::cbrt(-warmer);
+      const double glass = std::sqrt(natural * natural + std::pow(3.26 * std::pow(wind, 0.89), 2));
+      const double h = natural + 1.11 * (glass - natural);
+      const double gain = sun + longwave - 0.9 * 5.670374419e-8 * std::pow(surface_k, 4) - 1.5 * h * warmer;
+      surface_k += (gain - 2.0 / kSlice_m * (surface_k - t[0])) / (2.0 / kSlice_m + 6.0 + 1.5 * h);
+      flux[0] = 2.0 / kSlice_m * (surface_k - t[0]);
+      for (int i = 1; i < kSlices; ++i) flux[i] = (t[i - 1] - t[i]) / kSlice_m;
+      for (int i = 0; i < kSlices; ++i)
+        t[i] += kStep_s * (flux[i] - flux[i + 1]) / (2000.0 * 900.0 * kSlice_m);
+    }
+  }
+  EXPECT_LT(worst, 0.05);
+  // A fault: one face where three quarters of both are in the air.
+  slab.exposed_area = 0.5;
+  const SurfaceSolution other = solve_surface(solid_of(slab), skin_of(slab), {}, series, Start::air);
+  EXPECT_GT(std::abs(other.surface_k(144) - solution.surface_k(144)), 1.0);
+}
+
+}  // namespace
+}  // namespace ifov::thermal
