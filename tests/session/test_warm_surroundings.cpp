@@ -59,7 +59,7 @@ TEST(WarmSurroundings, ScatterIntoThePathWhatTheyEmit) {
                 cold = plain(R"("surroundings": {"reflectance": 0.05, "temperature": "20 K"})");
   const io::Document& document = warm.parts().document;
   const atmosphere::AtmosphereColumn column =
-      assemble_column(*document.atmosphere.modelled, document.scene.origin);
+      assemble_column(document.sources, *document.atmosphere.modelled, document.scene.origin);
   atmosphere::SensorGeometry geometry;
   for (std::size_t c = 0; c < 2; ++c) {
     const auto all =

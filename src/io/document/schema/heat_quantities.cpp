@@ -3,7 +3,6 @@
 namespace ifov::io {
 namespace {
 
-constexpr Unit kDurationUnits[] = {{"s"}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
 // Calorie and British thermal unit of the International Table, of which 1 cal g-1 K-1 is 1 BTU lb-1 degF-1.
 constexpr double kCal_j = 4.1868, kBtu_j = 1055.05585262, kFoot_m = 0.3048, kPound_kg = 0.45359237,
                  kDegF_k = 5.0 / 9.0;
@@ -45,7 +44,6 @@ constexpr Unit kResistanceUnits[] = {{"s/m"}, {"s m-1", 1.0, 0.0, false}};
 
 }  // namespace
 
-const Dimension kDuration{"a duration", "5 min", kDurationUnits, 1e-9, 1e12};
 const Dimension kConductivity{"a conductivity of heat", "1.4 W m-1 K-1", kConductivityUnits, 1e-9, 1e9};
 const Dimension kMassDensity{"a density of mass", "2300 kg/m3", kMassDensityUnits, 1e-6, 1e9};
 const Dimension kSpecificHeat{"a specific heat", "880 J kg-1 K-1", kSpecificHeatUnits, 1e-3, 1e9};

@@ -4,7 +4,6 @@
 
 namespace ifov::io {
 
-extern const Dimension kDuration;      ///< s
 extern const Dimension kConductivity;  ///< of heat, W m-1 K-1
 extern const Dimension kMassDensity;   ///< kg m-3
 extern const Dimension kSpecificHeat;  ///< J kg-1 K-1

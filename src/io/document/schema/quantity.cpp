@@ -101,7 +101,13 @@ constexpr Unit kOzoneColumnUnits[] = {{"DU"}, {"atm-cm", 1e3}};
 constexpr Unit kMixingRatioUnits[] = {{"g/kg"}, {"g kg-1", 1.0, 0.0, kAlias}};
 constexpr Unit kMixingRatioByVolumeUnits[] = {{"ppm"}, {"ppb", 1e-3}, {"ppmv", 1.0, 0.0, kAlias}};
 
-constexpr Unit kDurationUnits[] = {{"s"}, {"ms", 1e-3}, {"us", 1e-6}, {"\u00B5s", 1e-6, 0.0, kAlias}};
+constexpr Unit kDurationUnits[] = {{"s"},
+                                   {"ms", 1e-3},
+                                   {"us", 1e-6},
+                                   {"min", 60.0},
+                                   {"h", 3600.0},
+                                   {"d", 86400.0},
+                                   {"\u00B5s", 1e-6, 0.0, kAlias}};
 constexpr double kElementaryCharge_c = 1.602176634e-19;  // exact
 constexpr Unit kElectronsUnits[] = {{"e-"}, {"ke-", 1e3}, {"Me-", 1e6}};
 constexpr Unit kDarkCurrentUnits[] = {{"e-/s"},
@@ -154,7 +160,7 @@ const Dimension kMixingRatio{"a mixing ratio", "8 g/kg", kMixingRatioUnits, 1e-1
 const Dimension kMixingRatioByVolume{"a mixing ratio by volume", "420 ppm", kMixingRatioByVolumeUnits, 1e-12,
                                      1e9};
 
-const Dimension kDuration{"a duration", "10 ms", kDurationUnits, 1e-12, 1e9};
+const Dimension kDuration{"a duration", "10 ms", kDurationUnits, 1e-12, 1e12};
 const Dimension kElectrons{"a number of electrons", "20 e-", kElectronsUnits, 1e-6, 1e15};
 const Dimension kDarkCurrent{"a dark current", "100 e-/s", kDarkCurrentUnits, 1e-9, 1e20};
 const Dimension kGain{"a gain", "16 e-/count", kGainUnits, 1e-6, 1e12};
