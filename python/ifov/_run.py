@@ -225,16 +225,20 @@ def detect(
     seed: int = 1,
     count: int = 1,
     folder: str | os.PathLike[str] = "",
+    quantities: Sequence[str] = ("radiance",),
     document: Mapping[str, Any] | None = None,
+    set: Sequence[str] = (),
     threads: int = 0,
 ) -> list[pathlib.Path]:
-    """Draws what the sensor's noise makes of a finished run, ``count`` times with seeds from ``seed`` on. document: whose channels tell
-    the noise; else the run's. Returns the cubes; ``load`` has them as ``noisy_SEED``."""
+    """Draws what the sensor makes of a finished run, ``count`` times with seeds from ``seed`` on: ``"radiance"``, and where channels have
+    a detector ``"electrons"`` and ``"counts"``. document: whose channels tell the noise; else the run's, with the values of ``set``
+    (``"sensor.detector.integration_time=2 ms"``) in place of its own. Returns the cubes; ``load`` has those of radiance as
+    ``noisy_SEED``."""
     other = None
     if document is not None:
         with Written(document) as written:
             other = parsed(written)
-    _noise, cubes = library().detect(os.fspath(run), os.fspath(folder), seed, count, other, threads)
+    _noise, cubes = library().detect(os.fspath(run), os.fspath(folder), seed, count, list(quantities), other, list(set), threads)
     return list(cubes)
 
 

@@ -12,6 +12,18 @@
 
 namespace ifov::python {
 
+namespace {
+
+DetectedQuantity detected_quantity(const std::string& name) {
+  if (name == "radiance") return DetectedQuantity::radiance;
+  if (name == "electrons") return DetectedQuantity::electrons;
+  if (name == "counts") return DetectedQuantity::counts;
+  throw nb::value_error(
+      ("quantities: found '" + name + "', expected 'radiance', 'electrons' or 'counts'").c_str());
+}
+
+}  // namespace
+
 void add_runs(nb::module_& module) {
   module.def("run_status", &run_status, nb::arg("folder"));
   module.def(
@@ -29,13 +41,18 @@ void add_runs(nb::module_& module) {
   module.def(
       "detect",
       [](const std::filesystem::path& run, const std::filesystem::path& folder, std::uint64_t seed, int count,
-         const std::optional<Document>& other, int threads) {
+         const std::vector<std::string>& quantities, const std::optional<Document>& other,
+         const std::vector<std::string>& set, int threads) {
+        std::vector<DetectedQuantity> wanted;
+        for (const std::string& name : quantities) wanted.push_back(detected_quantity(name));
         Call call;
         const Detection detection = call.run([&] {
           return detect(run, {.folder = folder,
                               .first_seed = seed,
                               .realizations = count,
+                              .quantities = wanted,
                               .other = other,
+                              .set = set,
                               .threads = threads,
                               .cancel = call.cancel()});
         });
@@ -44,8 +61,8 @@ void add_runs(nb::module_& module) {
           noise[channel.name.c_str()] = channel.noise;
         return nb::make_tuple(noise, detection.cubes);
       },
-      nb::arg("run"), nb::arg("folder"), nb::arg("seed"), nb::arg("count"), nb::arg("other").none(),
-      nb::arg("threads"));
+      nb::arg("run"), nb::arg("folder"), nb::arg("seed"), nb::arg("count"), nb::arg("quantities"),
+      nb::arg("other").none(), nb::arg("set"), nb::arg("threads"));
 
   nb::class_<RegionMean::Channel>(module, "RegionChannel")
       .def_ro("name", &RegionMean::Channel::name)

@@ -110,6 +110,21 @@ class Runs(scenes.InFolder):
         noise = (loaded["noisy_7"] - loaded["radiance"]).isel(wavelength=0).values
         self.assertAlmostEqual(float(noise.std()), 1.0, delta=4 / np.sqrt(2 * noise.size))
 
+    def test_a_detector(self):
+        document = scenes.small()
+        document["sensor"]["optics"] = {"f_number": 4}
+        document["sensor"]["detector"] = {"pitch": "5 um", "integration_time": "1 ms", "quantum_efficiency": 0.7,
+                                          "full_well": "1 Me-", "bits": 12, "gain": "250 e-/count"}
+        ifov.run(document, "out", progress=False)
+        made = ifov.detect("out", seed=3, quantities=["counts"])
+        self.assertEqual([file.name for file in made], ["image_counts_3.img"])
+        [electrons] = ifov.detect("out", seed=3, quantities=["electrons"])
+        [twice] = ifov.detect("out", seed=3, quantities=["electrons"], set=["sensor.detector.integration_time=2 ms"], folder="twice")
+        ratio = np.fromfile(twice, "<f4").mean() / np.fromfile(electrons, "<f4").mean()
+        self.assertAlmostEqual(ratio, 2.0, delta=0.02)
+        with self.assertRaisesRegex(ValueError, "found 'photons', expected 'radiance', 'electrons' or 'counts'"):
+            ifov.detect("out", quantities=["photons"])
+
 
 if __name__ == "__main__":
     unittest.main()
