@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "atmosphere/scattering/beam_integral.h"
+#include "atmosphere/scattering/many_orders.h"
 #include "atmosphere/scattering/spherical_functions.h"
 
 namespace ifov::atmosphere {
@@ -63,9 +64,38 @@ SuccessiveOrders::Mode SuccessiveOrders::groundlit() const {
   return add_orders(step, std::move(field), std::move(moments), 0.0);
 }
 
+/// Whether light is scattered so often that orders are not added one by one.
+bool SuccessiveOrders::is_thick() const {
+  constexpr double kThick = 4.0;  // scaled depth of scattering
+  double depth = 0.0;
+  for (std::size_t s = 0; s < column_.sublayers(); ++s) {
+    const ScatteringColumn::Mixture& mixture = column_.mixtures[column_.mixture_of[s]];
+    depth += column_.depth[s] * (mixture.rayleigh + mixture.aerosol * (1.0 - mixture.peak));
+  }
+  return depth > kThick;
+}
+
 SuccessiveOrders::Mode SuccessiveOrders::add_orders(const ModeOperator& step, ModeField field,
                                                     ModeMoments sum, double reference) const {
   Mode result;
+  if (is_thick() && options_.most_orders > 1) {
+    // `sum` holds light that has not been scattered, where that is a source of its own, and `field` what becomes of it.
+    const bool has_source = sum.peak() > 0.0;
+    AllOrders all = all_orders(step, has_source ? sum : step.moments_of(field), options_.tolerance);
+    if (step.mode() == 0) {
+      ModeField light = step.next(all.moments);
+      if (!has_source) {
+        add_scaled(light.up.size(), 1.0, field.up.data(), light.up.data());
+        add_scaled(light.down.size(), 1.0, field.down.data(), light.down.data());
+      }
+      light.up.resize(light.stride);
+      light.down.resize(light.stride);
+      result.radiance = {std::move(light.up), std::move(light.down)};
+    }
+    result.orders = all.scatterings;
+    result.moments = std::move(all.moments);
+    return result;
+  }
   ModeField total = step.empty_field();
   double previous = 0.0;
   for (int order = 1;; ++order) {

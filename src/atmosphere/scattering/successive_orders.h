@@ -38,6 +38,7 @@ class SuccessiveOrders {
   Mode groundlit() const;
 
  private:
+  bool is_thick() const;
   Mode add_orders(const ModeOperator& step, ModeField field, ModeMoments sum, double reference) const;
 
   const ScatteringColumn& column_;
