@@ -14,12 +14,11 @@
 #include "ifov/document.h"
 #include "ifov/outcome.h"
 #include "ifov/run_control.h"
+#include "ifov/tile.h"
 
 namespace ifov {
 
 class Ranks;
-struct ImageDescription;  // ifov/tile.h
-class TileSink;
 
 /// How a document is loaded. Pointers may be null, and what they point to must live as long as the call.
 struct LoadOptions {

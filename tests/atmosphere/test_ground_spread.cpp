@@ -6,7 +6,7 @@
 #include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/scattering/column_solver.h"
 #include "atmosphere/scattering/ground_spread.h"
-#include "atmosphere/scattering/phase_function.h"
+#include "atmosphere/scattering/phase/phase_function.h"
 #include "column_maker.h"
 
 namespace ifov::atmosphere {

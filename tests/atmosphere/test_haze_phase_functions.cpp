@@ -9,7 +9,7 @@
 #include "atmosphere/particles/aerosol_optics.h"
 #include "atmosphere/particles/aerosol_phase_functions.h"
 #include "atmosphere/scattering/column_solver.h"
-#include "atmosphere/scattering/scattering_matrix.h"
+#include "atmosphere/scattering/phase/scattering_matrix.h"
 #include "atmosphere/scattering/single_scattering.h"
 
 namespace ifov::atmosphere {

@@ -7,9 +7,9 @@
 
 #include "atmosphere/gauss_nodes.h"
 #include "atmosphere/particles/mie.h"
-#include "atmosphere/scattering/phase_expansion.h"
-#include "atmosphere/scattering/scattering_matrix.h"
-#include "atmosphere/scattering/spherical_functions.h"
+#include "atmosphere/scattering/phase/phase_expansion.h"
+#include "atmosphere/scattering/phase/scattering_matrix.h"
+#include "atmosphere/scattering/phase/spherical_functions.h"
 
 namespace ifov::atmosphere {
 namespace {

@@ -10,7 +10,7 @@
 #include "atmosphere/particles/given_particles.h"
 #include "atmosphere/particles/particle_layer.h"
 #include "atmosphere/scattering/column_solver.h"
-#include "atmosphere/scattering/scattering_matrix.h"
+#include "atmosphere/scattering/phase/scattering_matrix.h"
 #include "atmosphere/scattering/single_scattering.h"
 #include "column_maker.h"
 #include "core/error.h"

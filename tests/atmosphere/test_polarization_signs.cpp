@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "atmosphere/column_maker.h"
-#include "atmosphere/scattering/scattering_matrix.h"
+#include "atmosphere/scattering/phase/scattering_matrix.h"
 #include "atmosphere/scattering/sky_ring.h"
 
 namespace ifov::atmosphere {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "atmosphere/gauss_nodes.h"
-#include "atmosphere/scattering/phase_expansion.h"
-#include "atmosphere/scattering/scattering_matrix.h"
-#include "atmosphere/scattering/spherical_functions.h"
+#include "atmosphere/scattering/phase/phase_expansion.h"
+#include "atmosphere/scattering/phase/scattering_matrix.h"
+#include "atmosphere/scattering/phase/spherical_functions.h"
 
 using namespace ifov::atmosphere;
 

@@ -6,7 +6,7 @@
 
 #include "atmosphere/column_maker.h"
 #include "atmosphere/linear_source.h"
-#include "atmosphere/scattering/scattering_matrix.h"
+#include "atmosphere/scattering/phase/scattering_matrix.h"
 #include "atmosphere/scattering/sky_ring.h"
 
 using namespace ifov::atmosphere;

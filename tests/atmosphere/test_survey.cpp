@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "atmosphere/column/atmosphere_column.h"
-#include "atmosphere/scattering/propagation.h"
+#include "atmosphere/scattering/phase/propagation.h"
 #include "atmosphere/sensor/channel_bins.h"
 #include "atmosphere/sensor/sensor_geometry.h"
 #include "atmosphere/survey/neutral_points.h"

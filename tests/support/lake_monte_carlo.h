@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "atmosphere/layer_optics.h"
-#include "atmosphere/scattering/phase_function.h"
+#include "atmosphere/scattering/phase/phase_function.h"
 
 namespace ifov::test {
 

@@ -7,7 +7,7 @@
 #include "atmosphere/gas/band_model.h"
 #include "atmosphere/gas/gas_transmittance.h"
 #include "atmosphere/scattering/column_solver.h"
-#include "atmosphere/scattering/scattering_matrix.h"
+#include "atmosphere/scattering/phase/scattering_matrix.h"
 #include "figure_data.h"
 #include "geodesy/moon_position.h"
 #include "geodesy/sun_position.h"

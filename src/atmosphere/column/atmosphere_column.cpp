@@ -6,7 +6,7 @@
 #include "atmosphere/column/light_limits.h"
 #include "atmosphere/particles/rayleigh.h"
 #include "atmosphere/profile/column_integral.h"
-#include "atmosphere/scattering/phase_function.h"
+#include "atmosphere/scattering/phase/phase_function.h"
 #include "core/error.h"
 
 namespace ifov::atmosphere {

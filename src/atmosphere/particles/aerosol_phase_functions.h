@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "atmosphere/scattering/phase_function.h"
+#include "atmosphere/scattering/phase/phase_function.h"
 
 namespace ifov::atmosphere {
 

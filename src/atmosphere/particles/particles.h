@@ -1,7 +1,7 @@
 #pragma once
 
 #include "atmosphere/particles/aerosol_optics.h"
-#include "atmosphere/scattering/phase_function.h"
+#include "atmosphere/scattering/phase/phase_function.h"
 
 namespace ifov::atmosphere {
 

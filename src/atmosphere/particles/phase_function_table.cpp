@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "atmosphere/scattering/scattering_matrix.h"
+#include "atmosphere/scattering/phase/scattering_matrix.h"
 
 namespace ifov::atmosphere {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "atmosphere/scattering/phase_function.h"
+#include "atmosphere/scattering/phase/phase_function.h"
 
 namespace ifov::atmosphere {
 

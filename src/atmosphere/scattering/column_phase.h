@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "atmosphere/scattering/phase_expansion.h"
+#include "atmosphere/scattering/phase/phase_expansion.h"
 #include "atmosphere/scattering/scattering_column.h"
 
 namespace ifov::atmosphere {

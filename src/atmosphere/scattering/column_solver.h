@@ -4,7 +4,7 @@
 
 #include "atmosphere/gauss_nodes.h"
 #include "atmosphere/layer_optics.h"
-#include "atmosphere/scattering/phase_expansion.h"
+#include "atmosphere/scattering/phase/phase_expansion.h"
 #include "atmosphere/scattering/scattered_field.h"
 #include "atmosphere/scattering/scattering_options.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "atmosphere/scattering/phase_function.h"
+#include "atmosphere/scattering/phase/phase_function.h"
 #include "sampling/random.h"
 
 namespace ifov::atmosphere {

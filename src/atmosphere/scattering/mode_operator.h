@@ -5,8 +5,8 @@
 
 #include "atmosphere/gauss_nodes.h"
 #include "atmosphere/scattering/column_phase.h"
+#include "atmosphere/scattering/phase/spherical_functions.h"
 #include "atmosphere/scattering/scattering_column.h"
-#include "atmosphere/scattering/spherical_functions.h"
 
 namespace ifov::atmosphere {
 

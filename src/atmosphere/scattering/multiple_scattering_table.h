@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "atmosphere/layer_optics.h"
-#include "atmosphere/scattering/propagation.h"
+#include "atmosphere/scattering/phase/propagation.h"
 
 namespace ifov::atmosphere {
 

@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "atmosphere/linear_source.h"
+#include "atmosphere/scattering/phase/spherical_functions.h"
 #include "atmosphere/scattering/shell_line_of_sight.h"
-#include "atmosphere/scattering/spherical_functions.h"
 
 namespace ifov::atmosphere {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "atmosphere/scattering/phase_function.h"
+#include "atmosphere/scattering/phase/phase_function.h"
 #include "atmosphere/spherical_shells.h"
 
 namespace ifov::atmosphere {

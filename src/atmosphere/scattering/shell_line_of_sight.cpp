@@ -4,14 +4,14 @@
 #include <cmath>
 #include <functional>
 
-#include "atmosphere/scattering/scattering_matrix.h"
+#include "atmosphere/scattering/phase/scattering_matrix.h"
 #include "atmosphere/spherical_shells.h"
 
 namespace ifov::atmosphere {
 namespace {
 
 /// A layer is cut where the beam's depth bends within it: where the Sun is lower than this cosine.
-constexpr double kLowSun = 0.25;
+constexpr double kLowSunCosine = 0.25;
 constexpr int kLowSunParts = 4;
 
 /// Lengths from the lower end at which the line enters and leaves the Earth's shadow, a cylinder; those that count are
@@ -58,7 +58,7 @@ ShellLineOfSight::ShellLineOfSight(std::span<const double> altitude_km, bool sph
     const double top = std::min(upper, altitude_km[static_cast<std::size_t>(k)]), from = at.back(),
                  to = length_to(top);
     std::vector<double> cuts{to};
-    if (spherical && sunbeams && std::min(sun_at(from), sun_at(to)) < kLowSun)
+    if (spherical && sunbeams && std::min(sun_at(from), sun_at(to)) < kLowSunCosine)
       for (int part = 1; part < kLowSunParts; ++part)
         cuts.push_back(from + (to - from) * part / kLowSunParts);
     for (const double edge : shadow)

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "atmosphere/scattering/propagation.h"
+#include "atmosphere/scattering/phase/propagation.h"
 
 namespace ifov::atmosphere {
 

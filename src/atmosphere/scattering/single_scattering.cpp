@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "atmosphere/scattering/beam_integral.h"
-#include "atmosphere/scattering/phase_function.h"
-#include "atmosphere/scattering/scattering_matrix.h"
+#include "atmosphere/scattering/phase/phase_function.h"
+#include "atmosphere/scattering/phase/scattering_matrix.h"
 #include "atmosphere/scattering/shell_line_of_sight.h"
 
 namespace ifov::atmosphere {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "atmosphere/scattering/propagation.h"
+#include "atmosphere/scattering/phase/propagation.h"
 #include "atmosphere/scattering/scattering_column.h"
 #include "atmosphere/scattering/slant_path.h"
 #include "atmosphere/scattering/sun_cell.h"

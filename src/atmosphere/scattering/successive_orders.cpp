@@ -7,7 +7,7 @@
 
 #include "atmosphere/scattering/beam_integral.h"
 #include "atmosphere/scattering/many_orders.h"
-#include "atmosphere/scattering/spherical_functions.h"
+#include "atmosphere/scattering/phase/spherical_functions.h"
 
 namespace ifov::atmosphere {
 

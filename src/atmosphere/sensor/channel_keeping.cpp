@@ -1,7 +1,7 @@
 // The part of ChannelScattering that keeps solutions and takes them from what was kept.
 #include <span>
 
-#include "atmosphere/scattering/phase_function.h"
+#include "atmosphere/scattering/phase/phase_function.h"
 #include "atmosphere/sensor/channel_scattering.h"
 
 namespace ifov::atmosphere {

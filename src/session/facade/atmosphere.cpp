@@ -6,12 +6,12 @@
 #include "core/error.h"
 #include "io/files/inputs.h"
 #include "io/products/envi_reader.h"
-#include "session/atmosphere_survey.h"
 #include "session/facade/access.h"
 #include "session/facade/document_inside.h"
 #include "session/loaded/parts.h"
 #include "session/reflectance_cube.h"
 #include "session/session.h"
+#include "session/surveys/atmosphere_survey.h"
 
 namespace ifov {
 namespace {

@@ -5,9 +5,9 @@
 #include "io/document/reading/scattering_models.h"
 #include "io/document/schema/schema_type.h"
 #include "io/files/inputs.h"
-#include "session/brdf_survey.h"
 #include "session/facade/access.h"
 #include "session/facade/document_inside.h"
+#include "session/surveys/brdf_survey.h"
 
 namespace ifov {
 

@@ -9,7 +9,7 @@
 #include "io/library/sensor_presets.h"
 #include "session/facade/access.h"
 #include "session/facade/document_inside.h"
-#include "session/sensor_survey.h"
+#include "session/surveys/sensor_survey.h"
 
 namespace ifov {
 namespace {

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "atmosphere/weather_series.h"
 #include "io/scene_cache/file_stamp.h"
 #include "radiometry/channel.h"
 #include "render/image_info.h"
@@ -19,6 +18,7 @@
 namespace ifov::atmosphere {
 class ImportedAtmosphere;
 class SensorAtmosphere;
+class WeatherSeries;
 }  // namespace ifov::atmosphere
 namespace ifov::io {
 struct Document;
@@ -58,7 +58,7 @@ struct Parts {
   PlacedObjects placed;
   math::Vec3 map_offset_m;                 ///< map coordinates of the scene's origin
   std::vector<io::FileStamp> known_files;  ///< files whose bytes the scene cache vouches for
-  std::optional<atmosphere::WeatherSeries> weather;
+  std::shared_ptr<const atmosphere::WeatherSeries> weather;
   std::vector<radiometry::Channel> channels;
   std::shared_ptr<const render::Polarimetry>
       polarimetry;  ///< what the sensor does with it; null: radiance alone

@@ -4,7 +4,7 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
-#include "session/brdf_survey.h"
+#include "session/surveys/brdf_survey.h"
 #include "studies/surfaces/surface_sections.h"
 
 namespace ifov::studies {

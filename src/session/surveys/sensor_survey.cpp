@@ -1,4 +1,4 @@
-#include "session/sensor_survey.h"
+#include "session/surveys/sensor_survey.h"
 
 #include <cmath>
 

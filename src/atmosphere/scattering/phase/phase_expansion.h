@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "atmosphere/gauss_nodes.h"
-#include "atmosphere/scattering/phase_function.h"
+#include "atmosphere/scattering/phase/phase_function.h"
 
 namespace ifov::atmosphere {
 

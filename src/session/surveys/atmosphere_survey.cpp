@@ -1,4 +1,4 @@
-#include "session/atmosphere_survey.h"
+#include "session/surveys/atmosphere_survey.h"
 
 #include <algorithm>
 #include <chrono>
@@ -17,7 +17,7 @@
 #include "session/assembly/atmosphere/aerosol_assembly.h"
 #include "session/assembly/atmosphere/atmosphere_assembly.h"
 #include "session/assembly/shared/with_position.h"
-#include "session/survey_stage.h"
+#include "session/surveys/survey_stage.h"
 
 namespace ifov::session {
 namespace {

@@ -1,10 +1,10 @@
-#include "atmosphere/scattering/phase_expansion.h"
+#include "atmosphere/scattering/phase/phase_expansion.h"
 
 #include <cmath>
 #include <utility>
 
-#include "atmosphere/scattering/scattering_matrix.h"
-#include "atmosphere/scattering/spherical_functions.h"
+#include "atmosphere/scattering/phase/scattering_matrix.h"
+#include "atmosphere/scattering/phase/spherical_functions.h"
 
 namespace ifov::atmosphere {
 

@@ -1,4 +1,4 @@
-#include "atmosphere/scattering/phase_function.h"
+#include "atmosphere/scattering/phase/phase_function.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "atmosphere/gauss_nodes.h"
-#include "atmosphere/scattering/scattering_matrix.h"
-#include "atmosphere/scattering/spherical_functions.h"
+#include "atmosphere/scattering/phase/scattering_matrix.h"
+#include "atmosphere/scattering/phase/spherical_functions.h"
 
 namespace ifov::atmosphere {
 

@@ -1,4 +1,4 @@
-#include "session/survey_stage.h"
+#include "session/surveys/survey_stage.h"
 
 #include "geometry/world/world_builder.h"
 #include "io/document/document.h"

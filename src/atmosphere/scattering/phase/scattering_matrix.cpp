@@ -1,4 +1,4 @@
-#include "atmosphere/scattering/scattering_matrix.h"
+#include "atmosphere/scattering/phase/scattering_matrix.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "atmosphere/scattering/spherical_functions.h"
+#include "atmosphere/scattering/phase/spherical_functions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "atmosphere/scattering/propagation.h"
+#include "atmosphere/scattering/phase/propagation.h"
 
 namespace ifov::atmosphere {
 

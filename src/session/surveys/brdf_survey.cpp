@@ -1,4 +1,4 @@
-#include "session/brdf_survey.h"
+#include "session/surveys/brdf_survey.h"
 
 #include <algorithm>
 #include <cmath>
