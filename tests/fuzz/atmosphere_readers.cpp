@@ -105,7 +105,7 @@ std::vector<std::string> path_csv_seeds() {
 
 std::vector<std::string> phase_function_seeds() {
   return {"# isotropic\nangle_deg, 0.44, 0.865\n0, 1, 1\n45, 1, 1\n90, 1, 1\n180, 1, 1\n",
-          "angle 0.55\n0 1.6\n90 1\n180 0.4\n"};
+          "angle 0.55\n0 1.6\n60 1.3\n120 0.7\n180 0.4\n"};
 }
 
 std::vector<std::string> weather_seeds() {
