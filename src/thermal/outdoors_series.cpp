@@ -38,6 +38,7 @@ class Sampler {
     bounded_ = !weather.is_constant() && !weather.typical_year() && !knots.empty();
     if (!bounded_) return;
     first_s_ = knots.front().time_s;
+    last_s_ = std::min(knots.back().time_s, first_s_ + kWeatherDay_s);
   }
 
   bool has(WeatherQuantity quantity) const {
@@ -53,12 +54,12 @@ class Sampler {
 
   /// Mean over the step about a time; wind direction at the time itself.
   std::optional<double> mean(WeatherQuantity quantity, double time_s) const {
-    if (quantity == WeatherQuantity::wind_direction_rad) return weather_.at(quantity, instant(time_s));
+    if (quantity == WeatherQuantity::wind_direction_rad) return at_part(quantity, time_s);
     double sum = 0.0;
     int count = 0;
     for (int i = 0; i < kParts; ++i) {
       const double part_s = time_s + ((i + 0.5) / kParts - 0.5) * span_.step_s;
-      if (const std::optional<double> value = weather_.at(quantity, instant(part_s))) {
+      if (const std::optional<double> value = at_part(quantity, part_s)) {
         sum += *value;
         ++count;
       }
@@ -73,7 +74,9 @@ class Sampler {
                               name_of(quantity)));
     const double back_s = end_s() - kShownDay_s - first_s_;
     std::string hint;
-    if (bounded_ && time_s < first_s_)
+    if (bounded_ && time_s < first_s_ && span_.repeat_first_day)
+      hint = "; its first 24 hours, which stand for the days before, are not whole";
+    else if (bounded_ && time_s < first_s_)
       hint = back_s > 0.0
                  ? format(
                        "; it reaches back {:.1f} h before the day shown: a \"spin_up\" of \"{:.0f} h\" or "
@@ -91,9 +94,8 @@ class Sampler {
     return end_s() - span_.step_s * std::round((kShownDay_s + span_.spin_up_s) / span_.step_s);
   }
 
-  Outdoors at(double actual_s) const {
-    const double time_s = looked_up_s(actual_s);
-    const SunPath::Place sun = sun_.at(time_s);
+  Outdoors at(double time_s) const {
+    const SunPath::Place sun = sun_.at(looked_up_s(time_s));
     Outdoors now;
     now.sun_azimuth_rad = sun.azimuth_rad;
     now.sun_elevation_rad = sun.elevation_rad;
@@ -110,6 +112,18 @@ class Sampler {
   }
 
  private:
+  /// A day told hour by hour ends an hour before it begins again.
+  std::optional<double> at_part(WeatherQuantity quantity, double time_s) const {
+    const double day_s = looked_up_s(time_s);
+    if (day_s == time_s || day_s <= last_s_ || quantity == WeatherQuantity::wind_direction_rad)
+      return weather_.at(quantity, instant(day_s));
+    const double gap_s = first_s_ + kWeatherDay_s - last_s_;
+    const std::optional<double> evening = weather_.at(quantity, instant(last_s_)),
+                                morning = weather_.at(quantity, instant(first_s_));
+    if (gap_s > WeatherSeries::kLongestGap_s || !evening || !morning) return std::nullopt;
+    return std::lerp(*evening, *morning, (day_s - last_s_) / gap_s);
+  }
+
   void sunlight(Outdoors& now, const SunPath::Place& sun, double time_s) const {
     const double height = std::sin(sun.elevation_rad);
     const bool direct = has(WeatherQuantity::direct_irradiance),
@@ -155,7 +169,7 @@ class Sampler {
   const Span& span_;
   SunPath sun_;
   bool bounded_ = false;
-  double first_s_ = 0.0;
+  double first_s_ = 0.0, last_s_ = 0.0;  // of what stands for the days before
 };
 
 std::vector<std::string> notes_of(const Sampler& weather, const WeatherSeries& series, const Span& span) {

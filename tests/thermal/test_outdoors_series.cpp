@@ -132,6 +132,41 @@ TEST(OutdoorsSeries, DaysBeforeTheFirst) {
             std::string::npos);
 }
 
+// Twenty-four hourly rows are a day, though the last is an hour before the day's end; eighteen are not.
+TEST(OutdoorsSeries, ADayToldHourByHourIsRepeated) {
+  const auto hourly = [](int rows) {
+    WeatherSeries::Knots knots;
+    const double begin_s = atmosphere::seconds_of_day(2016, 1, 1);
+    for (int i = 0; i < rows; ++i) {
+      const auto add = [&](Q quantity, double value) {
+        knots[static_cast<std::size_t>(quantity)].push_back({begin_s + i * kHour_s, value});
+      };
+      add(Q::air_temperature_k, 280.0 + i);
+      add(Q::wind_speed_m_s, 2.0);
+      add(Q::global_irradiance, 0.0);
+      add(Q::longwave_irradiance, 200.0);
+    }
+    return WeatherSeries({"a station", {}, {}, {}}, knots);
+  };
+  Span span = second_day();
+  span.end = geodesy::parse_utc("2016-01-01T10:00:00Z");
+  span.spin_up_s = 24.0 * kHour_s;
+  span.step_s = 900.0;
+  span.repeat_first_day = true;
+  const OutdoorsSeries series = outdoors_of(hourly(24), kPlace, span).series;
+  const auto row_at = [&](double time_s) {
+    return series.rows[static_cast<std::size_t>(std::round((time_s - series.begin_s) / span.step_s))];
+  };
+  const double midnight_s = atmosphere::seconds_of_day(2016, 1, 1);
+  EXPECT_NEAR(row_at(midnight_s - kHour_s).air.temperature_k, 303.0 - 24.0 * 0.06, 1.0);
+  EXPECT_NEAR(row_at(midnight_s - 0.5 * kHour_s).air.temperature_k, 291.5, 1e-6);
+  EXPECT_EQ(
+      message(hourly(18), span),
+      "'a station' does not tell air_temperature_k at 2015-12-30T17:15:00.000Z, which is needed from "
+      "2015-12-30T10:00:00.000Z to 2016-01-01T10:00:00.000Z; its first 24 hours, which stand for the days before, "
+      "are not whole");
+}
+
 TEST(OutdoorsSeries, SaysWhatIsMissing) {
   Made how;
   how.wind = false;
