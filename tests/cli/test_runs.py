@@ -24,7 +24,7 @@ JUMPING_CLOCK = KILLER.with_name("libjumping_clock.so")
 LIMITS_MEMORY = unittest.skipIf("IFOV_SANITIZER" in os.environ, "a sanitizer takes terabytes of addresses")
 
 # A long version is run with IFOV_KILLS=100.
-KILLS = int(os.environ.get("IFOV_KILLS", "20"))
+KILLS = int(os.environ.get("IFOV_KILLS", "12"))
 
 # Rough ground under spheres: 25 tiles, a second or so of processor time.
 SCENE = """{

@@ -42,19 +42,23 @@ class Make(unittest.TestCase):
         cls._folder.cleanup()
 
     def test_every_document_is_valid(self):
-        """The spectrometer's channels, which are the same in every scene and take most of the time, are looked at one by one in
-        the suburb, whose materials are the most; in the other scenes a tenth of them, over the same range."""
-        fewer = "sensor.channels[0].series.gaussian.count=21"
+        """A spectrometer's channels and the air of each document take most of the time: the spectrometer is looked at in a fifth of
+        its channels in the suburb, whose materials are the most, and in a tenth elsewhere, over the same range; the oblique views
+        elsewhere without air."""
+        airless = ["--set", "atmosphere=null", "--set", 'light.sky={"none": {}}']
         for kind in KINDS:
             self.assertEqual((self.made[kind].returncode, self.made[kind].stderr), (0, ""))
             documents = sorted(set((self.path / kind).glob("*.json")) - {self.path / kind / "scene.json"})
             self.assertEqual(len(documents), 4)
-            spectrometer = self.path / kind / "render_vswir.json"
+            spectrometer, oblique = self.path / kind / "render_vswir.json", self.path / kind / "oblique.json"
             self.assertIn('"from": "0.4 um", "to": "2.5 um", "count": 210', spectrometer.read_text())
             documents.remove(spectrometer)
+            documents.remove(oblique)
+            count = 42 if kind == "suburb" else 21
             for checked, options, says in ((documents, [], "60 x 60 pixels, 3 channels"),
-                                           ([spectrometer], [] if kind == "suburb" else ["--set", fewer],
-                                            f"60 x 60 pixels, {210 if kind == 'suburb' else 21} channels")):
+                                           ([oblique], [] if kind == "suburb" else airless, "640 x 420 pixels, 4 channels"),
+                                           ([spectrometer], ["--set", f"sensor.channels[0].series.gaussian.count={count}"],
+                                            f"60 x 60 pixels, {count} channels")):
                 with self.subTest(kind=kind, options=options):
                     done = run("check", *checked, *options, cwd=self.path)
                     # What the air's own computation leaves, and how narrow its bands may be, is said of some channels.
