@@ -19,6 +19,8 @@ int main(int count, char** words) {
       {"gases", print_gases},
       {"phase", print_phase},
       {"round_earth", print_round_earth},
+      {"adjacency", print_adjacency},
+      {"photon_transfer", print_photon_transfer},
   };
   for (const auto& [name, print] : sets)
     if (count == 2 && name == words[1]) {

@@ -15,5 +15,7 @@ void print_sun();               ///< the Sun's way over a day, and moonlight by 
 void print_gases();             ///< vertical transmittance of gases
 void print_phase();             ///< scattering matrices
 void print_round_earth();       ///< light along lines in flat layers over that about a round Earth
+void print_adjacency();         ///< shares of the ground's light in the air by distance
+void print_photon_transfer();   ///< mean and variance of counts, and 1/f noise
 
 }  // namespace ifov::figures

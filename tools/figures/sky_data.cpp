@@ -7,6 +7,7 @@
 #include "atmosphere/gas/band_model.h"
 #include "atmosphere/gas/gas_transmittance.h"
 #include "atmosphere/scattering/column_solver.h"
+#include "atmosphere/scattering/ground_spread.h"
 #include "atmosphere/scattering/phase/scattering_matrix.h"
 #include "figure_data.h"
 #include "geodesy/moon_position.h"
@@ -106,6 +107,27 @@ void print_round_earth() {
                   flat_down / solved.sunlit().sky(down, ground_km).radiance().i);
     }
   }
+}
+
+void print_adjacency() {
+  using namespace atmosphere;
+  const auto print = [](const char* kind, double um, const GroundSpread& spread) {
+    for (int k = 0; k <= 80; ++k) {
+      const double km = 0.01 * std::pow(10.0, k / 20.0);
+      std::printf("within %s %g %.5f %.5f\n", kind, um, km, spread.within(km));
+    }
+  };
+  const auto spread = [](const AtmosphereDescription& description, double um, GroundSpread::Sight line) {
+    const AtmosphereColumn column(description);
+    return GroundSpread(column.levels().altitude_km, column.at(5.0 * std::round(1e4 / um / 5.0)).term(0),
+                        line, 1 << 16);
+  };
+  AtmosphereDescription hazy, clear;
+  hazy.air.model = clear.air.model = "mid-latitude summer";
+  clear.aerosol.type = "none";
+  for (const double um : {0.45, 0.865}) print("hazy", um, spread(hazy, um, {}));
+  print("clear", 0.45, spread(clear, 0.45, {}));
+  print("low", 0.45, spread(hazy, 0.45, {0.0, 2.0}));
 }
 
 }  // namespace ifov::figures
