@@ -97,6 +97,21 @@ class CertainSingles final : public sampling::AccuracyParts {
   }
 };
 
+/// What rays and strays have met in a cluttered pixel is forgotten where no value has met it.
+struct NothingKnownFarther final : sampling::UnseenValues {
+  using UnseenValues::UnseenValues;
+  double known_farther(const sampling::SourcePixel&, int) const override { return 0.0; }
+};
+class Forgetful final : public sampling::AccuracyParts {
+ public:
+  std::unique_ptr<sampling::UnseenValues> unseen(const sampling::LabelSpread& spread,
+                                                 const sampling::Prober& prober,
+                                                 const sampling::LabelTable& table,
+                                                 const sampling::Field& field) const override {
+    return std::make_unique<NothingKnownFarther>(spread, prober, table, field);
+  }
+};
+
 /// What all labels tell of a label of few values is taken for its own.
 struct ToldByOthers final : sampling::LabelSpread {
   ToldByOthers(const sampling::Lattice& lattice, const sampling::LabelTable& table,

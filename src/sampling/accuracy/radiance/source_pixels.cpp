@@ -51,7 +51,15 @@ void SourcePixels::fill(SourcePixel& pixel, const LeafIntegrator& integrator) co
 void SourcePixels::turn_to_clutter(std::size_t p) {
   SourcePixel& pixel = others_[p];
   pixel.cluttered = true;
-  pixel.strata.assign(1, {});
+  Stratum whole;
+  for (const Stratum& stratum : pixel.strata) {
+    if (stratum.strays == 0.0) continue;
+    whole.strays += stratum.strays;
+    whole.stray_squares.resize(stratum.stray_squares.size(), 0.0);
+    for (std::size_t c = 0; c < whole.stray_squares.size(); ++c)
+      whole.stray_squares[c] += stratum.stray_squares[c];
+  }
+  pixel.strata.assign(1, std::move(whole));
   pixel.strata.front().deviation = nearby_.deviation(pixel, kNoLabel);
 }
 

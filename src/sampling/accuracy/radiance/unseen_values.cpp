@@ -19,6 +19,9 @@ constexpr double kKnownUnseen = 6.0;
 /// Values far from the rest are taken to be one more than were met: else those strata would stop soonest that
 /// happened to meet few of them, and would be wrong all the same way.
 constexpr double kRareValues = 1.0, kManyValues = 8.0;
+/// What is known to be there, and farther from the mean than any of n values: its 95 % interval is that of the 3 / n at which n
+/// values meet none.
+constexpr double kKnownFar = 1.5;
 
 }  // namespace
 
@@ -36,6 +39,23 @@ bool UnseenValues::knows_more_than_values(const SourcePixel& pixel) const {
   return false;
 }
 
+double UnseenValues::known_farther(const SourcePixel& pixel, int column) const {
+  if (pixel.rounds.empty()) return 0.0;
+  double met = 0.0, mean = 0.0;
+  for (const ClutterRound& round : pixel.rounds) {
+    const double count = static_cast<double>(round.count());
+    met += round.spread(column) * count;
+    mean += round.moment(column).mean * count / pixel.clutter_count();
+  }
+  const Stratum& stratum = pixel.strata.front();
+  double farthest = stratum.strays > 0.0 ? stratum.stray_squares[column] / stratum.strays : 0.0;
+  for (const Prober::Met& ray : prober_.met(pixel.source)) {
+    const double distance = table_.mean(ray.label)[column] - mean;
+    farthest = std::max(farthest, distance * distance);
+  }
+  return farthest > met ? farthest : 0.0;
+}
+
 double UnseenValues::variance(const SourcePixel& pixel, std::size_t s, int column) const {
   const Stratum& stratum = pixel.strata[s];
   if (stratum.deviation.empty()) return 0.0;
@@ -49,7 +69,8 @@ double UnseenValues::variance(const SourcePixel& pixel, std::size_t s, int colum
   if (many) nearby = std::max(nearby, spread_.local(stratum.label, column));
   const double hidden = std::max(0.0, nearby - seen);
   count = std::max(1.0, count);
-  const double rare = many ? kRareValues * spread_.rare(stratum.label, column) : 0.0;
+  double rare = many ? kRareValues * spread_.rare(stratum.label, column) : 0.0;
+  if (pixel.cluttered) rare = kKnownFar * kKnownFar * known_farther(pixel, column);
   double squared = std::min(kUnseen * kUnseen, 1.0 + count);
   if (pixel.cluttered) {
     const double missed =

@@ -21,6 +21,11 @@ class UnseenValues {
   /// Variance of the mean of a stratum's values by what they have not met; of a cluttered pixel's where it is one.
   virtual double variance(const SourcePixel& pixel, std::size_t stratum, int column) const;
 
+ protected:
+  /// The square of how far from the mean of a cluttered pixel's values lies what rays or strays have met there, and none of
+  /// its values; 0: nothing.
+  virtual double known_farther(const SourcePixel& pixel, int column) const;
+
  private:
   bool knows_more_than_values(const SourcePixel& pixel) const;
 
