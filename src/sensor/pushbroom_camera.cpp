@@ -149,6 +149,7 @@ void PushbroomCamera::hold_together() const {
   for (int y = 0; y < settings_.height_px; ++y) {
     const Line line = next;
     next = line_at(y + 1.0);
+    if (!(line.position_m.z > 0.0)) continue;  // of a satellite that has set
     for (const double x : {0.0, 0.5 * width, width}) {
       const double across = (x - 0.5 * width) * settings_.step;
       const math::Point3 point_m =

@@ -29,7 +29,7 @@ class PushbroomCamera final : public Camera {
   };
 
   /// ifov::InputError on sizes, step or period that are not positive; a trajectory that does not cover the image, with by how much; and
-  /// a line that does not look ahead of the one before it where their rays meet z = 0: the platform stands, or turns back faster
+  /// a line that does not look ahead of the one before it where their rays meet z = 0, from above: the platform stands, or turns back faster
   /// than it flies.
   explicit PushbroomCamera(const Settings& settings);
 
