@@ -140,6 +140,10 @@ class Scanning(unittest.TestCase):
         self.assertEqual(camera["model"], "pushbroom")
         self.assertAlmostEqual(camera["position_m"][1], 50.0 * PERIOD_S * LINES / 2, places=9)
         self.assertEqual([round(v, 12) for v in camera["right"]], [-1, 0, 0])
+        self.assertEqual([line["line"] for line in camera["lines"]], [j + 0.5 for j in range(LINES)])
+        for line in camera["lines"]:
+            self.assertAlmostEqual(line["time_s"], line["line"] * PERIOD_S, places=12)
+            self.assertAlmostEqual(line["position_m"][1], 50.0 * line["time_s"], places=9)
 
 
 def scene_size(folder):
