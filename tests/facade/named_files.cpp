@@ -228,6 +228,9 @@ std::vector<Named> named_by_objects() {
   };
 }
 
+const std::string kScanner =
+    R"({"pushbroom": {"pixels": [4, 4], "field_of_view": "0.5 deg", "line_period": "25 ms"}})";
+
 std::vector<Named> named_elsewhere() {
   return {
       {"CSV spectrum of irradiance",
@@ -264,6 +267,19 @@ std::vector<Named> named_elsewhere() {
        {.more = R"(, "weather": {"file": "FILEa.csv"})"},
        {{"a.csv",
          "time,air_temperature_c,wind_speed_m_s\n2026-06-21T10:00:00Z,20,3\n2026-06-21T11:00:00Z,22,4\n"}}},
+      {"path table",
+       "file",
+       {.camera = kScanner, .more = R"(, "platform": {"table": {"frame": "scene", "file": "FILEa.csv"}})"},
+       {{"a.csv", "time_s,x_m,y_m,z_m\n0,0,-4,1000\n0.1,0,4,1000\n"}}},
+      {"orbit",
+       "file",
+       {.camera = kScanner,
+        .scene = R"("origin": {"latitude": "-54.9462 deg", "longitude": "122.8773 deg"}, )",
+        .more =
+            R"(, "time": "2006-06-25T21:00:00Z", "platform": {"orbit": {"frame": "teme", "file": "FILEa.tle"}})"},
+       {{"a.tle",
+         "1 06251U 62025E   06176.82412014  .00008885  00000-0  12808-3 0  3985\n"
+         "2 06251  58.0579  54.0425 0030035 139.1568 221.1854 15.56387291  6774\n"}}},
       {"tabulated channel",
        "file",
        {.channel =
@@ -280,14 +296,15 @@ std::vector<Named> named_elsewhere() {
 
 std::string Named::document(const std::string& in_place_of_FILE) const {
   const std::string text = R"({"ifov": 1,
-  "scene": {"materials": {"m": {)" +
-                           parts.material + "}" + parts.more_materials + R"(},
+  "scene": {)" + parts.scene +
+                           R"("materials": {"m": {)" + parts.material + "}" + parts.more_materials + R"(},
             "prototypes": {"ball": [{"sphere": {"center": ["0 m", "0 m", "0 m"], "radius": "0.5 m"}, "material": "m"}]},
             "objects": [)" +
                            parts.object + R"(]},
   "light": {"sun": )" + parts.sun +
                            ", " + parts.sky + R"(},
-  "sensor": {"camera": {"orthographic": {"gsd": "2 m", "pixels": [4, 4]}},
+  "sensor": {"camera": )" + parts.camera +
+                           R"(,
              "channels": [)" +
                            parts.channel + ", " + parts.thermal + "]" + parts.sensor + R"(},
   "sampling": {"single": {}})" +

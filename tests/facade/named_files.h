@@ -15,7 +15,8 @@ struct Parts {
   std::string sky = R"("sky": {"none": {}})";
   std::string channel = R"({"name": "c", "gaussian": {"center": "0.55 um", "fwhm": "20 nm"}})";
   std::string thermal = R"({"name": "T", "top_hat": {"from": "0.6 um", "to": "0.62 um"}})";
-  std::string sensor = "", more = "";
+  std::string camera = R"({"orthographic": {"gsd": "2 m", "pixels": [4, 4]}})";
+  std::string sensor = "", scene = "", more = "";
 };
 
 /// A document that names files, whose names begin with FILE, and these files by the rest of their names.

@@ -83,7 +83,7 @@ TEST(DocumentMessages, UnknownKeys) {
       message_with("\"seed\": 7", "\"sead\": 7"),
       "folder/a.json:4:3: unknown key 'sead' in the document; did you mean 'seed'? Known keys: 'ifov', "
       "'$schema', "
-      "'include', 'seed', 'time', 'scene', 'light', 'atmosphere', 'weather', 'temperatures', 'sensor', 'sampling' and 'output'\n"
+      "'include', 'seed', 'time', 'scene', 'light', 'atmosphere', 'weather', 'temperatures', 'platform', 'sensor', 'sampling' and 'output'\n"
       "    4 |   \"sead\": 7,\n"
       "      |   ^");
   EXPECT_EQ(

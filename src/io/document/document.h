@@ -20,6 +20,7 @@
 #include "io/json/document_override.h"
 
 namespace ifov::io {
+struct PlatformDocument;
 struct TemperaturesDocument;
 
 /// Version of the document format that this program reads and writes.
@@ -41,6 +42,7 @@ struct Document {
   AtmosphereDocument atmosphere;
   std::optional<WeatherDocument> weather;
   std::shared_ptr<const TemperaturesDocument> temperatures;  ///< null: as by default
+  std::shared_ptr<const PlatformDocument> platform;          ///< null: none; the camera has been told of it
   SensorDocument sensor;
   SamplingDocument sampling;
   OutputDocument output;

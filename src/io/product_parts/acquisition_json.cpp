@@ -29,6 +29,18 @@ void write_members(JsonWriter& json, const Acquisition::Camera& camera) {
   if (camera.focal_length_m > 0.0) json.member("focal_length_m", camera.focal_length_m);
   json.member("forward", list(camera.forward));
   if (camera.ground_sample_m > 0.0) json.member("ground_sample_m", camera.ground_sample_m);
+  if (!camera.lines.empty())
+    json.list("lines", [&] {
+      for (const Acquisition::Line& line : camera.lines)
+        json.object([&] {
+          json.member("down", list(line.down));
+          json.member("forward", list(line.forward));
+          json.member("line", line.line);
+          json.member("position_m", list(line.position_m));
+          json.member("right", list(line.right));
+          json.member("time_s", line.time_s);
+        });
+    });
   json.member("model", camera.model);
   if (camera.pitch_m > 0.0) json.member("pitch_m", camera.pitch_m);
   if (camera.position_m) json.member("position_m", list(*camera.position_m));
@@ -45,6 +57,10 @@ Acquisition::Camera camera_of(const JsonView& view) {
   if (view["position_m"].is_there()) camera.position_m = vector_of<math::Point3>(view["position_m"]);
   if (view["focal_length_m"].is_there()) camera.focal_length_m = view["focal_length_m"].number();
   if (view["pitch_m"].is_there()) camera.pitch_m = view["pitch_m"].number();
+  for (const JsonView& line : view["lines"].items())
+    camera.lines.push_back({line["line"].number(), line["time_s"].number(),
+                            vector_of<math::Point3>(line["position_m"]), vector_of<math::Vec3>(line["right"]),
+                            vector_of<math::Vec3>(line["down"]), vector_of<math::Vec3>(line["forward"])});
   return camera;
 }
 

@@ -18,6 +18,13 @@ struct Acquisition {
     double zenith_deg = 0.0, azimuth_deg = 0.0;  ///< of the direction towards it
     bool is_moon = false;
   };
+  /// How a camera that moves stood in a line of the image.
+  struct Line {
+    double line = 0.0;    ///< y of the image: 0.5 is the middle of the first line
+    double time_s = 0.0;  ///< after `time`
+    math::Point3 position_m;
+    math::Vec3 right, down, forward;  ///< as of the camera
+  };
   struct Camera {
     std::string model = "orthographic";          ///< its key in documents
     std::optional<math::Point3> position_m;      ///< none where rays are parallel
@@ -25,6 +32,9 @@ struct Acquisition {
     double focal_length_m = 0.0, pitch_m = 0.0;  ///< 0 where rays are parallel
     /// Side of a pixel on the ground; where rays diverge at the image's middle; 0: not known.
     double ground_sample_m = 0.0;
+    /// Of a camera that moves, at most kMostLines of them, from the first to the last; what is said above is then of the middle line.
+    std::vector<Line> lines;
+    static constexpr int kMostLines = 65;
   };
   /// Where the ray through a corner of the image meets the scene.
   struct Corner {

@@ -1,5 +1,6 @@
 #include "session/loaded/acquisition_assembly.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -33,6 +34,17 @@ io::Acquisition::Camera camera_of(const Parts& parts) {
   camera.right = pose.axes.right, camera.down = pose.axes.down, camera.forward = pose.axes.forward;
   camera.focal_length_m = pose.focal_length_m, camera.pitch_m = pose.pitch_m;
   if (pose.position_m) camera.position_m = *pose.position_m + parts.map_offset_m;
+  const int height = parts.camera->height_px();
+  const double first = parts.camera->pose(0.5).time_s, last = parts.camera->pose(height - 0.5).time_s;
+  if (first != last) {
+    const int lines = std::min(height, io::Acquisition::Camera::kMostLines);
+    for (int k = 0; k < lines; ++k) {
+      const double line = 0.5 + std::round(static_cast<double>(k) * (height - 1) / (lines - 1));
+      const sensor::CameraPose at = parts.camera->pose(line);
+      camera.lines.push_back({line, at.time_s, at.position_m.value_or(math::Point3{}) + parts.map_offset_m,
+                              at.axes.right, at.axes.down, at.axes.forward});
+    }
+  }
   if (const auto grid = parts.camera->ground_grid())
     camera.ground_sample_m = grid->gsd_m;
   else if (const auto middle = ground_position(parts, parts.camera->middle_ray()))

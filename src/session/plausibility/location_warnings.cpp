@@ -42,6 +42,7 @@ double backs_about(const geometry::World& world, math::Point3 position) {
 void warn_of_camera(const Parts& parts, const SceneSurvey& survey, LogSink& log) {
   const geometry::World& world = *parts.scene.world;
   const double top_m = world.heights().high_m;
+  for (const std::string& remark : parts.document.sensor.camera.settings->remarks()) log.warn(remark);
   const math::Vec3 offset_m = parts.document.scene.origin.offset_m;
   if (const auto height_m = parts.document.sensor.camera.settings->start_height_m();
       height_m && *height_m - offset_m.z < top_m)

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/document/sensor_document.h"
 #include "math/vec3.h"
@@ -13,6 +14,8 @@ class Camera;
 }
 
 namespace ifov::io {
+
+struct PlatformFlight;
 
 /// Where the scene is that a camera looks at.
 struct CameraSite {
@@ -46,6 +49,13 @@ class CameraSettings {
     double focal_length_m = 0.0, pitch_m = 0.0;
   };
   virtual std::optional<Optics> optics() const { return std::nullopt; }
+
+  /// The same camera on the document's platform, of which `by` is null where the document has none; null: it stays as it is.
+  /// InputError where a platform is missing, lacks what it needs, or would carry a camera that stands still.
+  virtual std::shared_ptr<const CameraSettings> carried_by(std::shared_ptr<const PlatformFlight> by) const;
+
+  /// What a user should know of the settings, one sentence each.
+  virtual std::vector<std::string> remarks() const { return {}; }
 };
 
 /// The settings where they are a T, else null.

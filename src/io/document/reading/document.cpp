@@ -2,6 +2,7 @@
 
 #include "io/document/reading/check_references.h"
 #include "io/document/reading/document_kind.h"
+#include "io/document/reading/mount_camera.h"
 #include "io/document/reading/named_files.h"
 #include "io/document/tables/tables.h"
 #include "io/json/document_parts.h"
@@ -64,6 +65,7 @@ Document parse_document(std::string text, const std::string& file_name,
   } else {
     document.output.folder = usual_output_folder(file_name);
   }
+  mount_camera(document);
   check_references(document);
   return document;
 }

@@ -1,7 +1,9 @@
 #include "core/format.h"
 #include "geodesy/utc_time.h"
 #include "io/document/document.h"
+#include "io/document/platform_document.h"
 #include "io/document/schema/record.h"
+#include "io/document/schema/shared_target.h"
 #include "io/document/tables/tables.h"
 #include "io/document/thermal_document.h"
 
@@ -79,6 +81,7 @@ SchemaType<Document> document_type() {
                         },
                         [](const Document& d) { return d.temperatures.get(); }),
                     temperatures_type(), "{}", "how `ifov temperature` solves for those of surfaces")
+      .optional("platform", shared(&Document::platform), platform_type(), "what carries a camera that scans")
       .required("sensor", &Document::sensor, sensor_type(), "camera and channels")
       .with_default("sampling", &Document::sampling, sampling_type(), "{}", "rays")
       .with_default("output", &Document::output, output_type(), "{}", "products");

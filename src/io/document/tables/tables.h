@@ -21,6 +21,7 @@ struct MaterialDocument;
 struct ObjectDocument;
 struct OpticsDocument;
 struct OutputDocument;
+struct PlatformDocument;
 struct SamplingDocument;
 struct ScatteringDocument;
 struct SceneDocument;
@@ -53,6 +54,7 @@ SchemaType<AtmosphereDocument> atmosphere_type();
 SchemaType<AerosolDocument> aerosol_type();
 SchemaType<ImportedDocument> imported_type();
 SchemaType<WeatherDocument> weather_type();
+SchemaType<PlatformDocument> platform_type();
 SchemaType<CameraDocument> camera_type();
 SchemaType<std::vector<ChannelDocument>> channels_type();
 SchemaType<std::vector<ChannelDocument>> preset_type();  ///< of an instrument, by its name

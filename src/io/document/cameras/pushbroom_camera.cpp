@@ -1,0 +1,109 @@
+#include "io/document/cameras/pushbroom_camera.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/error.h"
+#include "core/format.h"
+#include "io/document/cameras/flight_path.h"
+#include "io/document/platform_document.h"
+#include "io/document/schema/record.h"
+#include "platform/trajectory.h"
+#include "sensor/pushbroom_camera.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+SchemaType<std::shared_ptr<const CameraSettings>> pushbroom_type() {
+  const SchemaType<double> length = quantity(kLength, Range::above(0.0, "m"));
+  Record<PushbroomCamera> record(
+      "pushbroom camera",
+      "A line of detector elements across the track of the document's `platform`, read out line after line. Image y is time, "
+      "image x grows towards the left wing, so that the image is not mirrored.");
+  record.required("pixels", &PushbroomCamera::size, image_size_type(), "elements and lines")
+      .exactly_one()
+      .one("focal_length", &PushbroomCamera::focal_length_m, length, "focal length; with `pitch`")
+      .one("field_of_view", &PushbroomCamera::field_of_view_rad,
+           quantity(kAngle, {0.0, 180.0, true, true, "deg"}), "instead: of all elements together, across")
+      .optional("pitch", &PushbroomCamera::pitch_m, length, "distance between elements")
+      .needs("pitch", "focal_length")
+      .required("line_period", &PushbroomCamera::line_period_s, quantity(kDuration, Range::above(0.0, "s")),
+                "from the beginning of a line to that of the next; it is exposed all the time")
+      .with_default("start", &PushbroomCamera::start_s, quantity(kDuration), "\"0 s\"",
+                    "when the first line begins, after the document's `time`")
+      .check([](const PushbroomCamera& camera, const DocumentNode& node) {
+        if (camera.focal_length_m && !camera.pitch_m)
+          node.given("focal_length")
+              .fail("'focal_length' needs 'pitch', the distance between detector elements");
+      });
+  return settings_type(record.type());
+}
+
+}  // namespace
+
+constinit const CameraModel PushbroomCamera::kModel{"pushbroom", "a line scanner on the document's platform",
+                                                    pushbroom_type};
+
+double PushbroomCamera::step() const {
+  return field_of_view_rad ? 2.0 * std::tan(0.5 * *field_of_view_rad) / size.width_px
+                           : *pitch_m / *focal_length_m;
+}
+
+std::unique_ptr<sensor::Camera> PushbroomCamera::build(const CameraSite& site) const {
+  if (!flight) throw InputError("a pushbroom camera needs a 'platform'");
+  sensor::PushbroomCamera::Settings settings;
+  settings.width_px = size.width_px, settings.height_px = size.height_px;
+  settings.step = step();
+  settings.focal_length_m = focal_length_m.value_or(0.0);
+  settings.start_s = start_s, settings.line_period_s = line_period_s;
+  const double end_s = start_s + size.height_px * line_period_s;
+  settings.platform =
+      std::make_shared<const platform::Trajectory>(trajectory_of(*flight, site.offset_m, start_s, end_s));
+  auto camera = std::make_unique<sensor::PushbroomCamera>(settings);
+  if (flies_about_earth(flight->platform)) check_flatness(*camera, flight->origin);
+  return camera;
+}
+
+std::string PushbroomCamera::description(math::Vec3 shift_m, std::string_view axes) const {
+  return format("pushbroom, {} x {} pixels, {:.4g} deg across, a line every {:.6g} ms, {}", size.width_px,
+                size.height_px, 2.0 * std::atan(0.5 * size.width_px * step()) * kDegrees, 1e3 * line_period_s,
+                flight ? path_description(flight->platform, shift_m, axes) : "without a platform");
+}
+
+std::shared_ptr<const CameraSettings> PushbroomCamera::shrunk(int longest_px) const {
+  auto camera = std::make_shared<PushbroomCamera>(*this);
+  camera->size = size.divided(size.times(longest_px));
+  // The same time for all lines, so that the path covers them still.
+  camera->line_period_s *= static_cast<double>(size.height_px) / camera->size.height_px;
+  if (pitch_m) camera->pitch_m = *pitch_m * size.width_px / camera->size.width_px;
+  return camera;
+}
+
+std::shared_ptr<const CameraSettings> PushbroomCamera::seen_from(double, double) const {
+  throw InputError(
+      "a pushbroom camera looks where its platform carries it: it cannot be asked to look from elsewhere");
+}
+
+std::optional<CameraSettings::Optics> PushbroomCamera::optics() const {
+  if (!focal_length_m) return std::nullopt;
+  return Optics{*focal_length_m, *pitch_m};
+}
+
+std::shared_ptr<const CameraSettings> PushbroomCamera::carried_by(
+    std::shared_ptr<const PlatformFlight> by) const {
+  if (!by)
+    throw InputError(
+        "a pushbroom camera moves: expected a 'platform' beside the 'sensor', which says where it flies");
+  check_flight(*by);
+  auto camera = std::make_shared<PushbroomCamera>(*this);
+  camera->flight = std::move(by);
+  return camera;
+}
+
+std::vector<std::string> PushbroomCamera::remarks() const {
+  return flight ? flight_remarks(*flight) : std::vector<std::string>{};
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,95 @@
+#include "io/document/platform_document.h"
+#include "io/document/schema/record.h"
+#include "io/document/tables/tables.h"
+
+namespace ifov::io {
+namespace {
+
+/// A frame must be named, also where there is one alone.
+template <class T>
+void add_only_frame(Record<T>& record, const char* name, const char* doc) {
+  record.required("frame", via([](T&, int) {}, [](const T&) { return 0; }), choice<int>({{name, 0}}), doc);
+}
+
+SchemaType<StraightPath> straight_type() {
+  Record<StraightPath> record("straight path", "The same velocity at all times.");
+  add_only_frame(record, "scene", "of position and velocity: east, north, up about the scene's origin");
+  record
+      .required("position", &StraightPath::position_m, point(),
+                "where the platform is at 0 s, which is the document's `time`")
+      .required("velocity", &StraightPath::velocity_m_s, tuple<double, 3>(quantity(kSpeed)),
+                "to the east, to the north, up");
+  return record.type();
+}
+
+SchemaType<WayPointPath> way_points_type() {
+  Record<WayPoint> one("way point", "When a platform is where.");
+  one.required("time", &WayPoint::time_s, quantity(kDuration), "after the document's `time`")
+      .required("position", &WayPoint::position_m, point(), "then");
+  Record<WayPointPath> record("way points", "A smooth curve (a cubic spline) through points.");
+  add_only_frame(record, "scene", "of positions: east, north, up about the scene's origin");
+  record.required("points", &WayPointPath::points, list(one.type(), 1, 100000),
+                  "in the order of their times");
+  return record.type();
+}
+
+SchemaType<TablePath> path_table_type() {
+  Record<TablePath> record(
+      "path table", "A table of times and positions, and attitudes if it has them (docs/formats/paths.md).");
+  record
+      .required(
+          "frame", &TablePath::frame,
+          choice<PathFrame>(
+              {{"scene", PathFrame::scene}, {"geodetic", PathFrame::geodetic}, {"ecef", PathFrame::ecef}}),
+          "of its positions and attitudes; others than the scene's need `latitude` and `longitude` of the `origin`")
+      .required("file", &TablePath::file, file(), "the table, CSV");
+  return record.type();
+}
+
+SchemaType<OrbitPath> orbit_type() {
+  Record<OrbitPath> record(
+      "orbit",
+      "Of an Earth satellite, by SGP4 from two-line elements. It needs the document's `time`, and "
+      "`latitude` and `longitude` of the `origin`.");
+  add_only_frame(record, "teme", "of the elements: that of two-line elements");
+  record.required("file", &OrbitPath::file, file(), "text with the two lines, a name before them or not")
+      .with_default("ut1_minus_utc", &OrbitPath::ut1_minus_utc_s,
+                    quantity(kDuration, Range::between(-0.9, 0.9, "s")), "\"0 s\"",
+                    "by how much the Earth's turn is ahead of UTC: 0.1 s is 46 m on the equator");
+  return record.type();
+}
+
+SchemaType<PlatformAttitude> attitude_type() {
+  const auto angle = [](auto member) { return path(&PlatformAttitude::angles, member); };
+  Record<PlatformAttitude> record(
+      "platform attitude",
+      "Held angles of the 3-2-1 sequence in north-east-down axes of the platform's place; a scanner looks along the body's down.");
+  record
+      .with_default("yaw", angle(&geodesy::Attitude::yaw_rad), quantity(kAngle), "\"0 deg\"",
+                    "clockwise from what `from` says")
+      .with_default("pitch", angle(&geodesy::Attitude::pitch_rad),
+                    quantity(kAngle, Range::between(-90.0, 90.0, "deg")), "\"0 deg\"", "nose up")
+      .with_default("roll", angle(&geodesy::Attitude::roll_rad), quantity(kAngle), "\"0 deg\"",
+                    "right wing down")
+      .with_default("from", &PlatformAttitude::from_track, choice<bool>({{"track", true}, {"north", false}}),
+                    "\"track\"",
+                    "what yaw is counted from: where the platform flies to over the ground, or north");
+  return record.type();
+}
+
+}  // namespace
+
+SchemaType<PlatformDocument> platform_type() {
+  Record<PlatformDocument> record(
+      "platform", "What carries a camera that scans: where it is and how it stands over time.");
+  record.exactly_one()
+      .one("straight", &PlatformDocument::path, straight_type(), "the same velocity at all times")
+      .one("way_points", &PlatformDocument::path, way_points_type(), "a curve through points")
+      .one("table", &PlatformDocument::path, path_table_type(), "a curve through the points of a file")
+      .one("orbit", &PlatformDocument::path, orbit_type(), "of a satellite")
+      .optional("attitude", &PlatformDocument::attitude, attitude_type(),
+                "how it stands; if not given what the table says, or level, the nose ahead");
+  return record.type();
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,168 @@
+#include "sensor/pushbroom_camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "platform/trajectory.h"
+
+namespace ifov::sensor {
+namespace {
+
+/// Lines before the first and after the last in which the platform's own motion still counts, for what samplers look at beyond
+/// the image; further away it flies on straight, so that where a point lies there has one answer.
+constexpr double kBeyond_px = 64.0;
+
+}  // namespace
+
+struct PushbroomCamera::Line {
+  math::Point3 position_m;
+  math::Vec3 velocity_m_s;
+  CameraAxes axes;
+};
+
+PushbroomCamera::PushbroomCamera(const Settings& settings) : settings_(settings) {
+  if (settings.width_px < 1 || settings.height_px < 1)
+    throw InputError(
+        format("an image of {} x {} pixels; expected at least 1 x 1", settings.width_px, settings.height_px));
+  if (!(settings.step > 0.0) || !std::isfinite(settings.step))
+    throw InputError(format("a line of elements of {} of the focal length each; expected a positive number",
+                            settings.step));
+  if (!(settings.line_period_s > 0.0) || !std::isfinite(settings.line_period_s))
+    throw InputError(format("a line period of {} s; expected a positive duration", settings.line_period_s));
+  const double end_s = settings.start_s + settings.height_px * settings.line_period_s;
+  // A row may end where the last line does, but for its rounding.
+  const double rounding_s = 1e-9 * std::max(std::abs(settings.start_s), std::abs(end_s));
+  const double early_s = settings.platform->first_s() - settings.start_s,
+               late_s = end_s - settings.platform->last_s();
+  if (early_s > rounding_s || late_s > rounding_s)
+    throw InputError(format(
+        "the platform's path covers {:g} to {:g} s, and the {} lines are exposed from {:g} to {:g} s: {}",
+        settings.platform->first_s(), settings.platform->last_s(), settings.height_px, settings.start_s,
+        end_s,
+        early_s > rounding_s && late_s > rounding_s
+            ? format("{:g} s too late and {:g} s too short", early_s, late_s)
+        : early_s > rounding_s ? format("it begins {:g} s too late", early_s)
+                               : format("it ends {:g} s too early", late_s)));
+  hold_together();
+}
+
+PushbroomCamera::Line PushbroomCamera::line_at(double y_px, double time_s) const {
+  const double within_px = std::clamp(y_px, -kBeyond_px, settings_.height_px + kBeyond_px);
+  const platform::Pose pose =
+      settings_.platform->pose(settings_.start_s + within_px * settings_.line_period_s + time_s);
+  const double beyond_s = (y_px - within_px) * settings_.line_period_s;
+  return {pose.position_m + pose.velocity_m_s * beyond_s,
+          pose.velocity_m_s,
+          {-pose.enu_from_body.y().v, pose.enu_from_body.x().v, pose.enu_from_body.z().v}};
+}
+
+void PushbroomCamera::rays(std::span<const sampling::FocalPoint> points, std::span<math::Ray> rays) const {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const sampling::FocalPoint& p = points[i];
+    const Line line = line_at(p.y_px, p.time_s);
+    const double across = (p.x_px - 0.5 * settings_.width_px) * settings_.step;
+    rays[i] = {.origin_m = line.position_m,
+               .direction = math::normalized(line.axes.forward + line.axes.right * across),
+               .time_s = settings_.start_s + p.y_px * settings_.line_period_s + p.time_s};
+  }
+}
+
+/// How far the point is still ahead of a line, metres.
+double PushbroomCamera::ahead_m(const Line& line, math::Point3 point_m) {
+  return math::dot(point_m - line.position_m, line.axes.down);
+}
+
+std::optional<double> PushbroomCamera::line_of(math::Point3 point_m) const {
+  double low = -kBeyond_px, high = settings_.height_px + kBeyond_px;
+  const Line first = line_at(low), last = line_at(high);
+  double f_low = ahead_m(first, point_m), f_high = ahead_m(last, point_m);
+  // Before the first line and after the last it flies straight.
+  for (const auto& [line, f, y, before] :
+       {std::tuple{&first, f_low, low, true}, {&last, f_high, high, false}}) {
+    if (before ? f > 0.0 : f < 0.0) continue;
+    const double step_m = math::dot(line->velocity_m_s, line->axes.down) * settings_.line_period_s;
+    return step_m > 0.0 ? std::optional(y + f / step_m) : std::nullopt;
+  }
+  // As if lines were even, then secants; bisection where these leave the bracket or hardly narrow it.
+  constexpr double kLeft_px = 1e-11;
+  double y = low + (high - low) * f_low / (f_low - f_high);
+  double y_before = low, f_before = f_low;
+  for (int k = 0; k < 100; ++k) {
+    const double f = ahead_m(line_at(y), point_m);
+    if (f == 0.0) return y;
+    (f > 0.0 ? low : high) = y;
+    double next = y - f * (y - y_before) / (f - f_before);
+    y_before = y, f_before = f;
+    if (std::abs(next - y) <= std::max(kLeft_px, 4e-16 * std::abs(y))) return next;
+    if (!(next > low && next < high) || k % 8 == 7) next = 0.5 * (low + high);
+    if (high - low <= kLeft_px) return next;
+    y = next;
+  }
+  return y;
+}
+
+bool PushbroomCamera::project(math::Point3 position_m, sampling::FocalPoint& point) const {
+  const std::optional<double> y_px = line_of(position_m);
+  if (!y_px) return false;
+  const Line line = line_at(*y_px);
+  const math::Vec3 offset = position_m - line.position_m;
+  const double depth = math::dot(offset, line.axes.forward);
+  if (!(depth > 0.0)) return false;
+  point = {0.5 * settings_.width_px + math::dot(offset, line.axes.right) / (depth * settings_.step), *y_px};
+  return true;
+}
+
+double PushbroomCamera::gsd_m(math::Point3 position_m) const {
+  const double y_px = line_of(position_m).value_or(middle_line_px());
+  const Line line = line_at(y_px);
+  const double depth = std::abs(math::dot(position_m - line.position_m, line.axes.forward));
+  const double across = math::dot(position_m - line.position_m, line.axes.right) / std::max(depth, 1e-300);
+  // Where the rays half a line before and after meet the plane across the line of sight.
+  const auto met = [&](double y) {
+    const Line at = line_at(y);
+    const math::Vec3 d = at.axes.forward + at.axes.right * across;
+    const double along =
+        math::dot(position_m - at.position_m, line.axes.forward) / math::dot(d, line.axes.forward);
+    return at.position_m + d * along;
+  };
+  const math::Vec3 lines = met(y_px + 0.5) - met(y_px - 0.5);
+  return std::sqrt(depth * settings_.step * std::abs(math::dot(lines, line.axes.down)));
+}
+
+CameraPose PushbroomCamera::pose(double line_px) const {
+  const Line line = line_at(line_px);
+  return {line.axes, line.position_m, settings_.focal_length_m, settings_.focal_length_m * settings_.step,
+          settings_.start_s + line_px * settings_.line_period_s};
+}
+
+void PushbroomCamera::hold_together() const {
+  const double width = settings_.width_px;
+  const auto ground = [](const math::Ray& ray) {
+    // What does not look down is judged as far away as it is high.
+    const double height_m = std::max(std::abs(ray.origin_m.z), 1.0);
+    return ray.origin_m +
+           ray.direction *
+               (ray.direction.z < 0.0 && ray.origin_m.z > 0.0 ? height_m / -ray.direction.z : height_m);
+  };
+  Line next = line_at(0.0);
+  for (int y = 0; y < settings_.height_px; ++y) {
+    const Line line = next;
+    next = line_at(y + 1.0);
+    if (!(line.position_m.z > 0.0)) continue;  // of a satellite that has set
+    for (const double x : {0.0, 0.5 * width, width}) {
+      const double across = (x - 0.5 * width) * settings_.step;
+      const math::Point3 point_m =
+          ground({.origin_m = line.position_m,
+                  .direction = math::normalized(line.axes.forward + line.axes.right * across)});
+      const double back_m = ahead_m(next, point_m);
+      if (!(back_m < 0.0))
+        throw InputError(format(
+            "line {} of the scanner looks {:.3g} m behind line {}: the platform stands still, flies backwards or turns back faster than "
+            "it flies, and the same ground would be seen more than once",
+            y + 1, back_m, y));
+    }
+  }
+}
+
+}  // namespace ifov::sensor

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+
+#include "sensor/camera.h"
+
+namespace ifov::platform {
+class Trajectory;
+}
+
+namespace ifov::sensor {
+
+/// A line of detector elements across the track of a moving platform: the image's y is time. A point (x, y) looks, at
+///   t = start + y * line period,
+/// from where the platform then is along
+///   d = forward + (x - width/2) (p/f) right,
+/// with pitch p and focal length f; `forward` is the body's belly, `right` its left wing, so that the image, whose lines follow each
+/// other towards the nose, is not mirrored. An element has no width along the track: what it sees while its line is exposed is what
+/// lies under its footprint in (x, y).
+class PushbroomCamera final : public Camera {
+ public:
+  struct Settings {
+    int width_px = 0, height_px = 0;  ///< elements across, lines
+    double step = 0.0;                ///< p/f
+    double focal_length_m = 0.0;      ///< 0: only the step is known
+    double start_s = 0.0;             ///< when the first line begins, after the document's instant
+    double line_period_s = 0.0;
+    std::shared_ptr<const platform::Trajectory> platform;  ///< scene frame
+  };
+
+  /// ifov::InputError on sizes, step or period that are not positive; a trajectory that does not cover the image, with by how much; and
+  /// a line that does not look ahead of the one before it where their rays meet z = 0, from above: the platform stands, or turns back faster
+  /// than it flies.
+  explicit PushbroomCamera(const Settings& settings);
+
+  int width_px() const override { return settings_.width_px; }
+  int height_px() const override { return settings_.height_px; }
+  void rays(std::span<const sampling::FocalPoint> points, std::span<math::Ray> rays) const override;
+
+  /// When the plane of the line passes the point: the root of f(y) = (point - position(y)) . down(y), by Newton's method in its
+  /// secant form within a bracket. The step that is left is at most 1e-11 lines, where rounding of coordinates (1e-16 of the distance,
+  /// over the spacing of lines) is less. False also where the platform does not pass the point.
+  bool project(math::Point3 position_m, sampling::FocalPoint& point) const override;
+
+  /// Side of the square that is as large as the pixel, in the plane through the point across the line of sight: the geometric mean of the
+  /// spacing of elements there and that of lines.
+  double gsd_m(math::Point3 position_m) const override;
+
+  CameraPose pose(double line_px) const override;
+  std::optional<GroundGrid> ground_grid() const override { return std::nullopt; }
+
+  const Settings& settings() const { return settings_; }
+
+ private:
+  struct Line;  // where one is, and how it stands
+  Line line_at(double y_px, double time_s = 0.0) const;
+  static double ahead_m(const Line& line, math::Point3 point_m);
+  std::optional<double> line_of(math::Point3 point_m) const;
+  void hold_together() const;
+
+  Settings settings_;
+};
+
+}  // namespace ifov::sensor

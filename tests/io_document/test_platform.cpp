@@ -1,0 +1,294 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "document_maker.h"
+#include "geodesy/geodetic.h"
+#include "geodesy/line_of_sight.h"
+#include "geodesy/orbit/sgp4.h"
+#include "geodesy/orbit/teme.h"
+#include "io/document/cameras/camera_settings.h"
+#include "io/document/cameras/flight_path.h"
+#include "io/document/platform_document.h"
+#include "platform/trajectory.h"
+#include "sensor/camera.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+const std::string kStraight =
+    R"({"straight": {"frame": "scene", "position": ["0 m", "-10 m", "1 km"], "velocity": ["0 m/s", "50 m/s", "0 m/s"]}})";
+const std::string kPushbroom =
+    R"({"pushbroom": {"pixels": [21, 20], "field_of_view": "1 deg", "line_period": "20 ms"}})";
+
+class Platforms : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ =
+        std::filesystem::temp_directory_path() /
+        ("ifov_platforms_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+
+  /// A document of a plane and a scanner; `more` are members beside the origin.
+  std::string text(const std::string& platform, const std::string& camera = kPushbroom,
+                   const std::string& origin = R"({"latitude": "52 deg", "longitude": "4.4 deg"})",
+                   const std::string& time = R"("time": "2026-06-21T11:00:00Z",)") const {
+    return "{\"ifov\": 1, " + time + "\n\"scene\": {\"origin\": " + origin +
+           ",\n\"materials\": {\"a\": {\"reflectance\": 0.2}}, \"objects\": [{\"plane\": {}, \"material\": \"a\"}]},\n" +
+           (platform.empty() ? std::string() : "\"platform\": " + platform + ",\n") +
+           "\"sensor\": {\"camera\": " + camera +
+           ",\n\"channels\": [{\"monochromatic\": {\"at\": \"0.6 um\"}}]}}";
+  }
+
+  Document document(const std::string& text) const {
+    return parse_document(text, (folder_ / "a.json").string());
+  }
+  std::unique_ptr<sensor::Camera> camera(const Document& document) const {
+    return document.sensor.camera.settings->build({document.scene.origin.offset_m, 0.0});
+  }
+
+  /// The first line of what is said, without the folder.
+  std::string message(const std::string& text) const {
+    try {
+      camera(document(text));
+    } catch (const InputError& error) {
+      std::string what = error.what();
+      what = what.substr(0, what.find('\n'));
+      for (std::size_t at = 0; (at = what.find(folder_.string() + "/")) != std::string::npos;)
+        what.erase(at, folder_.string().size() + 1);
+      return what;
+    }
+    return "taken";
+  }
+
+  std::filesystem::path folder_;
+};
+
+math::Point3 on_ground(const math::Ray& ray) {
+  return ray.origin_m + ray.direction * (ray.origin_m.z / -ray.direction.z);
+}
+
+TEST_F(Platforms, CarryTheDocumentsCamera) {
+  const Document straight = document(text(kStraight));
+  const math::Point3 seen = on_ground(camera(straight)->ray({10.5, 10.0}));
+  EXPECT_NEAR(seen.x, 0.0, 1e-9);
+  EXPECT_NEAR(seen.y, 0.0, 1e-9);
+  EXPECT_EQ(
+      straight.sensor.camera.settings->description({}, "x, y, z"),
+      "pushbroom, 21 x 20 pixels, 1 deg across, a line every 20 ms, straight from x, y, z 0, -10, 1000 m at 50 m/s");
+  const auto small = straight.sensor.camera.settings->shrunk(7)->build({});
+  EXPECT_EQ(small->width_px(), 7);
+  EXPECT_EQ(small->height_px(), 7);
+  EXPECT_NEAR(length(on_ground(small->ray({7.0, 7.0})) - on_ground(camera(straight)->ray({21.0, 20.0}))), 0.0,
+              1e-9)
+      << "the same field of view in the same time";
+  // The scene's own coordinates are map coordinates.
+  const Document mapped = document(text(
+      R"({"way_points": {"frame": "scene", "points": [{"time": "-1 s", "position": ["500010 m", "4000000 m", "500 m"]},
+                {"time": "1 s", "position": ["500110 m", "4000000 m", "500 m"]}]}})",
+      kPushbroom, R"({"easting": "500000 m", "northing": "4000000 m"})"));
+  const math::Ray east = camera(mapped)->ray({10.5, 5.0});
+  EXPECT_NEAR(length(east.origin_m - math::Point3{65.0, 0.0, 500.0}), 0.0, 1e-9);
+  EXPECT_NEAR(camera(mapped)->pose(0.0).axes.down.x, 1.0, 1e-12) << "the nose along the track";
+}
+
+/// The same flight, told in three frames, 500 km up: to the millimetre, and attitudes to 1e-9.
+TEST_F(Platforms, FlyTheSamePathInAllFrames) {
+  const geodesy::Geodetic origin{52.0 * kDegree, 4.4 * kDegree, 0.0};
+  const auto scene_from_ecef = geodesy::ecef_from_enu(origin).inverse();
+  std::string of_scene = "time_s,x_m,y_m,z_m,qw,qx,qy,qz\n",
+              of_earth = "time_s,x_m,y_m,z_m,yaw_deg,pitch_deg,roll_deg\n",
+              geodetic = "time_s,longitude_deg,latitude_deg,height_m,yaw_deg,pitch_deg,roll_deg\n";
+  for (int k = -3; k <= 3; ++k) {
+    const double longitude = 4.4 + 0.01 * k, latitude = 52.0 - 0.03 * k, height = 5e5 + 100.0 * k * k,
+                 yaw = 191.0 + k, roll = 0.2 * k;
+    const geodesy::Geodetic place{latitude * kDegree, longitude * kDegree, height};
+    const geodesy::EcefPoint at = geodesy::ecef_from_geodetic(place);
+    const math::Point3 p = scene_from_ecef(at).p;
+    const platform::Quaternion q =
+        platform::quaternion_of(scene_from_ecef * geodesy::ecef_from_enu(place) *
+                                geodesy::enu_from_body({yaw * kDegree, 0.1 * kDegree, roll * kDegree}));
+    of_scene += format("{},{:.6f},{:.6f},{:.6f},{:.12f},{:.12f},{:.12f},{:.12f}\n", 0.5 * k, p.x, p.y, p.z,
+                       q.w, q.x, q.y, q.z);
+    of_earth += format("{},{:.6f},{:.6f},{:.6f},{},0.1,{}\n", 0.5 * k, at.p.x, at.p.y, at.p.z, yaw, roll);
+    geodetic +=
+        format("{},{:.12f},{:.12f},{:.6f},{},0.1,{}\n", 0.5 * k, longitude, latitude, height, yaw, roll);
+  }
+  write("scene.csv", of_scene), write("ecef.csv", of_earth), write("geodetic.csv", geodetic);
+  const auto trajectory = [&](const std::string& frame) {
+    const Document d =
+        document(text("{\"table\": {\"frame\": \"" + frame + "\", \"file\": \"" + frame + ".csv\"}}"));
+    return trajectory_of({*d.platform, d.time, d.scene.origin}, {}, 0.0, 1.0);
+  };
+  const platform::Trajectory scene = trajectory("scene"), ecef = trajectory("ecef"),
+                             earth = trajectory("geodetic");
+  for (double t = -1.5; t <= 1.5; t += 0.1) {
+    const platform::Pose a = scene.pose(t), b = ecef.pose(t), c = earth.pose(t);
+    EXPECT_LT(length(a.position_m - b.position_m), 1e-3);
+    EXPECT_LT(length(a.position_m - c.position_m), 1e-3);
+    EXPECT_LT(length(a.enu_from_body.z() - b.enu_from_body.z()), 1e-9);
+    EXPECT_LT(length(a.enu_from_body.x() - c.enu_from_body.x()), 1e-9);
+  }
+  // There and back.
+  const math::Point3 p = ecef.pose(0.5).position_m;
+  const geodesy::Geodetic back = geodesy::geodetic_from_ecef(scene_from_ecef.inverse()(geodesy::EnuPoint{p}));
+  EXPECT_LT(std::abs(back.height_m - 5.001e5), 1e-3);
+  EXPECT_LT(std::abs(back.latitude_rad - 51.97 * kDegree) * 6.4e6, 1e-3);
+  EXPECT_LT(std::abs(back.longitude_rad - 4.41 * kDegree) * 6.4e6, 1e-3);
+}
+
+// Vallado et al. 2006, verification satellite 6251 ("Near earth normal drag").
+const std::string kSatellite =
+    "DELTA 1 DEB\n"
+    "1 06251U 62025E   06176.82412014  .00008885  00000-0  12808-3 0  3985\n"
+    "2 06251  58.0579  54.0425 0030035 139.1568 221.1854 15.56387291  6774\n";
+
+TEST_F(Platforms, FollowSgp4) {
+  write("a.tle", kSatellite);
+  const geodesy::Sgp4 orbit(
+      geodesy::parse_two_line_elements(kSatellite.substr(12, 69), kSatellite.substr(82, 69)));
+  const geodesy::UtcTime time = geodesy::parse_utc("2006-06-25T21:00:00Z");
+  const auto place = [&](double t_s) {
+    const geodesy::UtcTime then{time.jd1, time.jd2 + t_s / 86400.0};
+    const double minutes =
+        1440.0 * ((time.jd1 - orbit.elements().epoch.jd1) + (time.jd2 - orbit.elements().epoch.jd2)) +
+        t_s / 60.0;
+    return geodesy::ecef_from_teme(then)(orbit.after_minutes(minutes).position);
+  };
+  // Nadir of the middle of the image is the scene's origin.
+  const geodesy::Geodetic below = geodesy::geodetic_from_ecef(place(0.0));
+  const std::string origin = format(R"({{"latitude": "{:.12f} deg", "longitude": "{:.12f} deg"}})",
+                                    below.latitude_rad / kDegree, below.longitude_rad / kDegree);
+  const std::string scanner =
+      R"({"pushbroom": {"pixels": [21, 20], "focal_length": "4 m", "pitch": "10 um", "line_period": "150 us", "start": "-1.5 ms"}})";
+  const Document d = document(text(R"({"orbit": {"frame": "teme", "file": "a.tle"}})", scanner, origin,
+                                   "\"time\": \"2006-06-25T21:00:00Z\","));
+  const auto seen = on_ground(camera(d)->ray({10.5, 10.0}));
+  EXPECT_LT(std::hypot(seen.x, seen.y), 1e-2);
+  EXPECT_NEAR(camera(d)->pose(10.0).position_m->z, below.height_m, 1e-2);
+  EXPECT_NEAR(on_ground(camera(d)->ray({11.5, 10.0})).x - seen.x, 0.0, 1.5) << "a metre or so a pixel";
+  // Between the points of the spline, for a minute.
+  const auto scene_from_ecef =
+      geodesy::ecef_from_enu({below.latitude_rad, below.longitude_rad, 0.0}).inverse();
+  const auto trajectory = trajectory_of({*d.platform, d.time, d.scene.origin}, {}, -30.0, 30.0);
+  for (double t = -30.0; t <= 30.0; t += 0.93)
+    EXPECT_LT(length(trajectory.pose(t).position_m - scene_from_ecef(place(t)).p), 1e-5) << t;
+}
+
+TEST_F(Platforms, MessagesOfPaths) {
+  EXPECT_EQ(
+      message(text("")),
+      "a.json:4:22: a pushbroom camera moves: expected a 'platform' beside the 'sensor', which says where it flies");
+  EXPECT_EQ(
+      message(text(kStraight, R"({"orthographic": {"gsd": "1 m", "pixels": [4, 4]}})")),
+      "a.json:4:13: a platform carries a camera that scans: expected a 'pushbroom' camera, or no 'platform'");
+  EXPECT_EQ(message(text(R"({"table": {"file": "a.csv"}})")),
+            "a.json:4:23: 'platform.table' lacks the key 'frame': 'scene', 'geodetic' or 'ecef'");
+  EXPECT_EQ(
+      message(text(R"({"table": {"frame": "geodetic", "file": "a.csv"}})", kPushbroom, "{}")),
+      "a.json:4:13: a path about the Earth needs the place of the scene: expected an 'origin' of the scene with 'latitude' and "
+      "'longitude'");
+  EXPECT_EQ(message(text(R"({"orbit": {"frame": "teme", "file": "a.tle"}})", kPushbroom,
+                         R"({"latitude": "52 deg", "longitude": "4.4 deg"})", "")),
+            "a.json:4:13: an orbit needs the document's 'time'");
+}
+
+TEST_F(Platforms, MessagesOfTables) {
+  const std::string table = text(R"({"table": {"frame": "scene", "file": "a.csv"}})");
+  const auto said = [&](const std::string& rows) {
+    write("a.csv", rows);
+    return message(table);
+  };
+  const std::string path = "time_s,x_m,y_m,z_m\n-1,0,-50,1000\n1,0,50,1000\n";
+  EXPECT_EQ(said(path), "taken");
+  EXPECT_EQ(
+      said("time_s,x_m,y_m,z_m\n0,0,-50,1000\n0.3,0,50,1000\n"),
+      "the platform's path covers 0 to 0.3 s, and the 20 lines are exposed from 0 to 0.4 s: it ends 0.1 s too early");
+  EXPECT_EQ(said("time_s,x_m,y_m,z_m,qw,qx,qy,qz\n0,0,0,0,1,0,0,2e-3\n"),
+            "a.csv:2: found a quaternion of length 1.000002; expected 1 within 1e-06");
+  EXPECT_EQ(
+      said(
+          "time_s,x_m,y_m,z_m,qw,qx,qy,qz\n-1,0,-50,1000,0,0.7071068,0.7071068,0\n1,0,50,1000,0,0.7071068,0.7071068,0\n"),
+      "taken")
+      << "of seven digits";
+  EXPECT_EQ(
+      said("time_s,x_m,y_m,z_m,roll\n"),
+      "a.csv:1:20: found the heading 'roll'; expected 'time_s', 'x_m', 'y_m', 'z_m', 'yaw_deg', 'pitch_deg', 'roll_deg', 'qw', "
+      "'qx', 'qy' or 'qz'");
+  EXPECT_EQ(said("time_s,x_m,y_m\n"), "a.csv:1: the table has no column 'z_m'");
+  EXPECT_EQ(said("time_s,x_m,y_m,z_m\n0,0,0,0\n0,1,1,1\n"),
+            "a.csv:3: found the time 0 s after 0 s; expected times that increase");
+  EXPECT_EQ(said("time_s,x_m,y_m,z_m\n0,0,up,0\n"), "a.csv:2:5: found 'up' as 'y_m'; expected a number");
+  EXPECT_EQ(said("time_s,x_m,y_m,z_m\n0,0,0\n"), "a.csv:2: found 3 values; expected 4, as the heading has");
+  EXPECT_EQ(said("# nothing\n"), "a.csv: found an empty file; expected a table of a path");
+  write("a.csv", "time_s,x_m,y_m,z_m,yaw_deg,pitch_deg,roll_deg\n-1,0,-50,1000,0,0,0\n1,0,50,1000,0,0,0\n");
+  EXPECT_EQ(message(text(R"({"table": {"frame": "scene", "file": "a.csv"}, "attitude": {"roll": "1 deg"}})")),
+            "'a.csv' tells attitudes, and 'attitude' does too; expected one of both");
+}
+
+TEST_F(Platforms, MessagesOfSatellites) {
+  write("a.tle", kSatellite);
+  const auto said = [&](const std::string& latitude, const std::string& longitude,
+                        const std::string& attitude = "") {
+    return message(text(
+        R"({"orbit": {"frame": "teme", "file": "a.tle"})" + attitude + "}",
+        R"({"pushbroom": {"pixels": [21, 20], "focal_length": "4 m", "pitch": "10 um", "line_period": "150 us"}})",
+        "{\"latitude\": \"" + latitude + " deg\", \"longitude\": \"" + longitude + " deg\"}",
+        "\"time\": \"2006-06-25T21:00:00Z\","));
+  };
+  EXPECT_EQ(said("-54.9462", "122.8773"), "taken");
+  EXPECT_EQ(
+      said("0", "0"),
+      "the platform is 52.8 degrees below the scene's horizon, over latitude -54.9462, longitude 122.8773 deg");
+  EXPECT_EQ(
+      said("-54", "123"),
+      "the camera looks past the scene: the middle of its image lies at latitude -54.9462, longitude 122.8773 deg, 105.6 km "
+      "from the scene's origin");
+  EXPECT_EQ(said("-54.9462", "122.8773", R"(, "attitude": {"roll": "88 deg"})"),
+            "the camera looks past the Earth: the middle of its image meets no ground");
+  const auto wide = [&](const std::string& degrees) {
+    return message(text(R"({"orbit": {"frame": "teme", "file": "a.tle"}})",
+                        "{\"pushbroom\": {\"pixels\": [21, 20], \"field_of_view\": \"" + degrees +
+                            " deg\", \"line_period\": \"150 us\"}}",
+                        R"({"latitude": "-54.9462 deg", "longitude": "122.8773 deg"})",
+                        "\"time\": \"2006-06-25T21:00:00Z\","));
+  };
+  EXPECT_EQ(wide("0.9"), "taken");
+  EXPECT_EQ(
+      wide("2"),
+      "the image reaches 7.591 km from the scene's origin (to latitude -55.0084, longitude 122.9260 deg), where the Earth's surface "
+      "lies 4.52 m below the flat scene; expected at most 1 m, which is 3.57 km: look at less, or move the origin");
+  // Old elements are told, with what is to be expected.
+  const Document old =
+      document(text(R"({"orbit": {"frame": "teme", "file": "a.tle"}})", kPushbroom,
+                    R"({"latitude": "0 deg", "longitude": "0 deg"})", "\"time\": \"2006-08-09T20:00:00Z\","));
+  ASSERT_EQ(old.sensor.camera.settings->remarks().size(), 1u);
+  EXPECT_EQ(
+      old.sensor.camera.settings->remarks()[0].substr(old.sensor.camera.settings->remarks()[0].find("a.tle")),
+      "a.tle' are 45 days older than the image: SGP4 leaves them by some 1 to 3 km a day, here 45 to 135 km; expected at most 30 "
+      "days");
+  const Document fresh =
+      document(text(R"({"orbit": {"frame": "teme", "file": "a.tle"}})", kPushbroom,
+                    R"({"latitude": "0 deg", "longitude": "0 deg"})", "\"time\": \"2006-07-24T20:00:00Z\","));
+  EXPECT_TRUE(fresh.sensor.camera.settings->remarks().empty());
+  write("b.tle", "nothing\n");
+  EXPECT_EQ(
+      message(text(R"({"orbit": {"frame": "teme", "file": "b.tle"}})")),
+      "b.tle: found no two-line elements; expected a line that begins with '1 ' and after it one with '2 '");
+  EXPECT_EQ(message(text(R"({"orbit": {"frame": "ecef", "file": "a.tle"}})")),
+            "a.json:4:33: 'platform.orbit.frame' is the text \"ecef\", expected 'teme'");
+}
+
+}  // namespace
+}  // namespace ifov::io

@@ -1,0 +1,156 @@
+"""Line scanners: images against one that parallel rays make, and against geometry that is worked out here."""
+
+import json
+import math
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+try:
+    import numpy as np
+except ImportError:
+    np = None
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("IFOV_PROGRAM", str(ROOT / "build" / "ifov"))
+
+WIDTH, LINES, HEIGHT_M, STEP, PERIOD_S = 24, 32, 5e3, 1e-4, 0.01  # 0.5 m across
+# Flat disks of one radiance on a plane of another: x, y, radius, metres.
+DISKS = [(2.1, 3.3, 1.7), (-3.4, 8.2, 2.4), (1.2, 11.7, 0.6), (4.1, 14.9, 1.1), (-1.3, 21.0, 3.1), (0.4, 33.0, 2.9), (3.3, 41.3, 1.9)]
+GROUND, DISK = 10.0, 30.0  # W m-2 sr-1 um-1 of white and grey under an even sky
+ROLL_PERIOD_S = 0.11
+
+
+def document(**changes):
+    disks = [{"disk": {"center": [f"{x} m", f"{y} m", "1 mm"], "normal": [0, 0, 1], "radius": f"{r} m"}, "material": "bright"} for x, y, r in DISKS]
+    return {"ifov": 1,
+            "scene": {"materials": {"dark": {"reflectance": GROUND / 100}, "bright": {"reflectance": DISK / 100}},
+                      "objects": [{"plane": {}, "material": "dark"}, *disks]},
+            "light": {"sky": {"radiance": "100 W m-2 sr-1 um-1"}},
+            "platform": {"straight": {"frame": "scene", "position": ["0 m", "0 m", f"{HEIGHT_M} m"],
+                                      "velocity": ["0 m/s", "50 m/s", "0 m/s"]}},
+            "sensor": {"camera": {"pushbroom": {"pixels": [WIDTH, LINES], "focal_length": "1 m", "pitch": f"{STEP} m",
+                                                "line_period": f"{PERIOD_S} s"}},
+                       "channels": [{"name": "red", "monochromatic": {"at": "0.65 um"}}]},
+            "sampling": {"accuracy": {"error": "1 %", "confidence": 0.95}},
+            "output": {"products": ["radiance", "half_width", "samples", "location"]}, **changes}
+
+
+def expected(speed_m_s=50.0, roll_rad=0.0, late_s=0.0, cells=100):
+    """The image by the mean of cells x cells points a pixel, from the geometry of an aircraft that flies north: its left wing, where the
+    image's x grows to, is in the west, and a right wing that is down turns its belly to the left."""
+    image = np.zeros((LINES, WIDTH))
+    at = (np.arange(cells) + 0.5) / cells
+    for j in range(LINES):
+        t = (j + at) * PERIOD_S + late_s
+        roll = roll_rad * np.sin(2 * math.pi * t / ROLL_PERIOD_S)
+        north = speed_m_s * t
+        for i in range(WIDTH):
+            west = HEIGHT_M * np.tan(roll[:, None] + np.arctan((i + at - WIDTH / 2) * STEP)[None, :])
+            covered = np.zeros((cells, cells), bool)
+            for x, y, r in DISKS:
+                covered |= (-west - x) ** 2 + (north[:, None] - y) ** 2 < r * r
+            image[j, i] = GROUND + (DISK - GROUND) * covered.mean()
+    return image
+
+
+@unittest.skipIf(np is None, "NumPy not found")
+class Scanning(unittest.TestCase):
+    def setUp(self):
+        self.scratch = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.scratch.name)
+
+    def tearDown(self):
+        self.scratch.cleanup()
+
+    def render(self, scene, name="scan"):
+        (self.folder / f"{name}.json").write_text(json.dumps(scene))
+        result = subprocess.run([PROGRAM, "render", f"{name}.json", "--output", name], cwd=self.folder, text=True,
+                                capture_output=True, timeout=200, check=False)
+        self.assertIn(result.returncode, (0, 6), result.stdout + result.stderr)
+        return self.folder / name
+
+    def cube(self, folder, quantity, kind="f4", bands=1):
+        size = scene_size(folder)
+        values = np.fromfile(folder / f"image_{quantity}.img", kind)
+        lines, columns = size  # interleaved by line
+        return values.reshape(lines, -1, columns)[:, :bands].transpose(1, 0, 2).squeeze().astype(float)
+
+    def wobbling(self, speed_m_s=50.0, roll_rad=1e-3):
+        """A table of 20 rows a turn."""
+        rows = ["time_s,x_m,y_m,z_m,yaw_deg,pitch_deg,roll_deg"]
+        for k in range(-20, 90):
+            t = k * ROLL_PERIOD_S / 20
+            roll = math.degrees(roll_rad * math.sin(2 * math.pi * t / ROLL_PERIOD_S))
+            rows.append(f"{t:.9f},0,{speed_m_s * t:.9f},{HEIGHT_M},0,0,{roll:.12f}")
+        (self.folder / "path.csv").write_text("\n".join(rows) + "\n")
+        return {"table": {"frame": "scene", "file": "path.csv"}}
+
+    def misses(self, folder, truth):
+        """Shares of pixels, of all and of those that hold an edge, whose interval does not hold the truth; the reference's own error, of
+        borders among 100 x 100 cells, is 20 * 1e-3 of the disk's contrast at most and mostly a tenth of that."""
+        off = np.abs(self.cube(folder, "radiance") - truth)
+        outside = off > self.cube(folder, "half_width") + 2e-4 * DISK
+        edges = (truth > GROUND + 1e-6) & (truth < DISK - 1e-6)
+        return outside.mean(), outside[edges].mean()
+
+    def test_at_the_speed_of_its_lines_it_is_the_image_of_parallel_rays(self):
+        still = document()
+        del still["platform"]
+        still["sensor"]["camera"] = {"orthographic": {"gsd": "0.5 m", "pixels": [WIDTH, LINES], "rotation": "180 deg",
+                                                      "center": ["0 m", f"{LINES / 4} m"]}}
+        scanned, parallel = self.render(document()), self.render(still, "still")
+        half = np.hypot(self.cube(scanned, "half_width"), self.cube(parallel, "half_width"))
+        off = np.abs(self.cube(scanned, "radiance") - self.cube(parallel, "radiance"))
+        self.assertLess((off > half + 1e-5).mean(), 0.03)
+        samples = [self.cube(folder, "samples", "u4").sum() for folder in (scanned, parallel)]
+        self.assertAlmostEqual(samples[0] / samples[1], 1.0, delta=0.1)
+
+    def test_at_any_speed_and_rolling_it_is_what_geometry_says(self):
+        for speed, roll in ((50.0, 0.0), (25.0, 0.0), (150.0, 0.0), (50.0, 1e-3), (150.0, 1e-3)):
+            with self.subTest(speed=speed, roll=roll):
+                folder = self.render(document(platform=self.wobbling(speed, roll)), f"scan{speed:g}_{roll:g}")
+                every, of_edges = self.misses(folder, expected(speed, roll))
+                self.assertLess(every, 0.03)
+                self.assertLess(of_edges, 0.07)
+
+    def test_planted_faults_are_noticed(self):
+        folder = self.render(document(platform=self.wobbling(50.0, 1e-3)))
+        self.assertLess(self.misses(folder, expected(50.0, 1e-3))[1], 0.07)
+        for fault in (expected(50.0, 1.01e-3), expected(50.0, 1e-3, late_s=0.05 * PERIOD_S), expected(50.5, 1e-3)):
+            self.assertGreater(self.misses(folder, fault)[1], 0.15)
+
+    def test_places_of_pixels_are_those_of_its_rays(self):
+        folder = self.render(document(platform=self.wobbling(50.0, 1e-3)))
+        places = self.cube(folder, "location", "f8", 3)
+        t = (np.arange(LINES) + 0.5) * PERIOD_S
+        roll = 1e-3 * np.sin(2 * math.pi * t / ROLL_PERIOD_S)
+        west = HEIGHT_M * np.tan(roll[:, None] + np.arctan((np.arange(WIDTH) + 0.5 - WIDTH / 2) * STEP)[None, :])
+        pixel_m = 0.5
+        off = np.hypot(places[0] + west, places[1] - 50.0 * t[:, None]) / pixel_m
+        self.assertLess(off.max(), 0.01)
+        planted = np.hypot(places[0] + west, places[1] - 50.0 * (t[:, None] + 0.02 * PERIOD_S)) / pixel_m
+        self.assertGreater(planted.max(), 0.01)
+
+    def test_the_record_tells_where_the_camera_was(self):
+        record = json.loads((self.render(document()) / "image_run.json").read_text())
+        camera = record["acquisition"]["camera"]
+        self.assertEqual(camera["model"], "pushbroom")
+        self.assertAlmostEqual(camera["position_m"][1], 50.0 * PERIOD_S * LINES / 2, places=9)
+        self.assertEqual([round(v, 12) for v in camera["right"]], [-1, 0, 0])
+        self.assertEqual([line["line"] for line in camera["lines"]], [j + 0.5 for j in range(LINES)])
+        for line in camera["lines"]:
+            self.assertAlmostEqual(line["time_s"], line["line"] * PERIOD_S, places=12)
+            self.assertAlmostEqual(line["position_m"][1], 50.0 * line["time_s"], places=9)
+
+
+def scene_size(folder):
+    header = dict(line.split("=", 1) for line in (folder / "image_radiance.img.hdr").read_text().splitlines() if "=" in line)
+    header = {key.strip(): value.strip() for key, value in header.items()}
+    return int(header["lines"]), int(header["samples"])
+
+
+if __name__ == "__main__":
+    unittest.main()
