@@ -78,8 +78,8 @@ std::string text_of(const WeatherFile& weather, const char* time, const std::str
 const std::string kSlab = R"({"plane": {}, "material": "road"})";
 const std::string kPole =
     kSlab +
-    format(R"(, {{"box": {{"center": ["0 m", "0 m", "{} m"], "size": ["{} m", "{} m", "{} m"]}}, "material": "brick"}})",
-           0.5 * kTop_m, kPole_m, kPole_m, kTop_m);
+    format(R"(, {{"box": {{"low": ["{0} m", "{0} m", "0 m"], "high": ["{1} m", "{1} m", "{2} m"]}}, "material": "brick"}})",
+           -0.5 * kPole_m, 0.5 * kPole_m, kTop_m);
 
 Session load(const std::string& text) { return Session::load(io::parse_document(text, "solved.json"), nullptr); }
 
@@ -248,7 +248,7 @@ TEST(SolvedTemperatures, AClosedRoomOfOneTemperatureStaysThere) {
   const WeatherFile weather(false);
   const Session session = load(text_of(
       weather, "15:00",
-      R"({"box": {"center": ["0 m", "0 m", "5 m"], "size": ["10 m", "10 m", "10 m"]}, "material": "brick"})"));
+      R"({"box": {"low": ["-5 m", "-5 m", "0 m"], "high": ["5 m", "5 m", "10 m"]}, "material": "brick"})"));
   for (const math::Vec3& direction : {math::Vec3{0.0, 0.0, 1.0}, math::Vec3{0.6, 0.0, -0.8}, math::Vec3{0.0, 1.0, 0.0}}) {
     const math::Ray ray{{1.0, 0.5, 5.0}, direction};
     geometry::SurfacePoint hit;

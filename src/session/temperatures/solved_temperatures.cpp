@@ -60,6 +60,22 @@ ThermalMaterial thermal_of(const io::Document& document, const io::MaterialDocum
              source.name));
 }
 
+/// The Sun of the image is the one that warmed the scene, unless the document has put it elsewhere.
+void warn_of_another_sun(const scene::Scene& scene, const thermal::Outdoors& now, LogSink& log) {
+  constexpr double kApart_deg = 3.0;
+  if (!scene.sun || scene.sun->is_moon) return;
+  const double level = std::cos(now.sun_elevation_rad);
+  const math::Vec3 there{level * std::sin(now.sun_azimuth_rad), level * std::cos(now.sun_azimuth_rad),
+                         std::sin(now.sun_elevation_rad)};
+  const double apart_deg =
+      std::acos(std::clamp(math::dot(there, scene.sun->direction), -1.0, 1.0)) * 180.0 / std::numbers::pi;
+  if (apart_deg > kApart_deg)
+    log.warn(format(
+        "the Sun of 'light' stands {:.0f} deg from where it stood at the document's 'time', by which temperatures "
+        "are solved: its shadows and theirs do not go together",
+        apart_deg));
+}
+
 /// The temperature of a point that is solved in full by itself.
 double full_solution_k(const Solved& solved, const thermal::OutdoorsSeries& series, thermal::Stand stand,
                        math::Vec3 normal, const exposure::SolvedSurface::Exposure& exposure) {
@@ -172,6 +188,7 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
   }
   errors.rms_k = std::sqrt(errors.rms_k);
   if (log != nullptr) {
+    warn_of_another_sun(scene, series.rows.back(), *log);
     log->info(about.statement);
     for (const std::string& note : about.outdoors.notes) log->info(note);
     log->info(errors.statement());
