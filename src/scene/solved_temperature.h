@@ -23,7 +23,7 @@ class SolvedTemperature {
   /// Without bias. Depends on the point and on `draw` alone, of which every value gives other rays into the past.
   virtual EstimatedTemperature at(const geometry::SurfacePoint& point, std::uint64_t draw) const = 0;
 
-  /// Between which all estimates lie, with deviations added or taken away.
+  /// Between which temperatures lie; estimates of them may stray beyond by their deviations.
   virtual double coldest_k() const = 0;
   virtual double hottest_k() const = 0;
 };

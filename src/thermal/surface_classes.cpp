@@ -12,7 +12,7 @@ namespace ifov::thermal {
 namespace {
 
 constexpr int kTilts = 12, kAzimuths = 12;  // steps of half and of a whole turn
-constexpr double kLeastRise_k = 1e-3;       // of a surface that the Sun warms
+constexpr double kLeastRise_k = 0.1;        // of a surface that the Sun warms
 
 math::Vec3 sun_of(const Outdoors& now) {
   const double level = std::cos(now.sun_elevation_rad);
@@ -62,20 +62,16 @@ SurfaceClasses::SurfaceClasses(const OutdoorsSeries& series, const ClassSurface&
     solve(nodes_[static_cast<std::size_t>(index)], tilt, ring > 0 ? ring % kAzimuths * kAzimuthStep_rad : 0.0,
           series, surface);
   });
-  // Bounds of what is bilinear are those at the nodes, but for cosines, which are those of the direction itself.
+  constexpr double kBetween = 0.05;  // of the largest rise: directions between those of the grid may face the Sun better
   coldest_k_ = hottest_k_ = nodes_[0].shaded_k[0];
-  double warmest_k = 0.0, most_k = 0.0;
-  for (const Node& node : nodes_) {
-    double sum_k = 0.0;
-    for (std::size_t k = 0; k < rows_.size(); ++k)
-      sum_k += static_cast<double>(node.kernel[k]) * rows_[k].absorbed_w_m2;
+  double most_k = 0.0;
+  for (const Node& node : nodes_)
     for (std::size_t sky = 0; sky < 2; ++sky) {
       coldest_k_ = std::min(coldest_k_, node.shaded_k[sky]);
-      warmest_k = std::max(warmest_k, node.shaded_k[sky]);
-      most_k = std::max(most_k, sum_k * node.ratio[sky]);
+      hottest_k_ = std::max(hottest_k_, node.shaded_k[sky] + node.rise_k[sky]);
+      most_k = std::max(most_k, node.rise_k[sky]);
     }
-  }
-  hottest_k_ = warmest_k + most_k;
+  hottest_k_ += kBetween * most_k;
 }
 
 void SurfaceClasses::solve(Node& node, double tilt_rad, double azimuth_rad, const OutdoorsSeries& series,
@@ -85,7 +81,6 @@ void SurfaceClasses::solve(Node& node, double tilt_rad, double azimuth_rad, cons
   stand.azimuth_rad = azimuth_rad;
   const math::Vec3 normal = facing(tilt_rad, azimuth_rad);
   std::vector<double> kernel(series.rows.size(), 0.0);
-  std::array<double, 2> rise_k{};
   for (std::size_t sky = 0; sky < 2; ++sky) {
     stand.free_sky = static_cast<double>(sky);
     for (const double visibility : {0.0, 1.0}) {
@@ -93,11 +88,11 @@ void SurfaceClasses::solve(Node& node, double tilt_rad, double azimuth_rad, cons
           solve_surface(surface.solid, surface.skin, stand, series, surface.start,
                         std::vector<double>(series.rows.size(), visibility));
       const double surface_k = solution.history.nodes.back().surface_k;
-      (visibility > 0.0 ? rise_k[sky] : node.shaded_k[sky]) = surface_k;
+      (visibility > 0.0 ? node.rise_k[sky] : node.shaded_k[sky]) = surface_k;
       const std::vector<double> one = kernel_by_row(solution);
       for (std::size_t i = 0; i < one.size(); ++i) kernel[i] += 0.25 * one[i];
     }
-    rise_k[sky] -= node.shaded_k[sky];
+    node.rise_k[sky] -= node.shaded_k[sky];
   }
   double sum_k = 0.0;
   for (const Row& row : rows_) {
@@ -105,7 +100,7 @@ void SurfaceClasses::solve(Node& node, double tilt_rad, double azimuth_rad, cons
     sum_k += static_cast<double>(node.kernel.back()) * row.absorbed_w_m2 * std::max(0.0, math::dot(normal, row.sun));
   }
   for (std::size_t sky = 0; sky < 2; ++sky)
-    node.ratio[sky] = sum_k > kLeastRise_k ? rise_k[sky] / sum_k : 1.0;
+    node.ratio[sky] = sum_k > kLeastRise_k ? node.rise_k[sky] / sum_k : 1.0;
 }
 
 math::Vec3 SurfaceClasses::sun_at(std::size_t row, double steps) const {

@@ -64,7 +64,7 @@ class SurfaceClasses {
   };
   /// A direction: with the sky hidden and free.
   struct Node {
-    std::array<double, 2> shaded_k{}, ratio{};
+    std::array<double, 2> shaded_k{}, rise_k{}, ratio{};
     std::vector<float> kernel;  ///< by sunlit row
   };
   struct Corner {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "outdoors.h"
+#include "thermal/solid.h"
 #include "thermal/surface_classes.h"
 
 namespace ifov::thermal {
@@ -17,7 +18,7 @@ math::Vec3 facing(double tilt_deg, double azimuth_deg) {
 
 /// Ends at two in the afternoon, when what the Sun did counts most.
 OutdoorsSeries afternoon() {
-  OutdoorsSeries series = june(4.0);
+  OutdoorsSeries series = test::june(4.0);
   series.rows.resize(series.rows.size() - 120);
   return series;
 }

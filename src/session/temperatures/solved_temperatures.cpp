@@ -187,12 +187,9 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
     errors.worst_k = std::max(errors.worst_k, std::abs(point.off_k));
   }
   errors.rms_k = std::sqrt(errors.rms_k);
-  if (log != nullptr) {
-    warn_of_another_sun(scene, series.rows.back(), *log);
-    log->info(about.statement);
-    for (const std::string& note : about.outdoors.notes) log->info(note);
-    log->info(errors.statement());
-  }
+  errors.weather = about.statement;
+  for (const std::string& note : about.outdoors.notes) errors.weather += "; " + note;
+  if (log != nullptr) warn_of_another_sun(scene, series.rows.back(), *log);
   return errors;
 }
 

@@ -30,6 +30,7 @@ struct TemperatureErrors {
   int points = 0;
   double bias_k = 0.0, rms_k = 0.0, worst_k = 0.0;
   double step_k = 0.0;  ///< of the steps of time, by those of twice the length
+  std::string weather;  ///< by which they are solved, and what stood in for what it does not tell
 
   /// Half-width of about 95 %: twice the root of the sum of squares.
   double half_width_k() const;
