@@ -1,6 +1,7 @@
 #include "exposure/solved_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <numeric>
@@ -19,6 +20,8 @@ struct Directions {
   std::vector<math::Vec3> directions;
   std::vector<std::uint8_t> is_free;
   std::vector<double> weight_k;
+  std::array<std::size_t, 2 * SolvedSurface::kSunPairs> rows;
+  std::array<double, 2 * SolvedSurface::kSunPairs> bend;
 };
 
 /// Mean of pairs of answers and the variance of that, as the pairs tell it.
@@ -81,12 +84,22 @@ scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& poin
     const std::uint64_t own = sampling::hash(key, Draw::sun, k);
     const double place = rise_k * (k / 2 + sampling::unit_double(own)) / kSunPairs;
     const auto row = std::upper_bound(sums_k.begin(), sums_k.end() - 1, place) - sums_k.begin();
+    scratch.rows[static_cast<std::size_t>(k)] = static_cast<std::size_t>(row);
     directions.push_back(toward_sun(static_cast<std::size_t>(row), own));
   }
   exposed.free(directions, scratch.is_free);
   const PairMean sun = mean_of_pairs({scratch.is_free.data(), directions.size()});
   variance_k2 += sun.variance * rise_k * rise_k;
-  return {shaded_k + sun.mean * rise_k, std::sqrt(variance_k2)};
+  // The first and the second rays of all pairs are two estimates of their own: products of one's and the other's have no bias.
+  classes_->bends(normal, scratch.rows, scratch.bend);
+  std::array<double, 2> share{}, bent{};
+  for (std::size_t k = 0; k < scratch.rows.size(); ++k)
+    if (scratch.is_free[k] != 0) {
+      share[k % 2] += 1.0 / kSunPairs;
+      bent[k % 2] += scratch.bend[k] / kSunPairs;
+    }
+  const double second = 0.25 * (share[0] * bent[1] + share[1] * bent[0] - bent[0] - bent[1]);
+  return {shaded_k + (sun.mean + second) * rise_k, std::sqrt(variance_k2)};
 }
 
 SolvedSurface::Exposure SolvedSurface::exposure(const geometry::SurfacePoint& point, std::uint64_t key,
@@ -114,9 +127,20 @@ SolvedSurface::Exposure SolvedSurface::exposure(const geometry::SurfacePoint& po
 
 double SolvedSurface::temperature_k(const geometry::SurfacePoint& point, const Exposure& exposure) const {
   std::vector<double> weight_k(classes_->sunlit_rows());
-  const double shaded_k =
-      classes_->shaded_k(ExposedPoint(world_, point).normal(), exposure.free_sky, weight_k);
-  return std::inner_product(weight_k.begin(), weight_k.end(), exposure.visibility.begin(), shaded_k);
+  const math::Vec3 normal = ExposedPoint(world_, point).normal();
+  const double shaded_k = classes_->shaded_k(normal, exposure.free_sky, weight_k);
+  std::vector<std::size_t> rows(weight_k.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  std::vector<double> bend(rows.size());
+  classes_->bends(normal, rows, bend);
+  double all_k = 0.0, lit_k = 0.0, bent_k = 0.0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double part_k = weight_k[k] * exposure.visibility[k];
+    all_k += weight_k[k];
+    lit_k += part_k;
+    bent_k += part_k * bend[k];
+  }
+  return shaded_k + lit_k + (all_k > 0.0 ? 0.5 * (lit_k / all_k - 1.0) * bent_k : 0.0);
 }
 
 }  // namespace ifov::exposure

@@ -33,7 +33,8 @@ class SolvedSurface final : public scene::SolvedTemperature {
     std::vector<double> visibility;
   };
   /// With `sky_pairs` pairs of rays to the sky and `sun_rays` to each of the Sun's places.
-  Exposure exposure(const geometry::SurfacePoint& point, std::uint64_t key, int sky_pairs, int sun_rays) const;
+  Exposure exposure(const geometry::SurfacePoint& point, std::uint64_t key, int sky_pairs,
+                    int sun_rays) const;
   /// The same sum as at(), of all of it.
   double temperature_k(const geometry::SurfacePoint& point, const Exposure& exposure) const;
 

@@ -62,7 +62,8 @@ bool Scene::emits(std::uint32_t state) const {
 bool Scene::all_emit() const {
   if (!(surroundings.temperature_k > 0.0)) return false;
   for (std::uint32_t state = 0; state < states.size(); ++state)
-    if ((!emits(state) || (states[state].lamp > 0 && !(states[state].temperature_k > 0.0 || states[state].solved > 0))) &&
+    if ((!emits(state) ||
+         (states[state].lamp > 0 && !(states[state].temperature_k > 0.0 || states[state].solved > 0))) &&
         !materials[states[state].material].curve_of)
       return false;
   return true;

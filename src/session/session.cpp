@@ -35,7 +35,8 @@ namespace ifov::session {
 
 namespace {
 
-constexpr int kTemperaturesAcross = 24;  // rays along each side of the image, to points whose error is measured
+constexpr int kTemperaturesAcross =
+    24;  // rays along each side of the image, to points whose error is measured
 
 void warn_of_former_keys(const io::Document& document, LogSink& log) {
   for (const io::FormerKey& key : document.former_keys)

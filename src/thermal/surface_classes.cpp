@@ -62,7 +62,8 @@ SurfaceClasses::SurfaceClasses(const OutdoorsSeries& series, const ClassSurface&
     solve(nodes_[static_cast<std::size_t>(index)], tilt, ring > 0 ? ring % kAzimuths * kAzimuthStep_rad : 0.0,
           series, surface);
   });
-  constexpr double kBetween = 0.05;  // of the largest rise: directions between those of the grid may face the Sun better
+  constexpr double kBetween =
+      0.05;  // of the largest rise: directions between those of the grid may face the Sun better
   coldest_k_ = hottest_k_ = nodes_[0].shaded_k[0];
   double most_k = 0.0;
   for (const Node& node : nodes_)
@@ -80,7 +81,7 @@ void SurfaceClasses::solve(Node& node, double tilt_rad, double azimuth_rad, cons
   stand.tilt_rad = tilt_rad;
   stand.azimuth_rad = azimuth_rad;
   const math::Vec3 normal = facing(tilt_rad, azimuth_rad);
-  std::vector<double> kernel(series.rows.size(), 0.0);
+  std::vector<double> kernel(series.rows.size(), 0.0), difference = kernel;
   for (std::size_t sky = 0; sky < 2; ++sky) {
     stand.free_sky = static_cast<double>(sky);
     for (const double visibility : {0.0, 1.0}) {
@@ -90,14 +91,19 @@ void SurfaceClasses::solve(Node& node, double tilt_rad, double azimuth_rad, cons
       const double surface_k = solution.history.nodes.back().surface_k;
       (visibility > 0.0 ? node.rise_k[sky] : node.shaded_k[sky]) = surface_k;
       const std::vector<double> one = kernel_by_row(solution);
-      for (std::size_t i = 0; i < one.size(); ++i) kernel[i] += 0.25 * one[i];
+      for (std::size_t i = 0; i < one.size(); ++i) {
+        kernel[i] += 0.25 * one[i];
+        difference[i] += (visibility - 0.5) * one[i];
+      }
     }
     node.rise_k[sky] -= node.shaded_k[sky];
   }
   double sum_k = 0.0;
   for (const Row& row : rows_) {
     node.kernel.push_back(static_cast<float>(std::max(0.0, kernel[row.index])));
-    sum_k += static_cast<double>(node.kernel.back()) * row.absorbed_w_m2 * std::max(0.0, math::dot(normal, row.sun));
+    node.difference.push_back(static_cast<float>(difference[row.index]));
+    sum_k += static_cast<double>(node.kernel.back()) * row.absorbed_w_m2 *
+             std::max(0.0, math::dot(normal, row.sun));
   }
   for (std::size_t sky = 0; sky < 2; ++sky)
     node.ratio[sky] = sum_k > kLeastRise_k ? node.rise_k[sky] / sum_k : 1.0;
@@ -129,6 +135,19 @@ std::array<SurfaceClasses::Corner, 4> SurfaceClasses::corners(math::Vec3 normal)
            {node(low + 1, west + 1), high_share * east_share}}};
 }
 
+void SurfaceClasses::bends(math::Vec3 normal, std::span<const std::size_t> rows,
+                           std::span<double> bend) const {
+  const std::array<Corner, 4> all = corners(normal);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    double kernel = 0.0, difference = 0.0;
+    for (const Corner& corner : all) {
+      kernel += corner.share * static_cast<double>(corner.node->kernel[rows[k]]);
+      difference += corner.share * static_cast<double>(corner.node->difference[rows[k]]);
+    }
+    bend[k] = kernel > 0.0 ? std::clamp(difference / kernel, -1.0, 1.0) : 0.0;
+  }
+}
+
 double SurfaceClasses::shaded_k(math::Vec3 normal, double free_sky) const {
   double shaded_k = 0.0;
   for (const Corner& corner : corners(normal))
@@ -142,7 +161,8 @@ double SurfaceClasses::shaded_k(math::Vec3 normal, double free_sky, std::span<do
     if (!(corner.share > 0.0)) continue;
     const Node& node = *corner.node;
     const double factor = corner.share * std::lerp(node.ratio[0], node.ratio[1], free_sky);
-    for (std::size_t k = 0; k < rows_.size(); ++k) weight_k[k] += factor * static_cast<double>(node.kernel[k]);
+    for (std::size_t k = 0; k < rows_.size(); ++k)
+      weight_k[k] += factor * static_cast<double>(node.kernel[k]);
   }
   for (std::size_t k = 0; k < rows_.size(); ++k)
     weight_k[k] *= rows_[k].absorbed_w_m2 * std::max(0.0, math::dot(normal, rows_[k].sun));

@@ -28,9 +28,13 @@ struct ClassSurface {
 ///   T = T_0 + sum over t_k of w_k V(t_k),   w_k = r K(t_k) alpha E(t_k) cos theta_k,
 ///
 /// with E the Sun's irradiance across its beam and cos theta_k to its place then, of the surface's own direction; K the
-/// mean of the kernels (linear_kernel.h), and r = (T_1 - T_0) / sum K alpha E cos theta, so that T is right where the
-/// visibility V of the Sun is 0 or 1 throughout, and off by what is of third order in V about its middle else. T_0, K and r
-/// are bilinear between directions, T_0 and r linear in the free share of the sky.
+/// mean of the kernels K_0 and K_1 (linear_kernel.h), and r = (T_1 - T_0) / sum K alpha E cos theta, so that T is right where
+/// the visibility V of the Sun is 0 or 1 throughout. A surface that is warm loses more of the next watt than a cold one: to
+/// second order, with the share u = sum w V / sum w of its Sun that a point had and the bend b_k = (K_1 - K_0) / K,
+///
+///   T = T_0 + sum w_k V(t_k) (1 + (u - 1) b_k / 2).
+///
+/// T_0, the kernels and r are bilinear between directions, T_0 and r linear in the free share of the sky.
 class SurfaceClasses {
  public:
   static constexpr double kTiltStep_rad = 0.2617993877991494;     // 15 degrees
@@ -49,6 +53,8 @@ class SurfaceClasses {
   /// sunlit row, kelvins, none below 0.
   double shaded_k(math::Vec3 normal, double free_sky, std::span<double> weight_k) const;
   double shaded_k(math::Vec3 normal, double free_sky) const;
+  /// b_k of some sunlit rows.
+  void bends(math::Vec3 normal, std::span<const std::size_t> rows, std::span<double> bend) const;
   /// The row of the series that a sunlit row is.
   std::size_t row_of_series(std::size_t sunlit_row) const { return rows_[sunlit_row].index; }
 
@@ -65,7 +71,7 @@ class SurfaceClasses {
   /// A direction: with the sky hidden and free.
   struct Node {
     std::array<double, 2> shaded_k{}, rise_k{}, ratio{};
-    std::vector<float> kernel;  ///< by sunlit row
+    std::vector<float> kernel, difference;  ///< by sunlit row: mean of both, K_1 - K_0
   };
   struct Corner {
     const Node* node = nullptr;

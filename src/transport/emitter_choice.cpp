@@ -10,8 +10,8 @@
 #include "geometry/world.h"
 #include "materials/bsdf/bsdf.h"
 #include "materials/draped_map.h"
-#include "scene/solved_temperature.h"
 #include "scene/scene.h"
+#include "scene/solved_temperature.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::transport {

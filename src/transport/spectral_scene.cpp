@@ -223,7 +223,7 @@ void SpectralScene::emit_surfaces() {
           materials_.directional(scene_.states[s].material) != nullptr)
         nodes_.planck(scene_.states[s].temperature_k, black_.values(s));
   }
-  constexpr double kBeyond_k = 0.5;  // beyond what maps hold, so that the table's ends are not met
+  constexpr double kBeyond_k = 0.5;     // beyond what maps hold, so that the table's ends are not met
   constexpr double kDeviations = 0.25;  // of solved temperatures, over their range
   if (const std::optional<scene::TemperatureRange> range = scene_.mapped_temperatures()) {
     const double beyond_k =

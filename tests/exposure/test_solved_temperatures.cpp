@@ -39,7 +39,8 @@ class WeatherFile {
       : folder_(std::filesystem::temp_directory_path() / format("ifov_solved_{}_{}", ::getpid(), sunny)) {
     std::filesystem::create_directories(folder_);
     std::ofstream file(path());
-    file << "time,air_temperature_c,relative_humidity_pct,wind_speed_m_s,cloud_fraction,global_irradiance_w_m2\n";
+    file
+        << "time,air_temperature_c,relative_humidity_pct,wind_speed_m_s,cloud_fraction,global_irradiance_w_m2\n";
     for (int hour = 0; hour <= 48; ++hour) {
       const double solar = hour + 0.3;  // at 5 degrees east
       const double height = std::sin(0.9076) * std::sin(0.409) +
@@ -62,10 +63,10 @@ std::string text_of(const WeatherFile& weather, const char* time, const std::str
       R"({{"ifov": 1, "time": "2026-06-21T{}:00Z", "weather": {{"file": "{}"}},
           "temperatures": {{"spin_up": "1 d", "step": "10 min", "repeat_first_day": true}},
           "scene": {{"origin": {{"latitude": "52 deg", "longitude": "5 deg"}},
-            "materials": {{"road": {{"emissivity": 0.95, "temperature": "solved",
+            "materials": {{"road": {{"emissivity": 1, "temperature": "solved",
                 "thermal": {{"layers": [{{"thickness": "10 cm", "library": "asphalt"}}, {{"thickness": "50 cm", "library": "dry soil"}}],
                             "back": {{"ground": {{"temperature": "12 degC"}}}}, "solar_absorptance": 0.9}}}},
-              "brick": {{"emissivity": 0.9, "temperature": "solved",
+              "brick": {{"emissivity": 1, "temperature": "solved",
                 "thermal": {{"layers": [{{"thickness": "20 cm", "library": "brick"}}], "solar_absorptance": 0.7}}}}}},
             "objects": [{}]}},
           "light": {{"sky": {{"none": {{}}}}}},
@@ -78,10 +79,13 @@ std::string text_of(const WeatherFile& weather, const char* time, const std::str
 const std::string kSlab = R"({"plane": {}, "material": "road"})";
 const std::string kPole =
     kSlab +
-    format(R"(, {{"box": {{"low": ["{0} m", "{0} m", "0 m"], "high": ["{1} m", "{1} m", "{2} m"]}}, "material": "brick"}})",
-           -0.5 * kPole_m, 0.5 * kPole_m, kTop_m);
+    format(
+        R"(, {{"box": {{"low": ["{0} m", "{0} m", "0 m"], "high": ["{1} m", "{1} m", "{2} m"]}}, "material": "brick"}})",
+        -0.5 * kPole_m, 0.5 * kPole_m, kTop_m);
 
-Session load(const std::string& text) { return Session::load(io::parse_document(text, "solved.json"), nullptr); }
+Session load(const std::string& text) {
+  return Session::load(io::parse_document(text, "solved.json"), nullptr);
+}
 
 geometry::SurfacePoint below(const scene::Scene& scene, double x, double y) {
   const math::Ray down{{x, y, 50.0}, {0.0, 0.0, -1.0}};
@@ -107,7 +111,8 @@ struct Road {
   ThermalMaterial thermal;
   explicit Road(const Session& session)
       : about(outdoors_of_document(session.parts().document, *session.parts().weather)),
-        thermal(*assemble_thermal(session.parts().document.sources, session.parts().document.scene.materials[0],
+        thermal(*assemble_thermal(session.parts().document.sources,
+                                  session.parts().document.scene.materials[0],
                                   session.parts().scene.materials[0], 285.0)) {}
 
   const thermal::OutdoorsSeries& series() const { return about.outdoors.series; }
@@ -115,7 +120,8 @@ struct Road {
     thermal::Stand stand;
     stand.terrain = about.terrain;
     stand.free_sky = free_sky;
-    return thermal::solve_surface(thermal.solid, thermal.skin, stand, series(), thermal.start, std::move(visibility))
+    return thermal::solve_surface(thermal.solid, thermal.skin, stand, series(), thermal.start,
+                                  std::move(visibility))
         .history.nodes.back()
         .surface_k;
   }
@@ -205,11 +211,12 @@ TEST(SolvedTemperatures, WhereAShadowWasAcrossItsPath) {
   thermal::OutdoorsSeries dark = road.series();
   for (thermal::Outdoors& now : dark.rows) now.diffuse_w_m2 = 0.0;
   const auto surface_under = [&](const thermal::OutdoorsSeries& series) {
-    return exposure::SolvedSurface(
-        std::make_shared<const thermal::SurfaceClasses>(
-            series,
-            thermal::ClassSurface{road.thermal.solid, road.thermal.skin, thermal::Stand{}, road.thermal.start}, 1),
-        *session.parts().scene.world, 0.00465);
+    return exposure::SolvedSurface(std::make_shared<const thermal::SurfaceClasses>(
+                                       series,
+                                       thermal::ClassSurface{road.thermal.solid, road.thermal.skin,
+                                                             thermal::Stand{}, road.thermal.start},
+                                       1),
+                                   *session.parts().scene.world, 0.00465);
   };
   const exposure::SolvedSurface other_day = surface_under(wrong), no_sky = surface_under(dark);
   double coldest = 1e9, warmest = 0.0, off_other_day = 0.0, off_no_sky = 0.0;
@@ -249,7 +256,8 @@ TEST(SolvedTemperatures, AClosedRoomOfOneTemperatureStaysThere) {
   const Session session = load(text_of(
       weather, "15:00",
       R"({"box": {"low": ["-5 m", "-5 m", "0 m"], "high": ["5 m", "5 m", "10 m"]}, "material": "brick"})"));
-  for (const math::Vec3& direction : {math::Vec3{0.0, 0.0, 1.0}, math::Vec3{0.6, 0.0, -0.8}, math::Vec3{0.0, 1.0, 0.0}}) {
+  for (const math::Vec3& direction :
+       {math::Vec3{0.0, 0.0, 1.0}, math::Vec3{0.6, 0.0, -0.8}, math::Vec3{0.0, 1.0, 0.0}}) {
     const math::Ray ray{{1.0, 0.5, 5.0}, direction};
     geometry::SurfacePoint hit;
     session.parts().scene.world->intersect({&ray, 1}, {&hit, 1});
@@ -294,8 +302,8 @@ TEST(SolvedTemperatures, IntervalsHoldWhereShadowsMovedOn) {
       truth.push_back(sum);
       swept.push_back(deviation > 0.3);
     }
-  int held = 0, of_swept = 0, held_swept = 0, all = 0, held_halved = 0;
-  for (int seed = 0; seed < 10; ++seed) {
+  int held = 0, of_swept = 0, held_swept = 0, all = 0, held_by_a_quarter = 0;
+  for (int seed = 0; seed < 6; ++seed) {
     render::RenderJob job = parts.job();
     job.seed = 50 + static_cast<std::uint64_t>(seed);
     job.nodes = {};  // what paths and edges tell, alone
@@ -308,7 +316,7 @@ TEST(SolvedTemperatures, IntervalsHoldWhereShadowsMovedOn) {
                    half = static_cast<double>(tile.result.half_width[p]);
       ++all;
       held += off <= half;
-      held_halved += off <= 0.25 * half;
+      held_by_a_quarter += off <= 0.25 * half;
       of_swept += swept[p];
       held_swept += swept[p] && off <= half;
     }
@@ -317,7 +325,8 @@ TEST(SolvedTemperatures, IntervalsHoldWhereShadowsMovedOn) {
   EXPECT_GE(static_cast<double>(held) / all, 0.93);
   EXPECT_GE(static_cast<double>(held_swept) / of_swept, 0.93);
   EXPECT_LT(static_cast<double>(held_swept) / of_swept, 0.9999);
-  EXPECT_LT(static_cast<double>(held_halved) / all, 0.93);
+  // Intervals a quarter as wide would not do: the test can fail.
+  EXPECT_LT(static_cast<double>(held_by_a_quarter) / all, 0.93);
 }
 
 void expect_error(const std::string& text, const char* part) {
@@ -341,19 +350,22 @@ TEST(SolvedTemperatures, SayWhatIsMissing) {
   expect_error(replaced(good, format(R"("weather": {{"file": "{}"}},)", weather.path()), ""),
                "a temperature that is solved needs \"weather\"");
   expect_error(replaced(good, R"("time": "2026-06-21T15:00:00Z",)", ""), "needs a \"time\"");
-  expect_error(replaced(replaced(good, R"("plane": {}, "material": "road")", R"("plane": {}, "material": "bare")"),
-                        R"("brick": {)", R"("bare": {"emissivity": 0.9, "temperature": "solved"}, "brick": {)"),
-               "the temperature of 'bare' is to be solved, and it has neither \"thermal\" nor a reflectance");
-  expect_error(replaced(replaced(good, R"("plane": {}, "material": "road")", R"("plane": {}, "material": "leaf")"),
-                        R"("brick": {)",
-                        R"("leaf": {"reflectance": 0.4, "transmittance": 0.4, "temperature": "solved"}, "brick": {)"),
-               "the temperature of 'leaf' cannot be solved: light goes through it");
+  expect_error(
+      replaced(replaced(good, R"("plane": {}, "material": "road")", R"("plane": {}, "material": "bare")"),
+               R"("brick": {)", R"("bare": {"emissivity": 0.9, "temperature": "solved"}, "brick": {)"),
+      "the temperature of 'bare' is to be solved, and it has neither \"thermal\" nor a reflectance");
+  expect_error(
+      replaced(replaced(good, R"("plane": {}, "material": "road")", R"("plane": {}, "material": "leaf")"),
+               R"("brick": {)",
+               R"("leaf": {"reflectance": 0.4, "transmittance": 0.4, "temperature": "solved"}, "brick": {)"),
+      "the temperature of 'leaf' cannot be solved: light goes through it");
 }
 
 TEST(SolvedTemperatures, RefuseAnAccuracyThatTheyDoNotHave) {
   const WeatherFile weather;
-  expect_error(text_of(weather, "15:00", kPole, "0.01 K"),
-               "an accuracy of 0.01 K is asked for, and temperatures that are solved may themselves be off by");
+  expect_error(
+      text_of(weather, "15:00", kPole, "0.01 K"),
+      "an accuracy of 0.01 K is asked for, and temperatures that are solved may themselves be off by");
 }
 
 }  // namespace

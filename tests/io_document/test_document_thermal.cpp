@@ -106,9 +106,11 @@ TEST(DocumentThermal, GivenAndSolvedIsOneTooMany) {
 }
 
 TEST(DocumentThermal, SolvedIsATemperature) {
-  const char* const layers = "\"thermal\": {\"layers\": [{\"thickness\": \"1 m\", \"library\": \"dry soil\"}]}";
+  const char* const layers =
+      "\"thermal\": {\"layers\": [{\"thickness\": \"1 m\", \"library\": \"dry soil\"}]}";
   const Document document = parse_document(
-      test::document_with(kSoil, format("\"soil\": {{\"reflectance\": 0.25, \"temperature\": \"solved\", {}}}", layers)),
+      test::document_with(
+          kSoil, format("\"soil\": {{\"reflectance\": 0.25, \"temperature\": \"solved\", {}}}", layers)),
       "folder/a.json");
   int solved = 0;
   for (const MaterialDocument& material : document.scene.materials)

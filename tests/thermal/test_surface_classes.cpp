@@ -23,8 +23,8 @@ OutdoorsSeries afternoon() {
   return series;
 }
 
-double full_k(const Solid& solid, const OutdoorsSeries& series, double tilt_deg, double azimuth_deg, double free_sky,
-              const std::vector<double>& visibility) {
+double full_k(const Solid& solid, const OutdoorsSeries& series, double tilt_deg, double azimuth_deg,
+              double free_sky, const std::vector<double>& visibility) {
   Stand stand;
   stand.tilt_rad = tilt_deg * kDegree;
   stand.azimuth_rad = azimuth_deg * kDegree;
@@ -35,9 +35,19 @@ double full_k(const Solid& solid, const OutdoorsSeries& series, double tilt_deg,
 double class_k(const SurfaceClasses& classes, math::Vec3 normal, double free_sky,
                const std::vector<double>& visibility) {
   std::vector<double> weight_k(classes.sunlit_rows());
-  double sum_k = classes.shaded_k(normal, free_sky, weight_k);
-  for (std::size_t k = 0; k < weight_k.size(); ++k) sum_k += weight_k[k] * visibility[classes.row_of_series(k)];
-  return sum_k;
+  const double shaded_k = classes.shaded_k(normal, free_sky, weight_k);
+  std::vector<std::size_t> rows(weight_k.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = k;
+  std::vector<double> bend(rows.size());
+  classes.bends(normal, rows, bend);
+  double all_k = 0.0, lit_k = 0.0, bent_k = 0.0;
+  for (const std::size_t k : rows) {
+    const double part_k = weight_k[k] * visibility[classes.row_of_series(k)];
+    all_k += weight_k[k];
+    lit_k += part_k;
+    bent_k += bend[k] * part_k;
+  }
+  return shaded_k + lit_k + 0.5 * (lit_k / all_k - 1.0) * bent_k;
 }
 
 TEST(SurfaceClasses, AreTheWholeSolutionInFullSunAndInTheShade) {

@@ -55,9 +55,10 @@ ThermalMaterial thermal_of(const io::Document& document, const io::MaterialDocum
     return std::move(*thermal);
   throw io::document_error(
       document.sources, source.position,
-      format("the temperature of '{}' is to be solved, and it has neither \"thermal\" nor a reflectance of the "
-             "library, of which it is known what it stands on",
-             source.name));
+      format(
+          "the temperature of '{}' is to be solved, and it has neither \"thermal\" nor a reflectance of the "
+          "library, of which it is known what it stands on",
+          source.name));
 }
 
 /// The Sun of the image is the one that warmed the scene, unless the document has put it elsewhere.
@@ -91,7 +92,8 @@ double full_solution_k(const Solved& solved, const thermal::OutdoorsSeries& seri
 }
 
 /// By what a level surface in the open is off by the length of steps: twice as long ones make four times the error.
-double step_error_k(const Solved& solved, const thermal::OutdoorsSeries& series, const thermal::Stand& stand) {
+double step_error_k(const Solved& solved, const thermal::OutdoorsSeries& series,
+                    const thermal::Stand& stand) {
   thermal::OutdoorsSeries every_other = series;
   every_other.step_s *= 2.0;
   every_other.rows.clear();
@@ -143,8 +145,7 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
     solved.thermal =
         thermal_of(document, document.scene.materials[material], scene, material, about.mean_air_k);
     solved.classes = std::make_shared<const thermal::SurfaceClasses>(
-        series,
-        thermal::ClassSurface{solved.thermal.solid, solved.thermal.skin, stand, solved.thermal.start},
+        series, thermal::ClassSurface{solved.thermal.solid, solved.thermal.skin, stand, solved.thermal.start},
         threads);
     scene.solved[material] =
         std::make_shared<const exposure::SolvedSurface>(solved.classes, *scene.world, kSunRadius_rad);
@@ -175,9 +176,9 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
     const Solved& solved = by_material.at(point.material);
     const exposure::SolvedSurface surface(solved.classes, *scene.world, kSunRadius_rad);
     const auto exposure = surface.exposure(*point.at, static_cast<std::uint64_t>(k), kSkyPairs, 1);
-    point.off_k =
-        surface.temperature_k(*point.at, exposure) -
-        full_solution_k(solved, series, stand, exposure::ExposedPoint(*scene.world, *point.at).normal(), exposure);
+    point.off_k = surface.temperature_k(*point.at, exposure) -
+                  full_solution_k(solved, series, stand,
+                                  exposure::ExposedPoint(*scene.world, *point.at).normal(), exposure);
   });
   errors.points = static_cast<int>(points.size());
   for (const Point& point : points) {

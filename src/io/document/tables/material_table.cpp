@@ -86,17 +86,17 @@ SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type
       .one("reflectance", store(false), curves(SpectrumOf::reflectance),
            "spectral reflectance, or several curves for a texture to pick from")
       .one("emissivity", store(true), curves(SpectrumOf::emissivity), "spectral emissivity, likewise")
-      .optional("temperature", &MaterialDocument::temperature, temperature_type(),
-                "\"solved\": from `weather` and `thermal`; without one, here or on the object, a surface emits nothing")
       .optional(
-          "thermal",
-          via(
-              [](MaterialDocument& m, ThermalDocument thermal) {
-                m.thermal = std::make_shared<const ThermalDocument>(std::move(thermal));
-              },
-              [](const MaterialDocument& m) { return m.thermal.get(); }),
-          thermal_type(),
-          "what its temperature follows from, where that is \"solved\" and for `ifov temperature`")
+          "temperature", &MaterialDocument::temperature, temperature_type(),
+          "\"solved\": from `weather` and `thermal`; without one, here or on the object, a surface emits nothing")
+      .optional("thermal",
+                via(
+                    [](MaterialDocument& m, ThermalDocument thermal) {
+                      m.thermal = std::make_shared<const ThermalDocument>(std::move(thermal));
+                    },
+                    [](const MaterialDocument& m) { return m.thermal.get(); }),
+                thermal_type(),
+                "what its temperature follows from, where that is \"solved\" and for `ifov temperature`")
       .optional(
           "emitter", &MaterialDocument::emitter, boolean(),
           "whether the light that it emits is sought from other surfaces; absent: where it is twice as bright as the scene; false leaves it to "
