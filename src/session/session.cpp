@@ -29,7 +29,7 @@
 #include "session/plausibility/light_warnings.h"
 #include "session/plausibility/plausibility.h"
 #include "session/response_assembly.h"
-#include "session/temperatures/solved_temperatures.h"
+#include "session/solved/solved_temperatures.h"
 
 namespace ifov::session {
 

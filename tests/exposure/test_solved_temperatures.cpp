@@ -22,7 +22,7 @@
 #include "session/assembly/surfaces/thermal_assembly.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
-#include "session/temperatures/document_outdoors.h"
+#include "session/solved/document_outdoors.h"
 #include "session/temperatures/temperature_survey.h"
 #include "transport/spectral_scene.h"
 

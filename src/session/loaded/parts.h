@@ -14,7 +14,7 @@
 #include "scene/scene.h"
 #include "session/assembly/geometry/placed_objects.h"
 #include "session/assembly/whole/sampling_assembly.h"
-#include "session/temperatures/solved_temperatures.h"
+#include "session/loaded/temperature_errors.h"
 
 namespace ifov::atmosphere {
 class ImportedAtmosphere;

@@ -14,7 +14,7 @@
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/surfaces/thermal_assembly.h"
 #include "session/one_material.h"
-#include "session/temperatures/document_outdoors.h"
+#include "session/solved/document_outdoors.h"
 #include "thermal/outdoors_series.h"
 
 namespace ifov::session {

@@ -1,4 +1,4 @@
-#include "session/temperatures/solved_temperatures.h"
+#include "session/solved/solved_temperatures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/surfaces/thermal_assembly.h"
 #include "session/loaded/parts.h"
-#include "session/temperatures/document_outdoors.h"
+#include "session/solved/document_outdoors.h"
 
 namespace ifov::session {
 namespace {
@@ -108,15 +108,6 @@ double step_error_k(const Solved& solved, const thermal::OutdoorsSeries& series,
 }
 
 }  // namespace
-
-double TemperatureErrors::half_width_k() const { return 2.0 * std::hypot(rms_k, step_k); }
-
-std::string TemperatureErrors::statement() const {
-  return format(
-      "solved temperatures: at {} points that the camera sees, each solved in full by itself, off by {:.2f} K "
-      "(root mean square), {:.2f} K at worst, {:+.3f} K on average; steps of time {:.3f} K",
-      points, rms_k, worst_k, bias_k, step_k);
-}
 
 std::optional<TemperatureErrors> solve_temperatures(const io::Document& document,
                                                     const atmosphere::WeatherSeries* weather,

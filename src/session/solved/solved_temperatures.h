@@ -1,11 +1,10 @@
 #pragma once
 
-#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/run_control.h"
+#include "session/loaded/temperature_errors.h"
 
 namespace ifov::atmosphere {
 class WeatherSeries;
@@ -23,19 +22,6 @@ struct Scene;
 namespace ifov::session {
 
 struct Parts;
-
-/// What solved temperatures may be off by, beside what rays into the past do not tell: measured at points that the camera
-/// sees, each solved in full by itself against what its class makes of the same exposure. Kelvins.
-struct TemperatureErrors {
-  int points = 0;
-  double bias_k = 0.0, rms_k = 0.0, worst_k = 0.0;
-  double step_k = 0.0;  ///< of the steps of time, by those of twice the length
-  std::string weather;  ///< by which they are solved, and what stood in for what it does not tell
-
-  /// Half-width of about 95 %: twice the root of the sum of squares.
-  double half_width_k() const;
-  std::string statement() const;
-};
 
 /// Solves for the temperature of every material whose document asks for it (`"temperature": "solved"`) under its weather,
 /// and gives it to the scene; then measures what that may be off by at some of `seen`. Nothing where nobody asks. InputError,

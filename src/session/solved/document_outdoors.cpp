@@ -1,4 +1,4 @@
-#include "session/temperatures/document_outdoors.h"
+#include "session/solved/document_outdoors.h"
 
 #include <cmath>
 
