@@ -15,6 +15,7 @@
 #include "scene/scene.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/surfaces/thermal_assembly.h"
+#include "session/assembly/whole/camera_grid.h"
 #include "session/loaded/parts.h"
 #include "session/solved/document_outdoors.h"
 
@@ -22,6 +23,7 @@ namespace ifov::session {
 namespace {
 
 constexpr double kSunRadius_rad = 0.00465;  // at 1 au, of 6.957e8 m
+constexpr int kAcross = 24;                 // rays along each side of the image
 constexpr std::size_t kMeasured = 64;
 constexpr int kSkyPairs = 128;
 
@@ -111,8 +113,8 @@ double step_error_k(const Solved& solved, const thermal::OutdoorsSeries& series,
 
 std::optional<TemperatureErrors> solve_temperatures(const io::Document& document,
                                                     const atmosphere::WeatherSeries* weather,
-                                                    const std::vector<geometry::SurfacePoint>& seen,
-                                                    scene::Scene& scene, int threads, LogSink* log) {
+                                                    const sensor::Camera& camera, scene::Scene& scene,
+                                                    int threads, LogSink* log) {
   std::map<std::uint32_t, Solved> by_material;
   for (const scene::SurfaceState& state : scene.states)
     if (state.solved > 0) by_material[state.solved - 1];
@@ -150,6 +152,7 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
     std::uint32_t material;
     double off_k = 0.0;
   };
+  const std::vector<geometry::SurfacePoint> seen = hits_of_camera(*scene.world, camera, kAcross);
   std::vector<Point> points;
   for (const geometry::SurfacePoint& point : seen) {
     if (!point.hit()) continue;

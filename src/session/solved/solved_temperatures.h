@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "core/run_control.h"
 #include "session/loaded/temperature_errors.h"
@@ -9,14 +8,14 @@
 namespace ifov::atmosphere {
 class WeatherSeries;
 }
-namespace ifov::geometry {
-struct SurfacePoint;
-}
 namespace ifov::io {
 struct Document;
 }
 namespace ifov::scene {
 struct Scene;
+}
+namespace ifov::sensor {
+class Camera;
 }
 
 namespace ifov::session {
@@ -24,12 +23,12 @@ namespace ifov::session {
 struct Parts;
 
 /// Solves for the temperature of every material whose document asks for it (`"temperature": "solved"`) under its weather,
-/// and gives it to the scene; then measures what that may be off by at some of `seen`. Nothing where nobody asks. InputError,
+/// and gives it to the scene; then measures what that may be off by at points that the camera sees. Nothing where nobody asks. InputError,
 /// located: what is missing (a time, weather, a place, what a material stands on). `weather` may be null.
 std::optional<TemperatureErrors> solve_temperatures(const io::Document& document,
                                                     const atmosphere::WeatherSeries* weather,
-                                                    const std::vector<geometry::SurfacePoint>& seen,
-                                                    scene::Scene& scene, int threads, LogSink* log);
+                                                    const sensor::Camera& camera, scene::Scene& scene,
+                                                    int threads, LogSink* log);
 
 /// Puts what solved temperatures may be off by into the half-widths of the channels. InputError where an accuracy in kelvins is
 /// asked for that is finer than that.
