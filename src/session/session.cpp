@@ -144,7 +144,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
     for (render::AtmosphereHalfWidth& air : p.air) air.model_counted = 1.0;
   if (p.polarimetry) render::pass_optics(*p.polarimetry, p.air);
   if (!p.atmosphere) p.node_errors = render::node_half_widths(*p.spectral_scene);
-  with_position(document.sources, document.sensor.position, [&] { count_temperature_errors(p); });
+  with_position(document.sources, document.sensor.position, [&] { count_temperature_errors(p, *log); });
   p.make_tolerance();
   warn_of_atmosphere_errors(p, *log);
   p.info = image_info(document.scene.origin, *p.camera, p.channels, p.scene, p.map_offset_m);

@@ -26,6 +26,7 @@ constexpr double kSunRadius_rad = 0.00465;  // at 1 au, of 6.957e8 m
 constexpr int kAcross = 24;                 // rays along each side of the image
 constexpr std::size_t kMeasured = 64;
 constexpr int kSkyPairs = 128;
+constexpr double kWarm_um = 3.0;  // surfaces emit beyond it
 
 /// Where the document first asks for a solved temperature.
 SourcePosition asked_at(const io::Document& document) {
@@ -188,7 +189,7 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
   return errors;
 }
 
-void count_temperature_errors(Parts& parts) {
+void count_temperature_errors(Parts& parts, LogSink& log) {
   if (!parts.temperature_errors) return;
   const double half_width_k = parts.temperature_errors->half_width_k();
   const render::AccuracyRequest* request = parts.plan.request ? &*parts.plan.request : nullptr;
@@ -205,8 +206,18 @@ void count_temperature_errors(Parts& parts) {
   parts.nodes->planck_channels(middle_k - 0.5, cooler);
   parts.nodes->planck_channels(middle_k + 0.5, warmer);
   parts.node_errors.resize(channels);
-  for (std::size_t c = 0; c < channels; ++c)
-    parts.node_errors[c].emitted = half_width_k * (warmer[c] - cooler[c]);
+  bool too_fine = false;
+  for (std::size_t c = 0; c < channels; ++c) {
+    const double emitted = half_width_k * (warmer[c] - cooler[c]);
+    parts.node_errors[c].emitted = emitted;
+    too_fine = too_fine || (request != nullptr && request->unit == render::ErrorUnit::percent &&
+                            parts.channels[c].centre_um > kWarm_um &&
+                            emitted > request->error * 0.5 * (cooler[c] + warmer[c]));
+  }
+  if (too_fine)
+    log.warn(format(
+        "temperatures that are solved may be off by {:.2f} K, which is more than the {:g} % that are asked for: {}",
+        half_width_k, 100.0 * request->error, parts.temperature_errors->statement()));
 }
 
 }  // namespace ifov::session

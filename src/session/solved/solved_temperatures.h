@@ -31,7 +31,7 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
                                                     int threads, LogSink* log);
 
 /// Puts what solved temperatures may be off by into the half-widths of the channels. InputError where an accuracy in kelvins is
-/// asked for that is finer than that.
-void count_temperature_errors(Parts& parts);
+/// asked for that is finer than that; a warning where one in per cent is.
+void count_temperature_errors(Parts& parts, LogSink& log);
 
 }  // namespace ifov::session
