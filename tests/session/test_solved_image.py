@@ -80,7 +80,7 @@ class SolvedImage(unittest.TestCase):
 
     def test_weather_is_needed(self):
         said, _ = self.render(1, {key: value for key, value in DOCUMENT.items() if key != "weather"})
-        self.assertEqual(said.returncode, 2, said.stderr)
+        self.assertEqual(said.returncode, 1, said.stderr)
         self.assertIn('a temperature that is solved needs "weather"', said.stderr)
         self.assertRegex(said.stderr, r"scene\.json:\d+:\d+: ")
 
