@@ -41,6 +41,10 @@ _BANDS: dict[str, list[tuple[str, str, str]]] = {
         ("view_zenith", "zenith angle of the direction to the sensor", "degree"),
         ("view_azimuth", "azimuth of the direction to the sensor, clockwise from north", "degree"),
     ],
+    "temperature": [
+        ("temperature", "temperature of what the middle of the pixel sees", "K"),
+        ("temperature_deviation", "standard deviation of that, where it is estimated", "K"),
+    ],
 }
 #: Of variables in a dataset; others come behind.
 _ORDER = ("radiance", "standard_error", "half_width", "abundance", "quality", "samples", "reasons", "quality_class")

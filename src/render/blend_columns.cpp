@@ -37,7 +37,7 @@ void BlendColumns::write_shares(const geometry::SurfacePoint& hit, float* column
   float* shares = columns + channels_;
   std::fill(shares, shares + count(), 0.0f);
   if (!hit.hit() || !mixes(hit.material)) return;
-  for (const scene::Constituent& c : scene_.resolve(hit))
+  for (const scene::Constituent& c : scene_.resolve_without_temperature(hit))
     shares[column_of_material_[c.material]] += static_cast<float>(c.weight);
 }
 

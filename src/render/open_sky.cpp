@@ -42,7 +42,7 @@ std::vector<float> open_sky_shares(const transport::SpectralScene& scene, const 
     const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
     if (outward.z < kFacesDown) continue;
     const sampling::TangentFrame frame(outward);
-    const std::uint32_t material = scene.scene().resolve(hit).constituents[0].material;
+    const std::uint32_t material = scene.scene().resolve_without_temperature(hit).constituents[0].material;
     for (std::uint32_t d = 0; d < kDirections; ++d) {
       // One sequence for all places: each has its own part of it.
       const sampling::Point2 u = sampling::halton_point(static_cast<std::uint32_t>(k) * kDirections + d);

@@ -138,7 +138,7 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
     SurfaceLabel label;
     label.material = SurfaceLabel::kSky;
     if (hit.hit()) {
-      const scene::ResolvedSurface surface = scene.resolve(hit);
+      const scene::ResolvedSurface surface = scene.resolve_without_temperature(hit);
       const std::uint32_t material = blends_.mixes(hit.material)
                                          ? SurfaceLabel::kBlend
                                          : truth_.of_material[surface.constituents[0].material];
@@ -148,7 +148,7 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
     if (lit.hit()) {
       if (detail == LabelDetail::sun_state && !disc_points_.empty()) {
         bool transmits = false;
-        if (shows_sunlight(scene.resolve(lit), transmits)) {
+        if (shows_sunlight(scene.resolve_without_temperature(lit), transmits)) {
           // A leaf may be lit from behind.
           const math::Vec3 normal = lit.geometric_normal.as_vector();
           const bool behind = math::dot(scene.sun->direction, normal) < 0.0;

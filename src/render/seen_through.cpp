@@ -30,7 +30,7 @@ SeenThrough::Way SeenThrough::turn(math::Ray& ray, const geometry::SurfacePoint&
                                    bool only_straight) const {
   const bool mirrors = !only_straight && !mirrors_.empty() && mirrors_[hit.material];
   if (!passages_ && !mirrors) return Way::none;
-  const scene::ResolvedSurface surface = scene_.scene().resolve(hit);
+  const scene::ResolvedSurface surface = scene_.scene().resolve_without_temperature(hit);
   materials::BsdfEvent view = transport::delta_view(-ray.direction, hit, surface);
   for (const scene::Constituent& part : surface) {
     const materials::NodeBsdf* model = scene_.materials().directional(part.material);
@@ -94,7 +94,8 @@ void SeenThrough::follow(std::span<math::Ray> rays, std::span<geometry::SurfaceP
       hits[k] = hits_[j];
       std::uint64_t met = 1;
       if (hits[k].hit()) {
-        const std::uint32_t material = scene_.scene().resolve(hits[k]).constituents[0].material;
+        const std::uint32_t material =
+            scene_.scene().resolve_without_temperature(hits[k]).constituents[0].material;
         met = sampling::hash(hits[k].instance, hits[k].patch, material, hits[k].front ? 3u : 2u);
         going_.push_back(k);
       }
@@ -112,7 +113,8 @@ std::uint64_t SeenThrough::passed(math::Ray ray, sampling::RayCounts& counts) {
     ++counts.shadow;
     if (!hit.hit()) return state;
     if (turn(ray, hit, true) == Way::none) return 0;
-    state = sampling::hash(state, scene_.scene().resolve(hit).constituents[0].material) | 1;
+    state =
+        sampling::hash(state, scene_.scene().resolve_without_temperature(hit).constituents[0].material) | 1;
   }
   return 0;
 }

@@ -14,6 +14,7 @@ struct Constituent {
   std::uint32_t material;       ///< that state's material
   double weight;                ///< share of the area, above 0
   double mapped_temperature_k;  ///< where above 0 it replaces the state's own
+  double deviation_k = 0.0;     ///< standard deviation of that where it is estimated by chance
 };
 
 /// What a surface is at a point. Reflected, transmitted and emitted light are those of the constituents side by

@@ -8,6 +8,7 @@
 #include "materials/bsdf/narrow_lobes.h"
 #include "materials/draped_map.h"
 #include "scene/lamp.h"
+#include "scene/solved_temperature.h"
 
 namespace ifov::scene {
 
@@ -77,7 +78,27 @@ std::vector<bool> Scene::lobe_assignments() const {
       *this, [&](std::uint32_t material) { return materials::has_narrow_lobe(*materials[material].bsdf); });
 }
 
-ResolvedSurface Scene::resolve(const geometry::SurfacePoint& point) const {
+ResolvedSurface Scene::resolve(const geometry::SurfacePoint& point, std::uint64_t draw) const {
+  ResolvedSurface surface = resolve_without_temperature(point);
+  if (!solved.empty()) solve(point, draw, surface);
+  return surface;
+}
+
+void Scene::solve(const geometry::SurfacePoint& point, std::uint64_t draw, ResolvedSurface& surface) const {
+  std::uint32_t known = 0;
+  EstimatedTemperature estimate;
+  for (std::size_t k = 0; k < surface.count; ++k) {
+    Constituent& part = surface.constituents[k];
+    const std::uint32_t by = states[part.state].solved;
+    if (by == 0) continue;
+    if (by != known) estimate = solved[by - 1]->at(point, draw);
+    known = by;
+    part.mapped_temperature_k = estimate.kelvin;
+    part.deviation_k = estimate.deviation_k;
+  }
+}
+
+ResolvedSurface Scene::resolve_without_temperature(const geometry::SurfacePoint& point) const {
   if ((point.copy_column | point.copy_row) == 0) return resolve_own(point);
   // Maps lie on the cell and repeat with it.
   const geometry::World::Period period = world->period().value_or(geometry::World::Period{});
@@ -101,6 +122,7 @@ ResolvedSurface Scene::resolve_own(const geometry::SurfacePoint& point) const {
   only.material = states[only.state].material;
   only.weight = 1.0;
   only.mapped_temperature_k = 0.0;
+  only.deviation_k = 0.0;
   if (const materials::TemperatureMap* map = assignment.temperature_map(index, behind))
     only.mapped_temperature_k = map->at_k(position);
   for (const auto& pattern : assignment.patterns) pattern->apply(point, surface);

@@ -49,6 +49,7 @@ struct ViewPath {
 };
 
 struct Lamp;
+class SolvedTemperature;
 class SurfaceCutOut;
 
 /// A material at a temperature; 0 K emits nothing.
@@ -56,6 +57,8 @@ struct SurfaceState {
   std::uint32_t material = 0;
   double temperature_k = 0.0;
   std::uint32_t lamp = 0;  ///< 1 + index into Scene::lamps, whose light it gives off as well; 0: none
+  /// 1 + index into Scene::solved, which tells its temperature from point to point; 0: none does.
+  std::uint32_t solved = 0;
   friend bool operator==(const SurfaceState&, const SurfaceState&) = default;
 };
 
@@ -123,13 +126,17 @@ struct Scene {
   std::vector<SurfaceState> states;
   std::vector<SurfaceAssignment> assignments;
   std::vector<Lamp> lamps;
+  std::vector<std::shared_ptr<const SolvedTemperature>> solved;  ///< null where no state has it
   std::optional<Sun> sun;
   Sky sky;
   /// An open, level plain of this state, met by rays that leave below the horizon.
   SurfaceState surroundings;
   ViewPath view_path;
 
-  ResolvedSurface resolve(const geometry::SurfacePoint& point) const;
+  /// `draw`: by whose chance solved temperatures are estimated (SolvedTemperature::at).
+  ResolvedSurface resolve(const geometry::SurfacePoint& point, std::uint64_t draw = 0) const;
+  /// The same where nobody asks for temperatures: solved ones, which take rays, are not there.
+  ResolvedSurface resolve_without_temperature(const geometry::SurfacePoint& point) const;
   /// By surface assignment: whether any of its materials is a mirror. Empty where none is.
   std::vector<bool> mirror_assignments() const;
   /// The same of materials whose lobe is narrow (has_narrow_lobe).
@@ -140,7 +147,7 @@ struct Scene {
   std::optional<TemperatureRange> temperatures() const;
   /// Whether every surface emits, what lies around the scene included.
   bool all_emit() const;
-  /// Of those the ones that differ from point to point: of maps and patterns.
+  /// Of those the ones that differ from point to point: solved ones, of maps and of patterns.
   std::optional<TemperatureRange> mapped_temperatures() const;
   /// The lamp of a state; null: none.
   const Lamp* lamp_of(std::uint32_t state) const;
@@ -149,6 +156,7 @@ struct Scene {
 
  private:
   ResolvedSurface resolve_own(const geometry::SurfacePoint& point) const;
+  void solve(const geometry::SurfacePoint& point, std::uint64_t draw, ResolvedSurface& surface) const;
 };
 
 /// The materials that truth tells apart: all but those that are further curves of another (Material::curve_of), which

@@ -3,6 +3,7 @@
 
 #include "materials/draped_map.h"
 #include "scene/scene.h"
+#include "scene/solved_temperature.h"
 
 namespace ifov::scene {
 namespace {
@@ -27,6 +28,8 @@ std::optional<TemperatureRange> Scene::mapped_temperatures() const {
       if (const auto of_pattern = pattern->temperatures())
         include(range, of_pattern->coldest_k, of_pattern->hottest_k);
   }
+  for (const auto& one : solved)
+    if (one) include(range, one->coldest_k(), one->hottest_k());
   return range;
 }
 
@@ -40,7 +43,7 @@ std::optional<TemperatureRange> Scene::temperatures() const {
 }
 
 bool Scene::emits(std::uint32_t state) const {
-  if (states[state].temperature_k > 0.0 || states[state].lamp > 0) return true;
+  if (states[state].temperature_k > 0.0 || states[state].lamp > 0 || states[state].solved > 0) return true;
   const std::uint32_t material = states[state].material;
   return std::any_of(assignments.begin(), assignments.end(), [&](const SurfaceAssignment& assignment) {
     for (std::size_t k = 0; k < assignment.states.size(); ++k) {
@@ -59,7 +62,8 @@ bool Scene::emits(std::uint32_t state) const {
 bool Scene::all_emit() const {
   if (!(surroundings.temperature_k > 0.0)) return false;
   for (std::uint32_t state = 0; state < states.size(); ++state)
-    if ((!emits(state) || (states[state].lamp > 0 && !(states[state].temperature_k > 0.0))) &&
+    if ((!emits(state) ||
+         (states[state].lamp > 0 && !(states[state].temperature_k > 0.0 || states[state].solved > 0))) &&
         !materials[states[state].material].curve_of)
       return false;
   return true;

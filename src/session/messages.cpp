@@ -138,6 +138,10 @@ std::vector<std::string> notes(const Parts& parts) {
   else if (!parts.document.light.surroundings)
     lines.push_back("surroundings: black at 0 K (none declared) for rays that leave below the horizon");
   if (!parts.ground_in_air.empty()) lines.push_back(parts.ground_in_air);
+  if (parts.temperature_errors) {
+    lines.push_back("solved temperatures: " + parts.temperature_errors->weather);
+    lines.push_back(parts.temperature_errors->statement());
+  }
   return lines;
 }
 

@@ -28,10 +28,14 @@
 #include "session/plausibility/light_warnings.h"
 #include "session/plausibility/plausibility.h"
 #include "session/response_assembly.h"
+#include "session/solved/solved_temperatures.h"
 
 namespace ifov::session {
 
 namespace {
+
+constexpr int kTemperaturesAcross =
+    24;  // rays along each side of the image, to points whose error is measured
 
 void warn_of_former_keys(const io::Document& document, LogSink& log) {
   for (const io::FormerKey& key : document.former_keys)
@@ -107,6 +111,9 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   p.plan = assemble_sampling(document.sources, document.sampling, document.sensor, p.channels);
   check_image_size(document.sources, document.sampling,
                    static_cast<std::int64_t>(p.camera->width_px()) * p.camera->height_px());
+  if (!p.scene.solved.empty())
+    p.temperature_errors =
+        solve_temperatures(document, p.weather.get(), *p.camera, p.scene, options.threads, log);
   p.assumed_surroundings =
       assume_surroundings(document.light, document.atmosphere, *p.camera, p.scene).value_or("");
   if (!p.assumed_surroundings.empty()) log->info(p.assumed_surroundings);
@@ -137,6 +144,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
     for (render::AtmosphereHalfWidth& air : p.air) air.model_counted = 1.0;
   if (p.polarimetry) render::pass_optics(*p.polarimetry, p.air);
   if (!p.atmosphere) p.node_errors = render::node_half_widths(*p.spectral_scene);
+  with_position(document.sources, document.sensor.position, [&] { count_temperature_errors(p, *log); });
   p.make_tolerance();
   warn_of_atmosphere_errors(p, *log);
   p.info = image_info(document.scene.origin, *p.camera, p.channels, p.scene, p.map_offset_m);

@@ -36,7 +36,7 @@ SurfaceBalance::SurfaceBalance(const OutdoorsSeries& series, const Skin& skin, c
 SurfaceBalance::Row SurfaceBalance::row_of(const OutdoorsSeries& series, const Stand& stand,
                                            std::size_t index, double visibility) {
   const Outdoors& now = series.rows[index];
-  const double sky_view = 0.5 * (1.0 + cos_tilt_), ground_view = 1.0 - sky_view;
+  const double sky_view = stand.free_sky * 0.5 * (1.0 + cos_tilt_), ground_view = 1.0 - sky_view;
   const double on_ground =
       now.diffuse_w_m2 + now.direct_w_m2 * std::max(0.0, std::sin(now.sun_elevation_rad));
   full_sun_.push_back(skin_.solar_absorptance * now.direct_w_m2 * cos_incidence(now, stand));

@@ -44,6 +44,8 @@ struct Stand {
   double height_m = 0.0;     ///< above ground
   Terrain terrain = Terrain::open;
   double ground_reflectance = 0.2;
+  /// Of the sky above the surface's horizon, weighed as the surface sees it, 0 to 1; what hides the rest is taken to be as the ground.
+  double free_sky = 1.0;
 };
 
 /// Where the heat comes from and goes, W m-2, positive where the surface gains it.

@@ -11,6 +11,7 @@
 #include "materials/bsdf/bsdf.h"
 #include "materials/draped_map.h"
 #include "scene/scene.h"
+#include "scene/solved_temperature.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::transport {
@@ -60,6 +61,13 @@ std::vector<double> EmitterChoice::channels(const float* nodes) const {
 void EmitterChoice::list_surfaces() {
   const scene::Scene& scene = scene_.scene();
   std::vector<float> spectrum(scene_.node_count());
+  const auto range_of = [&](const scene::SurfaceState& state, const materials::TemperatureMap* map) {
+    if (state.solved > 0)
+      return scene::TemperatureRange{scene.solved[state.solved - 1]->coldest_k(),
+                                     scene.solved[state.solved - 1]->hottest_k()};
+    return map != nullptr ? scene::TemperatureRange{map->minimum_k(), map->maximum_k()}
+                          : scene::TemperatureRange{state.temperature_k, state.temperature_k};
+  };
   const auto add = [&](std::uint32_t assignment, std::uint32_t material, double coldest_k, double hottest_k,
                        const float* lamp = nullptr, bool patterned = false) {
     Surface surface;
@@ -91,8 +99,7 @@ void EmitterChoice::list_surfaces() {
       const auto* map = assignment.temperature_map(k, false);
       const float* lamp = scene_.lamp_radiance(assignment.states[k]);
       const bool patterned = scene_.lamp_pattern(assignment.states[k]) != nullptr;
-      const double coldest_k = map != nullptr ? map->minimum_k() : state.temperature_k;
-      const double hottest_k = map != nullptr ? map->maximum_k() : state.temperature_k;
+      const auto [coldest_k, hottest_k] = range_of(state, map);
       add(c, state.material, coldest_k, hottest_k, lamp, patterned);
       for (const auto& pattern : assignment.patterns)
         for (const std::uint32_t other : pattern->replacing(assignment.states[k]))
@@ -100,8 +107,7 @@ void EmitterChoice::list_surfaces() {
       if (assignment.back_states.empty() || assignment.back_states[k] == assignment.states[k]) continue;
       const scene::SurfaceState& back = scene.states[assignment.back_states[k]];
       const auto* back_map = assignment.temperature_map(k, true);
-      const double back_coldest_k = back_map != nullptr ? back_map->minimum_k() : back.temperature_k;
-      const double back_hottest_k = back_map != nullptr ? back_map->maximum_k() : back.temperature_k;
+      const auto [back_coldest_k, back_hottest_k] = range_of(back, back_map);
       add(c, back.material, back_coldest_k, back_hottest_k);
       for (const auto& pattern : assignment.patterns)
         for (const std::uint32_t other : pattern->replacing(assignment.back_states[k]))

@@ -223,10 +223,14 @@ void SpectralScene::emit_surfaces() {
           materials_.directional(scene_.states[s].material) != nullptr)
         nodes_.planck(scene_.states[s].temperature_k, black_.values(s));
   }
-  constexpr double kBeyond_k = 0.5;  // beyond what maps hold, so that the table's ends are not met
-  if (const std::optional<scene::TemperatureRange> range = scene_.mapped_temperatures())
+  constexpr double kBeyond_k = 0.5;     // beyond what maps hold, so that the table's ends are not met
+  constexpr double kDeviations = 0.25;  // of solved temperatures, over their range
+  if (const std::optional<scene::TemperatureRange> range = scene_.mapped_temperatures()) {
+    const double beyond_k =
+        kBeyond_k + (scene_.solved.empty() ? 0.0 : kDeviations * (range->hottest_k - range->coldest_k));
     planck_ = std::make_unique<radiometry::PlanckTable>(
-        nodes_, std::max(0.5 * range->coldest_k, range->coldest_k - kBeyond_k), range->hottest_k + kBeyond_k);
+        nodes_, std::max(0.5 * range->coldest_k, range->coldest_k - beyond_k), range->hottest_k + beyond_k);
+  }
   light_lamps();
 }
 
@@ -246,9 +250,22 @@ const float* SpectralScene::absorption(std::uint32_t material) const {
   return model == nullptr ? nullptr : model->absorption();
 }
 
+void SpectralScene::mapped_black(const scene::Constituent& constituent, float* spectrum) const {
+  const double middle_k = constituent.mapped_temperature_k, deviation_k = constituent.deviation_k;
+  planck_->row(middle_k, spectrum);
+  if (!(deviation_k > 0.0)) return;
+  // Planck's law bends: the mean over estimates T + d is B(T) + B'' sigma^2 / 2, of which the second part is taken away.
+  static thread_local radiometry::SpectrumBlock sides;
+  if (sides.rows() != 2 || sides.stride() != stride()) sides.resize(2, node_count());
+  float *below = sides.row(0), *above = sides.row(1);
+  planck_->row(middle_k - deviation_k, below);
+  planck_->row(middle_k + deviation_k, above);
+  for (std::size_t n = 0; n < stride(); ++n) spectrum[n] = 2.0f * spectrum[n] - 0.5f * (below[n] + above[n]);
+}
+
 const float* SpectralScene::black(const scene::Constituent& constituent, float* scratch) const {
   if (constituent.mapped_temperature_k > 0.0) {
-    planck_->row(constituent.mapped_temperature_k, scratch);
+    mapped_black(constituent, scratch);
     return scratch;
   }
   return scene_.states[constituent.state].temperature_k > 0.0 ? black_.row(constituent.state) : nullptr;
@@ -287,7 +304,7 @@ const float* SpectralScene::emission(const scene::Constituent& constituent, doub
 
 bool SpectralScene::black_body(const scene::Constituent& constituent, float* spectrum) const {
   if (constituent.mapped_temperature_k > 0.0) {
-    planck_->row(constituent.mapped_temperature_k, spectrum);
+    mapped_black(constituent, spectrum);
     return true;
   }
   if (!(scene_.states[constituent.state].temperature_k > 0.0)) return false;

@@ -136,6 +136,8 @@ class SpectralScene {
   void find_emitters();
   void find_mirrors();
   void emit(const scene::SurfaceState& state, float* spectrum) const;
+  /// Planck's radiance of a constituent's mapped temperature, right on average where that is estimated.
+  void mapped_black(const scene::Constituent& constituent, float* spectrum) const;
   void light_surroundings();
   void light_heights(const atmosphere::SensorAtmosphere& air);
   const float* between_heights(const radiometry::SpectrumBlock& rows, double height_m, float* scratch) const;

@@ -1,6 +1,7 @@
 // Keys of surface temperatures, their units and messages.
 #include <gtest/gtest.h>
 
+#include "core/format.h"
 #include "document_maker.h"
 #include "io/document/document.h"
 #include "io/document/thermal_document.h"
@@ -102,6 +103,23 @@ TEST(DocumentThermal, GivenAndSolvedIsOneTooMany) {
   EXPECT_NE(text.find("a 'temperature' is given, and 'thermal' to solve for one; give one of them"),
             std::string::npos)
       << text;
+}
+
+TEST(DocumentThermal, SolvedIsATemperature) {
+  const char* const layers =
+      "\"thermal\": {\"layers\": [{\"thickness\": \"1 m\", \"library\": \"dry soil\"}]}";
+  const Document document = parse_document(
+      test::document_with(
+          kSoil, format("\"soil\": {{\"reflectance\": 0.25, \"temperature\": \"solved\", {}}}", layers)),
+      "folder/a.json");
+  int solved = 0;
+  for (const MaterialDocument& material : document.scene.materials)
+    solved += material.temperature &&
+              std::holds_alternative<SolvedTemperatureDocument>(material.temperature->value);
+  EXPECT_EQ(solved, 1);
+  const std::string text =
+      test::message_with(kSoil, "\"soil\": {\"reflectance\": 0.25, \"temperature\": \"solfed\"}");
+  EXPECT_NE(text.find("temperature' is the text \"solfed\""), std::string::npos) << text;
 }
 
 TEST(DocumentThermal, TemperaturesAreSolvedSo) {

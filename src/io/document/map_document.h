@@ -36,8 +36,11 @@ struct TemperatureMap {
   double offset_k = 0.0;  ///< kelvin = number in the raster + offset_k
 };
 
+/// Of a material with `thermal`, under the document's weather.
+struct SolvedTemperatureDocument {};
+
 struct TemperatureDocument {
-  std::variant<double, TemperatureMap> value;  ///< kelvin, or a map
+  std::variant<double, TemperatureMap, SolvedTemperatureDocument> value;  ///< kelvin, a map, or solved
   SourcePosition position;
 };
 

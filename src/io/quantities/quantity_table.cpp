@@ -6,6 +6,7 @@
 #include "io/quantities/quantity_set.h"
 #include "io/quantities/radiance_quantities.h"
 #include "io/quantities/share_quantities.h"
+#include "io/quantities/temperature_quantity.h"
 
 namespace ifov::io {
 namespace {
@@ -23,6 +24,7 @@ constexpr std::array kQuantities{&quantities::kRadiance,
                                  &quantities::kAbundanceHalfWidth,
                                  &quantities::kLocation,
                                  &quantities::kViewAngles,
+                                 &quantities::kTemperature,
                                  &quantities::kStokes,
                                  &quantities::kStokesStandardError,
                                  &quantities::kStokesHalfWidth,

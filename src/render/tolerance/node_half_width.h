@@ -4,8 +4,8 @@
 
 namespace ifov::render {
 
-/// How far a channel's radiance may be off because a few spectral nodes stand for it: the same for every path, so no
-/// number of rays makes it smaller.
+/// How far a channel's radiance may be off because a few spectral nodes stand for it, and because temperatures that were solved
+/// are what they are: the same for every path, so no number of rays makes it smaller.
 struct NodeHalfWidth {
   /// Share of what is asked for up to which it is left out of intervals.
   static constexpr double kNegligible = 0.1;
@@ -13,7 +13,9 @@ struct NodeHalfWidth {
   double relative = 0.0;
   double dark = 0.0;  ///< W m-2 sr-1 um-1: radiances below it may be off by as much as it
 
-  double of(double radiance) const { return relative * std::max(radiance, dark); }
+  double emitted = 0.0;  ///< W m-2 sr-1 um-1: by what surfaces emit at temperatures that were solved
+
+  double of(double radiance) const { return relative * std::max(radiance, dark) + emitted; }
   /// The same, or 0 where it is negligible beside `asked`.
   double counted(double radiance, double asked) const {
     const double half_width = of(radiance);

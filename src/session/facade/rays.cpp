@@ -43,7 +43,7 @@ RayHit hit_of(const Parts& parts, const geometry::SurfacePoint& point) {
   hit.u = point.u, hit.v = point.v;
   const std::size_t object = parts.placed.of(point.instance);
   if (object < parts.placed.document_objects()) hit.object = static_cast<int>(object);
-  const scene::ResolvedSurface surface = parts.scene.resolve(point);
+  const scene::ResolvedSurface surface = parts.scene.resolve_without_temperature(point);
   const auto largest = std::max_element(
       surface.begin(), surface.end(),
       [](const scene::Constituent& a, const scene::Constituent& b) { return a.weight < b.weight; });

@@ -14,6 +14,7 @@
 #include "scene/scene.h"
 #include "session/assembly/geometry/placed_objects.h"
 #include "session/assembly/whole/sampling_assembly.h"
+#include "session/loaded/temperature_errors.h"
 
 namespace ifov::atmosphere {
 class ImportedAtmosphere;
@@ -59,6 +60,7 @@ struct Parts {
   math::Vec3 map_offset_m;                 ///< map coordinates of the scene's origin
   std::vector<io::FileStamp> known_files;  ///< files whose bytes the scene cache vouches for
   std::shared_ptr<const atmosphere::WeatherSeries> weather;
+  std::optional<TemperatureErrors> temperature_errors;  ///< none where no temperature is solved
   std::vector<radiometry::Channel> channels;
   std::shared_ptr<const render::Polarimetry>
       polarimetry;  ///< what the sensor does with it; null: radiance alone

@@ -14,40 +14,13 @@
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/surfaces/thermal_assembly.h"
 #include "session/one_material.h"
+#include "session/solved/document_outdoors.h"
 #include "thermal/outdoors_series.h"
 
 namespace ifov::session {
 namespace {
 
 using atmosphere::WeatherSeries;
-
-thermal::Terrain terrain_named(const std::string& name) {
-  int i = 0;
-  while (thermal::name_of(static_cast<thermal::Terrain>(i)) != name) ++i;
-  return static_cast<thermal::Terrain>(i);
-}
-
-/// Where the document stands, else where its weather was measured.
-geodesy::Geodetic place_of(const io::Document& document, const WeatherSeries& weather) {
-  const io::OriginDocument& origin = document.scene.origin;
-  if (origin.geographic)
-    return {origin.geographic->latitude_rad, origin.geographic->longitude_rad, origin.height_m};
-  const atmosphere::WeatherSite& site = weather.site();
-  if (site.latitude_rad && site.longitude_rad)
-    return {*site.latitude_rad, *site.longitude_rad, site.altitude_m.value_or(0.0)};
-  throw InputError(format(
-      "{}: surface temperatures need a place, for the Sun: give the scene's \"origin\" a \"latitude\" and a \"longitude\", "
-      "or weather whose file has them",
-      document.sources.file_name));
-}
-
-/// The mean of the air over what the weather has.
-double mean_air_k(const WeatherSeries& weather) {
-  const auto& knots = weather.knots(atmosphere::WeatherQuantity::air_temperature_k);
-  double sum = 0.0;
-  for (const atmosphere::WeatherKnot& knot : knots) sum += knot.value;
-  return sum / static_cast<double>(knots.size());
-}
 
 struct Named {
   std::string name;
@@ -130,35 +103,24 @@ io::TemperatureReport survey_temperatures(const io::Document& document, const Te
         "\"weather\": {{\"file\": \"amsterdam.epw\"}}",
         file));
   const WeatherSeries weather = assemble_weather(document.sources, *document.weather, document.time);
-  const geodesy::Geodetic place = place_of(document, weather);
-  const io::TemperaturesDocument how =
-      document.temperatures ? *document.temperatures : io::TemperaturesDocument{};
-  const SourcePosition& weather_position =
-      document.weather->source.file ? document.weather->source.file->position : document.weather->position;
-  thermal::OutdoorsOfWeather outdoors = with_position(document.sources, weather_position, [&] {
-    return thermal::outdoors_of(weather, place,
-                                {*document.time, how.spin_up_s, how.step_s, how.repeat_first_day});
-  });
-  outdoors.series.anemometer = {how.anemometer_m, terrain_named(how.anemometer_terrain)};
+  const DocumentOutdoors about = outdoors_of_document(document, weather);
+  const thermal::OutdoorsOfWeather& outdoors = about.outdoors;
   const thermal::OutdoorsSeries& series = outdoors.series;
 
   thermal::Stand stand;
   stand.tilt_rad = question.slope_rad;
   stand.azimuth_rad = question.azimuth_rad;
   stand.height_m = question.height_m;
-  stand.terrain = terrain_named(how.terrain);
+  stand.terrain = about.terrain;
   io::TemperatureReport report;
   report.document = file;
-  report.notes.push_back(format("weather: {}; Sun at {:.4f} N {:.4f} E; {:g} h of spin-up, steps of {:g} min",
-                                weather.site().name, place.latitude_rad / math::kDegree,
-                                place.longitude_rad / math::kDegree, how.spin_up_s / 3600.0,
-                                how.step_s / 60.0));
+  report.notes.push_back(about.statement);
   report.notes.insert(report.notes.end(), outdoors.notes.begin(), outdoors.notes.end());
   report.notes.push_back(stand_text(question, stand));
 
   const std::vector<Named> materials =
-      materials_of(document, question.materials, mean_air_k(weather), report.notes);
-  const auto a_day = static_cast<std::size_t>(std::round(thermal::kShownDay_s / how.step_s));
+      materials_of(document, question.materials, about.mean_air_k, report.notes);
+  const auto a_day = static_cast<std::size_t>(std::round(thermal::kShownDay_s / series.step_s));
   const std::size_t first = series.rows.size() - 1 - a_day;
   for (std::size_t row = first; row < series.rows.size(); ++row) {
     report.time_s.push_back(series.begin_s + static_cast<double>(row) * series.step_s);

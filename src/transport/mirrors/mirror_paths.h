@@ -74,7 +74,7 @@ class MirrorTracer {
           continue;
         }
         if (reflections == most) continue;
-        const scene::ResolvedSurface surface = scene_.resolve(hits_[k]);
+        const scene::ResolvedSurface surface = scene_.resolve_without_temperature(hits_[k]);
         if (!mirrors_at(surface) || !reflect(way, mirrors_, hits_[k], surface)) continue;
         met(way, hits_[k], surface);
         ways[kept++] = way;
@@ -105,7 +105,7 @@ class MirrorTracer {
           if (is_image(way)) reached(ways[k]);
           continue;
         }
-        const scene::ResolvedSurface surface = scene_.resolve(hit);
+        const scene::ResolvedSurface surface = scene_.resolve_without_temperature(hit);
         if (const double share = share_of(way, hit, surface, true); way.share * share > kNegligible) {
           Way through = way;
           through.share *= share;

@@ -37,9 +37,21 @@ SchemaType<TemperatureDocument> temperature_type() {
         return TemperatureDocument{kelvin, node.position()};
       },
       [](const TemperatureDocument& temperature) { return target::as<double>(temperature.value); });
+  const SchemaType<std::string> word = choice<std::string>({{"solved", "solved"}});
+  const SchemaType<TemperatureDocument> told{
+      cases_description({uniform.description, word.description}),
+      [uniform](const DocumentNode& node) {
+        if (node.type() != DocumentNode::Type::text || node.text() != "solved") return uniform.read(node);
+        return TemperatureDocument{SolvedTemperatureDocument{}, node.position()};
+      },
+      [uniform, word](const TemperatureDocument& temperature, Writing& writing) {
+        return std::holds_alternative<SolvedTemperatureDocument>(temperature.value)
+                   ? word.write("solved", writing)
+                   : uniform.write(temperature, writing);
+      }};
   Record<TemperatureDocument> mapped("mapped temperature", "A temperature that differs from place to place.");
   mapped.required("map", &TemperatureDocument::value, temperature_map_type(), "the raster");
-  return either(uniform, mapped.type());
+  return either(told, mapped.type());
 }
 
 SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type() {
@@ -74,17 +86,17 @@ SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type
       .one("reflectance", store(false), curves(SpectrumOf::reflectance),
            "spectral reflectance, or several curves for a texture to pick from")
       .one("emissivity", store(true), curves(SpectrumOf::emissivity), "spectral emissivity, likewise")
-      .optional("temperature", &MaterialDocument::temperature, temperature_type(),
-                "without one, here or on the object, a surface emits nothing")
       .optional(
-          "thermal",
-          via(
-              [](MaterialDocument& m, ThermalDocument thermal) {
-                m.thermal = std::make_shared<const ThermalDocument>(std::move(thermal));
-              },
-              [](const MaterialDocument& m) { return m.thermal.get(); }),
-          thermal_type(),
-          "what its temperature follows from, for `ifov temperature`; images do not take it from there yet")
+          "temperature", &MaterialDocument::temperature, temperature_type(),
+          "\"solved\": from `weather` and `thermal`; without one, here or on the object, a surface emits nothing")
+      .optional("thermal",
+                via(
+                    [](MaterialDocument& m, ThermalDocument thermal) {
+                      m.thermal = std::make_shared<const ThermalDocument>(std::move(thermal));
+                    },
+                    [](const MaterialDocument& m) { return m.thermal.get(); }),
+                thermal_type(),
+                "what its temperature follows from, where that is \"solved\" and for `ifov temperature`")
       .optional(
           "emitter", &MaterialDocument::emitter, boolean(),
           "whether the light that it emits is sought from other surfaces; absent: where it is twice as bright as the scene; false leaves it to "
@@ -106,9 +118,12 @@ SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type
           "emissivity is then 1 - reflectance - transmittance")
       .check([](const MaterialDocument& material, const DocumentNode& node) {
         const char* key = material.is_emissivity ? "emissivity" : "reflectance";
-        if (material.temperature && material.thermal)
+        if (material.temperature && material.thermal &&
+            !std::holds_alternative<SolvedTemperatureDocument>(material.temperature->value))
           node.given("temperature")
-              .fail_at_key("a 'temperature' is given, and 'thermal' to solve for one; give one of them");
+              .fail_at_key(
+                  "a 'temperature' is given, and 'thermal' to solve for one; give one of them, or \"solved\" as the "
+                  "temperature");
         if (material.transmittance && material.is_emissivity)
           node.given("transmittance")
               .fail_at_key(

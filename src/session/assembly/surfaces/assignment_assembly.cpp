@@ -169,6 +169,11 @@ std::uint32_t AssignmentAssembly::assignment(const io::MaterialBinding& binding,
 
 std::uint32_t AssignmentAssembly::coloured(const io::FileMaterials& source, const MeshSlot& slot,
                                            const std::optional<io::TemperatureDocument>& temperature) {
+  if (temperature && std::holds_alternative<io::SolvedTemperatureDocument>(temperature->value))
+    throw io::document_error(
+        sources_, temperature->position,
+        "a temperature cannot be solved for a material of the mesh's file, of which no more is known than "
+        "its colour; give the slot a material of the document");
   const double* fixed_k = temperature ? std::get_if<double>(&temperature->value) : nullptr;
   const io::TemperatureMap* map =
       temperature ? std::get_if<io::TemperatureMap>(&temperature->value) : nullptr;
@@ -231,17 +236,32 @@ AssignmentAssembly::Surface AssignmentAssembly::plain_surface(
                           [&](const io::TemperatureMap& map) {
                             with_position(sources_, source->position,
                                           [&] { surface.temperature = temperature_map(map); });
+                          },
+                          [&](io::SolvedTemperatureDocument) {
+                            with_position(sources_, source->position, [&] { refuse_solved(material); });
+                            scene_.solved.resize(written_.size());
+                            surface.solved = material + 1;
                           }},
                source->value);
   }
-  surface.state = state({surface.material, surface.fixed_k});
+  surface.state = state(surface, surface.material);
   return surface;
+}
+
+void AssignmentAssembly::refuse_solved(std::uint32_t material) const {
+  const materials::Material& optics = scene_.materials[material];
+  if (optics.transmittance || optics.bsdf->passage() != materials::Passage::none)
+    throw InputError(format("the temperature of '{}' cannot be solved: light goes through it", optics.name));
 }
 
 std::uint32_t AssignmentAssembly::material_index(const std::string& name) const {
   for (std::size_t m = 0; m < written_.size(); ++m)
     if (written_[m].name == name) return static_cast<std::uint32_t>(m);
   throw InputError(format("there is no material '{}'", name));
+}
+
+std::uint32_t AssignmentAssembly::state(const Surface& of, std::uint32_t material) {
+  return state({.material = material, .temperature_k = of.fixed_k, .solved = of.solved});
 }
 
 std::uint32_t AssignmentAssembly::state(scene::SurfaceState wanted) {

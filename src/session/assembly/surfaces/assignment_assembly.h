@@ -79,6 +79,7 @@ class AssignmentAssembly {
   struct Surface {
     std::uint32_t state = 0, material = 0;
     double fixed_k = 0.0;
+    std::uint32_t solved = 0;  ///< as of SurfaceState
     std::shared_ptr<const materials::TemperatureMap> temperature;
     Holes holes;                          ///< null: it has none
     std::shared_ptr<const Surface> back;  ///< of a material with two sides; null: as `behind_` says
@@ -96,7 +97,11 @@ class AssignmentAssembly {
   /// How a surface looks from its inner side.
   Surface seen_from_behind(const Surface& surface);
   std::shared_ptr<const materials::TemperatureMap> temperature_map(const io::TemperatureMap& map);
+  /// Throws where nothing tells what a surface does with heat, as of what lets light through.
+  void refuse_solved(std::uint32_t material) const;
   std::uint32_t state(scene::SurfaceState wanted);
+  /// Of a surface, or of what stands in its place, at its temperature.
+  std::uint32_t state(const Surface& of, std::uint32_t material);
   std::shared_ptr<const materials::ClassMap> class_map(const io::MaterialMap& map);
   Pattern mixture(const io::MixtureDocument& source, const std::vector<Surface>& surfaces);
   std::uint32_t coloured(const io::FileMaterials& source, const MeshSlot& slot,

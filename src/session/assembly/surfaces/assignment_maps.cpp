@@ -49,7 +49,7 @@ void AssignmentAssembly::add_patterns(scene::SurfaceAssignment& assignment,
               c == 0 ? surface.material
                      : first_further_[surface.material] + static_cast<std::uint32_t>(c - 1);
           spectra.push_back(scene_.materials[material].reflectance);
-          curves.push_back({state({material, surface.fixed_k}), material});
+          curves.push_back({state(surface, material), material});
         }
         texture = std::make_shared<scene::TexturePattern>(textures_.texture(surface.material, spectra),
                                                           surface.state, std::move(curves));
@@ -87,13 +87,13 @@ std::vector<AssignmentAssembly::Pattern> AssignmentAssembly::level_patterns(cons
     const std::uint32_t material =
         curve == 0 ? surface.material
                    : first_further_[surface.material] + static_cast<std::uint32_t>(curve - 1);
-    const std::uint32_t replaced = state({material, surface.fixed_k});
+    const std::uint32_t replaced = state(surface, material);
     Pattern& pattern = patterns_[format("levels {}", replaced)];
     if (!pattern) {
       std::vector<scene::LevelPattern::Member> members;
       for (std::size_t k = 0; k < count; ++k) {
         const std::uint32_t member = levels.first[curve] + static_cast<std::uint32_t>(k);
-        members.push_back({state({member, surface.fixed_k}), member});
+        members.push_back({state(surface, member), member});
       }
       pattern =
           std::make_shared<scene::LevelPattern>(replaced, surface.state, levels.axes, std::move(members));

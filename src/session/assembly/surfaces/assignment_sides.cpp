@@ -64,7 +64,7 @@ AssignmentAssembly::Surface AssignmentAssembly::seen_from_behind(const Surface& 
   if (surface.back) return *surface.back;
   Surface back = surface;
   back.material = behind_[surface.material];
-  back.state = state({back.material, surface.fixed_k});
+  back.state = state(surface, back.material);
   return back;
 }
 

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+
+namespace ifov::geometry {
+struct SurfacePoint;
+}
+
+namespace ifov::scene {
+
+/// A temperature that is estimated by chance, and the standard deviation of that.
+struct EstimatedTemperature {
+  double kelvin = 0.0;
+  double deviation_k = 0.0;
+};
+
+/// What a surface's temperature is at a point, where it follows from what the Sun, the sky and the air did there. Called for
+/// every hit, from many threads.
+class SolvedTemperature {
+ public:
+  virtual ~SolvedTemperature() = default;
+
+  /// Without bias. Depends on the point and on `draw` alone, of which every value gives other rays into the past.
+  virtual EstimatedTemperature at(const geometry::SurfacePoint& point, std::uint64_t draw) const = 0;
+
+  /// Between which temperatures lie; estimates of them may stray beyond by their deviations.
+  virtual double coldest_k() const = 0;
+  virtual double hottest_k() const = 0;
+};
+
+}  // namespace ifov::scene

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+namespace ifov::session {
+
+/// What solved temperatures may be off by, beside what rays into the past do not tell: measured at points that the camera
+/// sees, each solved in full by itself against what its class makes of the same exposure. Kelvins.
+struct TemperatureErrors {
+  int points = 0;
+  double bias_k = 0.0, rms_k = 0.0, worst_k = 0.0;
+  double step_k = 0.0;  ///< of the steps of time, by those of twice the length
+  std::string weather;  ///< by which they are solved, and what stood in for what it does not tell
+
+  /// Half-width of about 95 %: twice the root of the sum of squares.
+  double half_width_k() const;
+  std::string statement() const;
+};
+
+}  // namespace ifov::session

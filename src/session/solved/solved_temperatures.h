@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "core/run_control.h"
+#include "session/loaded/temperature_errors.h"
+
+namespace ifov::atmosphere {
+class WeatherSeries;
+}
+namespace ifov::io {
+struct Document;
+}
+namespace ifov::scene {
+struct Scene;
+}
+namespace ifov::sensor {
+class Camera;
+}
+
+namespace ifov::session {
+
+struct Parts;
+
+/// Solves for the temperature of every material whose document asks for it (`"temperature": "solved"`) under its weather,
+/// and gives it to the scene; then measures what that may be off by at points that the camera sees. Nothing where nobody asks. InputError,
+/// located: what is missing (a time, weather, a place, what a material stands on). `weather` may be null.
+std::optional<TemperatureErrors> solve_temperatures(const io::Document& document,
+                                                    const atmosphere::WeatherSeries* weather,
+                                                    const sensor::Camera& camera, scene::Scene& scene,
+                                                    int threads, LogSink* log);
+
+/// Puts what solved temperatures may be off by into the half-widths of the channels. InputError where an accuracy in kelvins is
+/// asked for that is finer than that; a warning where one in per cent is.
+void count_temperature_errors(Parts& parts, LogSink& log);
+
+}  // namespace ifov::session

@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include "outdoors.h"
+#include "thermal/solid.h"
+#include "thermal/surface_classes.h"
+
+namespace ifov::thermal {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+Solid road() { return {{{0.06, 0.75, 2360.0, 920.0}, {0.5, 0.30, 1600.0, 800.0}}, DeepGround{290.0}}; }
+
+math::Vec3 facing(double tilt_deg, double azimuth_deg) {
+  const double tilt = tilt_deg * kDegree, azimuth = azimuth_deg * kDegree;
+  return {std::sin(tilt) * std::sin(azimuth), std::sin(tilt) * std::cos(azimuth), std::cos(tilt)};
+}
+
+/// Ends at two in the afternoon, when what the Sun did counts most.
+OutdoorsSeries afternoon() {
+  OutdoorsSeries series = test::june(4.0);
+  series.rows.resize(series.rows.size() - 120);
+  return series;
+}
+
+double full_k(const Solid& solid, const OutdoorsSeries& series, double tilt_deg, double azimuth_deg,
+              double free_sky, const std::vector<double>& visibility) {
+  Stand stand;
+  stand.tilt_rad = tilt_deg * kDegree;
+  stand.azimuth_rad = azimuth_deg * kDegree;
+  stand.free_sky = free_sky;
+  return solve_surface(solid, {}, stand, series, Start::steady, visibility).history.nodes.back().surface_k;
+}
+
+double class_k(const SurfaceClasses& classes, math::Vec3 normal, double free_sky,
+               const std::vector<double>& visibility) {
+  std::vector<double> weight_k(classes.sunlit_rows());
+  const double shaded_k = classes.shaded_k(normal, free_sky, weight_k);
+  std::vector<std::size_t> rows(weight_k.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = k;
+  std::vector<double> bend(rows.size());
+  classes.bends(normal, rows, bend);
+  double all_k = 0.0, lit_k = 0.0, bent_k = 0.0;
+  for (const std::size_t k : rows) {
+    const double part_k = weight_k[k] * visibility[classes.row_of_series(k)];
+    all_k += weight_k[k];
+    lit_k += part_k;
+    bent_k += bend[k] * part_k;
+  }
+  return shaded_k + lit_k + 0.5 * (lit_k / all_k - 1.0) * bent_k;
+}
+
+TEST(SurfaceClasses, AreTheWholeSolutionInFullSunAndInTheShade) {
+  const OutdoorsSeries series = afternoon();
+  const Solid solid = road();
+  const SurfaceClasses classes(series, {solid, Skin{}, Stand{}}, 0);
+  for (const double visible : {0.0, 1.0})
+    for (const double tilt : {0.0, 45.0, 90.0})
+      for (const double free_sky : {0.0, 1.0}) {
+        const std::vector<double> visibility(series.rows.size(), visible);
+        EXPECT_NEAR(class_k(classes, facing(tilt, 180.0), free_sky, visibility),
+                    full_k(solid, series, tilt, 180.0, free_sky, visibility), 0.002)
+            << tilt << " " << free_sky << " " << visible;
+      }
+}
+
+TEST(SurfaceClasses, BetweenDirectionsSharesOfTheSkyAndHoursOfSun) {
+  const OutdoorsSeries series = afternoon();
+  const Solid solid = road();
+  const SurfaceClasses classes(series, {solid, Skin{}, Stand{}}, 0);
+  double squares = 0.0, worst = 0.0, most = 0.0;
+  int count = 0;
+  for (const auto& [tilt, azimuth] : {std::pair{0.0, 0.0}, {22.0, 200.0}, {52.0, 160.0}, {83.0, 250.0}})
+    for (const double free_sky : {0.35, 0.8})
+      for (const int hours : {2, 5, 9}) {
+        std::vector<double> visibility(series.rows.size());
+        for (std::size_t i = 0; i < visibility.size(); ++i)
+          visibility[i] = (static_cast<int>(i) / (12 * hours)) % 2 == 0 ? 1.0 : 0.0;
+        const double off_k = class_k(classes, facing(tilt, azimuth), free_sky, visibility) -
+                             full_k(solid, series, tilt, azimuth, free_sky, visibility);
+        squares += off_k * off_k;
+        worst = std::max(worst, std::abs(off_k));
+        most = std::max(most, std::abs(class_k(classes, facing(tilt, azimuth), 1.0, visibility) -
+                                       class_k(classes, facing(tilt, azimuth), free_sky, visibility)));
+        ++count;
+      }
+  EXPECT_LT(std::sqrt(squares / count), 0.2);
+  EXPECT_LT(worst, 0.5);
+  EXPECT_GT(most, 1.0);  // a share of the sky that is not looked at would be noticed
+}
+
+}  // namespace
+}  // namespace ifov::thermal
