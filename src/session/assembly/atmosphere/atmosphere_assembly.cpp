@@ -100,7 +100,7 @@ atmosphere::SensorGeometry sensor_geometry(const io::DocumentSources& sources,
             "under a modelled atmosphere the camera must look down, at most {:.0f} degrees from the nadir; the middle "
             "of its image looks {:.1f} degrees away",
             kLowestView_rad * 180.0 / std::numbers::pi, geometry.view_zenith_rad * 180.0 / std::numbers::pi));
-  if (sun && sun->is_up()) {
+  if (sun && (sun->is_up() || sun->is_twilight())) {
     geometry.sun_zenith_rad = sun->zenith_rad();
     geometry.view_azimuth_rad = std::atan2(up.x, up.y) - sun->azimuth_rad();
   }
