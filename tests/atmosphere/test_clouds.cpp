@@ -84,7 +84,7 @@ TEST(Clouds, DropletsAreThoseOfSlingo) {
     if (radius_um == 10.0) {
       EXPECT_NEAR(visible * per_gram / (2.817e-2 + 1.305 / radius_um), 1.0, 0.02);
     }
-    EXPECT_NEAR(asymmetry, 0.829 + 2.482e-3 * radius_um, 0.01) << radius_um;
+    EXPECT_NEAR(asymmetry, 0.829 + 2.482e-3 * radius_um, 0.012) << radius_um;
     const double lost = over_band(1.19, 2.38, [&](double um) {
       const AerosolProperties at = drops->properties(um);
       return at.absorption / at.extinction;
