@@ -14,6 +14,9 @@ TABLES = {
     "ice": ("H2O_Warren-2008.yml", 0.19, 200.0, "Ice Ih at 266 K.",
             "S. G. Warren and R. E. Brandt, Optical constants of ice from the ultraviolet to the microwave: a revised "
             "compilation,\n# Journal of Geophysical Research 113, D14220 (2008)"),
+    "water": ("H2O_Segelstein.yml", 0.19, 60.0, "Liquid water at 25 degC.",
+              "D. J. Segelstein, The complex refractive index of water, M.S. thesis, University of Missouri, Kansas City (1981), which "
+              "continues\n# G. M. Hale and M. R. Querry, Applied Optics 12, 555-563 (1973)"),
 }
 
 

@@ -26,6 +26,8 @@ struct LayerOptics {
   std::vector<double> aerosol_asymmetry;  ///< mean cosine of the aerosol's scattering angle
   /// How the aerosol of each layer scatters; null: by Henyey-Greenstein functions of the asymmetries.
   std::shared_ptr<const AerosolPhases> aerosol_phases = {};
+  /// What of the aerosol's depths clouds have; empty: there are none.
+  std::vector<double> cloud_scattering = {}, cloud_absorption = {};
   double depolarization = 0.0279;  ///< of Rayleigh scattering at this wavelength
   std::size_t layers() const { return gas_absorption.size(); }
 };

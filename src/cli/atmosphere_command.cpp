@@ -17,7 +17,7 @@ namespace ifov::cli {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kLowestSun_deg = 90.0, kLowestView_deg = 80.0;
+constexpr double kLowestSun_deg = 96.0, kLowestView_deg = 80.0;
 
 struct AtmosphereArguments {
   DocumentArguments input;

@@ -9,7 +9,7 @@
 #include "core/error.h"
 
 namespace ifov::data {
-extern const std::string_view refractive_indices_txt;
+extern const std::string_view refractive_indices_txt, index_ice, index_water;
 }
 
 namespace ifov::radiometry {
@@ -67,6 +67,26 @@ std::vector<RefractiveIndex> parse_indices(std::string_view text) {
   return all;
 }
 
+/// A file of data/indices.
+RefractiveIndex parse_index(std::string_view name, std::string_view about, std::string_view source,
+                            std::string_view text) {
+  std::vector<double> um, n, k;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    if (line.empty() || line[0] == '#') continue;
+    const std::array<double, 3> row = three_numbers(line);
+    um.push_back(row[0]);
+    n.push_back(row[1]);
+    k.push_back(row[2]);
+  }
+  const std::string what = format("refractive index of {}", name);
+  Spectrum real_part(um, std::move(n), OutsideRange::error, what);
+  return {name, about, source, std::move(real_part),
+          Spectrum(std::move(um), std::move(k), OutsideRange::error, what)};
+}
+
 }  // namespace
 
 std::span<const RefractiveIndex> refractive_indices() {
@@ -90,6 +110,19 @@ const RefractiveIndex& refractive_index(std::string_view name) {
     names += (names.empty() ? "'" : ", '") + std::string(index.name) + "'";
   }
   throw InputError(format("there is no refractive index of '{}'; there are {}", name, names));
+}
+
+const RefractiveIndex* whole_refractive_index(std::string_view name) {
+  static const std::array<RefractiveIndex, 2> all{
+      parse_index("ice", "Ih, at 266 K", "S. G. Warren and R. E. Brandt, J. Geophys. Res. 113, D14220 (2008)",
+                  data::index_ice),
+      parse_index("water", "liquid, at 25 degC",
+                  "D. J. Segelstein, M.S. thesis, University of Missouri (1981)", data::index_water)};
+  // n of that table of water is up to 0.03 lower in the infrared than others measured it.
+  static const RefractiveIndex water{all[1].name, all[1].about, all[1].source, refractive_index("water").n,
+                                     all[1].k};
+  if (name == water.name) return &water;
+  return name == all[0].name ? &all[0] : nullptr;
 }
 
 }  // namespace ifov::radiometry

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/world.h"
 #include "materials/bsdf/bsdf.h"
@@ -14,6 +15,10 @@ namespace ifov::scene {
 
 double Sun::zenith_rad() const { return std::atan2(std::hypot(direction.x, direction.y), direction.z); }
 double Sun::elevation_rad() const { return std::atan2(direction.z, std::hypot(direction.x, direction.y)); }
+bool Sun::is_twilight() const {
+  constexpr double kLowest_rad = 6.0 * std::numbers::pi / 180.0;
+  return !is_moon && !is_up() && elevation_rad() >= -kLowest_rad * (1.0 + 1e-12);
+}
 double Sun::azimuth_rad() const { return std::atan2(direction.x, direction.y); }
 
 bool SurfaceAssignment::mixes_materials() const {

@@ -34,6 +34,8 @@ struct Sun {
   double elevation_rad() const;                     ///< above the horizon, -pi/2 to pi/2
   double azimuth_rad() const;                       ///< clockwise from north, -pi to pi
   bool is_up() const { return direction.z > 0.0; }  ///< above the horizon
+  /// The Sun up to 6 degrees below the horizon: air above still lights the ground.
+  bool is_twilight() const;
 };
 
 /// The sky: the same radiance from everywhere above the horizon.

@@ -9,6 +9,7 @@
 #include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "session/assembly/atmosphere/aerosol_assembly.h"
+#include "session/assembly/atmosphere/cloud_assembly.h"
 #include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/map_scale.h"
 #include "session/atmosphere_messages.h"
@@ -129,6 +130,19 @@ std::vector<std::string> notes(const Parts& parts) {
                  haze_statement(*modelled->aerosol->own),
                  modelled->aerosol->own->mie ? "it polarizes light as spheres do"
                                              : "light that it scatters is not polarized"));
+  }
+  if (parts.document.atmosphere.modelled && !parts.document.atmosphere.modelled->clouds.empty()) {
+    for (const io::CloudDocument& cloud : parts.document.atmosphere.modelled->clouds)
+      lines.push_back(format("cloud: {}", cloud_statement(cloud)));
+    const bool glows = std::any_of(parts.channels.begin(), parts.channels.end(),
+                                   [](const auto& channel) { return channel.centre_um >= 2.4; });
+    lines.push_back(format(
+        "clouds: level, uniform and the same everywhere; how far they are from real ones is not known, and the error of the "
+        "model of the air was found without any{}",
+        glows
+            ? "; of their own light they scatter none: thick ones of water glow by up to 15 % too much from 3 to 4.2 um, "
+              "others and beyond 8 um by up to 2.5 %"
+            : ""));
   }
   for (const std::string& line :
        scale_statements(parts.map_scales, ground_sample_m(*parts.camera, *parts.scene.world)))

@@ -55,9 +55,10 @@ TEST(LightLeftOut, NothingIsSaidWhereNothingIs) {
 }
 
 TEST(LightLeftOut, ASunOnOrBelowTheHorizon) {
-  EXPECT_EQ(warnings_of(document(kPlane, R"("sun": {"point": {"zenith": "90 deg", "azimuth": "90 deg"}},
+  EXPECT_EQ(
+      warnings_of(document(kPlane, R"("sun": {"point": {"zenith": "90 deg", "azimuth": "90 deg"}},
                                              "sky": {"radiance": "20 W m-2 sr-1 um-1"})")),
-            "the Sun stands 0.0 deg below the horizon: it lights nothing, and twilight is not modelled\n");
+      "the Sun stands 0.0 deg below the horizon: it lights nothing, and only a modelled atmosphere has twilight\n");
   const std::string place =
       std::string(R"({"origin": {"latitude": "50 deg", "longitude": "10 deg"}, )") + (kPlane + 1);
   const std::string warned = warnings_of(
@@ -65,7 +66,7 @@ TEST(LightLeftOut, ASunOnOrBelowTheHorizon) {
   // 90 deg - 50 deg - 23.4 deg at local midnight.
   EXPECT_EQ(
       warned,
-      "the Sun stands 16.6 deg below the horizon: it lights nothing, and twilight is not modelled\n"
+      "the Sun stands 16.6 deg below the horizon: it lights nothing, and only a modelled atmosphere has twilight\n"
       "nothing shines in 'red': neither Sun nor sky has light there, and nothing that is seen emits; the "
       "radiance will be 0\n");
 }

@@ -91,7 +91,7 @@ ColumnOptics AtmosphereColumn::at(double wavenumber_cm1) const {
   for (std::size_t l = 0; l < levels_.layers(); ++l) {
     optics.continuum.push_back(continuum_depths(wavenumber_cm1, gases_[l], description_.gas_model).total());
     layers.rayleigh_scattering.push_back(cross_section * air_molecules_cm2_[l]);
-    double scattering = 0.0, absorption = 0.0, forward = 0.0;
+    double scattering = 0.0, absorption = 0.0, forward = 0.0, cloud_scattering = 0.0, cloud_absorption = 0.0;
     std::vector<double> scattered_by;
     for (std::size_t r = 0; r < properties.size(); ++r) {
       const double scattered =
@@ -100,6 +100,13 @@ ColumnOptics AtmosphereColumn::at(double wavenumber_cm1) const {
       scattering += scattered;
       forward += scattered * properties[r].asymmetry;
       absorption += aerosol_550_[l][r] * properties[r].absorption;
+      if (r < aerosol_.first_cloud()) continue;
+      cloud_scattering += scattered;
+      cloud_absorption += aerosol_550_[l][r] * properties[r].absorption;
+    }
+    if (aerosol_.cloudy()) {
+      layers.cloud_scattering.push_back(cloud_scattering);
+      layers.cloud_absorption.push_back(cloud_absorption);
     }
     layers.aerosol_scattering.push_back(scattering);
     layers.aerosol_absorption.push_back(absorption);

@@ -124,7 +124,14 @@ const std::vector<std::string>& stratosphere_states() {
 
 AerosolColumn::AerosolColumn(const AerosolDescription& description, const Profile& profile,
                              std::string_view model) {
-  if (description.type == "none") return;
+  if (description.type != "none") add_haze(description, profile, model);
+  first_cloud_ = regions_.size();
+  for (const std::shared_ptr<const ParticleLayer>& cloud : description.clouds)
+    add_cloud(*cloud, profile.ground_km());
+}
+
+void AerosolColumn::add_haze(const AerosolDescription& description, const Profile& profile,
+                             std::string_view model) {
   const AerosolType& type = row_named(types(), description.type, "aerosol type", aerosol_types());
   const StratosphereState& state = row_named(stratosphere_table(), description.stratosphere,
                                              "state of the stratosphere", stratosphere_states());
@@ -170,19 +177,33 @@ AerosolColumn::AerosolColumn(const AerosolDescription& description, const Profil
     regions_.push_back({heights.altitude_km, heights.extinction_km[r],
                         std::make_shared<const TabulatedParticles>(name, humidity)});
   }
-  if (description.own) add(*description.own, profile.ground_km());
+  constexpr double kThickest = 10.0;
+  if (description.own) add(*description.own, kThickest, profile.ground_km());
 }
 
-void AerosolColumn::add(const ParticleLayer& layer, double ground_km) {
-  constexpr double kThickest = 10.0;
-  if (!(layer.optical_depth >= 0.0 && layer.optical_depth <= kThickest))
+std::shared_ptr<const LayerHeights> AerosolColumn::add(const ParticleLayer& layer, double thickest,
+                                                       double ground_km) {
+  if (!(layer.optical_depth >= 0.0 && layer.optical_depth <= thickest))
     throw InputError(format("optical depth {:g} of the {}: expected 0 to {:g}", layer.optical_depth,
-                            layer.name, kThickest));
+                            layer.name, thickest));
   const auto heights = std::make_shared<const LayerHeights>(layer, ground_km);
   const double thickness_550 =
       layer.optical_depth / layer.particles->properties(layer.wavelength_um).extinction;
   regions_.push_back({{}, {}, layer.particles, heights, thickness_550});
   boundaries_km_.insert(boundaries_km_.end(), {heights->base_km(), heights->top_km()});
+  return heights;
+}
+
+void AerosolColumn::add_cloud(const ParticleLayer& layer, double ground_km) {
+  const auto heights = add(layer, kThickestCloud, ground_km);
+  cloud_top_km_ = std::max(cloud_top_km_, heights->top_km());
+  const double thickness_km = heights->top_km() - heights->base_km();
+  constexpr double kFirstStep = 0.25;
+  for (double step = kFirstStep, at = step; at < 0.5 * layer.optical_depth; step *= 2.0, at += step) {
+    const double from_side_km = thickness_km * at / layer.optical_depth;
+    boundaries_km_.insert(boundaries_km_.end(),
+                          {heights->base_km() + from_side_km, heights->top_km() - from_side_km});
+  }
 }
 
 double AerosolColumn::thickness_550(std::size_t region, double first_km, double last_km) const {
@@ -194,7 +215,7 @@ double AerosolColumn::thickness_550(std::size_t region, double first_km, double 
 
 double AerosolColumn::thickness_550(double first_km, double last_km) const {
   double sum = 0.0;
-  for (std::size_t r = 0; r < regions(); ++r) sum += thickness_550(r, first_km, last_km);
+  for (std::size_t r = 0; r < first_cloud_; ++r) sum += thickness_550(r, first_km, last_km);
   return sum;
 }
 

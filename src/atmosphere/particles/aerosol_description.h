@@ -15,6 +15,8 @@ struct AerosolDescription {
   std::shared_ptr<const struct ParticleLayer> own;  ///< in place of that of `type`, below 10 km
   std::string season;  ///< "spring-summer", "autumn-winter"; empty: that of the model atmosphere
   std::string stratosphere = "background";  ///< "none": no aerosol of the tables above 10 km
+  /// Besides, whatever the type; with a base, a top and no scale height.
+  std::vector<std::shared_ptr<const struct ParticleLayer>> clouds = {};
 };
 
 const std::vector<std::string>& aerosol_types();        ///< with "none"

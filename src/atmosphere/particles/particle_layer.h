@@ -20,6 +20,8 @@ struct ParticleLayer {
       scale_height_km;  ///< of a density that falls exponentially; none: uniform, or 2 km without a top
 };
 
+inline constexpr double kThickestCloud = 100.0;  ///< optical depth at 550 nm
+
 /// Where the particles of a layer are, over ground at some altitude.
 class LayerHeights {
  public:

@@ -41,8 +41,8 @@ std::vector<ChannelScattering::WeakPoint> ChannelScattering::weak_points() const
     const Bracket wavelength = bracket(log_wavelength_, std::log(points_.points[p].wavelength_um));
     const Bracket depth = bracket(scaled_depth_, scaled_depth(gas));
     const double light =
-        points_.share[p] *
-        (points_.sun[p] * points_.view[p] + kPathShare * points_.irradiance[p] * std::exp(-kPathDepth * gas));
+        points_.share[p] * (points_.sun_base()[p] * points_.view_base()[p] +
+                            kPathShare * points_.irradiance[p] * std::exp(-kPathDepth * gas));
     const double weakness =
         light * std::max({kLeastWeakness, bulge(wavelength.high_share), bulge(depth.high_share)});
     Gap& gap = gaps[{wavelength.low, depth.low}];
@@ -128,27 +128,29 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
     };
     const StokesVector own = once(sights.front());
     result.once[p] = own.i;
-    result.path[p] = own.i * path_ratio([](const Node& n) { return n.path; });
-    result.sky_irradiance[p] =
-        sunlit_ ? points_.sun[p] * ratio([](const Node& n) { return n.sky_irradiance; }) : 0.0;
+    const double sun_base = sunlit_ ? points_.sun_base()[p] : 0.0;
+    result.path[p] = (points_.is_under_cloud(geometry_.sensor_altitude_km) ? sun_base : own.i) *
+                     path_ratio([](const Node& n) { return n.path; });
+    result.sky_irradiance[p] = sun_base * ratio([](const Node& n) { return n.sky_irradiance; });
     result.diffuse_transmittance[p] =
-        points_.view[p] * ratio([](const Node& n) { return n.diffuse_transmittance; });
+        points_.view_base()[p] * ratio([](const Node& n) { return n.diffuse_transmittance; });
     result.spherical_albedo[p] = ratio([](const Node& n) { return n.spherical_albedo; });
     if (polarized_) polarize(0, p, parts, own, result.path[p], result.diffuse_transmittance[p], result);
     for (std::size_t s = 0; s < lines_of_sight; ++s) {
       const StokesVector along = once(sights[1 + s]);
       result.line_of_sight_path[s][p] =
-          along.i * path_ratio([s](const Node& n) { return n.line_of_sight_path[s]; });
+          (points_.is_under_cloud(geometry_.lines_of_sight[s].sensor_km) ? sun_base : along.i) *
+          path_ratio([s](const Node& n) { return n.line_of_sight_path[s]; });
       result.line_of_sight_diffuse[s][p] =
-          points_.line_of_sight_view[s][p] * ratio([s](const Node& n) { return n.line_of_sight_diffuse[s]; });
+          points_.line_of_sight_base(s)[p] * ratio([s](const Node& n) { return n.line_of_sight_diffuse[s]; });
       if (polarized_)
         polarize(1 + s, p, parts, along, result.line_of_sight_path[s][p], result.line_of_sight_diffuse[s][p],
                  result);
     }
     for (std::size_t h = 0; h < heights; ++h)
-      result.sky_at_height[h][p] =
-          sunlit_ ? points_.sun_at_height[h][p] * ratio([h](const Node& n) { return n.sky_at_height[h]; })
-                  : 0.0;
+      result.sky_at_height[h][p] = sunlit_ ? points_.sun_at_height_base(h)[p] *
+                                                 ratio([h](const Node& n) { return n.sky_at_height[h]; })
+                                           : 0.0;
   }
   return result;
 }

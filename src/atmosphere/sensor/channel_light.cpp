@@ -107,7 +107,7 @@ std::vector<ChannelLight> channel_nodes(const SensorAtmosphere& atmosphere, std:
 
 double lambertian_radiance(std::span<const ChannelLight> parts, const SensorGeometry& geometry,
                            std::span<const double> reflectance, std::span<const double> emission) {
-  const double sine = geometry.sun_zenith_rad ? std::cos(*geometry.sun_zenith_rad) : 0.0;
+  const double sine = geometry.sun_sine();
   double sum = 0.0;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const ChannelLight& part = parts[k];

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "atmosphere/spherical_shells.h"
+#include "math/angle.h"
 
 namespace ifov::atmosphere {
 namespace {
@@ -20,6 +22,10 @@ std::vector<double> sun_slants(const std::vector<double>& altitude_km, double ze
                      (altitude_km[i + 1] - altitude_km[i]));
   return slants;
 }
+
+/// A lower Sun counts as this one in what scattered light is told relative to: where gas absorbs, their own beams are dark by
+/// hundreds of powers of ten, between which nothing is interpolated.
+constexpr double kLowSun_rad = 80.0 * math::kDegree;
 
 /// Of the sunbeam, only above a height.
 std::vector<double> above(const std::vector<double>& altitude_km, std::vector<double> slants,
@@ -48,16 +54,48 @@ std::vector<double> view_slants(const std::vector<double>& altitude_km, const Li
   return slants;
 }
 
+ChannelPoints::Beams ChannelPoints::base_of(const LayerOptics& layers) const {
+  std::vector<double> depths;
+  for (std::size_t i = 0; i < layers.layers(); ++i) {
+    double depth = layers.gas_absorption[i] + layers.rayleigh_scattering[i] + layers.aerosol_scattering[i] +
+                   layers.aerosol_absorption[i];
+    if (!layers.cloud_scattering.empty()) depth -= layers.cloud_scattering[i] + layers.cloud_absorption[i];
+    depths.push_back(std::max(0.0, depth));
+  }
+  const auto through = [&](const std::vector<double>& slants) {
+    return std::exp(-std::inner_product(slants.begin(), slants.end(), depths.begin(), 0.0));
+  };
+  Beams beams{{through(sun_slants_)}, {through(view_slants_)}, {}, {}};
+  for (const std::vector<double>& slants : line_slants_)
+    beams.line_of_sight_view.push_back({through(slants)});
+  for (const std::vector<double>& slants : height_slants_) beams.sun_at_height.push_back({through(slants)});
+  return beams;
+}
+
 ChannelPoints::ChannelPoints(const AtmosphereColumn& column, const std::vector<ChannelBin>& bins,
                              const BinOptics& optics, const SensorGeometry& geometry) {
   const std::vector<double>& altitude_km = column.levels().altitude_km;
   const std::vector<double> up = view_slants(altitude_km, geometry.own_sight(), geometry.spherical_earth);
-  const std::vector<double> down =
-      sun_slants(altitude_km, geometry.sun_zenith_rad.value_or(0.0), geometry.spherical_earth);
+  const double sun_rad = geometry.sun_zenith_rad.value_or(0.0);
+  const bool below = sun_rad >= 0.5 * std::numbers::pi, low = sun_rad > kLowSun_rad;
+  const auto sunbeam = [&](double zenith_rad) {
+    return sun_slants(altitude_km, zenith_rad, geometry.spherical_earth);
+  };
+  const std::vector<double> down = sunbeam(below ? kLowSun_rad : sun_rad);
   std::vector<std::vector<double>> lines_of_sight, suns;
   for (const LineOfSight& line : geometry.lines_of_sight)
     lines_of_sight.push_back(view_slants(altitude_km, line, geometry.spherical_earth));
   for (const double height : geometry.heights_km) suns.push_back(above(altitude_km, down, height));
+  if (column.aerosol().cloudy()) cloud_top_km_ = column.aerosol().cloud_top_km();
+  if (low || column.aerosol().cloudy()) {
+    sun_slants_ = low ? sunbeam(kLowSun_rad) : down;
+    view_slants_ = up, line_slants_ = lines_of_sight;
+    for (const double height : geometry.heights_km)
+      height_slants_.push_back(above(altitude_km, sun_slants_, height));
+    base_.emplace();
+    base_->line_of_sight_view.resize(lines_of_sight.size());
+    base_->sun_at_height.resize(suns.size());
+  }
   line_of_sight_view.resize(lines_of_sight.size());
   sun_at_height.resize(suns.size());
   std::vector<double> depths(altitude_km.size() - 1);
@@ -72,7 +110,7 @@ ChannelPoints::ChannelPoints(const AtmosphereColumn& column, const std::vector<C
         depths[i] = layers.gas_absorption[i] + layers.rayleigh_scattering[i] + layers.aerosol_scattering[i] +
                     layers.aerosol_absorption[i];
       const auto sunlight = [&](const std::vector<double>& slants) {
-        return geometry.sun_zenith_rad ? bin.irradiance * std::exp(-along(slants)) : 0.0;
+        return geometry.sun_zenith_rad && !below ? bin.irradiance * std::exp(-along(slants)) : 0.0;
       };
       points.push_back({&at, term, bin.wavelength_um});
       share.push_back(bin.share * at.weight(term));
@@ -82,6 +120,16 @@ ChannelPoints::ChannelPoints(const AtmosphereColumn& column, const std::vector<C
       for (std::size_t s = 0; s < lines_of_sight.size(); ++s)
         line_of_sight_view[s].push_back(std::exp(-along(lines_of_sight[s])));
       for (std::size_t h = 0; h < suns.size(); ++h) sun_at_height[h].push_back(sunlight(suns[h]));
+      if (base_) {
+        const Beams beams = base_of(layers);
+        const double sunlight_above = geometry.sun_zenith_rad ? bin.irradiance : 0.0;
+        base_->sun.push_back(sunlight_above * beams.sun[0]);
+        base_->view.push_back(beams.view[0]);
+        for (std::size_t s = 0; s < lines_of_sight.size(); ++s)
+          base_->line_of_sight_view[s].push_back(beams.line_of_sight_view[s][0]);
+        for (std::size_t h = 0; h < suns.size(); ++h)
+          base_->sun_at_height[h].push_back(sunlight_above * beams.sun_at_height[h][0]);
+      }
       gas_depth.push_back(std::accumulate(layers.gas_absorption.begin(), layers.gas_absorption.end(), 0.0));
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "atmosphere/sensor/channel_bins.h"
@@ -30,9 +31,38 @@ struct ChannelPoints {
   std::vector<std::vector<double>> sun_at_height;       ///< [height], as sun
   std::vector<double> gas_depth;                        ///< vertical absorption depth of all gas
 
+  /// What scattered light is told relative to. `sun`, `view` and the others, but where they say nothing of it: under and above
+  /// clouds, which hardly a beam comes through straight, what they would be without the clouds; of a Sun lower than 10 degrees
+  /// above the horizon what they would be with the Sun there.
+  struct Beams {
+    std::vector<double> sun, view;
+    std::vector<std::vector<double>> line_of_sight_view, sun_at_height;
+  };
+  const std::vector<double>& sun_base() const { return base_ ? base_->sun : sun; }
+  const std::vector<double>& view_base() const { return base_ ? base_->view : view; }
+  const std::vector<double>& line_of_sight_base(std::size_t line) const {
+    return base_ ? base_->line_of_sight_view[line] : line_of_sight_view[line];
+  }
+  const std::vector<double>& sun_at_height_base(std::size_t height) const {
+    return base_ ? base_->sun_at_height[height] : sun_at_height[height];
+  }
+  bool has_base() const { return base_.has_value(); }
+  /// Whether light that is scattered into a line of sight from an altitude is told relative to `sun_base`, not to what is
+  /// scattered once: below the top of a cloud.
+  bool is_under_cloud(double sensor_km) const { return cloud_top_km_ && sensor_km < *cloud_top_km_; }
+  bool cloudy() const { return cloud_top_km_.has_value(); }
+  /// The same of other layers, one number each; of sunlight of irradiance 1.
+  Beams base_of(const LayerOptics& layers) const;
+
   ChannelPoints(const AtmosphereColumn& column, const std::vector<ChannelBin>& bins, const BinOptics& optics,
                 const SensorGeometry& geometry);
   std::size_t size() const { return points.size(); }
+
+ private:
+  std::vector<double> sun_slants_, view_slants_;  ///< by layer, of what is told relative to
+  std::vector<std::vector<double>> line_slants_, height_slants_;
+  std::optional<Beams> base_;
+  std::optional<double> cloud_top_km_;
 };
 
 }  // namespace ifov::atmosphere

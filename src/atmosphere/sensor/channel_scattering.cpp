@@ -112,21 +112,31 @@ Propagation ChannelScattering::towards_sensor() const {
 }
 
 /// Ratios as at the ground and along the sensor's own line of sight.
-void ChannelScattering::solve_lines_of_sight(const ColumnSolution& solved, Node& node) const {
+void ChannelScattering::solve_lines_of_sight(const ColumnSolution& solved,
+                                             const std::optional<ChannelPoints::Beams>& base,
+                                             Node& node) const {
   const double ground_km = column_.levels().altitude_km.front();
-  for (const double height : geometry_.heights_km)
-    node.sky_at_height.push_back(log_ratio(solved.sunlit().fluxes().at(ground_km + height).diffuse_down,
-                                           solved.sun_transmittance(ground_km + height)));
+  for (std::size_t h = 0; h < geometry_.heights_km.size(); ++h) {
+    const double height_km = ground_km + geometry_.heights_km[h];
+    node.sky_at_height.push_back(
+        log_ratio(solved.sunlit().fluxes().at(height_km).diffuse_down,
+                  base ? base->sun_at_height[h][0] : solved.sun_transmittance(height_km)));
+  }
   std::map<double, SlantSource> rings;  // by cosine: lines of one slope end at several heights
-  for (const LineOfSight& line : geometry_.lines_of_sight) {
+  for (std::size_t s = 0; s < geometry_.lines_of_sight.size(); ++s) {
+    const LineOfSight& line = geometry_.lines_of_sight[s];
     const double mu = std::cos(line.zenith_rad), surface_km = ground_km + line.height_km;
     const SlantSource& ring = rings.try_emplace(mu, solved.sunlit(), mu).first->second;
     const PathLight path =
         ring.line_of_sight(line.azimuth_rad - std::numbers::pi, line.sensor_km, surface_km);
-    node.line_of_sight_path.push_back(path.single.i > 0.0 ? log_ratio(path.radiance().i, path.single.i)
-                                                          : 0.0);
+    if (points_.is_under_cloud(line.sensor_km))
+      node.line_of_sight_path.push_back(log_ratio(path.radiance().i, base.value().sun[0]));
+    else
+      node.line_of_sight_path.push_back(path.single.i > 0.0 ? log_ratio(path.radiance().i, path.single.i)
+                                                            : 0.0);
     node.line_of_sight_diffuse.push_back(
-        log_ratio(solved.diffuse_transmittance(mu, line.sensor_km, surface_km).i, path.transmittance));
+        log_ratio(solved.diffuse_transmittance(mu, line.sensor_km, surface_km).i,
+                  base ? base->line_of_sight_view[s][0] : path.transmittance));
   }
 }
 
@@ -136,13 +146,16 @@ void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
   const PathLight path = solved.sunlit().line_of_sight(towards_sensor(), sensor_km, ground_km);
   const double sky_irradiance = solved.sunlit().fluxes().at(ground_km).diffuse_down;
   const double albedo = solved.spherical_albedo();
-  node.path = log_ratio(path.radiance().i, path.single.i);
-  node.sky_irradiance = log_ratio(sky_irradiance, solved.sun_transmittance(ground_km));
-  node.diffuse_transmittance =
-      log_ratio(solved.diffuse_transmittance(towards_sensor().mu, sensor_km).i, path.transmittance);
+  std::optional<ChannelPoints::Beams> base;
+  if (points_.has_base()) base = points_.base_of(node.optics);
+  node.path =
+      log_ratio(path.radiance().i, points_.is_under_cloud(sensor_km) ? base.value().sun[0] : path.single.i);
+  node.sky_irradiance = log_ratio(sky_irradiance, base ? base->sun[0] : solved.sun_transmittance(ground_km));
+  node.diffuse_transmittance = log_ratio(solved.diffuse_transmittance(towards_sensor().mu, sensor_km).i,
+                                         base ? base->view[0] : path.transmittance);
   node.spherical_albedo = std::log(std::max(albedo, kDark));
 
-  solve_lines_of_sight(solved, node);
+  solve_lines_of_sight(solved, base, node);
 
   const std::vector<double> weights = directions_.level_weights();
   const std::size_t zeniths = directions_.zenith_rad.size(), azimuths = directions_.azimuth_rad.size();

@@ -101,7 +101,8 @@ class ChannelScattering {
   std::vector<double> question(const ColumnSolver& solver, const Node& node) const;
   void choose_nodes();
   LayerOptics optics_at(double log_wavelength, double depth) const;
-  void solve_lines_of_sight(const ColumnSolution& solved, Node& node) const;
+  void solve_lines_of_sight(const ColumnSolution& solved, const std::optional<ChannelPoints::Beams>& base,
+                            Node& node) const;
   /// `scale` and `groundlit_scale`: of the shapes of the sky.
   void solve_polarization(const ColumnSolution& solved, double scale, double groundlit_scale,
                           Node& node) const;

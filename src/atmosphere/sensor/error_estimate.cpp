@@ -56,7 +56,7 @@ struct ExactLight {
   ExactLight(const ChannelPoints& points, const ChannelEmission* emitted, const SensorGeometry& geometry,
              const std::vector<double>& scattered_once)
       : once(mean(points.share, scattered_once)) {
-    const double sine = geometry.sun_zenith_rad ? std::cos(*geometry.sun_zenith_rad) : 0.0;
+    const double sine = geometry.sun_sine();
     for (std::size_t p = 0; p < points.size(); ++p) {
       double light = kGrey * sine * points.sun[p] / std::numbers::pi;
       if (emitted != nullptr) {
@@ -155,8 +155,7 @@ class Estimate {
       errors.sky_irradiance += round.sky;
     }
     const ChannelPoints& points = given.points;
-    const double sine =
-        question_.geometry.sun_zenith_rad ? std::cos(*question_.geometry.sun_zenith_rad) : 0.0;
+    const double sine = question_.geometry.sun_sine();
     std::vector<double> reflectance, glow;
     for (const ChannelPoints::Point& point : points.points)
       reflectance.push_back(question_.ground.at(point.wavelength_um));

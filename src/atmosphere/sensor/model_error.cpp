@@ -93,23 +93,26 @@ Emission emission_of(const LevelPath& path, double nu, GasModel model, const Mod
   return {emission_of_levels(planck, depth), emission_of_levels(planck, less)};
 }
 
-/// Vertical extinction of the aerosol from the ground to an altitude.
+/// Vertical extinction of the aerosol, without clouds, from the ground to an altitude.
 double haze_depth_below(const LayerOptics& layers, const Levels& levels, double altitude_km) {
   double sum = 0.0;
   for (std::size_t l = 0; l < levels.layers(); ++l) {
     const double low = levels.altitude_km[l], high = levels.altitude_km[l + 1];
     const double share = std::clamp((altitude_km - low) / (high - low), 0.0, 1.0);
     sum += share * (layers.aerosol_scattering[l] + layers.aerosol_absorption[l]);
+    if (!layers.cloud_scattering.empty())
+      sum -= share * (layers.cloud_scattering[l] + layers.cloud_absorption[l]);
   }
   return sum;
 }
 
-/// The aerosol's of what the whole column scatters.
+/// The aerosol's of what the whole column scatters without clouds.
 double haze_share(const LayerOptics& layers) {
   double haze = 0.0, all = 0.0;
   for (std::size_t l = 0; l < layers.aerosol_scattering.size(); ++l) {
-    haze += layers.aerosol_scattering[l];
-    all += layers.aerosol_scattering[l] + layers.rayleigh_scattering[l];
+    const double cloud = layers.cloud_scattering.empty() ? 0.0 : layers.cloud_scattering[l];
+    haze += layers.aerosol_scattering[l] - cloud;
+    all += layers.aerosol_scattering[l] - cloud + layers.rayleigh_scattering[l];
   }
   return all > 0.0 ? haze / all : 0.0;
 }
@@ -226,8 +229,8 @@ ChannelModelError channel_model_error(const AtmosphereColumn& column, std::span<
                                               um, {view_air + sun_air, view_water + sun_water, two, haze}));
       const double hazy = haze_share(layers);
       error.scattered += share * table.of_scattered(um, hazy);
-      error.scattered_floor += share * table.at(um).floor * bins[b].irradiance *
-                               std::cos(*geometry.sun_zenith_rad) / std::numbers::pi;
+      error.scattered_floor +=
+          share * table.at(um).floor * bins[b].irradiance * geometry.sun_sine() / std::numbers::pi;
     }
     if (!glows) continue;
     const Emission path = emission_of(*down, nu, model, table), sky = emission_of(*up, nu, model, table);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <mutex>
 #include <numbers>
 #include <numeric>
@@ -135,7 +136,7 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
 }
 
 void SensorAtmosphere::build_nodes(const Inputs& inputs, const std::vector<ChannelLights>& channels) {
-  const double sine = geometry_.sun_zenith_rad ? std::cos(*geometry_.sun_zenith_rad) : 0.0;
+  const double sine = geometry_.sun_sine();
   std::vector<radiometry::ChannelGrid> grids;
   for (const ChannelLights& lights : channels) {
     const ChannelPoints& points = lights.points;
@@ -146,8 +147,13 @@ void SensorAtmosphere::build_nodes(const Inputs& inputs, const std::vector<Chann
       ground.push_back(sine * points.sun[p] + sky[p]);
       white += points.share[p] * white_above(wavelengths[p], points.irradiance[p]);
     }
-    grids.emplace_back(std::move(wavelengths), points.share, std::move(ground), std::move(sky), points.view,
-                       kLeastShare * white);
+    // Through clouds surfaces are seen by scattered light, if at all.
+    std::vector<double> seen = points.view;
+    if (points.cloudy() && lights.scattering)
+      std::transform(seen.begin(), seen.end(), lights.scattered.diffuse_transmittance.begin(), seen.begin(),
+                     std::plus<>());
+    grids.emplace_back(std::move(wavelengths), points.share, std::move(ground), std::move(sky),
+                       std::move(seen), kLeastShare * white);
   }
   nodes_ = radiometry::SpectralNodes::build(grids, inputs.surfaces, inputs.demands);
   sun_.assign(node_count(), 0.0);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -26,6 +28,8 @@ struct SensorGeometry {
 
   /// The Sun for a solution of which only what comes from the ground is wanted.
   double any_sun_zenith_rad() const { return sun_zenith_rad.value_or(0.7); }
+  /// Of sunlight across the beam, what falls on level ground; 0 by night and of a Sun below the horizon.
+  double sun_sine() const { return sun_zenith_rad ? std::max(0.0, std::cos(*sun_zenith_rad)) : 0.0; }
   /// The sensor's own line of sight, from the ground.
   LineOfSight own_sight() const { return {view_zenith_rad, view_azimuth_rad, 0.0, sensor_altitude_km}; }
   /// The same without these.

@@ -50,7 +50,7 @@ AtmosphereError SensorAtmosphere::line_of_sight_error(std::size_t channel, const
   constexpr double kGrey = 0.3, kGrey_k = 300.0;
   AtmosphereError error;
   if (lines_of_sight_.trivial()) return error;
-  const double sine = geometry_.sun_zenith_rad ? std::cos(*geometry_.sun_zenith_rad) : 0.0;
+  const double sine = geometry_.sun_sine();
   const ChannelPoints& points = lights.points;
   const std::vector<double> sky = lights.sky_irradiance();
   // What a grey surface sends, and the part of it that is reflected.

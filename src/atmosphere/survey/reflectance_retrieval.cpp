@@ -28,7 +28,7 @@ ReflectanceRetrieval::ReflectanceRetrieval(const SensorAtmosphere& air) {
     double path = 0.0, white = 0.0, emission = 0.0;
     for (std::size_t n = nodes.first_node(c); n < nodes.first_node(c + 1); ++n) {
       const double weight = nodes.node_weight(n);
-      const double down = (sun ? air.sun_irradiance()[n] * std::cos(*sun) : 0.0) + air.sky_irradiance()[n];
+      const double down = air.sun_irradiance()[n] * air.geometry().sun_sine() + air.sky_irradiance()[n];
       const double up = air.view_transmittance()[n] + air.diffuse_transmittance()[n];
       nodes_.push_back({weight * air.view_radiance()[n], weight * up * down / std::numbers::pi,
                         std::clamp(air.spherical_albedo()[n], 0.0, 0.99)});

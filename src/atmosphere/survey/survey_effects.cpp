@@ -62,7 +62,7 @@ void survey_part(const Part& part, AtmosphereEffects* light) {
     to.thermal_sky += weight * night.sky_irradiance()[n];
   });
   if (!geometry.sun_zenith_rad) return;
-  const double sine = std::cos(*geometry.sun_zenith_rad);
+  const double sine = geometry.sun_sine();
   const SensorAtmosphere day = part.solve(true);
   add(day, [&](AtmosphereEffects& to, std::size_t n, double weight) {
     to.solar_path += weight * day.view_radiance()[n];
@@ -76,7 +76,7 @@ void survey_part(const Part& part, AtmosphereEffects* light) {
     of.solar_path = rest(of.solar_path, of.thermal_path);
     of.solar_sky = rest(of.solar_sky, of.thermal_sky);
     of.sun_transmittance =
-        of.solar_irradiance > 0.0 ? of.direct_irradiance / (sine * of.solar_irradiance) : 0.0;
+        of.solar_irradiance > 0.0 && sine > 0.0 ? of.direct_irradiance / (sine * of.solar_irradiance) : 0.0;
   }
 }
 

@@ -28,8 +28,8 @@ std::string fitted(const std::string& name) {
 
 /// What correction codes ask for: path reflectance, sunlight down and light of the ground up, straight and scattered, and S.
 std::string correction_text(const AtmosphereReport& report, std::size_t widest) {
-  if (!report.geometry.sun_zenith_rad) return {};
-  const double cosine = std::cos(*report.geometry.sun_zenith_rad);
+  const double cosine = report.geometry.sun_sine();
+  if (!(cosine > 0.0)) return {};
   std::string text = format(
       "\n{:<{}}  {:>9}  {:>13}  {:>13}  {:>6}\n{:<{}}  {:>9}  {:>6} {:>6}  {:>6} {:>6}  {:>6}\n", "", widest,
       "path", "down", "up", "", "channel", widest, "reflect.", "all", "scatt.", "all", "scatt.", "S");

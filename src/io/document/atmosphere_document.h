@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "atmosphere/column/atmosphere_description.h"
+#include "io/document/cloud_document.h"
 #include "io/document/spectrum_document.h"
 
 namespace ifov::io {
@@ -40,6 +41,7 @@ struct FourCurveAtmosphere {
 struct ModelledAtmosphere {
   atmosphere::AtmosphereDescription description;          ///< but for its aerosol
   std::shared_ptr<const struct AerosolDocument> aerosol;  ///< null: that of no key
+  std::vector<CloudDocument> clouds;                      ///< beside the aerosol
   /// Above mean sea level; absent: a frame camera's own, else above the air.
   std::optional<double> sensor_altitude_km;
   bool adjacency = true;               ///< the scene's own ground lights the air; false: surroundings alone

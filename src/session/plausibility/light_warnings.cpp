@@ -55,9 +55,18 @@ void warn_of_sun(const Parts& parts, LogSink& log) {
   constexpr double kOnHorizon = 1e-6;  // what rounding makes of a zenith angle of 90 degrees
   if (!sun || sun->direction.z > kOnHorizon) return;
   const double below_deg = std::max(0.0, -sun->elevation_rad()) * 180.0 / std::numbers::pi;
-  log.warn(
-      format("the {} stands {:.1f} deg below the horizon: it lights nothing, and twilight is not modelled",
-             sun->is_moon ? "Moon" : "Sun", below_deg));
+  if (parts.atmosphere && sun->is_twilight()) {
+    if (parts.document.light.moon)
+      log.warn(format(
+          "the Moon is left out: the Sun stands {:.1f} deg below the horizon, and its twilight is brighter",
+          below_deg));
+    return;
+  }
+  log.warn(format("the {} stands {:.1f} deg below the horizon: it lights nothing{}",
+                  sun->is_moon ? "Moon" : "Sun", below_deg,
+                  sun->is_moon       ? ""
+                  : parts.atmosphere ? ", and twilight is modelled down to 6 deg"
+                                     : ", and only a modelled atmosphere has twilight"));
 }
 
 void warn_of_sky(const Parts& parts, LogSink& log) {

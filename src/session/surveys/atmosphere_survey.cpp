@@ -16,6 +16,7 @@
 #include "scene/scene.h"
 #include "session/assembly/atmosphere/aerosol_assembly.h"
 #include "session/assembly/atmosphere/atmosphere_assembly.h"
+#include "session/assembly/atmosphere/cloud_assembly.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/surveys/survey_stage.h"
 
@@ -59,7 +60,8 @@ std::pair<double, double> half_width(const radiometry::Channel& channel) {
 
 std::vector<std::string> describe(const atmosphere::AtmosphereColumn& column,
                                   const atmosphere::SensorGeometry& geometry, const scene::Scene& scene,
-                                  const io::AerosolDocument* aerosol) {
+                                  const io::ModelledAtmosphere& written) {
+  const io::AerosolDocument* aerosol = written.aerosol.get();
   const atmosphere::AtmosphereDescription& said = column.description();
   const atmosphere::Profile& profile = column.profile();
   std::vector<std::string> lines;
@@ -71,7 +73,7 @@ std::vector<std::string> describe(const atmosphere::AtmosphereColumn& column,
              profile.ground_km(), profile.temperature_K.front(), profile.pressure_hPa.front(),
              profile.relative_humidity_percent(0), profile.precipitable_water_g_cm2(),
              1e3 * profile.column_atm_cm(atmosphere::Gas::o3), profile.of(atmosphere::Gas::co2).front()));
-  if (column.aerosol().empty())
+  if (!column.aerosol().hazy())
     lines.push_back("No aerosol.");
   else if (aerosol != nullptr && aerosol->own)
     lines.push_back(format(
@@ -82,6 +84,8 @@ std::vector<std::string> describe(const atmosphere::AtmosphereColumn& column,
         format("Aerosol: {}, visibility {:.3g} km, optical thickness {:.3f} at 0.55 um.", said.aerosol.type,
                column.aerosol().visibility_km(),
                column.aerosol().thickness_550(profile.ground_km(), atmosphere::kTopOfAtmosphereKm)));
+  for (const io::CloudDocument& cloud : written.clouds)
+    lines.push_back(format("Cloud of {}.", cloud_statement(cloud)));
   std::string where = "No Sun.";
   if (geometry.sun_zenith_rad) {
     where =
@@ -159,8 +163,7 @@ io::AtmosphereReport survey_atmosphere(const io::Document& original, const Atmos
       if (stage.scene.sun->is_moon) report.body = "Moon";
       report.sun_azimuth_rad = stage.scene.sun->azimuth_rad();
     }
-    report.description =
-        describe(column, report.geometry, stage.scene, document.atmosphere.modelled->aerosol.get());
+    report.description = describe(column, report.geometry, stage.scene, *document.atmosphere.modelled);
     const radiometry::Spectrum sunlight =
         stage.scene.sun ? stage.scene.sun->irradiance : radiometry::Spectrum();
 
@@ -174,7 +177,7 @@ io::AtmosphereReport survey_atmosphere(const io::Document& original, const Atmos
       if (atmosphere::narrower_than_resolved(stage.channels[c])) narrow.push_back(c);
     }
     if (question.log != nullptr) {
-      for (const std::string& remark : column.remarks()) question.log->warn(format("atmosphere: {}", remark));
+      warn_of_column(*document.atmosphere.modelled, column, *question.log);
       if (!narrow.empty()) question.log->warn(narrow_channels(stage.channels, narrow));
     }
     std::optional<std::size_t> shown;

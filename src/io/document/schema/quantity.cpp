@@ -97,6 +97,13 @@ constexpr Unit kWaterColumnUnits[] = {
     {"kg m-2", 0.1, 0.0, kAlias},
     {"g/cm^2", 1.0, 0.0, kAlias},
 };
+constexpr Unit kCloudWaterUnits[] = {
+    {"g/m2"},
+    {"kg/m2", 1e3},
+    {"g m-2", 1.0, 0.0, kAlias},
+    {"kg m-2", 1e3, 0.0, kAlias},
+    {"g/m^2", 1.0, 0.0, kAlias},
+};
 constexpr Unit kOzoneColumnUnits[] = {{"DU"}, {"atm-cm", 1e3}};
 constexpr Unit kMixingRatioUnits[] = {{"g/kg"}, {"g kg-1", 1.0, 0.0, kAlias}};
 constexpr Unit kMixingRatioByVolumeUnits[] = {{"ppm"}, {"ppb", 1e-3}, {"ppmv", 1.0, 0.0, kAlias}};
@@ -155,6 +162,7 @@ const Dimension kLuminousFlux{"a luminous flux", "5000 lm", kLuminousFluxUnits, 
 const Dimension kSpeed{"a speed", "3 m/s", kSpeedUnits, 1e-9, 1e6};
 const Dimension kPressure{"a pressure", "1013 hPa", kPressureUnits, 1e-12, 1e6};
 const Dimension kWaterColumn{"a column of water vapour", "2.1 g/cm2", kWaterColumnUnits, 1e-12, 1e6};
+const Dimension kCloudWater{"a column of cloud water", "100 g/m2", kCloudWaterUnits, 1e-12, 1e6};
 const Dimension kOzoneColumn{"a column of ozone", "320 DU", kOzoneColumnUnits, 1e-12, 1e6};
 const Dimension kMixingRatio{"a mixing ratio", "8 g/kg", kMixingRatioUnits, 1e-12, 1e6};
 const Dimension kMixingRatioByVolume{"a mixing ratio by volume", "420 ppm", kMixingRatioByVolumeUnits, 1e-12,

@@ -47,6 +47,7 @@ extern const Dimension kLuminousFlux;           ///< lm
 extern const Dimension kSpeed;                  ///< m s-1
 extern const Dimension kPressure;               ///< hPa
 extern const Dimension kWaterColumn;            ///< g cm-2
+extern const Dimension kCloudWater;             ///< g m-2
 extern const Dimension kOzoneColumn;            ///< DU
 extern const Dimension kMixingRatio;            ///< g kg-1
 extern const Dimension kMixingRatioByVolume;    ///< ppm

@@ -160,6 +160,9 @@ SchemaType<AtmosphereDocument> atmosphere_type() {
                     }),
                 aerosol_type(), "haze and dust; without it rural aerosol of 23 km visibility")
       .optional(
+          "clouds", modelled(&ModelledAtmosphere::clouds), clouds_type(),
+          "level layers of droplets or ice crystals, beside haze and dust; without them the sky is clear")
+      .optional(
           "sensor_altitude", modelled(&ModelledAtmosphere::sensor_altitude_km),
           quantity(kLength, Range::above(0.0, "m"), 1e-3),
           "of the sensor above mean sea level; without it that of a frame camera, and above all air for an orthographic one")
@@ -172,7 +175,7 @@ SchemaType<AtmosphereDocument> atmosphere_type() {
           "what intervals hold of the air: how exactly this model is computed, or how far the model is from the "
           "air besides; what is asked for is judged by what they hold");
   for (const char* key : {"levels", "ground_altitude", "water_vapour", "ozone", "co2", "ch4", "n2o",
-                          "aerosol", "sensor_altitude", "adjacency", "interval"})
+                          "aerosol", "clouds", "sensor_altitude", "adjacency", "interval"})
     record.needs(key, "profile");
   SchemaType<AtmosphereDocument> type = record.type();
   return {type.description,

@@ -7,11 +7,12 @@ namespace {
 
 /// Keys for where it stands, both or neither.
 template <class Source>
-void with_direction(Record<Source>& record, const std::string& body) {
+void with_direction(Record<Source>& record, const std::string& body, double lowest_deg,
+                    const std::string& beyond = "") {
   record
       .optional("zenith", path(&Source::direction, &CelestialDirection::zenith_rad),
-                quantity(kAngle, Range::between(0.0, 90.0, "deg")),
-                "zenith angle; without it the " + body + " stands where time and place put it")
+                quantity(kAngle, Range::between(0.0, lowest_deg, "deg")),
+                "zenith angle" + beyond + "; without it the " + body + " stands where time and place put it")
       .optional("azimuth", path(&Source::direction, &CelestialDirection::azimuth_rad),
                 quantity(kAngle, Range::between(-360.0, 360.0, "deg")),
                 "of the " + body + ", clockwise from north")
@@ -21,7 +22,8 @@ void with_direction(Record<Source>& record, const std::string& body) {
 
 Record<SunDocument> sun_record(const std::string& name, const std::string& doc) {
   Record<SunDocument> record(name, doc);
-  with_direction(record, "Sun");
+  with_direction(record, "Sun", 96.0,
+                 ", beyond 90 deg below the horizon, whence it lights a modelled atmosphere");
   record
       .optional("distance", &SunDocument::distance_au, quantity(kSunDistance, Range::between(0.5, 2.0, "au")),
                 "of the Sun; without it from the document's time, else 1 au")
@@ -52,9 +54,9 @@ SchemaType<SunDocument> sun_type() {
 SchemaType<MoonDocument> moon_type() {
   Record<MoonDocument> record(
       "moon",
-      "Moonlight, where the Sun is below the horizon or left out: the solar spectrum, dimmed by phase and "
+      "Moonlight, where the Sun is left out or below the horizon (in a modelled atmosphere by more than 6 deg): the solar spectrum, dimmed by phase and "
       "distance.");
-  with_direction(record, "Moon");
+  with_direction(record, "Moon", 90.0);
   record.optional(
       "phase_angle", &MoonDocument::phase_angle_rad, quantity(kAngle, Range::between(0.0, 180.0, "deg")),
       "at the Moon, between Sun and scene: 0 is full, 90 half; without it from the document's time");

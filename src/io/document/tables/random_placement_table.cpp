@@ -7,7 +7,7 @@ namespace ifov::io {
 namespace {
 
 constexpr std::size_t kMostWeighted = 1000;
-constexpr int kMostBands = 65535;
+constexpr int kLastBand = 65535;
 constexpr std::int64_t kLargestSeed = 9007199254740991;
 constexpr double kFarthest_m = 1e8;
 
@@ -35,7 +35,7 @@ SchemaType<std::variant<double, DensityMap>> density_type() {
       "density map",
       "Densities from a raster; each holds in its cell. Where it has no number, nothing grows.");
   add_raster_keys(map);
-  map.with_default("band", &DensityMap::band, integer(1, kMostBands), "1",
+  map.with_default("band", &DensityMap::band, integer(1, kLastBand), "1",
                    "band of the raster, counted from 1")
       .with_default("unit", &DensityMap::density_of_one_m2, quantity(kDensity, Range::above(0.0, "m-2")),
                     "\"1 m-2\"", "density that the number 1 of the raster means")

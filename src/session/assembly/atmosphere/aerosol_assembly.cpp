@@ -27,7 +27,9 @@ std::shared_ptr<const atmosphere::Particles> spheres(const io::DocumentSources& 
   const io::IndexDocument& index = mie.index;
   return with_position(sources, mie.position, [&] {
     if (!index.name.empty()) {
-      const radiometry::RefractiveIndex& built_in = radiometry::refractive_index(index.name);
+      const radiometry::RefractiveIndex* whole = radiometry::whole_refractive_index(index.name);
+      const radiometry::RefractiveIndex& built_in =
+          whole != nullptr ? *whole : radiometry::refractive_index(index.name);
       return std::make_shared<const atmosphere::MieParticles>(sizes(mie), built_in.n, built_in.k);
     }
     return std::make_shared<const atmosphere::MieParticles>(

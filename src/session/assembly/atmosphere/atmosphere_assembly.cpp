@@ -16,6 +16,7 @@
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "session/assembly/atmosphere/aerosol_assembly.h"
+#include "session/assembly/atmosphere/cloud_assembly.h"
 #include "session/assembly/atmosphere/node_tolerance.h"
 #include "session/assembly/shared/with_position.h"
 
@@ -34,14 +35,25 @@ double sensor_altitude_km(const io::ModelledAtmosphere& air, const sensor::Camer
   return altitude_m ? ground_km + 1e-3 * *altitude_m : atmosphere::kTopOfAtmosphereKm;
 }
 
-void warn(const AtmosphereSubject& subject, const atmosphere::AtmosphereColumn& column,
-          const atmosphere::SensorAtmosphere& air, LogSink& log) {
-  for (const std::string& remark : column.remarks()) log.warn(format("atmosphere: {}", remark));
+void warn(const AtmosphereSubject& subject, const io::ModelledAtmosphere& modelled,
+          const atmosphere::AtmosphereColumn& column, const atmosphere::SensorAtmosphere& air, LogSink& log) {
+  warn_of_column(modelled, column, log);
+  if (!modelled.clouds.empty() && modelled.interval == "with model")
+    log.warn(
+        "intervals hold the error of the model of the air, which was found without clouds: under clouds they may be too "
+        "narrow");
   const std::string narrow = narrow_channels(subject.channels, air.unresolved_channels());
   if (!narrow.empty()) log.warn(narrow);
 }
 
 }  // namespace
+
+void warn_of_column(const io::ModelledAtmosphere& air, const atmosphere::AtmosphereColumn& column,
+                    LogSink& log) {
+  for (const std::string& remark : column.remarks()) log.warn(format("atmosphere: {}", remark));
+  for (const std::string& remark : cloud_remarks(air.clouds, column.profile()))
+    log.warn(format("atmosphere: {}", remark));
+}
 
 void check_channels(const io::DocumentSources& sources, std::span<const io::ChannelDocument> written,
                     std::span<const radiometry::Channel> channels) {
@@ -66,6 +78,9 @@ atmosphere::AtmosphereColumn assemble_column(const io::DocumentSources& sources,
   if (air.aerosol) description.aerosol = assemble_aerosol(sources, *air.aerosol);
   if (!description.air.ground_altitude_km && description.air.levels.empty())
     description.air.ground_altitude_km = std::max(0.0, 1e-3 * origin.height_m);
+  if (!air.clouds.empty())
+    description.aerosol.clouds =
+        assemble_clouds(sources, air.clouds, atmosphere::build_profile(description.air).profile.ground_km());
   const auto column = [&] { return atmosphere::AtmosphereColumn(description); };
   return air.aerosol && air.aerosol->own ? with_position(sources, air.aerosol->position, column) : column();
 }
@@ -85,7 +100,7 @@ atmosphere::SensorGeometry sensor_geometry(const io::DocumentSources& sources,
             "under a modelled atmosphere the camera must look down, at most {:.0f} degrees from the nadir; the middle "
             "of its image looks {:.1f} degrees away",
             kLowestView_rad * 180.0 / std::numbers::pi, geometry.view_zenith_rad * 180.0 / std::numbers::pi));
-  if (sun && sun->is_up()) {
+  if (sun && (sun->is_up() || sun->is_twilight())) {
     geometry.sun_zenith_rad = sun->zenith_rad();
     geometry.view_azimuth_rad = std::atan2(up.x, up.y) - sun->azimuth_rad();
   }
@@ -190,7 +205,7 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
     inputs.kept = work.kept;
     inputs.progress = work.progress;
     auto air = std::make_unique<atmosphere::SensorAtmosphere>(column, inputs);
-    if (work.log != nullptr) warn(subject, column, *air, *work.log);
+    if (work.log != nullptr) warn(subject, modelled, column, *air, *work.log);
     return air;
   });
 }

@@ -44,6 +44,10 @@ inline constexpr double kShortest_um = 0.2, kLongest_um = 50.0;
 void check_channels(const io::DocumentSources& sources, std::span<const io::ChannelDocument> written,
                     std::span<const radiometry::Channel> channels);
 
+/// What was changed in what was asked for, and clouds that cannot be.
+void warn_of_column(const io::ModelledAtmosphere& air, const atmosphere::AtmosphereColumn& column,
+                    LogSink& log);
+
 /// The air that a document describes, over ground as high as the scene's origin where it does not say. Throws InputError.
 atmosphere::AtmosphereColumn assemble_column(const io::DocumentSources& sources,
                                              const io::ModelledAtmosphere& air,

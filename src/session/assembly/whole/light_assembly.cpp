@@ -124,7 +124,8 @@ void assemble_light(const LightParts& parts, scene::Scene& scene) {
   if (light.sun)
     scene.sun =
         with_position(parts.sources, light.sun->position, [&] { return assemble_sun(parts, *light.sun); });
-  const bool is_day = scene.sun && scene.sun->is_up();
+  const bool is_day =
+      scene.sun && (scene.sun->is_up() || (parts.atmosphere.modelled && scene.sun->is_twilight()));
   if (light.moon && !is_day)
     scene.sun =
         with_position(parts.sources, light.moon->position, [&] { return assemble_moon(parts, *light.moon); });
