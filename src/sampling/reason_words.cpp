@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, kReasonNames.size()> kWords{
     "it holds finer structure than was resolved",
     "light may reach it in ways that are not sought",
     "the air is not known well enough",
-    "the spectral nodes are not exact enough",
+    "the spectral nodes or solved temperatures are not exact enough",
     "what the cut of the point spread function leaves out is too much",
     "it sees what lies beyond the edge of what is described",
 };

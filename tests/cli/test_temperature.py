@@ -107,11 +107,6 @@ class Guide(unittest.TestCase):
         self.assertIn('\'lawn\' has neither "thermal" nor a reflectance of the library', done.stderr)
         self.assertEqual(self.temperature().returncode, 1)
 
-    def test_solved_is_no_temperature_of_images_yet(self):
-        done = run("render", "day.json", "--set", 'scene.materials.lawn.temperature="solved"', cwd=self.folder)
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("'scene.materials.lawn.temperature' is the text \"solved\"", done.stderr)
-
     def test_local_time_taken_for_utc_is_an_error(self):
         local = re.sub(r"T(\d\d):00:00Z", r"T\1:00:00-03:00", JUNE)
         (pathlib.Path(self.folder) / "local.csv").write_text(local)

@@ -20,6 +20,7 @@
 #include "io/quantities/location_quantities.h"
 #include "io/quantities/quality_classes.h"
 #include "io/quantities/quality_quantities.h"
+#include "io/quantities/temperature_quantity.h"
 #include "io/synthetic_image.h"
 #include "truth/location.h"
 #include "truth/view_angles.h"
@@ -37,6 +38,7 @@ ProductOptions options_in(const std::filesystem::path& folder) {
   options.cubes = QuantitySet::all();
   options.cubes.remove(quantities::kLocation);  // the synthetic image has no places
   options.cubes.remove(quantities::kViewAngles);
+  options.cubes.remove(quantities::kTemperature);
   return options;
 }
 

@@ -12,8 +12,10 @@
 #include "io/quantities/quantity_set.h"
 #include "io/quantities/radiance_quantities.h"
 #include "io/quantities/share_quantities.h"
+#include "io/quantities/temperature_quantity.h"
 #include "io/synthetic_image.h"
 #include "truth/location.h"
+#include "truth/temperature.h"
 #include "truth/view_angles.h"
 
 namespace ifov::io {
@@ -108,12 +110,13 @@ TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
   const QuantitySet bare = possible_quantities(QuantitySet::all(), image, false);
   EXPECT_TRUE(bare == QuantitySet({&quantities::kRadiance, &quantities::kSamples, &quantities::kQuality,
                                    &quantities::kReasons, &quantities::kQualityClass, &quantities::kLocation,
-                                   &quantities::kViewAngles}));
+                                   &quantities::kViewAngles, &quantities::kTemperature}));
   EXPECT_TRUE(possible_quantities({}, image).has(quantities::kRadiance));
 }
 
 TEST(QuantitySet, WhatTheyNeedIsNoted) {
-  EXPECT_EQ(collectors_of(QuantitySet::all()), (std::vector{&truth::kLocation, &truth::kViewAngles}));
+  EXPECT_EQ(collectors_of(QuantitySet::all()),
+            (std::vector{&truth::kLocation, &truth::kViewAngles, &truth::kTemperature}));
   EXPECT_TRUE(collectors_of({&quantities::kRadiance}).empty());
 }
 

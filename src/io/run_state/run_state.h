@@ -13,18 +13,9 @@
 #include "io/run_state/run_plan.h"
 #include "io/run_state/tile_index.h"
 #include "io/run_state/tile_store.h"
+#include "io/run_state/tile_survey.h"
 
 namespace ifov::io {
-
-/// What is known of a run's finished tiles.
-struct TilesDone {
-  std::vector<bool> done;  ///< by tile
-  std::int64_t pixels = 0, converged = 0, rays = 0;
-  sampling::ReasonCounts reasons{};  ///< pixels that are not converged
-  double worst_ratio = 0.0;
-  double elapsed_s = 0.0;  ///< wall time of all its starts
-  std::size_t count() const;
-};
 
 /// The state of an unfinished run, in the folder `run.part` of its output folder: plan, lock and finished
 /// tiles. One process at a time.
@@ -86,9 +77,6 @@ class RunState {
   std::vector<HeldPack> held_;        ///< of read() and the store's thread
   std::unique_ptr<TileStore> store_;  ///< the last member: its thread ends before what it uses does
 };
-
-/// The tiles of a run that may be at work, by their headers; noted in `index` where it is given.
-TilesDone survey_tiles(const std::filesystem::path& folder, const RunPlan& plan, TileIndex* index = nullptr);
 
 /// Whether the folder holds a complete run: a run record of any name.
 bool holds_complete_run(const std::filesystem::path& folder);

@@ -5,6 +5,7 @@
 
 #include "math/ray.h"
 #include "render/unseen/unseen_lobes.h"
+#include "sampling/pixel_rect.h"
 #include "scene/resolved_surface.h"
 
 /// What UnseenLobes keeps of a tile while it works on it: for its own source alone.

@@ -5,9 +5,15 @@
 #include <vector>
 
 #include "geometry/world/surface_survey.h"
-#include "sampling/tile.h"
 #include "transport/shining_parts.h"
 
+namespace ifov::math {
+struct Ray;
+}
+namespace ifov::sampling {
+struct RayCounts;
+struct TileResult;
+}  // namespace ifov::sampling
 namespace ifov::sensor {
 class Camera;
 }

@@ -5,7 +5,8 @@
 
 #include "core/error.h"
 #include "io/run_state/run_folder.h"
-#include "io/run_state/run_state.h"
+#include "io/run_state/tile_index.h"
+#include "io/run_state/tile_survey.h"
 #include "session/runs/run_products.h"
 #include "session/runs/tile_assembly.h"
 
