@@ -13,7 +13,11 @@ void mount_camera(Document& document) {
         PlatformFlight{*document.platform, document.time, document.scene.origin});
   CameraDocument& camera = document.sensor.camera;
   try {
-    if (auto carried = camera.settings->carried_by(flight)) camera.settings = std::move(carried);
+    if (auto carried = camera.settings->carried_by(flight)) {
+      camera.settings = std::move(carried);
+      // What is found when it is built, files of the path above all, is the platform's.
+      if (flight) camera.position = flight->platform.position;
+    }
   } catch (const InputError& error) {
     throw document_error(document.sources, flight ? flight->platform.position : camera.position,
                          error.what());
