@@ -78,6 +78,20 @@ class SolvedImage(unittest.TestCase):
         known = sorted(value for value in kelvin if value > 250)
         self.assertGreater(known[-1] - known[0], 8)
 
+    def test_what_the_camera_hardly_sees_is_measured_all_the_same(self):
+        """A road that no ray of the survey meets had been off by 0 K at 0 points, and all pixels sure of it."""
+        document = json.loads(json.dumps(DOCUMENT))
+        document["scene"]["materials"]["road"]["temperature"] = "300 K"
+        document["scene"]["objects"][1] = {"disk": {"center": ["0.3 m", "0.2 m", "1 cm"], "normal": [0, 0, 1], "radius": "1 cm"},
+                                           "material": "wall"}
+        said, out = self.render(1, document)
+        self.assertEqual(said.returncode, 0, said.stderr)
+        notes = "\n".join(json.loads((out / "image_run.json").read_text())["notes"])
+        found = re.search(r"at 0 points that the camera sees, each solved in full by itself, and 8 more of materials that it hardly sees, "
+                          r"off by ([\d.]+) K", notes)
+        self.assertIsNotNone(found, notes)
+        self.assertGreater(float(found[1]), 0.01)
+
     def test_weather_is_needed(self):
         said, _ = self.render(1, {key: value for key, value in DOCUMENT.items() if key != "weather"})
         self.assertEqual(said.returncode, 1, said.stderr)

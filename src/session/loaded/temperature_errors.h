@@ -5,10 +5,12 @@
 namespace ifov::session {
 
 /// What solved temperatures may be off by, beside what rays into the past do not tell: measured at points that the camera
-/// sees, each solved in full by itself against what its class makes of the same exposure. Kelvins.
+/// sees, and at some made up of materials that it hardly sees, each solved in full by itself against what its class makes of
+/// the same exposure. Kelvins.
 struct TemperatureErrors {
-  int points = 0;
-  double bias_k = 0.0, rms_k = 0.0, worst_k = 0.0;
+  int points = 0, made_up = 0;
+  double rms_k = 0.0, bias_k = 0.0;  ///< root mean square and mean, of the material that is off most
+  double worst_k = 0.0;
   double step_k = 0.0;  ///< of the steps of time, by those of twice the length
   std::string weather;  ///< by which they are solved, and what stood in for what it does not tell
 

@@ -22,9 +22,9 @@
 namespace ifov::session {
 namespace {
 
-constexpr double kSunRadius_rad = 0.00465;  // at 1 au, of 6.957e8 m
-constexpr int kAcross = 24;                 // rays along each side of the image
-constexpr std::size_t kMeasured = 64;
+constexpr double kSunRadius_rad = 0.00465;                 // at 1 au, of 6.957e8 m
+constexpr int kAcross = 24;                                // rays along each side of the image
+constexpr std::size_t kMeasured = 64, kLeastMeasured = 8;  // points, of all materials and of each
 constexpr int kSkyPairs = 128;
 constexpr double kWarm_um = 3.0;  // surfaces emit beyond it
 
@@ -110,13 +110,99 @@ double step_error_k(const Solved& solved, const thermal::OutdoorsSeries& series,
   return std::abs(last_k(every_other) - last_k(series)) / 3.0;
 }
 
+/// A place of a surface that is warmed by what it sees.
+struct Measured {
+  const Solved* solved = nullptr;
+  geometry::SurfacePoint at;
+  bool made_up = false;  ///< the camera sees too few of the material
+  double off_k = 0.0;
+};
+using ByMaterial = std::map<std::uint32_t, Solved>;
+
+/// Level, tilted and upright, to all sides: what the camera may see of a material by way of mirrors, or between its rays.
+geometry::SurfacePoint made_up_point(std::size_t number) {
+  const double tilt_rad = 0.25 * std::numbers::pi * static_cast<double>(number % 3);
+  const double azimuth_rad = 0.7 + 2.4 * static_cast<double>(number);  // the golden angle
+  geometry::SurfacePoint point;
+  point.geometric_normal = point.shading_normal =
+      math::as_normal({std::sin(tilt_rad) * std::sin(azimuth_rad), std::sin(tilt_rad) * std::cos(azimuth_rad),
+                       std::cos(tilt_rad)});
+  return point;
+}
+
+/// Half of the sky's light, and the Sun some hours of a day, others not.
+exposure::SolvedSurface::Exposure made_up_exposure(std::size_t number, std::size_t rows) {
+  constexpr std::size_t kHours = 5;
+  exposure::SolvedSurface::Exposure exposure;
+  exposure.free_sky = 0.5 + 0.5 * static_cast<double>(number % 2);
+  for (std::size_t row = 0; row < rows; ++row)
+    exposure.visibility.push_back((kHours * row / std::max<std::size_t>(rows, 1) + number) % 2 == 0 ? 1.0
+                                                                                                    : 0.0);
+  return exposure;
+}
+
+/// Points that the camera sees, evenly over the image, of each material about as many as it fills; made up where those are few.
+std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor::Camera& camera,
+                                         const ByMaterial& by_material) {
+  const std::vector<geometry::SurfacePoint> seen = hits_of_camera(*scene.world, camera, kAcross);
+  std::map<std::uint32_t, std::vector<const geometry::SurfacePoint*>> of_material;
+  std::size_t all = 0;
+  for (const geometry::SurfacePoint& point : seen) {
+    if (!point.hit()) continue;
+    const scene::ResolvedSurface surface = scene.resolve_without_temperature(point);
+    const std::uint32_t by = scene.states[surface.constituents[0].state].solved;
+    if (by == 0) continue;
+    of_material[by - 1].push_back(&point);
+    ++all;
+  }
+  std::vector<Measured> points;
+  for (const auto& [material, solved] : by_material) {
+    const auto& found = of_material[material];
+    const std::size_t share = all > kMeasured ? kMeasured * found.size() / all : found.size();
+    const std::size_t count = std::min(found.size(), std::max(share, kLeastMeasured));
+    for (std::size_t k = 0; k < count; ++k) points.push_back({&solved, *found[k * found.size() / count]});
+    for (std::size_t k = count; k < kLeastMeasured; ++k) points.push_back({&solved, made_up_point(k), true});
+  }
+  return points;
+}
+
+/// What classes make of the points against solutions in full, material by material; of the root mean squares the largest.
+void measure(TemperatureErrors& errors, const ByMaterial& by_material, std::vector<Measured> points,
+             const thermal::OutdoorsSeries& series, const thermal::Stand& stand, const geometry::World& world,
+             int threads) {
+  parallel_for(static_cast<std::int64_t>(points.size()), threads, [&](std::int64_t k) {
+    const auto number = static_cast<std::size_t>(k);
+    Measured& point = points[number];
+    const exposure::SolvedSurface surface(point.solved->classes, world, kSunRadius_rad);
+    const auto exposure = point.made_up
+                              ? made_up_exposure(number, point.solved->classes->sunlit_rows())
+                              : surface.exposure(point.at, static_cast<std::uint64_t>(k), kSkyPairs, 1);
+    point.off_k = surface.temperature_k(point.at, exposure) -
+                  full_solution_k(*point.solved, series, stand,
+                                  exposure::ExposedPoint(world, point.at).normal(), exposure);
+  });
+  for (const auto& [material, solved] : by_material) {
+    double sum_k = 0.0, squares_k2 = 0.0, count = 0.0;
+    for (const Measured& point : points) {
+      if (point.solved != &solved) continue;
+      count += 1.0;
+      sum_k += point.off_k;
+      squares_k2 += point.off_k * point.off_k;
+      errors.worst_k = std::max(errors.worst_k, std::abs(point.off_k));
+      ++(point.made_up ? errors.made_up : errors.points);
+    }
+    const double rms_k = std::sqrt(squares_k2 / count);
+    if (rms_k >= errors.rms_k) errors.rms_k = rms_k, errors.bias_k = sum_k / count;
+  }
+}
+
 }  // namespace
 
 std::optional<TemperatureErrors> solve_temperatures(const io::Document& document,
                                                     const atmosphere::WeatherSeries* weather,
                                                     const sensor::Camera& camera, scene::Scene& scene,
                                                     int threads, LogSink* log) {
-  std::map<std::uint32_t, Solved> by_material;
+  ByMaterial by_material;
   for (const scene::SurfaceState& state : scene.states)
     if (state.solved > 0) by_material[state.solved - 1];
   if (by_material.empty()) {
@@ -148,41 +234,8 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
   TemperatureErrors errors;
   for (const auto& [material, solved] : by_material)
     errors.step_k = std::max(errors.step_k, step_error_k(solved, series, stand));
-  struct Point {
-    const geometry::SurfacePoint* at;
-    std::uint32_t material;
-    double off_k = 0.0;
-  };
-  const std::vector<geometry::SurfacePoint> seen = hits_of_camera(*scene.world, camera, kAcross);
-  std::vector<Point> points;
-  for (const geometry::SurfacePoint& point : seen) {
-    if (!point.hit()) continue;
-    const scene::ResolvedSurface surface = scene.resolve_without_temperature(point);
-    const std::uint32_t by = scene.states[surface.constituents[0].state].solved;
-    if (by > 0) points.push_back({&point, by - 1});
-  }
-  if (points.size() > kMeasured) {
-    std::vector<Point> some;
-    for (std::size_t k = 0; k < kMeasured; ++k) some.push_back(points[k * points.size() / kMeasured]);
-    points = std::move(some);
-  }
-  parallel_for(static_cast<std::int64_t>(points.size()), threads, [&](std::int64_t k) {
-    Point& point = points[static_cast<std::size_t>(k)];
-    const Solved& solved = by_material.at(point.material);
-    const exposure::SolvedSurface surface(solved.classes, *scene.world, kSunRadius_rad);
-    const auto exposure = surface.exposure(*point.at, static_cast<std::uint64_t>(k), kSkyPairs, 1);
-    point.off_k = surface.temperature_k(*point.at, exposure) -
-                  full_solution_k(solved, series, stand,
-                                  exposure::ExposedPoint(*scene.world, *point.at).normal(), exposure);
-  });
-  errors.points = static_cast<int>(points.size());
-  for (const Point& point : points) {
-    const double share = 1.0 / static_cast<double>(points.size());
-    errors.bias_k += share * point.off_k;
-    errors.rms_k += share * point.off_k * point.off_k;
-    errors.worst_k = std::max(errors.worst_k, std::abs(point.off_k));
-  }
-  errors.rms_k = std::sqrt(errors.rms_k);
+  measure(errors, by_material, points_by_material(scene, camera, by_material), series, stand, *scene.world,
+          threads);
   errors.weather = about.statement;
   for (const std::string& note : about.outdoors.notes) errors.weather += "; " + note;
   if (log != nullptr) warn_of_another_sun(scene, series.rows.back(), *log);
