@@ -53,7 +53,7 @@ double class_k(const SurfaceClasses& classes, math::Vec3 normal, double free_sky
 TEST(SurfaceClasses, AreTheWholeSolutionInFullSunAndInTheShade) {
   const OutdoorsSeries series = afternoon();
   const Solid solid = road();
-  const SurfaceClasses classes(series, {solid, Skin{}, Stand{}}, 0);
+  const SurfaceClasses classes(std::make_shared<const OutdoorsSeries>(series), {solid, Skin{}, Stand{}}, 0);
   for (const double visible : {0.0, 1.0})
     for (const double tilt : {0.0, 45.0, 90.0})
       for (const double free_sky : {0.0, 1.0}) {
@@ -67,7 +67,7 @@ TEST(SurfaceClasses, AreTheWholeSolutionInFullSunAndInTheShade) {
 TEST(SurfaceClasses, BetweenDirectionsSharesOfTheSkyAndHoursOfSun) {
   const OutdoorsSeries series = afternoon();
   const Solid solid = road();
-  const SurfaceClasses classes(series, {solid, Skin{}, Stand{}}, 0);
+  const SurfaceClasses classes(std::make_shared<const OutdoorsSeries>(series), {solid, Skin{}, Stand{}}, 0);
   double squares = 0.0, worst = 0.0, most = 0.0;
   int count = 0;
   for (const auto& [tilt, azimuth] : {std::pair{0.0, 0.0}, {22.0, 200.0}, {52.0, 160.0}, {83.0, 250.0}})
