@@ -21,6 +21,9 @@ int main(int count, char** words) {
       {"round_earth", print_round_earth},
       {"adjacency", print_adjacency},
       {"photon_transfer", print_photon_transfer},
+      {"temperatures", print_temperatures},
+      {"orbit", print_orbit},
+      {"image", print_image},
   };
   for (const auto& [name, print] : sets)
     if (count == 2 && name == words[1]) {
