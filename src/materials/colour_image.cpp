@@ -18,8 +18,15 @@ double level_value(std::size_t level) {
 }  // namespace
 
 ColourImage::ColourImage(MapGrid grid, std::vector<std::uint32_t> cells)
-    : grid_(grid), cells_(std::move(cells)) {
+    : NumberedMap(grid), cells_(std::move(cells)) {
   check(grid_, cells_.size(), "a picture");
+  find_blocks();
+}
+
+float ColourImage::number(std::size_t cell) const {
+  const std::uint32_t c = cells_[cell];
+  return 0.299f * static_cast<float>(c & 0xffu) + 0.587f * static_cast<float>(c >> 8 & 0xffu) +
+         0.114f * static_cast<float>(c >> 16 & 0xffu);
 }
 
 ColourLattice::ColourLattice(const std::array<double, 3>& factor) {

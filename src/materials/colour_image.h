@@ -6,21 +6,21 @@
 #include <memory>
 #include <vector>
 
-#include "materials/map_grid.h"
+#include "materials/numbered_map.h"
 
 namespace ifov::materials {
 
 /// A picture on a surface: in each cell red, green and blue as bytes of sRGB (the lowest byte is red), and how opaque it is.
-class ColourImage {
+class ColourImage final : public NumberedMap {
  public:
   /// `cells` row by row from the upper left corner; throws InputError unless there are width x height of them.
   ColourImage(MapGrid grid, std::vector<std::uint32_t> cells);
   std::uint32_t at(const MapPosition& position) const { return cells_[grid_.cell_at(position)]; }
-  const MapGrid& grid() const { return grid_; }
+  /// By the luma of its code (ITU-R BT.601): about how bright it is.
+  float number(std::size_t cell) const override;
   const std::vector<std::uint32_t>& cells() const { return cells_; }
 
  private:
-  MapGrid grid_;
   std::vector<std::uint32_t> cells_;
 };
 

@@ -8,14 +8,15 @@
 namespace ifov::materials {
 
 ClassMap::ClassMap(MapGrid grid, std::vector<std::uint16_t> classes)
-    : grid_(grid), classes_(std::move(classes)) {
+    : NumberedMap(grid), classes_(std::move(classes)) {
   check(grid_, classes_.size(), "a map");
+  find_blocks();
 }
 
 std::uint16_t ClassMap::largest_class() const { return *std::max_element(classes_.begin(), classes_.end()); }
 
 TemperatureMap::TemperatureMap(MapGrid grid, std::vector<float> temperature_k)
-    : grid_(grid), temperature_k_(std::move(temperature_k)) {
+    : NumberedMap(grid), temperature_k_(std::move(temperature_k)) {
   check(grid_, temperature_k_.size(), "a map");
   for (std::size_t k = 0; k < temperature_k_.size(); ++k) {
     const float value = temperature_k_[k];
@@ -25,6 +26,7 @@ TemperatureMap::TemperatureMap(MapGrid grid, std::vector<float> temperature_k)
         format("{:g} K at row {}, column {} is no temperature: expected above 0 K and at most {:g} K", value,
                k / width + 1, k % width + 1, kHottest_k));
   }
+  find_blocks();
 }
 
 double TemperatureMap::at_k(const MapPosition& position) const {

@@ -8,7 +8,7 @@
 
 namespace ifov::materials {
 
-MixtureMap::MixtureMap(MapGrid grid, std::size_t bands, std::span<const float> shares) : grid_(grid) {
+MixtureMap::MixtureMap(MapGrid grid, std::size_t bands, std::span<const float> shares) : NumberedMap(grid) {
   const std::size_t cells = grid_.cell_count();
   if (bands < 1 || bands > 0xffffu) throw InputError(format("a mixture map of {} bands", bands));
   check(grid_, shares.size() / bands, "a mixture map");
@@ -51,6 +51,14 @@ MixtureMap::MixtureMap(MapGrid grid, std::size_t bands, std::span<const float> s
       parts_.push_back({part.index, static_cast<float>(static_cast<double>(part.share) / kept)});
   }
   first_.push_back(static_cast<std::uint32_t>(parts_.size()));
+  find_blocks();
+}
+
+float MixtureMap::number(std::size_t cell) const {
+  float sum = 0.0f;
+  for (std::uint32_t k = first_[cell]; k < first_[cell + 1]; ++k)
+    sum += parts_[k].share * static_cast<float>(parts_[k].index);
+  return sum;
 }
 
 std::span<const MixtureMap::Part> MixtureMap::at(const MapPosition& position) const {

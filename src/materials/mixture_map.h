@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "materials/map_grid.h"
+#include "materials/numbered_map.h"
 
 namespace ifov::materials {
 
 /// Shares of several parts in each cell of a map: the largest kMost of a cell, which sum to 1.
-class MixtureMap {
+class MixtureMap final : public NumberedMap {
  public:
   static constexpr std::size_t kMost = 4;
   struct Part {
@@ -33,11 +33,11 @@ class MixtureMap {
   MixtureMap(MapGrid grid, std::size_t bands, std::span<const float> shares);
 
   std::span<const Part> at(const MapPosition& position) const;
-  const MapGrid& grid() const { return grid_; }
+  /// The mean index of its parts.
+  float number(std::size_t cell) const override;
   const Report& report() const { return report_; }
 
  private:
-  MapGrid grid_;
   std::vector<Part> parts_;           ///< of all cells, largest first
   std::vector<std::uint32_t> first_;  ///< of each cell, and the end
   Report report_;

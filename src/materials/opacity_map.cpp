@@ -5,8 +5,9 @@
 
 namespace ifov::materials {
 
-OpacityMap::OpacityMap(MapGrid grid, std::vector<bool> open) : grid_(grid), open_(std::move(open)) {
+OpacityMap::OpacityMap(MapGrid grid, std::vector<bool> open) : NumberedMap(grid), open_(std::move(open)) {
   check(grid_, open_.size(), "an opacity map");
+  find_blocks();
 }
 
 double OpacityMap::open_share() const {

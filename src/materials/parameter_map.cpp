@@ -5,8 +5,9 @@
 namespace ifov::materials {
 
 ParameterMap::ParameterMap(MapGrid grid, std::vector<float> values)
-    : grid_(grid), values_(std::move(values)) {
+    : NumberedMap(grid), values_(std::move(values)) {
   check(grid_, values_.size(), "a map of a parameter");
+  find_blocks();
 }
 
 }  // namespace ifov::materials

@@ -4,12 +4,12 @@
 #include <memory>
 #include <vector>
 
-#include "materials/map_grid.h"
+#include "materials/numbered_map.h"
 
 namespace ifov::materials {
 
 /// A parameter of a scattering model by place: the value of a place is that of the cell that holds it.
-class ParameterMap {
+class ParameterMap final : public NumberedMap {
  public:
   /// `values` row by row from the north-west corner, in the parameter's SI unit; throws InputError unless there are width x
   /// height of them and the cells have a size.
@@ -17,9 +17,9 @@ class ParameterMap {
   double at(const MapPosition& position) const {
     return static_cast<double>(values_[grid_.cell_at(position)]);
   }
+  float number(std::size_t cell) const override { return values_[cell]; }
 
  private:
-  MapGrid grid_;
   std::vector<float> values_;
 };
 

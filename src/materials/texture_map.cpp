@@ -66,12 +66,17 @@ std::vector<double> range_means(std::span<const radiometry::Spectrum> curves,
   return means;
 }
 
+TextureMap::Image::Image(MapGrid grid, std::vector<float> scores)
+    : NumberedMap(grid), scores_(std::move(scores)) {
+  check(grid_, scores_.size(), "an image of a texture");
+  find_blocks();
+}
+
 TextureMap::TextureMap(std::vector<Image> images, CurveMatcher matcher, std::uint64_t seed)
     : images_(std::move(images)), matcher_(std::move(matcher)), seed_(seed) {
   if (images_.size() != matcher_.range_count())
     throw InputError(format("a texture of {} spectral ranges needs as many images: found {}",
                             matcher_.range_count(), images_.size()));
-  for (const Image& image : images_) check(image.grid, image.scores.size(), "an image of a texture");
 }
 
 CurveMix TextureMap::at(const MapPosition& position) const {
@@ -79,8 +84,8 @@ CurveMix TextureMap::at(const MapPosition& position) const {
   std::array<double, kMost> scores{};
   std::uint64_t key = seed_;
   for (std::size_t k = 0; k < images_.size(); ++k) {
-    const std::size_t cell = images_[k].grid.cell_at(position);
-    scores[k] = static_cast<double>(images_[k].scores[cell]);
+    const std::size_t cell = images_[k].grid().cell_at(position);
+    scores[k] = static_cast<double>(images_[k].number(cell));
     key = sampling::hash(key, cell);
   }
   return matcher_.match({scores.data(), images_.size()}, key);

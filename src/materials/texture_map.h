@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "materials/curve_matcher.h"
-#include "materials/map_grid.h"
+#include "materials/numbered_map.h"
 #include "radiometry/spectrum.h"
 
 namespace ifov::materials {
@@ -39,12 +39,17 @@ std::vector<double> range_means(std::span<const radiometry::Spectrum> curves,
 /// reflects more.
 class TextureMap {
  public:
-  struct Image {
-    MapGrid grid;
-    std::vector<float> scores;
+  class Image final : public NumberedMap {
+   public:
+    /// Throws InputError where the grid does not fit the scores.
+    Image(MapGrid grid, std::vector<float> scores);
+    float number(std::size_t cell) const override { return scores_[cell]; }
+
+   private:
+    std::vector<float> scores_;
   };
-  /// As many images as the matcher has ranges. Throws InputError where a grid does not fit its image. `seed` decides
-  /// between curves that match equally well.
+  /// As many images as the matcher has ranges. `seed` decides between
+  /// curves that match equally well.
   TextureMap(std::vector<Image> images, CurveMatcher matcher, std::uint64_t seed);
 
   CurveMix at(const MapPosition& position) const;

@@ -190,12 +190,12 @@ void NodeTrial::integrate_products(const ChannelGrid& grid) {
       scale += light[q] = grid.response[q] * source[q] * (seen_.empty() ? 1.0 : seen_[q]);
   }
   // A few sums side by side, for each waits for itself.
-  constexpr std::size_t kAtOnce = 4;
+  constexpr std::size_t kSums = 4;
   expected_.resize(products_.size());
   for (const Product& product : products_) whole_.push_back(whole[product.source]);
-  for (std::size_t first = 0; first < products_.size(); first += kAtOnce) {
-    std::array<std::array<const double*, 4>, kAtOnce> rows;
-    for (std::size_t k = 0; k < kAtOnce; ++k) {
+  for (std::size_t first = 0; first < products_.size(); first += kSums) {
+    std::array<std::array<const double*, 4>, kSums> rows;
+    for (std::size_t k = 0; k < kSums; ++k) {
       const Product& product = products_[std::min(first + k, products_.size() - 1)];
       rows[k][0] = seen_light[product.source].data();
       for (std::size_t i = 0; i < 3; ++i)
@@ -203,11 +203,11 @@ void NodeTrial::integrate_products(const ChannelGrid& grid) {
                              ? none.data()
                              : surfaces_[static_cast<std::size_t>(product.surfaces[i])].data();
     }
-    std::array<double, kAtOnce> sum{};
+    std::array<double, kSums> sum{};
     for (std::size_t q = 0; q < grid.size(); ++q)
-      for (std::size_t k = 0; k < kAtOnce; ++k)
+      for (std::size_t k = 0; k < kSums; ++k)
         sum[k] += rows[k][0][q] * rows[k][1][q] * rows[k][2][q] * rows[k][3][q];
-    for (std::size_t k = 0; k < kAtOnce && first + k < products_.size(); ++k) expected_[first + k] = sum[k];
+    for (std::size_t k = 0; k < kSums && first + k < products_.size(); ++k) expected_[first + k] = sum[k];
   }
 }
 

@@ -4,10 +4,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "geometry/world.h"
 #include "materials/draped_map.h"
-#include "sampling/accuracy/borders/polygon.h"
+#include "render/mapped/map_window.h"
 #include "scene/cut_out.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
@@ -32,58 +33,10 @@ constexpr double kMostCells = 4096.0;
 /// Of a cell so much of which lies in the pixel the middle of that is as good as any other's.
 constexpr double kMuch = 0.5;
 
-struct MapCell {
-  double a = 0.0, b = 0.0;  // in cells: to the right and down
-};
-
-MapCell cell_of(const materials::MapGrid& grid, const geometry::SurfacePoint& hit) {
-  const bool by_position = grid.by == materials::MapBy::position;
-  return {((by_position ? hit.position_m.x : hit.u) - grid.west_m) / grid.cell_width_m,
-          (grid.north_m - (by_position ? hit.position_m.y : hit.v)) / grid.cell_height_m};
-}
-
-materials::MapPosition middle_of(const materials::MapGrid& grid, double a, double b) {
-  const double x = grid.west_m + a * grid.cell_width_m, y = grid.north_m - b * grid.cell_height_m;
-  return {x, y, x, y};
-}
-
 }  // namespace
 
-/// Map coordinates over a pixel, linear in the offset from its corner: what a pixel sees of one surface is nearly flat.
-struct MapDetail::Window {
-  MapCell at, per_x, per_y;
-  double determinant() const { return per_x.a * per_y.b - per_x.b * per_y.a; }
-  sampling::FocalPoint offset(double a, double b) const {
-    const double da = a - at.a, db = b - at.b, d = determinant();
-    return {(da * per_y.b - db * per_y.a) / d, (per_x.a * db - per_x.b * da) / d};
-  }
-
-  /// What the pixel sees of the cell about (a, b), which may be much longer than the pixel: its area, px^2, and its middle.
-  struct Seen {
-    double area = 0.0;
-    sampling::FocalPoint middle;
-  };
-  Seen seen(double a, double b) const {
-    sampling::Polygon cell;
-    for (const MapCell p : {MapCell{-0.5, -0.5}, MapCell{0.5, -0.5}, MapCell{0.5, 0.5}, MapCell{-0.5, 0.5}}) {
-      const sampling::FocalPoint corner = offset(a + p.a, b + p.b);
-      cell.add({corner.x_px, corner.y_px});
-    }
-    const sampling::Polygon inside =
-        cell.clipped(-1, 0, 0).clipped(1, 0, 1).clipped(0, -1, 0).clipped(0, 1, 1);
-    Seen part;
-    if (inside.count < 3) return part;
-    part.area = std::abs(inside.signed_area());
-    for (int i = 0; i < inside.count; ++i) {
-      part.middle.x_px += inside.vertex[i].x / inside.count;
-      part.middle.y_px += inside.vertex[i].y / inside.count;
-    }
-    return part;
-  }
-};
-
 MapDetail::MapDetail(const scene::Scene& scene, const sensor::Camera& camera)
-    : scene_(scene), camera_(camera) {
+    : scene_(scene), camera_(camera), standouts_(scene, camera) {
   any_ =
       std::any_of(scene.assignments.begin(), scene.assignments.end(), [](const scene::SurfaceAssignment& c) {
         return (c.classes != nullptr && c.states.size() > 1) || c.cut_out != nullptr;
@@ -94,8 +47,9 @@ void MapDetail::find(const sampling::FieldRect& pixels, sampling::KnownDetail& d
   const std::size_t width = static_cast<std::size_t>(pixels.x1 - pixels.x0);
   const std::size_t height = static_cast<std::size_t>(pixels.y1 - pixels.y0);
   detail.points.clear();
+  detail.standouts.clear();
   detail.full.assign(width * height, 0);
-  if (!any_) return;
+  if (!any_ && !standouts_.any()) return;
   std::vector<sampling::FocalPoint> points((width + 1) * (height + 1));
   for (std::size_t j = 0; j <= height; ++j)
     for (std::size_t i = 0; i <= width; ++i)
@@ -111,24 +65,17 @@ void MapDetail::find(const sampling::FieldRect& pixels, sampling::KnownDetail& d
       const std::size_t c = j * (width + 1) + i;
       const std::array<geometry::SurfacePoint, 4> corners{hits[c], hits[c + 1], hits[c + width + 1],
                                                           hits[c + width + 2]};
-      find_in_pixel(corners, j * width + i, points[c], detail);
+      if (any_) find_in_pixel(corners, j * width + i, points[c], detail);
+      standouts_.find_in_pixel(corners, points[c], detail.standouts, rays);
     }
 }
 
 void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, std::size_t pixel,
                               sampling::FocalPoint origin, sampling::KnownDetail& detail) {
   // The map of the surface that most corners see; three of them tell how it lies.
-  std::size_t first = 0, alike = 0;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const auto same = [&](const geometry::SurfacePoint& p) {
-      return p.hit() && p.material == corners[k].material && p.instance == corners[k].instance &&
-             p.copy_column == corners[k].copy_column && p.copy_row == corners[k].copy_row;
-    };
-    const auto count = static_cast<std::size_t>(std::count_if(corners.begin(), corners.end(), same));
-    if (corners[k].hit() && count > alike) alike = count, first = k;
-  }
-  if (alike < 3) return;
-  const scene::SurfaceAssignment& assignment = scene_.assignments[corners[first].material];
+  const std::optional<std::size_t> first = corner_of_most(corners);
+  if (!first) return;
+  const scene::SurfaceAssignment& assignment = scene_.assignments[corners[*first].material];
   if (assignment.classes == nullptr && assignment.cut_out == nullptr) return;
   const materials::MapGrid& grid =
       assignment.cut_out != nullptr ? assignment.cut_out->grid() : assignment.classes->grid();
@@ -139,44 +86,18 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
   const auto alike_in_label = [&](std::uint16_t a, std::uint16_t b) {
     return a == kHole || b == kHole ? a == b : assignment.states[a] == assignment.states[b];
   };
-  std::array<MapCell, 4> at;
-  std::array<bool, 4> seen{};
-  for (std::size_t k = 0; k < 4; ++k) {
-    seen[k] = corners[k].hit() && corners[k].material == corners[first].material &&
-              corners[k].instance == corners[first].instance;
-    if (!seen[k]) continue;
-    geometry::SurfacePoint own = corners[k];
-    if (const auto period = scene_.world->period())
-      own.position_m =
-          own.position_m - math::Vec3{own.copy_column * period->x_m, own.copy_row * period->y_m, 0.0};
-    at[k] = cell_of(grid, own);
-  }
-  const auto minus = [](MapCell p, MapCell q) { return MapCell{p.a - q.a, p.b - q.b}; };
-  const auto plus = [](MapCell p, MapCell q) { return MapCell{p.a + q.a, p.b + q.b}; };
-  Window window;
-  window.per_x = seen[0] && seen[1] ? minus(at[1], at[0]) : minus(at[3], at[2]);
-  window.per_y = seen[0] && seen[2] ? minus(at[2], at[0]) : minus(at[3], at[1]);
-  window.at = seen[0] ? at[0] : minus(minus(at[3], window.per_x), window.per_y);
-  if (!(std::abs(window.determinant()) > 0.0) || !std::isfinite(window.determinant())) return;
-
-  MapCell low = window.at, high = window.at;
-  for (const MapCell p : {plus(window.at, window.per_x), plus(window.at, window.per_y),
-                          plus(plus(window.at, window.per_x), window.per_y)}) {
-    low = {std::min(low.a, p.a), std::min(low.b, p.b)};
-    high = {std::max(high.a, p.a), std::max(high.b, p.b)};
-  }
-  low = {std::floor(low.a), std::floor(low.b)};
-  high = {std::ceil(high.a), std::ceil(high.b)};
+  const std::optional<MapWindow> over = MapWindow::over(corners, *first, grid, *scene_.world);
+  if (!over) return;
+  const MapWindow& window = *over;
+  const auto [low, high] = window.bounds();
   const double cells = (high.a - low.a) * (high.b - low.b);
   if (cells <= 1.0) return;
   const double step = cells <= kMostCells ? 1.0 : std::sqrt(cells / kMostCells);
   const auto columns = static_cast<std::size_t>(std::ceil((high.a - low.a) / step));
   const auto rows = static_cast<std::size_t>(std::ceil((high.b - low.b) / step));
 
-  // Half a cell, in pixels: a cell whose middle is farther outside does not reach in.
   const double d = std::abs(window.determinant());
-  const double reach_x = 0.5 * step * (std::abs(window.per_y.b) + std::abs(window.per_y.a)) / d;
-  const double reach_y = 0.5 * step * (std::abs(window.per_x.a) + std::abs(window.per_x.b)) / d;
+  const sampling::FocalPoint reach = window.reach(step);
   classes_.assign(columns * rows, kOutside);
   std::uint16_t any_class = kOutside;
   bool mixed = false;
@@ -187,9 +108,10 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
   for (std::size_t cell = 0; cell < classes_.size(); ++cell) {
     const MapCell position = position_in_map(cell);
     const sampling::FocalPoint o = window.offset(position.a, position.b);
-    if (o.x_px <= -reach_x || o.x_px >= 1.0 + reach_x || o.y_px <= -reach_y || o.y_px >= 1.0 + reach_y)
+    if (o.x_px <= -reach.x_px || o.x_px >= 1.0 + reach.x_px || o.y_px <= -reach.y_px ||
+        o.y_px >= 1.0 + reach.y_px)
       continue;
-    const std::uint16_t number = class_at(middle_of(grid, position.a, position.b));
+    const std::uint16_t number = class_at(position_of(grid, position.a, position.b));
     classes_[cell] = number;
     mixed = mixed || (any_class != kOutside && !alike_in_label(number, any_class));
     any_class = number;
@@ -241,10 +163,10 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
     std::nth_element(part_.begin(), part_.begin() + static_cast<std::ptrdiff_t>(part_.size() / 2),
                      part_.end());
     std::swap(part_.front(), part_[part_.size() / 2]);
-    Window::Seen most;
+    MapWindow::Seen most;
     for (std::size_t k = 0; k < part_.size() && most.area < kMuch / d; ++k) {
       const MapCell position = position_in_map(part_[k]);
-      const Window::Seen part = window.seen(position.a, position.b);
+      const MapWindow::Seen part = window.seen(position.a, position.b);
       if (part.area > most.area) most = part;
     }
     if (most.area == 0.0) continue;

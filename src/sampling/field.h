@@ -52,6 +52,8 @@ struct FieldRect {
 struct KnownDetail {
   std::vector<FocalPoint> points;  ///< one in each part of the picture that a pixel is known to hold
   std::vector<std::uint8_t> full;  ///< by pixel, row by row: 1 where it holds too many parts to name
+  /// Points at which something is known to stand out from what is about it, however small: values of a pixel may not meet it.
+  std::vector<FocalPoint> standouts;
 };
 
 struct LevelRequests;

@@ -25,4 +25,8 @@ void ColourPattern::apply(const geometry::SurfacePoint& point, ResolvedSurface& 
   surface.count = mix.count;
 }
 
+void ColourPattern::add_maps(std::vector<const materials::NumberedMap*>& maps) const {
+  maps.push_back(image_.get());
+}
+
 }  // namespace ifov::scene

@@ -20,6 +20,7 @@ class ColourPattern final : public Pattern {
                 std::shared_ptr<const materials::ColourLattice> lattice, std::uint32_t state,
                 std::vector<Member> members);
   void apply(const geometry::SurfacePoint& point, ResolvedSurface& surface) const override;
+  void add_maps(std::vector<const materials::NumberedMap*>& maps) const override;
 
  private:
   std::shared_ptr<const materials::ColourImage> image_;

@@ -26,6 +26,11 @@ bool SurfaceCutOut::is_open(const materials::MapPosition& position) const {
   return holes && holes->is_open(position);
 }
 
+void SurfaceCutOut::add_maps(std::vector<const materials::NumberedMap*>& maps) const {
+  for (const auto& holes : holes_)
+    if (holes) maps.push_back(holes.get());
+}
+
 const materials::MapGrid& SurfaceCutOut::grid() const {
   return (*std::ranges::find_if(holes_, [](const auto& one) { return one != nullptr; }))->grid();
 }

@@ -7,6 +7,7 @@
 
 namespace ifov::materials {
 class ClassMap;
+class NumberedMap;
 struct MapGrid;
 struct MapPosition;
 class OpacityMap;
@@ -22,6 +23,7 @@ class SurfaceCutOut final : public geometry::CutOut {
                 std::vector<std::shared_ptr<const materials::OpacityMap>> holes);
   bool is_open(math::Point3 position_m, double u, double v) const override;
   bool is_open(const materials::MapPosition& position) const;
+  void add_maps(std::vector<const materials::NumberedMap*>& maps) const;
   /// Of the first material with holes.
   const materials::MapGrid& grid() const;
 

@@ -71,4 +71,8 @@ void LevelPattern::apply(const geometry::SurfacePoint& point, ResolvedSurface& s
   }
 }
 
+void LevelPattern::add_maps(std::vector<const materials::NumberedMap*>& maps) const {
+  for (const materials::ParameterAxis& axis : axes_) maps.push_back(axis.map.get());
+}
+
 }  // namespace ifov::scene

@@ -22,6 +22,7 @@ class LevelPattern final : public Pattern {
                std::vector<Member> members);
   void apply(const geometry::SurfacePoint& point, ResolvedSurface& surface) const override;
   std::vector<std::uint32_t> replacing(std::uint32_t state) const override;
+  void add_maps(std::vector<const materials::NumberedMap*>& maps) const override;
 
  private:
   std::uint32_t state_, states_of_;

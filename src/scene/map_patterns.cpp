@@ -51,9 +51,19 @@ std::optional<TemperatureRange> MixturePattern::temperatures() const {
   return std::nullopt;
 }
 
+void MixturePattern::add_maps(std::vector<const materials::NumberedMap*>& maps) const {
+  maps.push_back(map_.get());
+  for (const Part& part : parts_)
+    if (part.temperature) maps.push_back(part.temperature.get());
+}
+
 TexturePattern::TexturePattern(std::shared_ptr<const materials::TextureMap> texture, std::uint32_t state,
                                std::vector<Curve> curves)
     : texture_(std::move(texture)), state_(state), curves_(std::move(curves)) {}
+
+void TexturePattern::add_maps(std::vector<const materials::NumberedMap*>& maps) const {
+  for (const materials::TextureMap::Image& image : texture_->images()) maps.push_back(&image);
+}
 
 void TexturePattern::apply(const geometry::SurfacePoint& point, ResolvedSurface& surface) const {
   const std::size_t before = surface.count;

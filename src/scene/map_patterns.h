@@ -26,6 +26,7 @@ class MixturePattern final : public Pattern {
   bool mixes_materials() const override;
   std::vector<std::uint32_t> mixed_materials() const override;
   std::optional<TemperatureRange> temperatures() const override;
+  void add_maps(std::vector<const materials::NumberedMap*>& maps) const override;
 
  private:
   std::shared_ptr<const materials::MixtureMap> map_;
@@ -43,6 +44,7 @@ class TexturePattern final : public Pattern {
   TexturePattern(std::shared_ptr<const materials::TextureMap> texture, std::uint32_t state,
                  std::vector<Curve> curves);
   void apply(const geometry::SurfacePoint& point, ResolvedSurface& surface) const override;
+  void add_maps(std::vector<const materials::NumberedMap*>& maps) const override;
 
  private:
   std::shared_ptr<const materials::TextureMap> texture_;

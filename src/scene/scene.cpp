@@ -8,6 +8,7 @@
 #include "materials/bsdf/bsdf.h"
 #include "materials/bsdf/narrow_lobes.h"
 #include "materials/draped_map.h"
+#include "scene/cut_out.h"
 #include "scene/lamp.h"
 #include "scene/solved_temperature.h"
 
@@ -27,6 +28,19 @@ bool SurfaceAssignment::mixes_materials() const {
 
 bool SurfaceAssignment::bends_normals() const {
   return std::any_of(patterns.begin(), patterns.end(), [](const auto& p) { return p->bends_normals(); });
+}
+
+std::vector<const materials::NumberedMap*> SurfaceAssignment::maps() const {
+  std::vector<const materials::NumberedMap*> found;
+  if (classes) found.push_back(classes.get());
+  if (cut_out) cut_out->add_maps(found);
+  for (const auto* of : {&temperatures, &back_temperatures})
+    for (const auto& map : *of)
+      if (map) found.push_back(map.get());
+  for (const auto& pattern : patterns) pattern->add_maps(found);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 const materials::TemperatureMap* SurfaceAssignment::temperature_map(std::size_t index, bool inner) const {

@@ -91,9 +91,10 @@ class CertainSingles final : public sampling::AccuracyParts {
   }
   std::unique_ptr<sampling::UnseenValues> unseen(const sampling::LabelSpread& spread,
                                                  const sampling::Prober& prober,
+                                                 const sampling::StandoutValues& standouts,
                                                  const sampling::LabelTable& table,
                                                  const sampling::Field& field) const override {
-    return std::make_unique<NothingUnseenBySingles>(spread, prober, table, field);
+    return std::make_unique<NothingUnseenBySingles>(spread, prober, standouts, table, field);
   }
 };
 
@@ -106,9 +107,10 @@ class Forgetful final : public sampling::AccuracyParts {
  public:
   std::unique_ptr<sampling::UnseenValues> unseen(const sampling::LabelSpread& spread,
                                                  const sampling::Prober& prober,
+                                                 const sampling::StandoutValues& standouts,
                                                  const sampling::LabelTable& table,
                                                  const sampling::Field& field) const override {
-    return std::make_unique<NothingKnownFarther>(spread, prober, table, field);
+    return std::make_unique<NothingKnownFarther>(spread, prober, standouts, table, field);
   }
 };
 

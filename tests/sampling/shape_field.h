@@ -11,7 +11,7 @@ namespace ifov::test {
 
 /// A scene given as functions on the focal plane: what a point's label is, and what radiance a column sees
 /// there.
-class ShapeField final : public sampling::Field {
+class ShapeField : public sampling::Field {
  public:
   using LabelAt = std::function<sampling::Label(double x_px, double y_px)>;
   using ValueAt = std::function<float(sampling::Label label, double x_px, double y_px, int column)>;

@@ -133,5 +133,75 @@ TEST(ValuesNotMet, WhatIsKnownOfClutterIsNotForgotten) {
   EXPECT_GT(sure_of_ground(make_sampler<SamplerOf<Forgetful>>), 15);
 }
 
+/// Even ground with one speck a pixel, of the same label and 400 times as bright, of which the field tells.
+class SpeckledField final : public ShapeField {
+ public:
+  static constexpr double kSpeck = 400.0 * kLevel, kRadius_px = 0.03;
+
+  SpeckledField(std::uint64_t seed, bool tells)
+      : ShapeField([](double, double) { return Label{1}; },
+                   [seed](Label, double x, double y, int) {
+                     const FocalPoint speck = speck_of(seed, std::floor(x), std::floor(y));
+                     return static_cast<float>(
+                         std::hypot(x - speck.x_px, y - speck.y_px) < kRadius_px ? kSpeck : kLevel);
+                   }),
+        seed_(seed),
+        tells_(tells) {}
+
+  static FocalPoint speck_of(std::uint64_t seed, double i, double j) {
+    const auto a = static_cast<std::int64_t>(i), b = static_cast<std::int64_t>(j);
+    return {i + 0.1 + 0.8 * unit_double(hash(seed, 1, a, b)),
+            j + 0.1 + 0.8 * unit_double(hash(seed, 2, a, b))};
+  }
+
+  void known_detail(const FieldRect& pixels, KnownDetail& detail) override {
+    ShapeField::known_detail(pixels, detail);
+    if (!tells_) return;
+    for (int y = pixels.y0; y < pixels.y1; ++y)
+      for (int x = pixels.x0; x < pixels.x1; ++x) detail.standouts.push_back(speck_of(seed_, x, y));
+  }
+
+ private:
+  std::uint64_t seed_;
+  bool tells_;
+};
+
+/// Shares of pixels whose interval holds the truth, of those that say that they are sure.
+struct Held {
+  int sure = 0, held = 0;
+};
+Held held_of_specks(bool tells, std::unique_ptr<PixelSampler> (*sampler)(const AccuracyOptions&)) {
+  constexpr int kSide = 4;
+  constexpr double kSpeckShare = M_PI * SpeckledField::kRadius_px * SpeckledField::kRadius_px,
+                   kTruth = kLevel + kSpeckShare * (SpeckledField::kSpeck - kLevel);
+  Held count;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    SpeckledField field(seed, tells);
+    Rendering render = three_by_three(seed);
+    render.tile = render.image = {0, 0, kSide, kSide};
+    render.half_width = 3.0;
+    render.sampler = sampler;
+    const TileResult result = render(field);
+    for (int p = 0; p < kSide * kSide; ++p) {
+      if (result.reasons[p] != 0) continue;
+      ++count.sure;
+      count.held +=
+          std::abs(static_cast<double>(result.mean[p]) - kTruth) <= static_cast<double>(result.half_width[p]);
+    }
+  }
+  return count;
+}
+
+TEST(ValuesNotMet, WhatIsKnownToStandOutIsPartOfTheInterval) {
+  const Held told = held_of_specks(true, make_sampler<AccuracySampler>);
+  EXPECT_GT(told.sure, 60);
+  EXPECT_GE(told.held, 0.93 * told.sure);
+  // Faults that are seen: nobody tells, or what was told is forgotten.
+  const Held untold = held_of_specks(false, make_sampler<AccuracySampler>);
+  EXPECT_LT(untold.held, 0.8 * untold.sure);
+  const Held forgotten = held_of_specks(true, make_sampler<SamplerOf<Forgetful>>);
+  EXPECT_LT(forgotten.held, 0.9 * forgotten.sure);
+}
+
 }  // namespace
 }  // namespace ifov::test

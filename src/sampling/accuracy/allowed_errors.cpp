@@ -11,6 +11,7 @@
 #include "sampling/accuracy/radiance/lattice_values.h"
 #include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/accuracy/radiance/spread.h"
+#include "sampling/accuracy/radiance/standout_values.h"
 #include "sampling/accuracy/source_grid.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/pixel_limits.h"
@@ -59,9 +60,11 @@ AllowedErrors::AllowedErrors(const TileProblem& problem, const SourceGrid& grid,
       unit_(normal * (problem.keep_memory && problem.before == nullptr ? kForesight : 1.0)),
       energy_(footprint_energy(*problem.footprint)) {}
 
-void AllowedErrors::take_from_lattice() {
+void AllowedErrors::take_from_lattice(StandoutValues& standouts, const LabelSpread& spread) {
   find_lattice_limits();
   cover_lattice();
+  standouts.judge(
+      spread, [this](int source) { return inverse_squares(source); }, steering_);
   const int pixels = lattice_.domain().count();
   contrast_.begin(pixels);
   for (int p = 0; p < pixels; ++p) {

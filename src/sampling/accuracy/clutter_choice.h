@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -32,6 +33,11 @@ class ClutterChoice {
 
   /// The pixel holds this label between those that the lattice has met there.
   void expect(int pixel, std::uint32_t label, TracedPixels& pixels);
+
+  /// The pixel will take this many values, or more.
+  void expect_values(int pixel, double count) {
+    predicted_[pixel] = std::max(predicted_[pixel], static_cast<float>(count));
+  }
 
   /// Values that each source pixel would take as clutter; 0 where that was not asked or all its vertices have one label.
   std::span<const float> predicted() const { return predicted_; }

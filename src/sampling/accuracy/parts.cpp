@@ -30,8 +30,9 @@ std::unique_ptr<StratumEstimates> AccuracyParts::estimates(const Lattice& lattic
 }
 
 std::unique_ptr<UnseenValues> AccuracyParts::unseen(const LabelSpread& spread, const Prober& prober,
-                                                    const LabelTable& table, const Field& field) const {
-  return std::make_unique<UnseenValues>(spread, prober, table, field);
+                                                    const StandoutValues& standouts, const LabelTable& table,
+                                                    const Field& field) const {
+  return std::make_unique<UnseenValues>(spread, prober, standouts, table, field);
 }
 
 }  // namespace ifov::sampling

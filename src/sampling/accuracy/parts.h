@@ -11,6 +11,7 @@ class LabelTable;
 class Lattice;
 class NearbySpread;
 class Prober;
+class StandoutValues;
 class StratumEstimates;
 class UnseenValues;
 struct LatticeValues;
@@ -35,7 +36,8 @@ class AccuracyParts {
                                                       const LabelSpread& spread) const;
   /// What values have not met.
   virtual std::unique_ptr<UnseenValues> unseen(const LabelSpread& spread, const Prober& prober,
-                                               const LabelTable& table, const Field& field) const;
+                                               const StandoutValues& standouts, const LabelTable& table,
+                                               const Field& field) const;
 };
 
 }  // namespace ifov::sampling

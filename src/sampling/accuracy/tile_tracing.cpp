@@ -20,6 +20,7 @@
 #include "sampling/accuracy/parts.h"
 #include "sampling/accuracy/radiance/lattice_values.h"
 #include "sampling/accuracy/radiance/spread.h"
+#include "sampling/accuracy/radiance/standout_values.h"
 #include "sampling/accuracy/random_look.h"
 #include "sampling/accuracy/source_grid.h"
 #include "sampling/accuracy/stopping.h"
@@ -63,7 +64,8 @@ struct TileTracing::Parts {
         look(grid, lattice, options.random_rays_per_side, problem.seed),
         errors(problem, grid, lattice, values, Stopping(problem.tolerance->confidence()).normal(), steering,
                contrast),
-        clutter(lattice, values, contrast, recall, steering) {}
+        clutter(lattice, values, contrast, recall, steering),
+        standouts(lattice, values) {}
 
   Lattice lattice;
   SourceGrid grid;
@@ -78,6 +80,7 @@ struct TileTracing::Parts {
   RandomLook look;
   AllowedErrors errors;
   ClutterChoice clutter;
+  StandoutValues standouts;
   std::unique_ptr<LabelSpread> spread;
   KnownDetail known;
   Prober::Finds gaps;              // between labels of pixels that would else have been left to few values
@@ -104,6 +107,7 @@ AllowedErrors& TileTracing::errors() { return parts_->errors; }
 const ClutterChoice& TileTracing::clutter() const { return parts_->clutter; }
 const SteeringColumns& TileTracing::steering() const { return parts_->steering; }
 const LatticeValues& TileTracing::lattice_values() const { return parts_->values; }
+const StandoutValues& TileTracing::standouts() const { return parts_->standouts; }
 const LabelSpread& TileTracing::spread() const { return *parts_->spread; }
 
 void TileTracing::trace_lattice() {
@@ -123,7 +127,12 @@ void TileTracing::trace_lattice() {
     for (int column = 0; column < static_cast<int>(table.columns()); ++column)
       variances.push_back(spread.local(label, column));
   tell_uneven();
-  parts_->errors.take_from_lattice();
+  const PixelRect& d = lattice.domain();
+  if (options_.pilot_rays) {
+    ledger.field().known_detail({d.x0, d.y0, d.x1, d.y1}, parts_->known);
+    parts_->standouts.ask(parts_->known.standouts, ledger, problem_.seed);
+  }
+  parts_->errors.take_from_lattice(parts_->standouts, spread);
   for (int p = 0; p < lattice.domain().count(); ++p)
     parts_->tracer.pixels().allow_variance(static_cast<std::uint32_t>(p),
                                            parts_->errors.border_variance(p, spread));
@@ -154,15 +163,19 @@ void TileTracing::tell_uneven() {
 }
 
 void TileTracing::switch_clutter() {
-  const PixelRect& d = parts_->lattice.domain();
-  KnownDetail& known = parts_->known;
-  if (options_.pilot_rays) parts_->ledger.field().known_detail({d.x0, d.y0, d.x1, d.y1}, known);
+  const KnownDetail& known = parts_->known;
   if (!options_.clutter_switch) return;
   TracedPixels& pixels = parts_->tracer.pixels();
   for (std::size_t p = 0; p < known.full.size(); ++p)
     if (known.full[p]) pixels.abandon(static_cast<std::uint32_t>(p));
   const std::vector<std::uint8_t> overlooking =
       parts_->clutter.choose(parts_->errors, *parts_->spread, pixels);
+  // Rays find what stands out, and values alone tell how much of it there is.
+  for (int p = 0; p < parts_->lattice.domain().count(); ++p)
+    if (const double apart = parts_->standouts.apart(p); apart > 1.0) {
+      pixels.abandon(static_cast<std::uint32_t>(p));
+      parts_->clutter.expect_values(p, apart);
+    }
   std::vector<std::uint8_t> worth = worth_probing();
   for (std::size_t p = 0; p < worth.size(); ++p) worth[p] &= overlooking[p];
   parts_->gaps = LikeNeighbours(parts_->tracer, parts_->prober, parts_->values, parts_->table, problem_.seed)

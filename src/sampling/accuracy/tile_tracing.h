@@ -18,6 +18,7 @@ class Prober;
 class RandomLook;
 class RayLedger;
 class SourceGrid;
+class StandoutValues;
 class SteeringColumns;
 class TileRecall;
 struct AccuracyOptions;
@@ -49,6 +50,7 @@ class TileTracing {
   /// Once the lattice is traced.
   const LatticeValues& lattice_values() const;
   const LabelSpread& spread() const;
+  const StandoutValues& standouts() const;
 
  private:
   void tell_uneven();

@@ -54,7 +54,7 @@ void TileWork::trace() {
   const Field& field = tracing_.ledger().field();
   nearby_ = parts_.nearby(lattice, values, tracing_.prober(), field, table, spread);
   estimates_ = parts_.estimates(lattice, values, table, spread);
-  unseen_ = parts_.unseen(spread, tracing_.prober(), table, field);
+  unseen_ = parts_.unseen(spread, tracing_.prober(), tracing_.standouts(), table, field);
   tighten_borders();
 }
 

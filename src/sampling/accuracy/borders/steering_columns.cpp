@@ -35,4 +35,8 @@ void SteeringColumns::cover(const Contrast& contrast, std::uint32_t a, std::uint
   list_.push_back(column);
 }
 
+void SteeringColumns::let_steer(int column) {
+  if (std::find(list_.begin(), list_.end(), column) == list_.end()) list_.push_back(column);
+}
+
 }  // namespace ifov::sampling

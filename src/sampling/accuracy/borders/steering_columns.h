@@ -23,6 +23,8 @@ class SteeringColumns {
   /// well; `inverse_square`: 1 over the square of the standard error allowed to a pixel, by column.
   void cover(const Contrast& contrast, std::uint32_t a, std::uint32_t b,
              std::span<const double> inverse_square);
+  /// Lets this column steer.
+  void let_steer(int column);
 
  private:
   std::vector<int> list_;

@@ -5,6 +5,7 @@
 #include "sampling/accuracy/basis/label_table.h"
 #include "sampling/accuracy/edges/probing.h"
 #include "sampling/accuracy/radiance/spread.h"
+#include "sampling/accuracy/radiance/standout_values.h"
 #include "sampling/accuracy/radiance/strata.h"
 
 namespace ifov::sampling {
@@ -53,6 +54,7 @@ double UnseenValues::known_farther(const SourcePixel& pixel, int column) const {
     const double distance = table_.mean(ray.label)[column] - mean;
     farthest = std::max(farthest, distance * distance);
   }
+  farthest = std::max(farthest, standouts_.farthest_square(pixel.source, column, mean));
   return farthest > met ? farthest : 0.0;
 }
 
