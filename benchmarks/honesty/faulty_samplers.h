@@ -87,9 +87,10 @@ class CertainSingles final : public sampling::AccuracyParts {
   }
   std::unique_ptr<sampling::UnseenValues> unseen(const sampling::LabelSpread& spread,
                                                  const sampling::Prober& prober,
+                                                 const sampling::StandoutValues& standouts,
                                                  const sampling::LabelTable& table,
                                                  const sampling::Field& field) const override {
-    return std::make_unique<NothingUnseenBySingles>(spread, prober, table, field);
+    return std::make_unique<NothingUnseenBySingles>(spread, prober, standouts, table, field);
   }
 };
 

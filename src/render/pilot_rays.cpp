@@ -9,6 +9,7 @@
 
 #include "geometry/world.h"
 #include "render/image_renderer.h"
+#include "render/small_pieces.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/pixel_sampler.h"
 #include "sampling/tile.h"
@@ -22,6 +23,9 @@ namespace {
 /// Parts of a long object get a pilot ray each, this far apart or as far as it is wide: well below a pixel, so that a
 /// following trace of its edges meets the next.
 constexpr double kSpacing_px = 0.35;
+
+/// What is thin gets one at either tip as well, of half its length: that may lie in a pixel of its own.
+constexpr double kTip = 0.999;
 
 /// An object whose image is wider than this in every direction meets the detection lattice anyway.
 constexpr double kSeeded_px = 1.0;
@@ -168,8 +172,7 @@ void points_along(const ThinFace& face, const Add& add) {
   const double along = (face.c.x_px - face.a.x_px) * ux + (face.c.y_px - face.a.y_px) * uy;
   const double across = (face.c.y_px - face.a.y_px) * ux - (face.c.x_px - face.a.x_px) * uy;
   const int parts = static_cast<int>(std::min(std::ceil(face.length_px / kSpacing_px), kMostRaysOfOne));
-  for (int k = 0; k < parts; ++k) {
-    const double t = (k + 0.5) / parts * face.length_px;
+  const auto at = [&](double t) {
     const bool before = t < along;
     const double share = before ? t / along : (face.length_px - t) / (face.length_px - along);
     const double height = across * share;
@@ -177,6 +180,16 @@ void points_along(const ThinFace& face, const Add& add) {
     add({face.a.x_px + t * ux - 0.5 * height * uy, face.a.y_px + t * uy + 0.5 * height * ux},
         face.a_m + (0.5 * t / face.length_px) * (face.b_m - face.a_m) +
             0.5 * ((end_m - face.a_m) + share * (face.c_m - end_m)));
+  };
+  const auto on_side = [&](double t) {
+    return sampling::FocalPoint{face.a.x_px + t * ux, face.a.y_px + t * uy};
+  };
+  const double step = face.length_px / parts;
+  for (int k = 0; k < parts; ++k) {
+    at((k + 0.5) * step);
+    if (k + 1 < parts)
+      visit_pixel_between(on_side((k + 0.5) * step), on_side((k + 1.5) * step),
+                          [&](sampling::FocalPoint, double share) { at((k + 0.5 + share) * step); });
   }
 }
 
@@ -200,9 +213,27 @@ void visit_small_objects(const geometry::World& world, const sensor::Camera& cam
       if (side != outline.along) across_m += math::length(object.half_sides_m[side]);
     // What is thin may be met at one end and missed at the other.
     const bool thin = outline.width_px < kSpacing_px;
-    for (int k = 0; k < static_cast<int>(parts); ++k)
-      at(object.centre_m + object.half_sides_m[outline.along] * ((2.0 * k + 1.0) / parts - 1.0),
-         thin ? sampling::Field::kNoObject : static_cast<std::uint32_t>(number), across_m);
+    const math::Vec3 half_m = object.half_sides_m[outline.along];
+    sampling::FocalPoint last, next;
+    bool any = false;
+    const auto along = [&](double t) {
+      const math::Point3 at_m = object.centre_m + half_m * t;
+      if (thin) {
+        const math::Point3 last_m = at_m - half_m * (2.0 / parts);
+        const bool seen = camera.project(at_m, next);
+        if (seen && any)
+          visit_pixel_between(last, next, [&](sampling::FocalPoint, double share) {
+            at(last_m + share * (at_m - last_m), sampling::Field::kNoObject, across_m);
+          });
+        last = next;
+        any = seen;
+      }
+      at(at_m, thin ? sampling::Field::kNoObject : static_cast<std::uint32_t>(number), across_m);
+    };
+    for (int k = 0; k < static_cast<int>(parts); ++k) along((2.0 * k + 1.0) / parts - 1.0);
+    if (thin)
+      for (const double end : {-kTip, kTip})
+        at(object.centre_m + half_m * end, sampling::Field::kNoObject, across_m);
   }
 }
 
@@ -255,7 +286,8 @@ std::optional<sensor::OrthographicCamera> seen_from_sun(const geometry::World& w
 }  // namespace
 
 PilotRays::PilotRays(const geometry::World& world, std::size_t materials, const sensor::Camera& camera,
-                     std::span<const math::Vec3> towards_sun, double margin_px) {
+                     std::span<const math::Vec3> towards_sun, const geometry::WantedMaterials& shining,
+                     double margin_px) {
   auto add_point = [&](sampling::FocalPoint point, std::uint32_t object) {
     if (point.x_px < -margin_px || point.y_px < -margin_px || point.x_px > camera.width_px() + margin_px ||
         point.y_px > camera.height_px() + margin_px)
@@ -271,6 +303,8 @@ PilotRays::PilotRays(const geometry::World& world, std::size_t materials, const 
   visit_strips(world, materials, camera, [&](sampling::FocalPoint point, math::Point3) {
     add_point(point, sampling::Field::kNoObject);
   });
+  visit_small_pieces(world, shining, camera,
+                     [&](sampling::FocalPoint point) { add_point(point, sampling::Field::kNoObject); });
 
   if (!towards_sun.empty())
     if (const auto sun = seen_from_sun(world, camera, towards_sun[0])) {

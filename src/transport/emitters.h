@@ -83,6 +83,9 @@ class Emitters {
   /// Of point() for what a ray met; 0 where that is not sought.
   double point_density(const Receiver& receiver, const geometry::SurfacePoint& hit) const;
 
+  /// The surface assignments some of whose light is sought.
+  const geometry::WantedMaterials& assignments() const { return wanted_; }
+
   /// Whether all that a surface assignment emits is sought.
   bool seeks_all_of(std::uint32_t assignment) const {
     return !leaves_some() && wanted_[assignment] && !in_part_[assignment];

@@ -37,7 +37,7 @@ TEST(PilotRays, TilesGetThoseOfTheirOwnAndOfTheirMargin) {
     images.push_back({x, y});
   }
   const auto world = builder.build(1);
-  const render::PilotRays pilot_rays(*world, 1, camera(), {}, 1.5);
+  const render::PilotRays pilot_rays(*world, 1, camera(), {}, {}, 1.5);
   for (const sampling::PixelRect tile :
        {sampling::PixelRect{0, 0, 8, 8}, {8, 16, 24, 20}, {30, 30, 32, 32}}) {
     std::vector<std::uint32_t> expected;
@@ -69,7 +69,7 @@ std::size_t pilot_rays_in_band(int strips) {
   place(builder, std::move(mesh), {0.3, 0.1, 1.0});
   const auto world = builder.build(1);
   const render::PilotRays::Near near =
-      render::PilotRays(*world, 1, camera(), {}, 1.5).near({0, 0, kSide, kSide}, 1.5);
+      render::PilotRays(*world, 1, camera(), {}, {}, 1.5).near({0, 0, kSide, kSide}, 1.5);
   return static_cast<std::size_t>(
       std::count(near.objects.begin(), near.objects.end(), sampling::Field::kNoObject));
 }
@@ -90,7 +90,7 @@ std::size_t pilot_rays_in_shadow(geometry::Shape shape, bool sunlit) {
   const double s = std::sqrt(0.5);
   const std::vector<math::Vec3> towards_sun = {{-s, 0.0, s}};
   const render::PilotRays::Near near =
-      render::PilotRays(*world, 1, camera(), std::span(towards_sun).first(sunlit ? 1 : 0), 1.5)
+      render::PilotRays(*world, 1, camera(), std::span(towards_sun).first(sunlit ? 1 : 0), {}, 1.5)
           .near({0, 0, kSide, kSide}, 1.5);
   return static_cast<std::size_t>(std::count_if(near.points.begin(), near.points.end(), [](const auto& p) {
     const double x = p.x_px - 0.5 * kSide, y = 0.5 * kSide - p.y_px;
@@ -112,6 +112,65 @@ TEST(PilotRays, ShadowsOfSmallThingsAreSought) {
     EXPECT_EQ(pilot_rays_in_shadow(shape, false), 0u);
   }
   EXPECT_EQ(pilot_rays_in_shadow(geometry::Sphere{{}, 0.05}, true), 1u);
+}
+
+// A thin rod over the image meets some pixels in their corners alone: each that it passes through for more than a hundredth of a pixel
+// gets a ray.
+TEST(PilotRays, EveryPixelOfAThinRodIsSought) {
+  for (const double slope : {0.03, 0.25, 0.6, 1.0, 2.3}) {
+    geometry::WorldBuilder builder;
+    const double length = 13.0, angle = std::atan(slope);
+    const geometry::ShapeId rod =
+        builder.add_shape(geometry::Box{{-0.5 * length, -0.001, -0.001}, {0.5 * length, 0.001, 0.001}});
+    builder.place(
+        rod,
+        math::Transform::translation({0.13, 0.07, 1.0}) * math::Transform::rotation({0.0, 0.0, 1.0}, angle),
+        std::vector<std::uint32_t>(builder.slot_count(rod), 0));
+    const auto world = builder.build(1);
+    const render::PilotRays::Near near =
+        render::PilotRays(*world, 1, camera(), {}, {}, 1.5).near({0, 0, kSide, kSide}, 1.5);
+    const auto pixel = [](double x, double y) {
+      return kSide * static_cast<int>(std::floor(0.5 * kSide - y)) +
+             static_cast<int>(std::floor(0.5 * kSide + x));
+    };
+    std::vector<int> sought, passed;
+    for (const sampling::FocalPoint& p : near.points)
+      sought.push_back(kSide * static_cast<int>(std::floor(p.y_px)) + static_cast<int>(std::floor(p.x_px)));
+    constexpr double kStep = 0.01;
+    for (double t = kStep; t < length - kStep; t += kStep) {
+      const auto at = [&](double s) {
+        return pixel((s - 0.5 * length) * std::cos(angle) + 0.13,
+                     (s - 0.5 * length) * std::sin(angle) + 0.07);
+      };
+      if (at(t) == at(t + kStep)) passed.push_back(at(t));
+    }
+    for (const int one : passed)
+      EXPECT_NE(std::find(sought.begin(), sought.end(), one), sought.end()) << slope << " " << one;
+  }
+}
+
+// What outshines the scene is sought piece by piece: in copies, whose other parts rays have met, and single faces of a mesh.
+TEST(PilotRays, SmallShiningPiecesOfCopiesAndMeshesAreSought) {
+  geometry::WorldBuilder builder;
+  const geometry::ShapeId crown = builder.add_shape(geometry::Sphere{{}, 2.0}),
+                          spark = builder.add_shape(geometry::Sphere{{0.5, 0.7, 2.0}, 0.01});
+  const std::vector<geometry::Part> parts{{crown, {}, {0}}, {spark, {}, {1}}};
+  const geometry::ShapeId tree = builder.add_prototype(parts);
+  for (const double x : {-5.3, 6.2})
+    builder.place(tree, math::Transform::translation({x, 1.1, 0.0}), std::vector<std::uint32_t>{0, 1});
+  const auto world = builder.build(2);
+  const auto found = [&](const geometry::WantedMaterials& shining) {
+    const render::PilotRays::Near near =
+        render::PilotRays(*world, 2, camera(), {}, shining, 1.5).near({0, 0, kSide, kSide}, 1.5);
+    int count = 0;
+    for (const double x : {-5.3, 6.2})
+      count += std::any_of(near.points.begin(), near.points.end(), [x](const sampling::FocalPoint& p) {
+        return std::hypot(p.x_px - (0.5 * kSide + x + 0.5), p.y_px - (0.5 * kSide - 1.8)) < 0.01;
+      });
+    return count;
+  };
+  EXPECT_EQ(found({false, true}), 2);
+  EXPECT_EQ(found({}), 0);
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+
+#include "geometry/surface_piece.h"
+#include "sampling/field.h"
+
+namespace ifov::geometry {
+class World;
+}
+namespace ifov::sensor {
+class Camera;
+}
+
+namespace ifov::render {
+
+/// Calls `at` with points in the image of pieces of wanted surfaces, of copies too, that are narrower than a pixel; of longer ones all
+/// along them. Of many in a quarter of a pixel, with one; after 2^20 pieces no more.
+void visit_small_pieces(const geometry::World& world, const geometry::WantedMaterials& wanted,
+                        const sensor::Camera& camera, const std::function<void(sampling::FocalPoint)>& at);
+
+/// Calls `at` with a point of the image in the pixel that a straight line passes through between two points of it less than a pixel
+/// apart, where neither is in that pixel.
+void visit_pixel_between(sampling::FocalPoint from, sampling::FocalPoint to,
+                         const std::function<void(sampling::FocalPoint, double share)>& at);
+
+}  // namespace ifov::render
