@@ -28,7 +28,6 @@
 #include "sampling/tile.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
-#include "transport/emitters.h"
 #include "transport/mirrors/sun_disc.h"
 #include "transport/spectral_scene.h"
 
@@ -122,10 +121,8 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     std::vector<math::Vec3> towards_sun;
     if (scene.sun)
       towards_sun = transport::fixed_disc_points(scene.sun->direction, scene.sun->half_angle_rad);
-    const transport::Emitters* const emitters = job.scene.emitters();
     pilot_rays.emplace(*scene.world, scene.assignments.size(), job.camera, towards_sun,
-                       emitters != nullptr ? emitters->assignments() : geometry::WantedMaterials{},
-                       margin_px);
+                       job.scene.sought_assignments(), margin_px);
   }
 
   std::int64_t pixels = 0;

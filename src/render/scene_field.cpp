@@ -33,7 +33,6 @@ SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Came
       light_(std::make_unique<SceneLight>(scene, camera, polarimetry)),
       truth_(scene::truth_materials(scene.scene())),
       blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count())),
-      map_detail_(scene.scene(), camera),
       unseen_(scene, blends_.first_column() + blends_.count()),
       through_(scene),
       mirror_light_(

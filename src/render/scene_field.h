@@ -5,7 +5,6 @@
 
 #include "render/blend_columns.h"
 #include "render/label_detail.h"
-#include "render/map_detail.h"
 #include "render/seen_through.h"
 #include "render/surface_label.h"
 #include "render/unseen/unseen_light.h"
@@ -28,6 +27,7 @@ struct TransportOptions;
 
 namespace ifov::render {
 
+class MapDetail;
 class SceneLight;
 struct Polarimetry;
 
@@ -49,9 +49,7 @@ class SceneField final : public sampling::Field {
   void values_and_materials(std::span<const sampling::PathRequest> requests,
                             std::span<sampling::Label> labels, std::span<float> values) override;
   void levels(const sampling::LevelRequests& requests, sampling::LevelSums& sums) override;
-  void known_detail(const sampling::FieldRect& pixels, sampling::KnownDetail& detail) override {
-    map_detail_.find(pixels, detail, counts_.primary);
-  }
+  void known_detail(const sampling::FieldRect& pixels, sampling::KnownDetail& detail) override;
   /// By number in scene::TruthMaterials. Rays that met nothing stand on the material of the surroundings, the last
   /// of the scene; surface assignments that mix stand on none: BlendColumns::kNoMaterial.
   std::uint32_t material_of(sampling::Label label) const override;
@@ -81,7 +79,7 @@ class SceneField final : public sampling::Field {
   const std::unique_ptr<SceneLight> light_;
   scene::TruthMaterials truth_;
   BlendColumns blends_;
-  MapDetail map_detail_;
+  std::shared_ptr<MapDetail> map_detail_;  // once asked for
   UnseenLight unseen_;
   SeenThrough through_;
   std::unique_ptr<transport::MirrorLight> mirror_light_;  // null where mirrors throw none

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "radiometry/spectral_nodes.h"
+#include "render/map_detail.h"
 #include "render/polarized/scene_light.h"
 #include "render/scene_field.h"
 #include "sampling/image/levels.h"
@@ -93,6 +94,11 @@ void SceneField::levels(const sampling::LevelRequests& of, sampling::LevelSums& 
       if (++in_group == of.counts[group]) finish();
     }
   }
+}
+
+void SceneField::known_detail(const sampling::FieldRect& pixels, sampling::KnownDetail& detail) {
+  if (map_detail_ == nullptr) map_detail_ = std::make_shared<MapDetail>(scene_.scene(), camera_);
+  map_detail_->find(pixels, detail, counts_.primary);
 }
 
 }  // namespace ifov::render

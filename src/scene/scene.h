@@ -94,9 +94,7 @@ class Pattern {
 
   /// Lowest and highest temperature that `apply` sets; none where it sets none.
   virtual std::optional<TemperatureRange> temperatures() const { return std::nullopt; }
-
-  /// Adds the maps that `apply` looks up.
-  virtual void add_maps(std::vector<const materials::NumberedMap*>&) const {}
+  virtual void add_maps(std::vector<const materials::NumberedMap*>&) const {}  ///< that `apply` looks up
 };
 
 /// What covers a part of an object (SurfacePoint::material is an index into Scene::assignments): one state, or a map
@@ -117,8 +115,7 @@ struct SurfaceAssignment {
   bool mixes_materials() const;  ///< by one of its patterns
   bool bends_normals() const;    ///< by one of its patterns
   const materials::TemperatureMap* temperature_map(std::size_t index, bool inner) const;  ///< null: none
-  /// All maps that say what is where; holes count.
-  std::vector<const materials::NumberedMap*> maps() const;
+  std::vector<const materials::NumberedMap*> maps() const;  ///< all that say what is where; holes count
 };
 
 /// The immutable assembly of geometry, materials and light. Answers "what is at this point" and "what lights it";

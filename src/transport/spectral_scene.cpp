@@ -177,6 +177,10 @@ void SpectralScene::emit(const scene::SurfaceState& state, float* spectrum) cons
   for (std::size_t n = 0; n < planck.size(); ++n) spectrum[n] = emissivity[n] * planck[n];
 }
 
+std::vector<bool> SpectralScene::sought_assignments() const {
+  return emitters_ != nullptr ? emitters_->assignments() : std::vector<bool>{};
+}
+
 void SpectralScene::find_emitters() {
   emitters_ = Emitters::find(*this);
   if (emitters_ != nullptr && emitters_->count() > 0) emitter_mirrors_ = EmitterMirrors::find(scene_);

@@ -107,6 +107,7 @@ class SpectralScene {
 
   /// Null where no surface outshines the others so much that its light has to be sought.
   const Emitters* emitters() const { return emitters_.get(); }
+  std::vector<bool> sought_assignments() const;  ///< some of whose emission is sought; empty: none
   /// The planes of mirrors by way of which it is sought; null where there are none, or nothing to seek.
   const EmitterMirrors* emitter_mirrors() const { return emitter_mirrors_.get(); }
 
