@@ -303,6 +303,19 @@ PilotRays::PilotRays(const geometry::World& world, std::size_t materials, const 
   visit_strips(world, materials, camera, [&](sampling::FocalPoint point, math::Point3) {
     add_point(point, sampling::Field::kNoObject);
   });
+  // Objects that are small as a whole have a ray of their own.
+  std::uint32_t last = sampling::Field::kNoObject;
+  bool larger = false;
+  const auto is_larger = [&](std::uint32_t number) {
+    if (number != last) {
+      const geometry::World::PlacedObject object = world.object(number);
+      larger = !object.compact || outline_of(object, camera).width_px > kSeeded_px;
+      last = number;
+    }
+    return larger;
+  };
+  visit_small_patches(world, materials, is_larger, camera,
+                      [&](sampling::FocalPoint point) { add_point(point, sampling::Field::kNoObject); });
   visit_small_pieces(world, shining, camera,
                      [&](sampling::FocalPoint point) { add_point(point, sampling::Field::kNoObject); });
 

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "geometry/world.h"
@@ -115,6 +118,48 @@ void visit_small_pieces(const geometry::World& world, const geometry::WantedMate
       any = true;
     }
   });
+}
+
+void visit_small_patches(const geometry::World& world, std::size_t materials,
+                         const std::function<bool(std::uint32_t)>& wanted, const sensor::Camera& camera,
+                         const std::function<void(sampling::FocalPoint)>& at) {
+  constexpr double kApartPatches_px = 0.5;
+  if (world.triangle_count() > kMostPieces || world.object_count() > kMostPieces) return;
+  struct Patch {
+    sampling::FocalPoint low, high, middle;
+  };
+  std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, Patch> patches;
+  world.visit_surfaces(geometry::WantedMaterials(materials, true), [&](const geometry::SurfacePiece& piece) {
+    if (!wanted(piece.object)) return;
+    const UnitShape shape = unit_shape(piece.kind);
+    sampling::FocalPoint middle;
+    if (!camera.project(piece.scene_from_unit(math::Point3{} + shape.middle), middle)) return;
+    if (patches.size() > kMostPieces) return;
+    const auto [known, fresh] =
+        patches.try_emplace({piece.object, piece.patch, piece.material}, Patch{middle, middle, middle});
+    Patch& patch = known->second;
+    for (const math::Vec3& side : {math::Vec3{shape.reach.x, 0.0, 0.0}, math::Vec3{0.0, shape.reach.y, 0.0},
+                                   math::Vec3{0.0, 0.0, shape.reach.z}})
+      for (const double sign : {-1.0, 1.0}) {
+        sampling::FocalPoint end;
+        if (!camera.project(piece.scene_from_unit(math::Point3{} + shape.middle + sign * side), end))
+          continue;
+        patch.low = {std::min(patch.low.x_px, end.x_px), std::min(patch.low.y_px, end.y_px)};
+        patch.high = {std::max(patch.high.x_px, end.x_px), std::max(patch.high.y_px, end.y_px)};
+      }
+  });
+  std::set<std::tuple<std::uint32_t, std::int64_t, std::int64_t>> known;
+  for (const auto& [key, patch] : patches) {
+    if (patch.high.x_px - patch.low.x_px > kNarrow_px || patch.high.y_px - patch.low.y_px > kNarrow_px)
+      continue;
+    const sampling::FocalPoint p = patch.middle;
+    if (!(std::abs(p.x_px) < 1e9) || !(std::abs(p.y_px) < 1e9)) continue;
+    if (known
+            .emplace(std::get<2>(key), static_cast<std::int64_t>(std::floor(p.x_px / kApartPatches_px)),
+                     static_cast<std::int64_t>(std::floor(p.y_px / kApartPatches_px)))
+            .second)
+      at(p);
+  }
 }
 
 }  // namespace ifov::render

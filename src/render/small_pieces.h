@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 
 #include "geometry/surface_piece.h"
@@ -18,6 +20,13 @@ namespace ifov::render {
 /// along them. Of many in a quarter of a pixel, with one; after 2^20 pieces no more.
 void visit_small_pieces(const geometry::World& world, const geometry::WantedMaterials& wanted,
                         const sensor::Camera& camera, const std::function<void(sampling::FocalPoint)>& at);
+
+/// Calls `at` with points in the image of smooth patches of objects (SurfacePoint::patch) that are smaller than a pixel: small parts of
+/// copies and of meshes. Of many of one material in half a pixel, with one; of a scene of more than 2^20 pieces, with none.
+/// `wanted`: of an object.
+void visit_small_patches(const geometry::World& world, std::size_t materials,
+                         const std::function<bool(std::uint32_t)>& wanted, const sensor::Camera& camera,
+                         const std::function<void(sampling::FocalPoint)>& at);
 
 /// Calls `at` with a point of the image in the pixel that a straight line passes through between two points of it less than a pixel
 /// apart, where neither is in that pixel.

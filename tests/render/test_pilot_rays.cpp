@@ -149,8 +149,8 @@ TEST(PilotRays, EveryPixelOfAThinRodIsSought) {
   }
 }
 
-// What outshines the scene is sought piece by piece: in copies, whose other parts rays have met, and single faces of a mesh.
-TEST(PilotRays, SmallShiningPiecesOfCopiesAndMeshesAreSought) {
+// Two copies of a crown with a small ball on it, whose other parts rays have met.
+TEST(PilotRays, SmallPartsOfCopiesAreSought) {
   geometry::WorldBuilder builder;
   const geometry::ShapeId crown = builder.add_shape(geometry::Sphere{{}, 2.0}),
                           spark = builder.add_shape(geometry::Sphere{{0.5, 0.7, 2.0}, 0.01});
@@ -169,8 +169,29 @@ TEST(PilotRays, SmallShiningPiecesOfCopiesAndMeshesAreSought) {
       });
     return count;
   };
+  EXPECT_EQ(found({}), 2);
   EXPECT_EQ(found({false, true}), 2);
-  EXPECT_EQ(found({}), 0);
+}
+
+// One face of 5 cm in a level sheet of triangles, of the sheet's smooth patch: sought where it outshines the scene.
+TEST(PilotRays, SmallShiningPiecesOfMeshesAreSought) {
+  geometry::TriangleMesh sheet;
+  sheet.vertices_m = {{-9.0, -9.0, 0.0}, {9.0, -9.0, 0.0}, {0.0, 9.0, 0.0},
+                      {2.0, 1.0, 0.0},   {2.05, 1.0, 0.0}, {2.0, 1.05, 0.0}};
+  sheet.triangles = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}, {3, 4, 5}};
+  sheet.slots = {0, 0, 0, 0, 0, 0, 1};
+  sheet.slot_names = {"ground", "hot"};
+  geometry::WorldBuilder builder;
+  builder.place(builder.add_shape(sheet), {}, std::vector<std::uint32_t>{0, 1});
+  const auto world = builder.build(2);
+  const auto found = [&](const geometry::WantedMaterials& shining) {
+    const render::PilotRays::Near near =
+        render::PilotRays(*world, 2, camera(), {}, shining, 1.5).near({0, 0, kSide, kSide}, 1.5);
+    return std::any_of(near.points.begin(), near.points.end(), [](const sampling::FocalPoint& p) {
+      return std::hypot(p.x_px - (0.5 * kSide + 2.017), p.y_px - (0.5 * kSide - 1.017)) < 0.01;
+    });
+  };
+  EXPECT_TRUE(found({false, true}));
 }
 
 }  // namespace
