@@ -87,7 +87,8 @@ double ThermalColumn::sky(double mu, double observer_km, std::span<const double>
                                altitude_km_.begin()) -
       1;
   double radiance = 0.0, transmission = 1.0, walked = 0.0;
-  for (double near_share = 0.0; layer < depth_.size(); ++layer, near_share = 0.0) {
+  constexpr double kOpaque = 1e-10;  // light that comes through no more counts no longer
+  for (double near_share = 0.0; layer < depth_.size() && transmission > kOpaque; ++layer, near_share = 0.0) {
     const double bottom = altitude_km_[layer], top = altitude_km_[layer + 1], height = top - bottom;
     if (start > bottom) near_share = (start - bottom) / height;
     const double length = length_to_shell_km(start, mu, top);
