@@ -18,9 +18,9 @@ struct Parts;
 std::string atmosphere_error_note(std::span<const render::AtmosphereHalfWidth> air);
 
 /// One line: how far they may be off because the model is not the air, the channels where it is most, and whether intervals
-/// hold it.
+/// hold it. Of `cloudy` air: that it is not known, and what it were without the clouds.
 std::string model_error_note(std::span<const render::AtmosphereHalfWidth> air,
-                             std::span<const radiometry::Channel> channels);
+                             std::span<const radiometry::Channel> channels, bool cloudy);
 
 /// Says which judged channels the air leaves too little of what is asked for, and what may be asked for
 /// instead, and where the model's own error is larger than what is asked for.

@@ -120,8 +120,8 @@ std::vector<std::string> notes(const Parts& parts) {
   }
   if (!parts.air.empty()) {
     lines.push_back(atmosphere_error_note(parts.air));
-    lines.push_back(model_error_note(parts.air, parts.channels));
     const auto& modelled = parts.document.atmosphere.modelled;
+    lines.push_back(model_error_note(parts.air, parts.channels, modelled && !modelled->clouds.empty()));
     if (modelled && modelled->aerosol && modelled->aerosol->own)
       lines.push_back(
           format("haze: the document's own, {}; {}, and the error of the model "
@@ -134,15 +134,9 @@ std::vector<std::string> notes(const Parts& parts) {
   if (parts.document.atmosphere.modelled && !parts.document.atmosphere.modelled->clouds.empty()) {
     for (const io::CloudDocument& cloud : parts.document.atmosphere.modelled->clouds)
       lines.push_back(format("cloud: {}", cloud_statement(cloud)));
-    const bool glows = std::any_of(parts.channels.begin(), parts.channels.end(),
-                                   [](const auto& channel) { return channel.centre_um >= 2.4; });
-    lines.push_back(format(
-        "clouds: level, uniform and the same everywhere; how far they are from real ones is not known, and the error of the "
-        "model of the air was found without any{}",
-        glows
-            ? "; of their own light they scatter none: thick ones of water glow by up to 15 % too much from 3 to 4.2 um, "
-              "others and beyond 8 um by up to 2.5 %"
-            : ""));
+    lines.push_back(
+        "clouds: level, uniform and the same everywhere; how far they are from real ones is not known: no figure is stated for edges and "
+        "holes, the spread of sizes, the shapes of crystals and amounts that are not as written");
   }
   for (const std::string& line :
        scale_statements(parts.map_scales, ground_sample_m(*parts.camera, *parts.scene.world)))

@@ -8,7 +8,7 @@
 #include "atmosphere/particles/given_particles.h"
 #include "atmosphere/particles/particle_layer.h"
 #include "atmosphere/scattering/column_solver.h"
-#include "atmosphere/thermal/thermal_column.h"
+#include "atmosphere/thermal/emitted_light.h"
 #include "column_maker.h"
 #include "core/error.h"
 #include "radiometry/planck.h"
@@ -206,20 +206,23 @@ TEST(Clouds, LoseNoLightAndLetThroughWhatThickLayersDo) {
   EXPECT_LT(lossy.up + lossy.diffuse + lossy.direct, 0.65);
 }
 
-// A thick cloud glows as a black body of its top's temperature upwards and of its base's downwards.
+// A thick cloud glows at 11 um as a black body, but for what it reflects there, of its top's temperature upwards and of its
+// base's downwards.
 TEST(Clouds, GlowAsBlackBodies) {
   const AtmosphereColumn column(with_cloud(50.0, 1.0, 2.0, droplets(10.0, 0.1)));
   const double um = 11.0;
   const LayerOptics layers = column.at(1e4 / um).term(0);
   const Levels& levels = column.levels();
-  std::vector<double> depth = layers.aerosol_absorption, planck;
+  std::vector<double> planck;
   for (const double t : levels.temperature_K) planck.push_back(radiometry::planck_w_m2_sr_um(um, t));
-  const ThermalColumn thermal(levels.altitude_km, planck, depth);
+  LayerOptics cloud = layers;
+  cloud.gas_absorption.assign(levels.layers(), 0.0);
+  const EmittedLight thermal(levels, cloud, planck);
   const auto at = [&](double km) {
     return radiometry::planck_w_m2_sr_um(um, column.profile().temperature_at(km));
   };
-  EXPECT_NEAR(thermal.line_of_sight(100.0, 1.0, 0.0).radiance / at(2.0), 1.0, 0.006);
-  EXPECT_GT(thermal.line_of_sight(100.0, 1.0, 0.0).radiance, at(2.0));
+  EXPECT_NEAR(thermal.line_of_sight(100.0, 1.0, 0.0) / at(2.0), 1.0, 0.006);
+  EXPECT_GT(thermal.line_of_sight(100.0, 1.0, 0.0), at(2.0));
   EXPECT_NEAR(thermal.sky(1.0, 0.0) / at(1.0), 1.0, 0.006);
   EXPECT_GT(std::abs(at(2.0) / at(1.9) - 1.0), 0.006) << "100 m are told apart";
 }

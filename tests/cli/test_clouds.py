@@ -114,7 +114,12 @@ class Said(unittest.TestCase):
             done = run("check", "yard.json", cwd=folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("cloud: water from 1 to 1.6 km, optical depth 10 (63", done.stdout)
-        self.assertIn("the error of the model of the air was found without any; of their own light they scatter none", done.stdout)
+        self.assertRegex(done.stdout, r"error of the model of the air: not known under clouds; of the air alone \S+ to \S+ % of a grey "
+                                      r"surface's radiance, most in '\w+', and more with them; intervals do not hold it")
+        self.assertIn("how far they are from real ones is not known: no figure is stated for edges and holes", done.stdout)
+        with Folder(yard=THERMAL % CLEAR) as folder:
+            done = run("check", "yard.json", cwd=folder)
+        self.assertNotIn("under clouds", done.stdout)
 
     def test_what_is_not_known_with_the_model(self):
         text = RED % (CLOUD % (STRATUS % 10) + ', "interval": "with model"')

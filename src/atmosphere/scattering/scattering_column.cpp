@@ -69,13 +69,15 @@ class ForwardPeaks {
 }  // namespace
 
 ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad,
-                                   const ScatteringOptions& options)
+                                   const ScatteringOptions& options, std::span<const int> given_parts)
     : spherical(options.spherical_earth),
       sun_mu(std::cos(sun_zenith_rad)),
       depolarization(optics.depolarization),
       phases(optics.aerosol_phases) {
   check(levels, optics, sun_zenith_rad, spherical);
   const std::size_t n = optics.layers();
+  if (!given_parts.empty() && given_parts.size() != n)
+    throw std::invalid_argument("every layer needs its number of parts");
   ForwardPeaks peaks(optics, 2 * options.nodes_per_hemisphere);
   std::vector<double> scaled(n), whole(n);  // extinction per km, top down
   for (std::size_t i = 0; i < n; ++i) {
@@ -95,7 +97,10 @@ ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& opti
 
     const double scattered = rayleigh + aerosol * (1.0 - peak);
     const double wanted = std::ceil((scattered + 0.1 * absorbed) / options.sublayer_depth);
-    const int parts = static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(options.most_sublayers)));
+    const int parts =
+        given_parts.empty()
+            ? static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(options.most_sublayers)))
+            : given_parts[layer];
     for (int part = 0; part < parts; ++part) {
       altitude_km.push_back(levels.altitude_km[layer + 1] - height * part / parts);
       depth.push_back(kept / parts);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "atmosphere/layer_optics.h"
@@ -21,9 +22,10 @@ inline constexpr double kLowestSun_rad = 98.0 / 180.0 * std::numbers::pi;
 class ScatteringColumn {
  public:
   /// Sun zenith angle, the same over every boundary; below 90 degrees where layers are flat, kLowestSun_rad else. Throws
-  /// std::invalid_argument where sizes differ, altitudes do not rise or the Sun is lower.
+  /// std::invalid_argument where sizes differ, altitudes do not rise or the Sun is lower. `parts`: into how many sublayers each
+  /// layer is cut, from the ground up; empty: as the options say.
   ScatteringColumn(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad,
-                   const ScatteringOptions& options);
+                   const ScatteringOptions& options, std::span<const int> parts = {});
 
   /// What a layer scatters, as fractions of its scaled extinction: single-scattering albedos.
   struct Mixture {

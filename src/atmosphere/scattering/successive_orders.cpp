@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "atmosphere/linear_source.h"
 #include "atmosphere/scattering/beam_integral.h"
 #include "atmosphere/scattering/many_orders.h"
 #include "atmosphere/scattering/phase/spherical_functions.h"
@@ -58,6 +59,39 @@ SuccessiveOrders::Mode SuccessiveOrders::groundlit() const {
       const double light = fine.weight[j] * std::exp(-depth / fine.position[j]);
       for (int l = 0; l < moments.terms; ++l) moments.at(l, 0)[level] += light * f.p[l];
       if (level > 0) depth += column_.depth[level - 1];
+    }
+  }
+  ModeField field = step.next(moments);
+  return add_orders(step, std::move(field), std::move(moments), 0.0);
+}
+
+SuccessiveOrders::Mode SuccessiveOrders::emitted(std::span<const double> planck) const {
+  const ModeOperator step(column_, phase_, nodes_, steps_, 0, options_.polarized);
+  const std::size_t n = column_.sublayers();
+  std::vector<double> emissivity(n);  // of the source function: 1 - albedo
+  for (std::size_t s = 0; s < n; ++s) {
+    const ScatteringColumn::Mixture& mixture = column_.mixtures[column_.mixture_of[s]];
+    emissivity[s] = std::max(0.0, 1.0 - mixture.rayleigh - mixture.aerosol * (1.0 - mixture.peak));
+  }
+  // Thin air is bright towards the horizon alone, as the ground is dim there.
+  const GaussNodes fine = gauss_nodes(24);
+  ModeMoments moments = step.empty_moments();
+  std::vector<double> up(n + 1), down(n + 1);
+  for (std::size_t j = 0; j < fine.position.size(); ++j) {
+    const SphericalFunctions f = spherical_functions(0, phase_.terms, fine.position[j]);
+    std::vector<LinearSource> steps(n);
+    for (std::size_t s = 0; s < n; ++s) {
+      steps[s] = LinearSource::over(column_.depth[s] / fine.position[j]);
+      down[s + 1] = steps[s].transmission * down[s] +
+                    emissivity[s] * (steps[s].far * planck[s] + steps[s].near * planck[s + 1]);
+    }
+    for (std::size_t s = n; s-- > 0;)
+      up[s] = steps[s].transmission * up[s + 1] +
+              emissivity[s] * (steps[s].near * planck[s] + steps[s].far * planck[s + 1]);
+    for (int l = 0; l < moments.terms; ++l) {
+      const double weight = fine.weight[j] * f.p[l];
+      add_scaled(n + 1, weight, up.data(), moments.at(l, 0));
+      add_scaled(n + 1, l % 2 == 0 ? weight : -weight, down.data(), moments.at(l, 0));
     }
   }
   ModeField field = step.next(moments);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "atmosphere/gauss_nodes.h"
@@ -36,6 +37,9 @@ class SuccessiveOrders {
   /// Light of a ground of radiance 1 in every direction, not polarized (mode 0). The moments include light
   /// that has not been scattered.
   Mode groundlit() const;
+  /// Light that the column itself emits, not polarized (mode 0): at the boundaries of sublayers Planck's radiance is `planck`,
+  /// between them linear, and what is not scattered is absorbed. Moments as of groundlit(); `radiance` is what is scattered.
+  Mode emitted(std::span<const double> planck) const;
 
  private:
   bool is_thick() const;

@@ -70,7 +70,8 @@ std::vector<ChannelScattering::Part> ChannelScattering::parts_at(std::size_t p) 
   const std::size_t columns = depth_.size();
   const Bracket at_wavelength = bracket(log_wavelength_, std::log(points_.points[p].wavelength_um));
   const double depth = std::clamp(points_.gas_depth[p], depth_.front(), depth_.back());
-  const Bracket at_depth = bracket(depth_, depth), at_scaled = bracket(scaled_depth_, scaled_depth(depth));
+  const Bracket at_depth = bracket(depth_, depth), at_scaled = bracket(scaled_depth_, scaled_depth(depth)),
+                at_emitted = bracket(emitted_depth_, emitted_depth(depth));
   std::vector<Part> parts;
   for (std::size_t w = at_wavelength.low; w <= std::min(at_wavelength.low + 1, log_wavelength_.size() - 1);
        ++w)
@@ -81,7 +82,8 @@ std::vector<ChannelScattering::Part> ChannelScattering::parts_at(std::size_t p) 
         return d == here.low ? 1.0 - here.high_share : d == here.low + 1 ? here.high_share : 0.0;
       };
       const std::size_t solution = w * columns + d;
-      parts.push_back({&nodes_[solution], solution, across * share(at_depth), across * share(at_scaled)});
+      parts.push_back({&nodes_[solution], solution, across * share(at_depth), across * share(at_scaled),
+                       across * share(at_emitted)});
     }
   return parts;
 }
@@ -100,6 +102,7 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
     for (auto* rows : {&result.path_q, &result.path_u, &result.diffuse_q})
       rows->assign(1 + lines_of_sight, std::vector<double>(count));
   result.share.assign(nodes_.size(), std::vector<double>(count, 0.0));
+  result.emission_share = result.share;
   const std::vector<double>& levels_km = column_.levels().altitude_km;
   const std::vector<double> falling_km(levels_km.rbegin(), levels_km.rend());
   std::vector<ShellLineOfSight> sights;
@@ -115,7 +118,10 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
       return points_.irradiance[p] * single_scattering(column, options_.aerosol_polarization, line).single;
     };
     const std::vector<Part> parts = parts_at(p);
-    for (const Part& part : parts) result.share[part.solution][p] = part.plain;
+    for (const Part& part : parts) {
+      result.share[part.solution][p] = part.plain;
+      result.emission_share[part.solution][p] = part.emitted;
+    }
     const auto ratio = [&](const auto& of) {
       double sum = 0.0;
       for (const Part& part : parts) sum += part.plain * of(*part.node);

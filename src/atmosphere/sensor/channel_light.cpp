@@ -10,7 +10,7 @@
 #include "atmosphere/sensor/channel_points.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "atmosphere/sensor/sensor_geometry.h"
-#include "atmosphere/thermal/thermal_column.h"
+#include "atmosphere/thermal/emitted_light.h"
 #include "core/parallel.h"
 #include "radiometry/planck.h"
 
@@ -36,21 +36,16 @@ void add_scattered(bool sunlit, const AtmosphereColumn& column, const LayerOptic
 }
 
 void add_emission(const AtmosphereColumn& column, const LayerOptics& optics, const SensorGeometry& geometry,
-                  ChannelLight& light) {
+                  const ScatteringOptions& options, ChannelLight& light) {
   const Levels& levels = column.levels();
-  std::vector<double> depth = optics.gas_absorption, planck;
-  for (std::size_t i = 0; i < depth.size(); ++i) depth[i] += optics.aerosol_absorption[i];
+  const double ground_km = levels.altitude_km.front();
+  std::vector<double> planck;
   for (const double t : levels.temperature_K)
     planck.push_back(radiometry::planck_w_m2_sr_um(light.wavelength_um, t));
-  const ThermalColumn thermal(levels.altitude_km, planck, depth);
-  light.path += thermal
-                    .line_of_sight(geometry.sensor_altitude_km, std::cos(geometry.view_zenith_rad),
-                                   levels.altitude_km.front())
-                    .radiance;
-  const GaussNodes hemisphere = gauss_nodes(8);
-  for (std::size_t j = 0; j < hemisphere.position.size(); ++j)
-    light.sky_irradiance += 2.0 * std::numbers::pi * hemisphere.weight[j] * hemisphere.position[j] *
-                            thermal.sky(hemisphere.position[j], levels.altitude_km.front());
+  const EmittedLight emitted(levels, optics, std::move(planck), options);
+  light.path +=
+      emitted.line_of_sight(geometry.sensor_altitude_km, std::cos(geometry.view_zenith_rad), ground_km);
+  light.sky_irradiance += emitted.irradiance(ground_km);
 }
 
 }  // namespace
@@ -89,7 +84,7 @@ std::vector<ChannelLight> solve_all_terms(const AtmosphereColumn& column, const 
     const bool sunlit = geometry.sun_zenith_rad && here.wavelength_um <= kLastSolar_um;
     if (sunlit || here.wavelength_um >= kFirstThermal_um)
       add_scattered(sunlit, column, optics, geometry, solver, part.irradiance, here);
-    if (here.wavelength_um >= kFirstThermal_um) add_emission(column, optics, geometry, here);
+    if (here.wavelength_um >= kFirstThermal_um) add_emission(column, optics, geometry, options, here);
   });
   return light;
 }

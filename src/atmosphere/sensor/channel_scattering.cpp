@@ -27,6 +27,11 @@ double log_ratio(double a, double b) { return std::log(std::max(a, kDark) / std:
 
 double ChannelScattering::scaled_depth(double gas_depth) { return std::log1p(10.0 * gas_depth); }
 
+double ChannelScattering::emitted_depth(double gas_depth) {
+  constexpr double kDiffuse = 1.66, kBeyond = 0.05;  // Elsasser's diffusivity; slow change beyond depths of 1
+  return -std::expm1(-kDiffuse * gas_depth) + kBeyond * scaled_depth(gas_depth);
+}
+
 ChannelScattering::ChannelScattering(const AtmosphereColumn& column, const ChannelPoints& points,
                                      const SensorGeometry& geometry, const SkyDirections& directions,
                                      const ScatteringOptions& options, bool polarized)
@@ -46,6 +51,10 @@ ChannelScattering::ChannelScattering(const AtmosphereColumn& column, const Chann
       node.depth = d;
       node.optics = optics_at(log_wavelength_[w], depth_[d]);
     }
+}
+
+double ChannelScattering::wavelength_um(std::size_t solution) const {
+  return std::exp(log_wavelength_[nodes_[solution].wavelength]);
 }
 
 void ChannelScattering::choose_nodes() {
@@ -77,7 +86,10 @@ void ChannelScattering::choose_nodes() {
     const bool too_deep = k > 0 && kDepths[k - 1] >= deep;
     if (!too_shallow && !too_deep) depth_.push_back(kDepths[k]);
   }
-  for (const double depth : depth_) scaled_depth_.push_back(scaled_depth(depth));
+  for (const double depth : depth_) {
+    scaled_depth_.push_back(scaled_depth(depth));
+    emitted_depth_.push_back(emitted_depth(depth));
+  }
 }
 
 /// Everything but gas from the bin next to the wavelength; gas of the mean profile of the channel's points of

@@ -26,6 +26,8 @@ class ChannelScattering {
                     const ScatteringOptions& options, bool polarized = false);
 
   std::size_t solutions() const { return nodes_.size(); }
+  const LayerOptics& optics(std::size_t solution) const { return nodes_[solution].optics; }
+  double wavelength_um(std::size_t solution) const;
   /// Whether there is sunlight; else only light of the ground is told.
   bool sunlit() const { return sunlit_; }
   /// Solves one of them, or takes it from what is kept (may be null); different ones may be solved at the
@@ -48,6 +50,8 @@ class ChannelScattering {
     std::vector<std::vector<double>> line_of_sight_path, line_of_sight_diffuse, sky_at_height;
     /// [solution]: the share of each solution in the shapes of the sky.
     std::vector<std::vector<double>> share;
+    /// The same in light that the air emits.
+    std::vector<std::vector<double>> emission_share;
     /// Q and U of the paths, Q of what they let through diffusely, about the vertical plane: of the geometry's
     /// own line of sight, then of its sights, [line][point], with azimuths read as counterclockwise. Empty
     /// unless asked for.
@@ -94,7 +98,7 @@ class ChannelScattering {
   struct Part {
     const Node* node;
     std::size_t solution;
-    double plain, scaled;
+    double plain, scaled, emitted;
   };
   std::vector<Part> parts_at(std::size_t point) const;
   void solve(const ColumnSolver& solver, Node& node) const;
@@ -115,6 +119,8 @@ class ChannelScattering {
   Propagation towards_sensor() const;
   /// Depth as the ratio of all light to light scattered once varies with it.
   static double scaled_depth(double gas_depth);
+  /// The same as light varies that gas emits: to what is an opaque body, and from the more distant air the less.
+  static double emitted_depth(double gas_depth);
 
   const AtmosphereColumn& column_;
   const ChannelPoints& points_;
@@ -122,8 +128,8 @@ class ChannelScattering {
   const SkyDirections& directions_;
   ScatteringOptions options_;
   bool sunlit_, polarized_;
-  std::vector<double> log_wavelength_, depth_, scaled_depth_;  // of the nodes, rising
-  std::vector<Node> nodes_;                                    // [wavelength][depth]
+  std::vector<double> log_wavelength_, depth_, scaled_depth_, emitted_depth_;  // of the nodes, rising
+  std::vector<Node> nodes_;                                                    // [wavelength][depth]
 };
 
 }  // namespace ifov::atmosphere

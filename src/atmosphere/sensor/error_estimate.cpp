@@ -135,10 +135,16 @@ class Estimate {
     if (given.emitted) emitted.emplace(column, points, question_.geometry, SkyDirections{});
     const SensorGeometry& geometry = question_.geometry;
     const std::vector<double> none(given.points.size(), 0.0);
+    // What is scattered of the air's own light is judged with all else that is scattered.
+    const ChannelEmission* glow = given.emitted ? &*given.emitted : nullptr;
+    std::optional<ChannelEmission> straight;
+    if (glow != nullptr && given.own_scattering) {
+      straight.emplace(question_.column, given.points, geometry, SkyDirections{});
+      glow = &*straight;
+    }
     const ExactLight right(points, emitted ? &*emitted : nullptr, geometry,
                            scattered_once(column, points, geometry, question_.scattering));
-    const ExactLight ours(given.points, given.emitted ? &*given.emitted : nullptr, geometry,
-                          given.scattering ? given.scattered.once : none);
+    const ExactLight ours(given.points, glow, geometry, given.scattering ? given.scattered.once : none);
     const double scattered = given.scattering ? mean(given.points.share, given.scattered.path) : 0.0;
     errors_[channel].absorption = {
         part_of(ours.once - right.once, right.once) * scattered + std::abs(ours.emission - right.emission),
@@ -148,7 +154,8 @@ class Estimate {
   void scattering(std::size_t channel) {
     const ChannelLights& given = channels_[channel];
     if (!given.checks) return;
-    ChannelChecks::Errors errors = given.checks->against(given.scattered);
+    ChannelChecks::Errors errors =
+        given.checks->against(given.scattered, given.emitted ? &*given.emitted : nullptr);
     if (question_.scattering.spherical_earth && question_.geometry.sun_zenith_rad) {
       const RoundEarthError round = round_earth_error(*question_.geometry.sun_zenith_rad);
       errors.path += round.path;
@@ -170,11 +177,14 @@ class Estimate {
     const double all = sine * mean(points.share, points.sun) + sky;
     const double back = ground * albedo / (1.0 - ground * albedo);
     const double groundlit = mean(points.share, given.scattered.diffuse_transmittance);
+    const double glow_of_path = given.emitted ? mean(points.share, given.emitted->path) : 0.0;
+    const double glow_of_sky = given.emitted ? mean(points.share, given.emitted->sky_irradiance) : 0.0;
     errors_[channel].scattering = {
-        errors.path * mean(points.share, given.scattered.path) +
+        errors.path * mean(points.share, given.scattered.path) + errors.emitted_path * glow_of_path +
             errors.diffuse_transmittance * groundlit *
                 (ground * all * (1.0 + back) / std::numbers::pi + (1.0 - ground) * mean(points.share, glow)),
-        errors.spherical_albedo * back, sky > 0.0 ? errors.sky_irradiance * scattered / sky : 0.0};
+        errors.spherical_albedo * back,
+        sky > 0.0 ? (errors.sky_irradiance * scattered + errors.emitted_sky * glow_of_sky) / sky : 0.0};
   }
 
   /// Neighbouring channels have skies of much the same shape: of some, the one is looked at that has most
@@ -208,7 +218,7 @@ class Estimate {
     std::vector<double> radiance(finer.zenith_rad.size() * azimuths, 0.0);
     double beam = 0.0, beyond_at_sun = 0.0;  // what the table has more at the Sun than the finer one
     if (given.emitted) {
-      const ChannelEmission emitted(question_.column, given.points, question_.geometry, finer);
+      const ChannelEmission emitted = given.emission(question_.column, question_.geometry, finer);
       for (std::size_t d = 0; d < radiance.size(); ++d)
         radiance[d] += mean(given.points.share, emitted.sky[d / azimuths]);
     }

@@ -56,10 +56,11 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
     channels.push_back({{column, channel, optics, geometry_}});
   std::optional<FinerAtmosphere> finer;
   if (inputs.with_errors) finer.emplace(column);
+  enum class Kind { scattering, emission, check };
   struct Task {
     ChannelLights* lights;
     std::size_t solution;
-    bool check;
+    Kind kind;
   };
   std::vector<Task> tasks;
   for (ChannelLights& lights : channels) {
@@ -70,20 +71,28 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
       continue;
     lights.scattering.emplace(column, lights.points, geometry_, directions_, inputs.scattering,
                               inputs.polarized);
-    for (std::size_t k = 0; k < lights.scattering->solutions(); ++k) tasks.push_back({&lights, k, false});
+    for (std::size_t k = 0; k < lights.scattering->solutions(); ++k)
+      tasks.push_back({&lights, k, Kind::scattering});
+    if (longest.wavelength_um >= kFirstThermal_um) {
+      lights.ask_for_own_scattering(column, inputs.scattering);
+      for (std::size_t k = 0; lights.own_scattering && k < lights.own_scattering->solutions(); ++k)
+        tasks.push_back({&lights, k, Kind::emission});
+    }
     if (!finer) continue;
-    lights.checks.emplace(*lights.scattering, lights.points, geometry_, *finer);
-    for (std::size_t k = 0; k < lights.checks->solutions(); ++k) tasks.push_back({&lights, k, true});
+    lights.checks.emplace(*lights.scattering, lights.points, geometry_, *finer,
+                          lights.own_scattering.has_value());
+    for (std::size_t k = 0; k < lights.checks->solutions(); ++k) tasks.push_back({&lights, k, Kind::check});
   }
   const ColumnSolver solver(inputs.scattering), careful(FinerAtmosphere::finer(inputs.scattering));
   std::mutex telling;
   std::size_t solved = 0;
   parallel_for(static_cast<std::int64_t>(tasks.size()), inputs.threads, [&](std::int64_t k) {
     const Task task = tasks[static_cast<std::size_t>(k)];
-    if (task.check)
-      task.lights->checks->solve(careful, task.solution, inputs.kept);
-    else
-      task.lights->scattering->solve(solver, task.solution, inputs.kept);
+    switch (task.kind) {
+      case Kind::scattering: task.lights->scattering->solve(solver, task.solution, inputs.kept); break;
+      case Kind::emission: task.lights->own_scattering->solve(task.solution); break;
+      case Kind::check: task.lights->checks->solve(careful, task.solution, inputs.kept); break;
+    }
     if (!inputs.progress) return;
     const std::scoped_lock lock(telling);
     inputs.progress(++solved, tasks.size());
@@ -92,7 +101,7 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
     ChannelLights& lights = channels[static_cast<std::size_t>(k)];
     if (lights.scattering) lights.scattered = lights.scattering->at_points();
     if (lights.points.points.back().wavelength_um >= kFirstThermal_um)
-      lights.emitted.emplace(column, lights.points, geometry_, directions_);
+      lights.emitted.emplace(lights.emission(column, geometry_, directions_));
   });
 
   build_nodes(inputs, channels);

@@ -7,7 +7,7 @@
 #include "atmosphere/column/light_limits.h"
 #include "atmosphere/scattering/column_solver.h"
 #include "atmosphere/scattering/scattering_options.h"
-#include "atmosphere/thermal/thermal_column.h"
+#include "atmosphere/thermal/emitted_light.h"
 #include "core/parallel.h"
 #include "math/angle.h"
 #include "radiometry/planck.h"
@@ -32,11 +32,10 @@ void add_scattered(const AtmosphereColumn& column, const LayerOptics& optics, do
 
 void add_emitted(const AtmosphereColumn& column, const LayerOptics& optics, double factor, SkyView& sky) {
   const Levels& levels = column.levels();
-  std::vector<double> depth = optics.gas_absorption, planck;
-  for (std::size_t i = 0; i < depth.size(); ++i) depth[i] += optics.aerosol_absorption[i];
+  std::vector<double> planck;
   for (const double t : levels.temperature_K)
     planck.push_back(radiometry::planck_w_m2_sr_um(sky.wavelength_um, t));
-  const ThermalColumn thermal(levels.altitude_km, planck, depth);
+  const EmittedLight thermal(levels, optics, std::move(planck));
   for (std::size_t z = 0; z < sky.zenith_rad.size(); ++z) {
     const double radiance =
         factor * thermal.sky(std::max(0.0, std::cos(sky.zenith_rad[z])), levels.altitude_km.front());

@@ -21,6 +21,25 @@ ThermalColumn::ThermalColumn(std::span<const double> altitude_km, std::span<cons
   }
 }
 
+ThermalColumn::ThermalColumn(std::span<const double> altitude_km, std::span<const double> planck,
+                             std::span<const double> absorption_depth,
+                             std::span<const double> scattering_depth)
+    : ThermalColumn(altitude_km, planck, absorption_depth) {
+  if (scattering_depth.size() != depth_.size())
+    throw std::invalid_argument("every layer of a thermal column needs its depth of scattering");
+  scattering_ = scattering_depth;
+}
+
+double ThermalColumn::source(std::size_t layer, double share, std::span<const double> scattered) const {
+  const double planck = planck_[layer] * (1.0 - share) + planck_[layer + 1] * share;
+  if (scattering_.empty()) return planck;
+  const double all = extinction(layer);
+  if (!(all > 0.0)) return 0.0;
+  const double sent =
+      scattered.empty() ? 0.0 : scattered[2 * layer] * (1.0 - share) + scattered[2 * layer + 1] * share;
+  return (depth_[layer] * planck + sent) / all;
+}
+
 ThermalRadiance ThermalColumn::radiances(const GaussNodes& nodes, const ThermalGround& ground) const {
   const std::size_t layers = depth_.size(), count = nodes.position.size();
   ThermalRadiance result;
@@ -61,27 +80,29 @@ ThermalRadiance ThermalColumn::radiances(const GaussNodes& nodes, const ThermalG
   return result;
 }
 
-double ThermalColumn::sky(double mu, double observer_km) const {
+double ThermalColumn::sky(double mu, double observer_km, std::span<const double> scattered) const {
   const double start = std::max(observer_km, altitude_km_.front());
   std::size_t layer =
       static_cast<std::size_t>(std::upper_bound(altitude_km_.begin(), altitude_km_.end(), start) -
                                altitude_km_.begin()) -
       1;
-  double radiance = 0.0, transmission = 1.0, walked = 0.0, planck = 0.0;
-  for (bool first = true; layer < depth_.size(); ++layer, first = false) {
+  double radiance = 0.0, transmission = 1.0, walked = 0.0;
+  constexpr double kOpaque = 1e-10;  // light that comes through no more counts no longer
+  for (double near_share = 0.0; layer < depth_.size() && transmission > kOpaque; ++layer, near_share = 0.0) {
     const double bottom = altitude_km_[layer], top = altitude_km_[layer + 1], height = top - bottom;
-    if (first) planck = planck_[layer] + (planck_[layer + 1] - planck_[layer]) * (start - bottom) / height;
+    if (start > bottom) near_share = (start - bottom) / height;
     const double length = length_to_shell_km(start, mu, top);
-    const LinearSource step = LinearSource::over(depth_[layer] * (length - walked) / height);
-    radiance += transmission * (step.near * planck + step.far * planck_[layer + 1]);
+    const LinearSource step = LinearSource::over(extinction(layer) * (length - walked) / height);
+    radiance += transmission *
+                (step.near * source(layer, near_share, scattered) + step.far * source(layer, 1.0, scattered));
     transmission *= step.transmission;
-    planck = planck_[layer + 1];
     walked = length;
   }
   return radiance;
 }
 
-ThermalPath ThermalColumn::line_of_sight(double observer_km, double mu, double surface_km) const {
+ThermalPath ThermalColumn::line_of_sight(double observer_km, double mu, double surface_km,
+                                         std::span<const double> scattered) const {
   ThermalPath path;
   const double start = std::max(surface_km, altitude_km_.front()),
                end = std::min(observer_km, altitude_km_.back());
@@ -95,13 +116,11 @@ ThermalPath ThermalColumn::line_of_sight(double observer_km, double mu, double s
   for (; layer < depth_.size() && z < end; ++layer) {
     const double bottom = altitude_km_[layer], height = altitude_km_[layer + 1] - bottom;
     const double next = std::min(end, altitude_km_[layer + 1]), length = length_to_shell_km(start, mu, next);
-    const double depth = depth_[layer] * (length - walked) / height;
-    const auto planck_at = [&](double altitude) {
-      const double share = (altitude - bottom) / height;
-      return planck_[layer] * (1.0 - share) + planck_[layer + 1] * share;
-    };
+    const double depth = extinction(layer) * (length - walked) / height;
     const LinearSource step = LinearSource::over(depth);
-    path.radiance = step.transmission * path.radiance + step.far * planck_at(z) + step.near * planck_at(next);
+    path.radiance = step.transmission * path.radiance +
+                    step.far * source(layer, (z - bottom) / height, scattered) +
+                    step.near * source(layer, (next - bottom) / height, scattered);
     optical_depth += depth;
     walked = length;
     z = next;

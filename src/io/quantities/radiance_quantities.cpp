@@ -92,7 +92,8 @@ constinit const Quantity kAtmosphereHalfWidth{
 
 constinit const Quantity kAtmosphereModelError{
     .name = "air_model_error",
-    .what = "how far the radiance may be off because the model of the air is not the air",
+    .what =
+        "how far the radiance may be off because the model of the air is not the air, as found under clear skies; clouds add what is not known",
     .unit = "",
     .role = Quantity::Role::error,
     .statistic = Quantity::Statistic::half_width,
