@@ -24,18 +24,13 @@ struct ChannelInfo {
   std::shared_ptr<const sensor::Detector> detector = {};  ///< of which that is the noise; null: none
 };
 
-/// An object of the document: a class of what pixels see.
-struct ObjectInfo {
-  std::string name;
-  std::uint32_t first = 0;  ///< of the world's objects that stand for it, which end where those of the next begin
-};
-
 /// What every product says of itself.
 struct ImageInfo {
   int width_px = 0, height_px = 0;
   std::vector<ChannelInfo> channels;
-  std::vector<std::string> materials;  ///< names by material index, for abundances
-  std::vector<ObjectInfo> objects;     ///< in their order; empty: not known
+  std::vector<std::string> materials;           ///< names by material index, for abundances
+  std::vector<std::string> objects;             ///< names of the document's, for classes; empty: not known
+  std::vector<std::uint32_t> first_of_objects;  ///< number in the world of the first that stands for each
   std::string radiance_unit = "W m-2 sr-1 um-1";
   bool stokes = false;   ///< tiles tell Q, U and V beside I
   bool has_map = false;  ///< map coordinates of the upper left corner and the pixel size

@@ -149,7 +149,6 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   warn_of_atmosphere_errors(p, *log);
   p.info = image_info(document.scene.origin, *p.camera, p.channels, p.scene, p.map_offset_m);
   tell_noise(document.sources, document.sensor, p.channels, p.info.channels);
-  p.info.objects = object_classes(document.scene.objects, p.placed, *p.scene.world);
   p.info.stokes = document.sensor.stokes;
   p.info.footprint_px = sampling::response_area_px(*p.footprint);
   for (std::size_t c = 0; c < p.air.size(); ++c) p.info.channels[c].air = p.air[c];

@@ -36,7 +36,9 @@ void collect_sun_angles(const MiddleRays& rays, std::span<float> values) {
 bool lets_light_through(const scene::Scene& scene, const scene::ResolvedSurface& surface) {
   return std::any_of(surface.begin(), surface.end(), [&](const scene::Constituent& part) {
     const materials::Material& material = scene.materials[part.material];
-    return material.transmittance.has_value() || material.bsdf->may_transmit();
+    // Of a separable model it is the material that says so.
+    return material.transmittance.has_value() ||
+           (!material.bsdf->is_separable() && material.bsdf->may_transmit());
   });
 }
 

@@ -149,7 +149,8 @@ class Classes final : public ValueSink {
 
 TEST(Quantities, ObjectsOfTheDocumentAreClasses) {
   render::ImageInfo image = SyntheticImage{5, 1, 2}.info();
-  image.objects = {{"lawn", 0}, {"empty list", 1}, {"trees, {tall}", 1}, {"lamps", 41}};
+  image.objects = {"lawn", "empty list", "trees, {tall}", "lamps"};
+  image.first_of_objects = {0, 1, 1, 41};
   sampling::TileResult tile;
   tile.reset({0, 0, 5, 1}, 2, false);
   tile.layers.push_back(test::layer_of<std::uint32_t>(truth::kInstance.name, 1, {0, 1, 2, 41, 42}));

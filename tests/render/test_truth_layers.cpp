@@ -92,7 +92,10 @@ TEST(TruthLayers, OfATiltedPlane) {
     EXPECT_NEAR(slope[2 * k], std::atan(kTilt) * kDegrees, 1e-5);
     EXPECT_NEAR(slope[2 * k + 1], 270.0, 1e-4) << "downhill is west";
     const double left = u - 0.5 * kStep, right = u + 0.5 * kStep;
-    EXPECT_NEAR(gsd[2 * k], along_slope * (right * depth(right) - left * depth(left)), 1e-6);
+    EXPECT_NEAR(gsd[2 * k],
+                std::hypot(along_slope * (right * depth(right) - left * depth(left)),
+                           v * (depth(right) - depth(left))),
+                1e-6);
     EXPECT_NEAR(gsd[2 * k + 1], kStep * depth(u), 1e-6);
     EXPECT_NEAR(sun[3 * k], std::acos(std::sqrt(1.0 / 3.0)) * kDegrees, 1e-5);
     EXPECT_NEAR(sun[3 * k + 1], 45.0, 1e-5);

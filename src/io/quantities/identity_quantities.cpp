@@ -14,15 +14,15 @@ namespace {
 
 void put_objects(const FinishedTile& of, ValueSink& sink) {
   std::vector<std::uint16_t> classes(of.tile.samples.size());
-  const std::vector<render::ObjectInfo>& objects = of.image.objects;
-  if (const sampling::TileLayer* const layer = of.tile.layer(truth::kInstance.name))
-    std::transform(layer->values<std::uint32_t>().begin(), layer->values<std::uint32_t>().end(),
-                   classes.begin(), [&](std::uint32_t instance) {
-                     const auto next = std::partition_point(
-                         objects.begin(), objects.end(),
-                         [&](const render::ObjectInfo& object) { return object.first < instance; });
-                     return static_cast<std::uint16_t>(next - objects.begin());
-                   });
+  const std::vector<std::uint32_t>& first = of.image.first_of_objects;
+  if (const sampling::TileLayer* const layer = of.tile.layer(truth::kInstance.name)) {
+    const std::span<const std::uint32_t> instances = layer->values<std::uint32_t>();
+    // Those are counted from 1, and so as many begin below one as its class says.
+    std::transform(instances.begin(), instances.end(), classes.begin(), [&](std::uint32_t instance) {
+      return static_cast<std::uint16_t>(std::lower_bound(first.begin(), first.end(), instance) -
+                                        first.begin());
+    });
+  }
   sink.put(classes);
 }
 
@@ -54,9 +54,7 @@ void add_materials(EnviHeader& header, const render::ImageInfo& image) {
 }
 
 void add_objects(EnviHeader& header, const render::ImageInfo& image) {
-  std::vector<std::string> names;
-  for (const render::ObjectInfo& object : image.objects) names.push_back(object.name);
-  add_named_classes(std::move(names), header);
+  add_named_classes(image.objects, header);
 }
 
 constexpr std::string_view kMaterialBands[] = {"material class"}, kObjectBands[] = {"object class"},

@@ -64,10 +64,10 @@ void write_members(JsonWriter& json, const render::ImageInfo& image, bool with_o
   json.member("materials", image.materials);
   if (with_objects)
     json.list("objects", [&] {
-      for (const render::ObjectInfo& object : image.objects)
+      for (std::size_t k = 0; k < image.objects.size(); ++k)
         json.object([&] {
-          json.member("name", object.name);
-          json.member("first", std::uint64_t{object.first});
+          json.member("name", image.objects[k]);
+          json.member("first", std::uint64_t{image.first_of_objects[k]});
         });
     });
   if (image.has_map)
@@ -94,8 +94,10 @@ render::ImageInfo image_of(const JsonView& v) {
   }
   for (const JsonView& name : v["materials"].items()) image.materials.push_back(name.text());
   if (const JsonView objects = v["objects"]; objects.is_there())
-    for (const JsonView& object : objects.items())
-      image.objects.push_back({object["name"].text(), static_cast<std::uint32_t>(object["first"].natural())});
+    for (const JsonView& object : objects.items()) {
+      image.objects.push_back(object["name"].text());
+      image.first_of_objects.push_back(static_cast<std::uint32_t>(object["first"].natural()));
+    }
   image.stokes = v["stokes"].is_there() && v["stokes"].boolean();
   if (const JsonView map = v["map"]; map.is_there()) {
     image.has_map = true;

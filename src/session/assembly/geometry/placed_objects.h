@@ -5,14 +5,8 @@
 #include <string>
 #include <vector>
 
-namespace ifov::geometry {
-class World;
-}
 namespace ifov::io {
 struct ObjectDocument;
-}
-namespace ifov::render {
-struct ObjectInfo;
 }
 
 namespace ifov::session {
@@ -27,7 +21,6 @@ class PlacedObjects {
   std::size_t document_objects() const { return first_.empty() ? 0 : first_.size() - 1; }
   std::uint32_t first(std::size_t object) const { return first_[object]; }
   std::uint32_t count(std::size_t object) const { return first_[object + 1] - first_[object]; }
-  std::uint32_t all() const { return first_.empty() ? 0 : first_.back(); }  ///< that stand for any
   /// Index of the document's object; the number of them where there is none.
   std::size_t of(std::uint32_t placed) const;
 
@@ -38,10 +31,6 @@ class PlacedObjects {
 /// "'tower' (line 23)", "scene.objects[0] (a plane, line 12)": for messages. `objects` are those of
 /// the document's scene.
 std::string title_of(std::span<const io::ObjectDocument> objects, std::size_t object);
-
-/// Classes of what pixels see: the document's objects by their names, or as "plane 0" by kind and index, and "lamps" where the world holds
-/// more than they. What does not fit into classes of 16 bits shares one, "others".
-std::vector<render::ObjectInfo> object_classes(std::span<const io::ObjectDocument> objects,
-                                               const PlacedObjects& placed, const geometry::World& world);
+std::string kind_of(const io::ObjectDocument& object);  ///< "plane", "list of instances"
 
 }  // namespace ifov::session
