@@ -59,15 +59,16 @@ constinit const Quantity kGsd{.name = "gsd",
                               .collector = &truth::kGsd,
                               .values = put_layer<truth::kGsd, float>};
 
-constinit const Quantity kTime{.name = "time",
-                               .what = "when the middle of each pixel was seen, after the acquisition time",
-                               .unit = "s",
-                               .role = Quantity::Role::truth,
-                               .statistic = Quantity::Statistic::middle,
-                               .type = EnviType::float64,
-                               .bands = Quantity::Bands::named,
-                               .band_names = kTimeBands,
-                               .collector = &truth::kTime,
-                               .values = put_layer<truth::kTime, double>};
+constinit const Quantity kTime{
+    .name = "time",
+    .what = "time from the acquisition time to when the middle of each pixel was seen",
+    .unit = "s",
+    .role = Quantity::Role::truth,
+    .statistic = Quantity::Statistic::middle,
+    .type = EnviType::float64,
+    .bands = Quantity::Bands::named,
+    .band_names = kTimeBands,
+    .collector = &truth::kTime,
+    .values = put_layer<truth::kTime, double>};
 
 }  // namespace ifov::io::quantities
