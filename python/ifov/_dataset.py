@@ -45,6 +45,23 @@ _BANDS: dict[str, list[tuple[str, str, str]]] = {
         ("temperature", "temperature of what the middle of the pixel sees", "K"),
         ("temperature_deviation", "standard deviation of that, where it is estimated", "K"),
     ],
+    "normal": [
+        (f"normal_{axis}", f"{axis} component of the normal of what the middle of the pixel sees", "1")
+        for axis in ("east", "north", "up")
+    ],
+    "slope": [
+        ("slope", "angle between the vertical and the normal of what the middle of the pixel sees", "degree"),
+        ("aspect", "azimuth of the direction in which it faces, clockwise from north", "degree"),
+    ],
+    "gsd": [
+        ("gsd_across", "size of the pixel along image x on what its middle sees", "m"),
+        ("gsd_along", "size of the pixel along image y on what its middle sees", "m"),
+    ],
+    "sun_angles": [
+        ("sun_zenith", "zenith angle of the direction to the Sun", "degree"),
+        ("sun_azimuth", "azimuth of the direction to the Sun, clockwise from north", "degree"),
+        ("incidence", "angle between that direction and the normal of what the middle of the pixel sees", "degree"),
+    ],
 }
 #: Of variables in a dataset; others come behind.
 _ORDER = ("radiance", "standard_error", "half_width", "abundance", "quality", "samples", "reasons", "quality_class")
@@ -195,6 +212,13 @@ def _relations(made: xarray.Dataset) -> None:
             "flag_values": np.arange(len(_GRAVEST), dtype=made["quality_class"].dtype),
             "flag_meanings": " ".join(_GRAVEST),
         }
+    for name in ("material_class", "dominant_material"):
+        if name in made and "material" in made.coords:
+            words = ("nothing", *made.coords["material"].values)
+            made[name].attrs |= {
+                "flag_values": np.arange(len(words), dtype=made[name].dtype),
+                "flag_meanings": " ".join("_".join(str(word).split()) for word in words),
+            }
     if "spatial_ref" in made.coords:
         for variable in made.data_vars.values():
             variable.encoding["grid_mapping"] = "spatial_ref"

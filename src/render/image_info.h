@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,7 +28,9 @@ struct ChannelInfo {
 struct ImageInfo {
   int width_px = 0, height_px = 0;
   std::vector<ChannelInfo> channels;
-  std::vector<std::string> materials;  ///< names by material index, for abundances
+  std::vector<std::string> materials;           ///< names by material index, for abundances
+  std::vector<std::string> objects;             ///< names of the document's, for classes; empty: not known
+  std::vector<std::uint32_t> first_of_objects;  ///< number in the world of the first that stands for each
   std::string radiance_unit = "W m-2 sr-1 um-1";
   bool stokes = false;   ///< tiles tell Q, U and V beside I
   bool has_map = false;  ///< map coordinates of the upper left corner and the pixel size

@@ -38,18 +38,20 @@ void add_truth_layers(std::span<const truth::Collector* const> collectors, const
   std::vector<sampling::FocalPoint> points(width);
   std::vector<math::Ray> rays(width);
   std::vector<geometry::SurfacePoint> hits(width);
+  std::vector<scene::ResolvedSurface> surfaces(width);
+  const scene::TruthMaterials materials = scene::truth_materials(scene);
   for (int y = tile.tile.y0; y < tile.tile.y1; ++y) {
     for (std::size_t x = 0; x < width; ++x)
       points[x] = {tile.tile.x0 + static_cast<double>(x) + 0.5, y + 0.5};
     camera.rays(points, rays);
     scene.world->intersect(rays, hits);
+    for (std::size_t x = 0; x < width; ++x)
+      if (hits[x].hit()) surfaces[x] = scene.resolve_without_temperature(hits[x]);
+    const truth::MiddleRays middles{scene, rays, hits, surfaces, points, &camera, materials.of_material};
     const std::size_t first = static_cast<std::size_t>(y - tile.tile.y0) * width;
     for (std::size_t k = 0; k < collectors.size(); ++k)
-      std::visit(
-          [&](auto collect) {
-            collect_into(collect, {scene, rays, hits}, first, tile.layers[before + k]);
-          },
-          collectors[k]->collect);
+      std::visit([&](auto collect) { collect_into(collect, middles, first, tile.layers[before + k]); },
+                 collectors[k]->collect);
   }
 }
 

@@ -10,6 +10,8 @@ ORIGIN = '"origin": {"latitude": "49.4 deg", "longitude": "8.7 deg"},\n    "mate
 FRAME = ('"camera": {"frame": {"pixels": [40, 30], "focal_length": "20 mm", "pitch": "0.1 mm", "position": ["2 m", "1 m", "9 m"],'
          ' "look_at": ["0 m", "0 m", "0 m"]}}')
 ORTHOGRAPHIC = '"camera": {"orthographic": {"gsd": "1 m", "pixels": [3, 3]}}'
+TRUTH = ["range", "normal", "slope", "gsd", "time", "sun_angles", "shadow", "material_class", "dominant_material", "material_count",
+         "object_class", "instance"]
 LARGE = {"gsd": "5 cm", "pixels": [64, 48]}
 
 
@@ -38,7 +40,7 @@ class Lists(unittest.TestCase):
         with Folder(usual=DOME, frame=DOME.replace(ORTHOGRAPHIC, FRAME),
                     all=with_output(DOME, formats=["envi"], products=["all"])) as folder:
             for name, wanted in (("usual", usual), ("frame", sorted([*usual, "location"])),
-                                 ("all", sorted([*usual, "standard_error", "abundance_half_width", "location", "view_angles", "temperature"]))):
+                                 ("all", sorted([*usual, "standard_error", "abundance_half_width", "location", "view_angles", "temperature", *TRUTH]))):
                 self.assertEqual(run("render", f"{name}.json", cwd=folder).returncode, 0)
                 self.assertEqual(cubes(folder / f"{name}.out"), sorted(f"image_{cube}.img" for cube in wanted))
 
@@ -68,7 +70,7 @@ class Pieces(unittest.TestCase):
     def test_shares_and_threads_leave_the_same_bytes(self):
         scene = with_output(DOME.replace(ORTHOGRAPHIC, FRAME).replace('"materials": {', ORIGIN, 1).replace(
             '{"accuracy": {"error": "0.1 K", "channel": "B"}}', '{"accuracy": {"error": "0.1 K", "channel": "B"}, "tile": 8}'),
-            formats=["envi", "geotiff", "netcdf"], products=["half_width", "quality", "location", "view_angles"])
+            formats=["envi", "geotiff", "netcdf"], products=["half_width", "quality", "location", "view_angles", *TRUTH])
         with Folder(scene=scene) as folder:
             self.assertEqual(run("render", "scene.json", "-j", 1, cwd=folder).returncode, 0)
             self.assertEqual(run("render", "scene.json", "-j", 2, "--output", "two", cwd=folder).returncode, 0)
@@ -77,7 +79,7 @@ class Pieces(unittest.TestCase):
             done = run("merge", "scene.out.1-of-2", "scene.out.2-of-2", "--output", "merged", cwd=folder)
             self.assertEqual(done.returncode, 0, done.stderr)
             reference = products(folder / "scene.out")
-            self.assertEqual(len(reference), 14)
+            self.assertEqual(len(reference), 38)
             for other in ("two", "merged"):
                 found = products(folder / other)
                 for name, content in reference.items():

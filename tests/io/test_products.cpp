@@ -36,9 +36,8 @@ ProductOptions options_in(const std::filesystem::path& folder) {
   options.folder = folder;
   options.name = "demo";
   options.cubes = QuantitySet::all();
-  options.cubes.remove(quantities::kLocation);  // the synthetic image has no places
-  options.cubes.remove(quantities::kViewAngles);
-  options.cubes.remove(quantities::kTemperature);
+  for (const Quantity* quantity : all_quantities())  // the synthetic image has no scene
+    if (quantity->collector != nullptr) options.cubes.remove(*quantity);
   return options;
 }
 

@@ -1,21 +1,31 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <sstream>
 #include <string>
 
 #include "io/products/quantity_header.h"
+#include "io/quantities/geometry_quantities.h"
+#include "io/quantities/identity_quantities.h"
 #include "io/quantities/location_quantities.h"
 #include "io/quantities/polarization_quantities.h"
 #include "io/quantities/quality_quantities.h"
 #include "io/quantities/quantity_set.h"
 #include "io/quantities/radiance_quantities.h"
 #include "io/quantities/share_quantities.h"
+#include "io/quantities/sunlight_quantities.h"
 #include "io/quantities/temperature_quantity.h"
 #include "io/synthetic_image.h"
+#include "truth/gsd.h"
+#include "truth/identity.h"
 #include "truth/location.h"
+#include "truth/orientation.h"
+#include "truth/range.h"
+#include "truth/sunlight.h"
 #include "truth/temperature.h"
+#include "truth/time.h"
 #include "truth/view_angles.h"
 
 namespace ifov::io {
@@ -110,14 +120,64 @@ TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
   const QuantitySet bare = possible_quantities(QuantitySet::all(), image, false);
   EXPECT_TRUE(bare == QuantitySet({&quantities::kRadiance, &quantities::kSamples, &quantities::kQuality,
                                    &quantities::kReasons, &quantities::kQualityClass, &quantities::kLocation,
-                                   &quantities::kViewAngles, &quantities::kTemperature}));
+                                   &quantities::kViewAngles, &quantities::kTemperature, &quantities::kRange,
+                                   &quantities::kNormal, &quantities::kSlope, &quantities::kGsd,
+                                   &quantities::kTime, &quantities::kSunAngles, &quantities::kShadow,
+                                   &quantities::kObjectClass, &quantities::kInstance}));
   EXPECT_TRUE(possible_quantities({}, image).has(quantities::kRadiance));
 }
 
 TEST(QuantitySet, WhatTheyNeedIsNoted) {
   EXPECT_EQ(collectors_of(QuantitySet::all()),
-            (std::vector{&truth::kLocation, &truth::kViewAngles, &truth::kTemperature}));
+            (std::vector{&truth::kLocation, &truth::kViewAngles, &truth::kTemperature, &truth::kRange,
+                         &truth::kNormal, &truth::kSlope, &truth::kGsd, &truth::kTime, &truth::kSunAngles,
+                         &truth::kShadow, &truth::kMaterial, &truth::kInstance}))
+      << "objects and instances come of one";
   EXPECT_TRUE(collectors_of({&quantities::kRadiance}).empty());
+}
+
+/// Keeps what it was given.
+class Classes final : public ValueSink {
+ public:
+  void put(std::span<const float>) override { FAIL(); }
+  void put(std::span<const double>) override { FAIL(); }
+  void put(std::span<const std::uint32_t>) override { FAIL(); }
+  void put(std::span<const std::uint16_t> given) override { values.assign(given.begin(), given.end()); }
+  void put(std::span<const std::uint8_t>) override { FAIL(); }
+  std::vector<int> values;
+};
+
+TEST(Quantities, ObjectsOfTheDocumentAreClasses) {
+  render::ImageInfo image = SyntheticImage{5, 1, 2}.info();
+  image.objects = {"lawn", "empty list", "trees, {tall}", "lamps"};
+  image.first_of_objects = {0, 1, 1, 41};
+  sampling::TileResult tile;
+  tile.reset({0, 0, 5, 1}, 2, false);
+  tile.layers.push_back(test::layer_of<std::uint32_t>(truth::kInstance.name, 1, {0, 1, 2, 41, 42}));
+  Classes sink;
+  quantities::kObjectClass.values({tile, image, {}}, sink);
+  EXPECT_EQ(sink.values, (std::vector{0, 1, 3, 3, 4}));
+  EnviHeader header;
+  quantities::kObjectClass.complete_header(header, image);
+  EXPECT_TRUE(header.is_classification);
+  EXPECT_EQ(header.other["classes"], "5");
+  EXPECT_EQ(header.other["class names"], "nothing, lawn, empty list, trees; (tall), lamps");
+  const std::string colours = header.other["class lookup"];
+  EXPECT_EQ(std::count(colours.begin(), colours.end(), ','), 14);
+  EXPECT_EQ(colours.substr(0, 8), "0, 0, 0,");
+}
+
+TEST(Quantities, TheDominantMaterialHasTheLargestShare) {
+  const render::ImageInfo image = SyntheticImage{3, 1, 2}.info();
+  sampling::TileResult tile;
+  tile.reset({0, 0, 3, 1}, 2, false);
+  tile.abundances = {
+      {0, 0, 0.3f, 0.1f}, {0, 2, 0.7f, 0.1f}, {1, 1, 0.5f, 0.1f}, {1, 2, 0.5f, 0.1f}, {2, 0, 0.0f, 0.1f}};
+  Classes dominant, count;
+  quantities::kDominantMaterial.values({tile, image, {}}, dominant);
+  quantities::kMaterialCount.values({tile, image, {}}, count);
+  EXPECT_EQ(dominant.values, (std::vector{3, 2, 0})) << "the first of equals; none where none has a share";
+  EXPECT_EQ(count.values, (std::vector{2, 2, 0}));
 }
 
 }  // namespace

@@ -207,8 +207,8 @@ TEST(DocumentMessages, ProductsHavePlainNames) {
       first_line_with(given, "\"products\": [\"half_width\", \"radiances\"]"),
       "folder/a.json:42:41: 'output.products[1]' is the text \"radiances\", expected 'radiance', "
       "'standard_error', 'half_width', 'air_half_width', 'air_model_error', 'samples', 'quality', 'reasons', 'quality_class', 'abundance', "
-      "'abundance_half_width', 'location', 'view_angles', 'temperature', 'stokes', 'stokes_standard_error', 'stokes_half_width', "
-      "'dolp', 'dolp_standard_error', 'dolp_half_width', 'dolp_bias', 'aop', 'aop_standard_error' or 'all'; did you mean 'radiance'?");
+      "'abundance_half_width', 'location', 'view_angles', 'temperature', 'range', 'normal', 'slope', 'gsd', 'time', 'sun_angles', "
+      "'shadow', 'material_class', 'dominant_material', 'material_count' and 12 more; did you mean 'radiance'?");
 }
 
 TEST(DocumentMessages, NamesThatAreNotDeclared) {

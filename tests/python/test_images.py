@@ -78,6 +78,9 @@ class Images(scenes.InFolder):
         self.assert_same(made, loaded, loaded.data_vars)
         for name in ("easting", "northing", "height", "view_zenith", "abundance_half_width", "quality_class"):
             self.assertIn(name, loaded)
+        self.assertEqual(loaded["material_class"].attrs["flag_meanings"].split()[0], "nothing")
+        self.assertEqual(set(np.unique(loaded["object_class"])), {1, 2})
+        np.testing.assert_allclose(made["normal_up"], np.cos(np.radians(made["slope"])), atol=1e-6)
         # What is named in the document comes without asking.
         self.assertIn("view_zenith", ifov.render(document, progress=False))
         with self.assertRaisesRegex(ifov.DocumentError, "did you mean 'abundance'"):

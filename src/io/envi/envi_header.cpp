@@ -221,16 +221,6 @@ class Parser {
   std::map<std::string, Entry> entries_;
 };
 
-std::string safe(std::string text) {
-  for (char& c : text) {
-    if (c == '{') c = '(';
-    if (c == '}') c = ')';
-    if (c == ',') c = ';';
-    if (c == '\n' || c == '\r') c = ' ';
-  }
-  return text;
-}
-
 template <class T, class Write>
 void append_list(std::string& out, std::string_view key, const std::vector<T>& values, const char* separator,
                  Write write) {
@@ -244,6 +234,16 @@ void append_list(std::string& out, std::string_view key, const std::vector<T>& v
 }
 
 }  // namespace
+
+std::string list_item(std::string text) {
+  for (char& c : text) {
+    if (c == '{') c = '(';
+    if (c == '}') c = ')';
+    if (c == ',') c = ';';
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  return text;
+}
 
 std::size_t bytes_per_value(EnviType type) {
   switch (type) {
@@ -276,11 +276,11 @@ std::string to_text(const EnviHeader& h) {
       h.samples, h.lines, h.bands, h.header_offset,
       h.is_classification ? "ENVI Classification" : "ENVI Standard", static_cast<int>(h.data_type),
       kInterleave[static_cast<int>(h.interleave)], h.big_endian ? 1 : 0);
-  append_list(out, "map info", h.map_info, ", ", safe);
+  append_list(out, "map info", h.map_info, ", ", list_item);
   if (!h.coordinate_system.empty()) out += format("coordinate system string = {{{}}}\n", h.coordinate_system);
   append_list(out, "default bands", h.default_bands, ", ", [](int b) { return format("{}", b); });
-  if (!h.data_units.empty()) out += format("data units = {}\n", safe(h.data_units));
-  append_list(out, "band names", h.band_names, ",\n", safe);
+  if (!h.data_units.empty()) out += format("data units = {}\n", list_item(h.data_units));
+  append_list(out, "band names", h.band_names, ",\n", list_item);
   if (!h.wavelength_units.empty()) out += format("wavelength units = {}\n", h.wavelength_units);
   const auto number = [](double value) { return format("{:.10g}", value); };
   append_list(out, "wavelength", h.wavelength, ", ", number);

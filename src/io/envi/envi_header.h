@@ -36,7 +36,10 @@ struct EnviHeader {
   std::uint64_t data_bytes() const;
 };
 
-/// Header text. Braces and commas in names, which the format cannot hold, become parentheses and semicolons.
+/// Braces and commas, which lists of a header cannot hold, become parentheses and semicolons.
+std::string list_item(std::string text);
+
+/// Header text. Names are as list_item() has them.
 std::string to_text(const EnviHeader& header);
 
 /// ifov::InputError names file, line, key, what was found and what was expected.

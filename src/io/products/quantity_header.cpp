@@ -39,7 +39,7 @@ EnviHeader header_of(const Quantity& quantity, const render::ImageInfo& image, c
       !held.empty() && quantity.role == Quantity::Role::error)
     header.other["ifov interval"] = held;
   if (quantity.needs.stokes) add_stokes_convention(header, identity.acquisition.camera);
-  if (quantity.complete_header != nullptr) quantity.complete_header(header);
+  if (quantity.complete_header != nullptr) quantity.complete_header(header, image);
   return header;
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/quantities/acquisition.h"
-#include "render/tile_sink.h"
+#include "io/quantities/layer_values.h"
 #include "truth/location.h"
 #include "truth/view_angles.h"
 
@@ -27,13 +27,6 @@ std::vector<double> map_positions(const FinishedTile& of) {
 }
 
 void put_locations(const FinishedTile& of, ValueSink& sink) { sink.put(map_positions(of)); }
-
-void put_view_angles(const FinishedTile& of, ValueSink& sink) {
-  const sampling::TileLayer* const layer = of.tile.layer(truth::kViewAngles.name);
-  if (layer == nullptr)
-    return sink.put(std::vector<float>(2 * of.tile.samples.size(), std::numeric_limits<float>::quiet_NaN()));
-  sink.put(layer->values<float>());
-}
 
 constexpr std::string_view kPositionBands[] = {"easting", "northing", "height"},
                            kAngleBands[] = {"view zenith", "view azimuth"};
@@ -61,6 +54,6 @@ constinit const Quantity kViewAngles{.name = "view_angles",
                                      .bands = Quantity::Bands::named,
                                      .band_names = kAngleBands,
                                      .collector = &truth::kViewAngles,
-                                     .values = put_view_angles};
+                                     .values = put_layer<truth::kViewAngles, float>};
 
 }  // namespace ifov::io::quantities

@@ -1,6 +1,10 @@
 #include "io/quantities/quality_classes.h"
 
+#include <string>
+#include <vector>
+
 #include "core/format.h"
+#include "io/quantities/classes.h"
 
 namespace ifov::io {
 
@@ -30,18 +34,13 @@ const std::array<Rgb, kQualityClasses>& class_colours() {
   return kColours;
 }
 
-void add_classes(EnviHeader& header) {
-  std::string names, colours;
-  for (std::size_t k = 0; k < kQualityClasses; ++k) names += format("{}{}", k > 0 ? ", " : "", class_name(k));
-  for (const Rgb c : class_colours())
-    colours += format("{}{}, {}, {}", colours.empty() ? "" : ", ", c.r, c.g, c.b);
-  header.is_classification = true;
-  header.other["classes"] = format("{}", kQualityClasses);
-  header.other["class names"] = names;
-  header.other["class lookup"] = colours;
+void add_quality_classes(EnviHeader& header, const render::ImageInfo&) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < kQualityClasses; ++k) names.emplace_back(class_name(k));
+  add_classes(names, class_colours(), header);
 }
 
-void add_bit_names(EnviHeader& header) {
+void add_bit_names(EnviHeader& header, const render::ImageInfo&) {
   std::string names;
   for (std::size_t r = 0; r < sampling::kReasonNames.size(); ++r)
     names += format("{}{} {}", r > 0 ? ", " : "", 1u << r, sampling::kReasonNames[r]);

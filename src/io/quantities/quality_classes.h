@@ -7,6 +7,10 @@
 #include "io/envi/envi_header.h"
 #include "sampling/reason_words.h"
 
+namespace ifov::render {
+struct ImageInfo;
+}
+
 namespace ifov::io {
 
 /// Classes of the quality raster: 0 is converged, r + 1 the pixels whose gravest reason is Reason r.
@@ -22,9 +26,9 @@ std::string_view class_name(std::size_t quality_class);
 const std::array<Rgb, kQualityClasses>& class_colours();
 
 /// Makes the header that of an ENVI classification: names and colours of the classes.
-void add_classes(EnviHeader& header);
+void add_quality_classes(EnviHeader& header, const render::ImageInfo& image);
 
 /// "1 unjudged, 2 samples, ...": the value of each bit. (GDAL leaves values with an equals sign away.)
-void add_bit_names(EnviHeader& header);
+void add_bit_names(EnviHeader& header, const render::ImageInfo& image);
 
 }  // namespace ifov::io

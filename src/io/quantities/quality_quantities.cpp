@@ -87,6 +87,6 @@ constinit const Quantity kQualityClass{.name = "quality_class",
                                        .band_names = kClassBands,
                                        .usual = Quantity::Usual::yes,
                                        .values = put_classes,
-                                       .complete_header = add_classes};
+                                       .complete_header = add_quality_classes};
 
 }  // namespace ifov::io::quantities

@@ -83,7 +83,8 @@ struct Quantity {
   Needs needs = {};
   const truth::Collector* collector = nullptr;  ///< of what has to be noted while the scene is there
   void (*values)(const FinishedTile& tile, ValueSink& sink);
-  void (*complete_header)(EnviHeader& header) = nullptr;  ///< where there is more to say
+  /// Where there is more to say.
+  void (*complete_header)(EnviHeader& header, const render::ImageInfo& image) = nullptr;
 
   bool is_spectral() const { return bands == Bands::channels; }
   int band_count(const render::ImageInfo& image) const;

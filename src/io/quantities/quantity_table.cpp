@@ -1,11 +1,14 @@
 #include <array>
 
+#include "io/quantities/geometry_quantities.h"
+#include "io/quantities/identity_quantities.h"
 #include "io/quantities/location_quantities.h"
 #include "io/quantities/polarization_quantities.h"
 #include "io/quantities/quality_quantities.h"
 #include "io/quantities/quantity_set.h"
 #include "io/quantities/radiance_quantities.h"
 #include "io/quantities/share_quantities.h"
+#include "io/quantities/sunlight_quantities.h"
 #include "io/quantities/temperature_quantity.h"
 
 namespace ifov::io {
@@ -25,6 +28,18 @@ constexpr std::array kQuantities{&quantities::kRadiance,
                                  &quantities::kLocation,
                                  &quantities::kViewAngles,
                                  &quantities::kTemperature,
+                                 &quantities::kRange,
+                                 &quantities::kNormal,
+                                 &quantities::kSlope,
+                                 &quantities::kGsd,
+                                 &quantities::kTime,
+                                 &quantities::kSunAngles,
+                                 &quantities::kShadow,
+                                 &quantities::kMaterialClass,
+                                 &quantities::kDominantMaterial,
+                                 &quantities::kMaterialCount,
+                                 &quantities::kObjectClass,
+                                 &quantities::kInstance,
                                  &quantities::kStokes,
                                  &quantities::kStokesStandardError,
                                  &quantities::kStokesHalfWidth,

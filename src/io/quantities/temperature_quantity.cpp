@@ -1,20 +1,10 @@
 #include "io/quantities/temperature_quantity.h"
 
-#include <limits>
-#include <vector>
-
-#include "render/tile_sink.h"
+#include "io/quantities/layer_values.h"
 #include "truth/temperature.h"
 
 namespace ifov::io::quantities {
 namespace {
-
-void put_temperatures(const FinishedTile& of, ValueSink& sink) {
-  const sampling::TileLayer* const layer = of.tile.layer(truth::kTemperature.name);
-  if (layer == nullptr)
-    return sink.put(std::vector<float>(2 * of.tile.samples.size(), std::numeric_limits<float>::quiet_NaN()));
-  sink.put(layer->values<float>());
-}
 
 constexpr std::string_view kBands[] = {"temperature", "standard deviation"};
 
@@ -29,6 +19,6 @@ constinit const Quantity kTemperature{.name = "temperature",
                                       .bands = Quantity::Bands::named,
                                       .band_names = kBands,
                                       .collector = &truth::kTemperature,
-                                      .values = put_temperatures};
+                                      .values = put_layer<truth::kTemperature, float>};
 
 }  // namespace ifov::io::quantities

@@ -8,7 +8,7 @@
 #include "io/product_parts/acquisition_json.h"
 #include "io/product_parts/sha256.h"
 #include "io/products/product_format.h"
-#include "io/quantities/quantity.h"
+#include "io/quantities/identity_quantities.h"
 #include "io/run_state/run_plan.h"
 
 namespace ifov::io {
@@ -43,7 +43,7 @@ constexpr std::pair<const char*, double render::AtmosphereHalfWidth::*> kAtmosph
     {"model_sky", &render::AtmosphereHalfWidth::model_sky},
     {"model_counted", &render::AtmosphereHalfWidth::model_counted}};
 
-void write_members(JsonWriter& json, const render::ImageInfo& image) {
+void write_members(JsonWriter& json, const render::ImageInfo& image, bool with_objects) {
   json.member("width_px", image.width_px);
   json.member("height_px", image.height_px);
   json.member("radiance_unit", image.radiance_unit);
@@ -62,6 +62,14 @@ void write_members(JsonWriter& json, const render::ImageInfo& image) {
   });
   if (image.stokes) json.member("stokes", true);
   json.member("materials", image.materials);
+  if (with_objects)
+    json.list("objects", [&] {
+      for (std::size_t k = 0; k < image.objects.size(); ++k)
+        json.object([&] {
+          json.member("name", image.objects[k]);
+          json.member("first", std::uint64_t{image.first_of_objects[k]});
+        });
+    });
   if (image.has_map)
     json.object("map", [&] {
       json.member("x_m", image.map_x_m);
@@ -85,6 +93,11 @@ render::ImageInfo image_of(const JsonView& v) {
     for (const auto& [key, member] : kAtmosphereKeys) air.*member = c["air"][key].number();
   }
   for (const JsonView& name : v["materials"].items()) image.materials.push_back(name.text());
+  if (const JsonView objects = v["objects"]; objects.is_there())
+    for (const JsonView& object : objects.items()) {
+      image.objects.push_back(object["name"].text());
+      image.first_of_objects.push_back(static_cast<std::uint32_t>(object["first"].natural()));
+    }
   image.stokes = v["stokes"].is_there() && v["stokes"].boolean();
   if (const JsonView map = v["map"]; map.is_there()) {
     image.has_map = true;
@@ -141,7 +154,7 @@ void write_members(JsonWriter& json, const RunPlan& plan) {
     json.member("number", plan.share.number);
     json.member("count", plan.share.count);
   });
-  json.object("image", [&] { write_members(json, plan.image); });
+  json.object("image", [&] { write_members(json, plan.image, plan.cubes.has(quantities::kObjectClass)); });
   json.list("files", [&] {
     for (const FileStamp& file : plan.files)
       json.object([&] {

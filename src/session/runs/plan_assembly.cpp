@@ -10,6 +10,7 @@
 #include "render/image_renderer.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "sensor/camera.h"
+#include "session/assembly/geometry/object_classes.h"
 #include "session/loaded/acquisition_assembly.h"
 #include "session/loaded/parts.h"
 #include "session/messages.h"
@@ -53,6 +54,7 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
     plan.files = io::stamp_scene_files(
         document.files, std::filesystem::path(document.sources.file_name).parent_path(), parts.known_files);
   plan.image = parts.info;
+  tell_objects(document.scene.objects, parts.placed, *parts.scene.world, plan.image);
   plan.tile_px = document.sampling.tile_px;
   plan.judged = parts.tolerance != nullptr;
   plan.knows_errors = parts.plan.knows_errors;

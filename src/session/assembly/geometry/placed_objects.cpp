@@ -26,12 +26,13 @@ std::size_t PlacedObjects::of(std::uint32_t placed) const {
          1;
 }
 
+std::string kind_of(const io::ObjectDocument& object) { return std::visit(KindOfShape{}, object.shape); }
+
 std::string title_of(std::span<const io::ObjectDocument> objects, std::size_t object) {
   if (object >= objects.size()) return "an object";
   const io::ObjectDocument& one = objects[object];
   if (!one.name.empty()) return format("'{}' (line {})", one.name, one.position.line);
-  return format("scene.objects[{}] (a {}, line {})", object, std::visit(KindOfShape{}, one.shape),
-                one.position.line);
+  return format("scene.objects[{}] (a {}, line {})", object, kind_of(one), one.position.line);
 }
 
 }  // namespace ifov::session

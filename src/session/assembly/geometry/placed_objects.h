@@ -31,5 +31,6 @@ class PlacedObjects {
 /// "'tower' (line 23)", "scene.objects[0] (a plane, line 12)": for messages. `objects` are those of
 /// the document's scene.
 std::string title_of(std::span<const io::ObjectDocument> objects, std::size_t object);
+std::string kind_of(const io::ObjectDocument& object);  ///< "plane", "list of instances"
 
 }  // namespace ifov::session

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "io/quantities/quantity.h"
+
+namespace ifov::io::quantities {
+
+/// Where the Sun stands, and under which angle it falls on what the middle of the pixel sees.
+extern const Quantity kSunAngles;
+/// Whether the Sun is hidden from what the middle of the pixel sees.
+extern const Quantity kShadow;
+
+}  // namespace ifov::io::quantities
