@@ -2,6 +2,7 @@
 
 #include "atmosphere/imported_atmosphere.h"
 #include "io/document/document.h"
+#include "io/scene_cache/file_stamp.h"
 #include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/channel_brightness.h"

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "io/scene_cache/file_stamp.h"
 #include "radiometry/channel.h"
 #include "render/image_info.h"
 #include "render/tolerance/atmosphere_half_width.h"
@@ -23,6 +22,7 @@ class WeatherSeries;
 }  // namespace ifov::atmosphere
 namespace ifov::io {
 struct Document;
+struct FileStamp;
 }
 namespace ifov::radiometry {
 class SpectralNodes;

@@ -7,6 +7,7 @@
 #include "io/files/inputs.h"
 #include "io/run_state/run_plan.h"
 #include "io/run_state/scene_files.h"
+#include "io/scene_cache/file_stamp.h"
 #include "render/image_renderer.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "sensor/camera.h"
