@@ -6,6 +6,7 @@
 #include "render/blend_columns.h"
 #include "render/label_detail.h"
 #include "render/map_detail.h"
+#include "render/mapped/surface_maps.h"
 #include "render/seen_through.h"
 #include "render/surface_label.h"
 #include "render/unseen/unseen_light.h"
@@ -52,6 +53,8 @@ class SceneField final : public sampling::Field {
   void known_detail(const sampling::FieldRect& pixels, sampling::KnownDetail& detail) override {
     map_detail_.find(pixels, detail, counts_.primary);
   }
+  std::unique_ptr<sampling::MappedSurface> mapped_surface(sampling::Label label,
+                                                          const sampling::FocalPoint& seen) override;
   /// By number in scene::TruthMaterials. Rays that met nothing stand on the material of the surroundings, the last
   /// of the scene; surface assignments that mix stand on none: BlendColumns::kNoMaterial.
   std::uint32_t material_of(sampling::Label label) const override;
@@ -83,6 +86,7 @@ class SceneField final : public sampling::Field {
   BlendColumns blends_;
   MapDetail map_detail_;
   UnseenLight unseen_;
+  SurfaceMaps maps_;
   SeenThrough through_;
   std::unique_ptr<transport::MirrorLight> mirror_light_;  // null where mirrors throw none
   struct Sunlight {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -54,6 +55,7 @@ struct KnownDetail {
   std::vector<std::uint8_t> full;  ///< by pixel, row by row: 1 where it holds too many parts to name
 };
 
+class MappedSurface;
 struct LevelRequests;
 struct LevelSums;
 
@@ -89,6 +91,10 @@ class Field {
     detail.full.assign(
         static_cast<std::size_t>(pixels.x1 - pixels.x0) * static_cast<std::size_t>(pixels.y1 - pixels.y0), 0);
   }
+
+  /// What maps say of the surface that the ray through `seen` meets, which has this label; null: nothing, or nothing that differs
+  /// from place to place. May trace some rays, which counts() counts.
+  virtual std::unique_ptr<MappedSurface> mapped_surface(Label label, const FocalPoint& seen);
 
   /// Index of the material a label stands on, for abundances.
   virtual std::uint32_t material_of(Label label) const = 0;

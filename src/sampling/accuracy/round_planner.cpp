@@ -109,11 +109,29 @@ double RoundPlanner::next_clutter(const SourcePixel& pixel, double wanted) {
   return std::clamp(next, 0.3 * have, kClutterGrowth * have);
 }
 
+/// Strata whose values are foretold need some of their own before they may say that they are.
+bool RoundPlanner::begin_foretold(Radiance& radiance) {
+  bool any = false;
+  for (std::size_t p = 0; p < radiance.pixels().others().size(); ++p) {
+    const SourcePixel& pixel = radiance.pixels().others()[p];
+    for (std::size_t s = 0; s < pixel.strata.size(); ++s) {
+      const Stratum& stratum = pixel.strata[s];
+      if (!stratum.foretold() || stratum.round > 0 || stratum.nets.size > 0) continue;
+      radiance.rounds().plan(p, s, std::max(kFewest, kPilot * pixel.model.area[s]));
+      for (int o : pixel.model.outputs) outputs_[o].test = std::max(outputs_[o].test, 1);
+      any = true;
+    }
+  }
+  return any;
+}
+
 /// Looks at the intervals so far and plans values where they are too wide; false when nothing is left to do.
 bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrator,
                               const std::vector<int>& outputs) {
   const std::size_t n = steering_.size();
-  if (clutter_.begin_rounds(options_.clutter_switch, radiance, outputs_)) return true;
+  bool begun = clutter_.begin_rounds(options_.clutter_switch, radiance, outputs_);
+  begun = begin_foretold(radiance) || begun;
+  if (begun) return true;
   intervals_.gather(radiance, integrator, steering_, outputs);
 
   std::vector<double> mean(all_columns_.size()), limit(mean.size());

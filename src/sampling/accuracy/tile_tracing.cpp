@@ -13,6 +13,7 @@
 #include "sampling/accuracy/borders/steering_columns.h"
 #include "sampling/accuracy/borders/traced_pixels.h"
 #include "sampling/accuracy/clutter_choice.h"
+#include "sampling/accuracy/control/control_variates.h"
 #include "sampling/accuracy/edges/edge_tracer.h"
 #include "sampling/accuracy/edges/probing.h"
 #include "sampling/accuracy/lattice_survey.h"
@@ -63,7 +64,8 @@ struct TileTracing::Parts {
         look(grid, lattice, options.random_rays_per_side, problem.seed),
         errors(problem, grid, lattice, values, Stopping(problem.tolerance->confidence()).normal(), steering,
                contrast),
-        clutter(lattice, values, contrast, recall, steering) {}
+        clutter(lattice, values, contrast, recall, steering),
+        controls(parts.controls(field, lattice, table, problem.seed)) {}
 
   Lattice lattice;
   SourceGrid grid;
@@ -78,6 +80,7 @@ struct TileTracing::Parts {
   RandomLook look;
   AllowedErrors errors;
   ClutterChoice clutter;
+  std::unique_ptr<ControlVariates> controls;
   std::unique_ptr<LabelSpread> spread;
   KnownDetail known;
   Prober::Finds gaps;              // between labels of pixels that would else have been left to few values
@@ -105,6 +108,7 @@ const ClutterChoice& TileTracing::clutter() const { return parts_->clutter; }
 const SteeringColumns& TileTracing::steering() const { return parts_->steering; }
 const LatticeValues& TileTracing::lattice_values() const { return parts_->values; }
 const LabelSpread& TileTracing::spread() const { return *parts_->spread; }
+const ControlVariates& TileTracing::controls() const { return *parts_->controls; }
 
 void TileTracing::trace_lattice() {
   const Lattice& lattice = parts_->lattice;
@@ -124,6 +128,8 @@ void TileTracing::trace_lattice() {
       variances.push_back(spread.local(label, column));
   tell_uneven();
   parts_->errors.take_from_lattice();
+  // Where a footprint weighs the values of a pixel unlike, it would have to weigh what is foretold as well.
+  if (problem_.footprint->whole_pixel()) parts_->controls->fit(values, *parts_->spread, parts_->errors);
   for (int p = 0; p < lattice.domain().count(); ++p)
     parts_->tracer.pixels().allow_variance(static_cast<std::uint32_t>(p),
                                            parts_->errors.border_variance(p, spread));

@@ -10,6 +10,7 @@ class AccuracyParts;
 class AllowedErrors;
 class ClutterChoice;
 class EdgeTracer;
+class ControlVariates;
 class Field;
 class LabelSpread;
 class LabelTable;
@@ -49,6 +50,7 @@ class TileTracing {
   /// Once the lattice is traced.
   const LatticeValues& lattice_values() const;
   const LabelSpread& spread() const;
+  const ControlVariates& controls() const;
 
  private:
   void tell_uneven();
