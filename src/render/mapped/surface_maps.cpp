@@ -92,8 +92,8 @@ class SurfaceMaps::Surface final : public sampling::MappedSurface {
     return at;
   }
 
-  void write_own(const scene::ResolvedSurface& surface, const geometry::SurfacePoint& at, const math::Ray& ray,
-                 float* row) const {
+  void write_own(const scene::ResolvedSurface& surface, const geometry::SurfacePoint& at,
+                 const math::Ray& ray, float* row) const {
     Work& work = *maps_.work_;
     const transport::SpectralScene& scene = maps_.scene_;
     float* own = work.spectra.row(Work::kOwn);
@@ -130,8 +130,8 @@ class SurfaceMaps::Surface final : public sampling::MappedSurface {
   math::Vec3 u_per_m_{}, v_per_m_{};
 };
 
-std::unique_ptr<sampling::MappedSurface> SurfaceMaps::about(
-    std::span<const geometry::SurfacePoint> hits, std::size_t stride) const {
+std::unique_ptr<sampling::MappedSurface> SurfaceMaps::about(std::span<const geometry::SurfacePoint> hits,
+                                                            std::size_t stride) const {
   auto surface = std::make_unique<Surface>(*this, hits[0], stride);
   const auto same = [&](const geometry::SurfacePoint& other) {
     return other.hit() && other.instance == hits[0].instance && other.patch == hits[0].patch &&

@@ -25,7 +25,8 @@ class BlendColumns;
 class SurfaceMaps {
  public:
   /// Keeps references to all; they must outlive this and what it makes.
-  SurfaceMaps(const transport::SpectralScene& scene, const sensor::Camera& camera, const BlendColumns& blends);
+  SurfaceMaps(const transport::SpectralScene& scene, const sensor::Camera& camera,
+              const BlendColumns& blends);
   ~SurfaceMaps();
 
   /// Whether any surface assignment differs from place to place.

@@ -60,10 +60,10 @@ void TileWork::trace() {
 }
 
 void TileWork::begin_radiance(int first, int last, const LeafIntegrator& integrator) {
-  radiance_ = std::make_unique<Radiance>(tracing_.tracer(), tracing_.ledger(), tracing_.table(),
-                                         Radiance::Judges{tracing_.spread(), *nearby_, *estimates_, *unseen_,
-                                                          tracing_.controls()},
-                                         problem_.seed, !integrator.unit_box());
+  radiance_ = std::make_unique<Radiance>(
+      tracing_.tracer(), tracing_.ledger(), tracing_.table(),
+      Radiance::Judges{tracing_.spread(), *nearby_, *estimates_, *unseen_, tracing_.controls()},
+      problem_.seed, !integrator.unit_box());
   radiance_->add_pixels(first, last, integrator);
 }
 

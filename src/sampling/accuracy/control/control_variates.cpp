@@ -32,7 +32,7 @@ constexpr double kBetter = 0.9;
 /// Grids that means are taken over have so many cells a side, at first and at most.
 constexpr int kFirstGrid = 16, kFinestGrid = 128;
 /// Share of the allowed variance that such means may take, and that they may take at most where the finest grid does not do.
-constexpr double kShare = 0.02, kMostShare = 0.1;
+constexpr double kShare = 0.08, kMostShare = 0.2;
 
 constexpr std::uint64_t kControlKey = 0x636f6e74726f6c;
 
@@ -85,7 +85,7 @@ void ControlVariates::fit(LatticeValues& values, LabelSpread& spread, AllowedErr
   fit_labels(values, wanted.size());
   take_rests(values);
   take_spread(values, spread);
-  if (!drop_useless(values, spread, wanted)) return;
+  if (!drop_useless(spread, wanted)) return;
   take_rests(values);
   if (!surfaces_.empty()) take_spread(values, spread);
 }
@@ -127,8 +127,8 @@ void ControlVariates::find_surfaces(const LatticeValues& values, std::vector<std
         const std::uint32_t label = values.labels[v];
         if (wanted[label] == 0) continue;
         const int distance = (2 * i - k) * (2 * i - k) + (2 * j - k) * (2 * j - k);
-        const auto known = std::find_if(nearest.begin(), nearest.end(),
-                                        [&](const Nearest& n) { return n.label == label; });
+        const auto known =
+            std::find_if(nearest.begin(), nearest.end(), [&](const Nearest& n) { return n.label == label; });
         if (known == nearest.end())
           nearest.push_back({label, distance, v});
         else if (distance < known->distance)
@@ -258,8 +258,7 @@ void ControlVariates::take_spread(const LatticeValues& values, LabelSpread& spre
 
 /// Leaves out columns whose rests differ hardly less than their values, and labels of which no column is left. True where
 /// something was left out.
-bool ControlVariates::drop_useless(const LatticeValues& values, const LabelSpread& spread,
-                                   const std::vector<std::uint8_t>& wanted) {
+bool ControlVariates::drop_useless(const LabelSpread& spread, const std::vector<std::uint8_t>& wanted) {
   bool any = false;
   std::vector<std::uint8_t> kept(wanted.size(), 0);
   for (std::uint32_t l = 0; l < wanted.size(); ++l) {
@@ -282,7 +281,6 @@ bool ControlVariates::drop_useless(const LatticeValues& values, const LabelSprea
   }
   for (auto s = surfaces_.begin(); s != surfaces_.end();)
     s = kept[s->second.label] == 0 ? surfaces_.erase(s) : std::next(s);
-  static_cast<void>(values);
   return any;
 }
 
@@ -299,10 +297,11 @@ void ControlVariates::attach(SourcePixels& pixels, const BorderModel& model, con
       double needed = 0.0;
       for (std::size_t c = 0; c < columns_; ++c)
         if (fits_[stratum.label].on[c] != 0)
-          needed = std::max(needed,
-                            area * area * spread.local(stratum.label, static_cast<int>(c)) * inverse[c]);
+          needed =
+              std::max(needed, area * area * spread.local(stratum.label, static_cast<int>(c)) * inverse[c]);
       if (needed <= kManyValues) continue;
-      if (integrate(pixel, s, model, inverse, stratum)) stratum.deviation = nearby.deviation(pixel, stratum.label);
+      if (integrate(pixel, s, model, inverse, stratum))
+        stratum.deviation = nearby.deviation(pixel, stratum.label);
     }
   }
 }
@@ -346,8 +345,8 @@ bool ControlVariates::integrate(const SourcePixel& pixel, std::size_t s, const B
     if (sums.blocks() < kFirstGrid) continue;
     double share = 0.0;
     for (std::size_t c = 0; c < columns_; ++c)
-      share = std::max(share, area * area * sums.squares(static_cast<int>(c)) / (sums.blocks() * sums.count()) *
-                                  inverse[c]);
+      share = std::max(share, area * area * sums.squares(static_cast<int>(c)) /
+                                  (sums.blocks() * sums.count()) * inverse[c]);
     if (share > (side < kFinestGrid ? kShare : kMostShare)) continue;
     StratumControl& control = out.control;
     control.mean.resize(columns_);

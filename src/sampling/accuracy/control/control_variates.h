@@ -68,8 +68,7 @@ class ControlVariates {
   void fit_labels(const LatticeValues& values, std::size_t labels);
   void take_rests(LatticeValues& values) const;
   void take_spread(const LatticeValues& values, LabelSpread& spread) const;
-  bool drop_useless(const LatticeValues& values, const LabelSpread& spread,
-                    const std::vector<std::uint8_t>& wanted);
+  bool drop_useless(const LabelSpread& spread, const std::vector<std::uint8_t>& wanted);
   bool integrate(const SourcePixel& pixel, std::size_t stratum, const BorderModel& model,
                  std::span<const double> inverse_squares, Stratum& out) const;
 
@@ -78,8 +77,8 @@ class ControlVariates {
   const LabelTable& table_;
   std::uint64_t seed_;
   std::size_t columns_, stride_;
-  std::vector<Fit> fits_;                                        // by label
-  std::unordered_map<std::uint64_t, Of> surfaces_;               // by source pixel and label
+  std::vector<Fit> fits_;                           // by label
+  std::unordered_map<std::uint64_t, Of> surfaces_;  // by source pixel and label
   mutable std::vector<float> own_, reflectance_;
 };
 

@@ -15,9 +15,9 @@ struct LatticeValues {
 
   std::size_t columns = 0;
   std::vector<std::uint32_t> labels;
-  std::vector<std::uint32_t> own;      ///< the same before labels were merged; empty where none were
-  std::vector<float> values;           ///< [vertex][column]
-  std::vector<float> rest;             ///< the same less what is foretold (ControlVariates); empty: nothing is
+  std::vector<std::uint32_t> own;  ///< the same before labels were merged; empty where none were
+  std::vector<float> values;       ///< [vertex][column]
+  std::vector<float> rest;         ///< the same less what is foretold (ControlVariates); empty: nothing is
   std::vector<std::uint8_t> constant;  ///< by label: whether its values are the same to the last bit
   std::vector<std::uint32_t> only;     ///< by pixel: the label of all its vertices, or kMixed
 

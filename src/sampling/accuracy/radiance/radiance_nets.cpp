@@ -109,11 +109,13 @@ void RadianceNets::trace() {
     askers.clear();
   };
   for (const auto& [p, s] : planned_)
-    request_net(p, s, [&, pixel = &pixels_[p], stratum = &pixels_[p].strata[s]](std::size_t r, const PathRequest& request) {
-      requests.push_back(request);
-      askers.push_back({pixel, stratum, r});
-      if (requests.size() == kBatch) trace_batch();
-    });
+    request_net(
+        p, s,
+        [&, pixel = &pixels_[p], stratum = &pixels_[p].strata[s]](std::size_t r, const PathRequest& request) {
+          requests.push_back(request);
+          askers.push_back({pixel, stratum, r});
+          if (requests.size() == kBatch) trace_batch();
+        });
   if (!requests.empty()) trace_batch();
   planned_.clear();
 }

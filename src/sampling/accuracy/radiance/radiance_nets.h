@@ -20,7 +20,8 @@ struct StratumNets;
 class RadianceNets {
  public:
   RadianceNets(std::vector<SourcePixel>& pixels, const BorderModel& model, const StrayValues& strays,
-               const LabelTable& table, RayLedger& ledger, const ControlVariates& controls, std::uint64_t seed);
+               const LabelTable& table, RayLedger& ledger, const ControlVariates& controls,
+               std::uint64_t seed);
 
   /// Few replicates know their variance badly: with 8, one interval in a hundred errs by four standard errors.
   static constexpr int kReplicates = 24;

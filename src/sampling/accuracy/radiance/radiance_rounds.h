@@ -23,8 +23,8 @@ class RadianceRounds {
  public:
   /// `kept` takes up the values for a footprint that weighs those of a pixel unlike; null: their sums are enough.
   RadianceRounds(std::vector<SourcePixel>& pixels, const BorderModel& model, const StrayValues& strays,
-                 const LabelTable& table, RayLedger& ledger,
-                 const ControlVariates& controls, KeptValues* kept, std::uint64_t seed);
+                 const LabelTable& table, RayLedger& ledger, const ControlVariates& controls,
+                 KeptValues* kept, std::uint64_t seed);
 
   /// Sequences of paths in a round. Each has one value in every block of 2 x 2 cells.
   static constexpr std::uint32_t kReplicates = 4;
