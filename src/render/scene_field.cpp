@@ -35,7 +35,6 @@ SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Came
       blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count())),
       map_detail_(scene.scene(), camera),
       unseen_(scene, blends_.first_column() + blends_.count()),
-      maps_(scene, camera, blends_),
       through_(scene),
       mirror_light_(
           detail == LabelDetail::sun_state
@@ -61,27 +60,6 @@ void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<
   scene_.scene().world->intersect(rays_, hits_);
   counts_.primary += points.size();
   label_hits(hits_, detail_, labels);
-}
-
-std::unique_ptr<sampling::MappedSurface> SceneField::mapped_surface(sampling::Label label,
-                                                                    const sampling::FocalPoint& seen) {
-  if (!maps_.any() || light_->polarized()) return nullptr;
-  // Far enough apart to tell how texture coordinates go on, near enough to meet the same surface.
-  constexpr double kApart_px = 0.01;
-  points_ = {seen, seen, seen};
-  points_[1].x_px += kApart_px;
-  points_[2].y_px += kApart_px;
-  rays_.resize(points_.size());
-  hits_.resize(points_.size());
-  camera_.rays(points_, rays_);
-  scene_.scene().world->intersect(rays_, hits_);
-  counts_.primary += points_.size();
-  if (!hits_[0].hit() || !maps_.differs(hits_[0].material)) return nullptr;
-  sampling::Label met = 0;
-  label_hits(std::span(hits_).first(1), LabelDetail::material, {&met, 1});
-  // The Sun's state makes no difference to what maps say.
-  if (((met ^ label) & ~sampling::Label{3}) != 0) return nullptr;
-  return maps_.about(hits_, static_cast<std::size_t>(stride()));
 }
 
 std::uint32_t SceneField::object_of(sampling::Label label) const {

@@ -6,7 +6,6 @@
 #include "render/blend_columns.h"
 #include "render/label_detail.h"
 #include "render/map_detail.h"
-#include "render/mapped/surface_maps.h"
 #include "render/seen_through.h"
 #include "render/surface_label.h"
 #include "render/unseen/unseen_light.h"
@@ -30,6 +29,7 @@ struct TransportOptions;
 namespace ifov::render {
 
 class SceneLight;
+class SurfaceMaps;
 struct Polarimetry;
 
 /// The picture on a camera's focal plane: answers a sampler's queries by tracing the scene. One tile, one thread.
@@ -86,7 +86,7 @@ class SceneField final : public sampling::Field {
   BlendColumns blends_;
   MapDetail map_detail_;
   UnseenLight unseen_;
-  SurfaceMaps maps_;
+  std::shared_ptr<const SurfaceMaps> maps_;  // once asked for
   SeenThrough through_;
   std::unique_ptr<transport::MirrorLight> mirror_light_;  // null where mirrors throw none
   struct Sunlight {

@@ -81,8 +81,7 @@ class Field {
     this->values(requests, labels, values);
   }
 
-  /// Means and spreads of groups of values in two levels (sampling/image/levels.h), which take less time than the values one by one. Here:
-  /// of values(), all of it direct.
+  /// Means and spreads of groups of values in two levels (sampling/image/levels.h). Here: of values(), all of it direct.
   virtual void levels(const LevelRequests& requests, LevelSums& sums);
 
   /// What is known, without a search, of the detail of these pixels; nothing where the field cannot tell.
@@ -92,8 +91,7 @@ class Field {
         static_cast<std::size_t>(pixels.x1 - pixels.x0) * static_cast<std::size_t>(pixels.y1 - pixels.y0), 0);
   }
 
-  /// What maps say of the surface that the ray through `seen` meets, which has this label; null: nothing, or nothing that differs
-  /// from place to place. May trace some rays, which counts() counts.
+  /// What maps say of the surface of this label that the ray through `seen` meets, by a few rays; null: nothing that differs.
   virtual std::unique_ptr<MappedSurface> mapped_surface(Label label, const FocalPoint& seen);
 
   /// Index of the material a label stands on, for abundances.

@@ -6,8 +6,8 @@
 
 #include "accuracy_scenes.h"
 #include "faulty_samplers.h"
-#include "sampling/accuracy/control/control_variates.h"
-#include "sampling/accuracy/control/mapped_surface.h"
+#include "sampling/accuracy/basis/mapped_surface.h"
+#include "sampling/accuracy/radiance/control_variates.h"
 
 namespace ifov::test {
 namespace {

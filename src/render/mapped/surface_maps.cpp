@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/surface_point.h"
 #include "math/ray.h"
 #include "radiometry/spectral_nodes.h"
 #include "radiometry/spectrum_block.h"
-#include "render/blend_columns.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "transport/path_record.h"
@@ -27,9 +27,8 @@ struct SurfaceMaps::Work {
   std::vector<math::Ray> rays;
 };
 
-SurfaceMaps::SurfaceMaps(const transport::SpectralScene& scene, const sensor::Camera& camera,
-                         const BlendColumns& blends)
-    : scene_(scene), camera_(camera), blends_(blends), work_(std::make_unique<Work>(scene)) {
+SurfaceMaps::SurfaceMaps(const transport::SpectralScene& scene, const sensor::Camera& camera, Shares shares)
+    : scene_(scene), camera_(camera), shares_(std::move(shares)), work_(std::make_unique<Work>(scene)) {
   for (const scene::SurfaceAssignment& assignment : scene.scene().assignments) {
     const auto is_map = [](const auto& map) { return map != nullptr; };
     differs_.push_back(
@@ -72,7 +71,7 @@ class SurfaceMaps::Surface final : public sampling::MappedSurface {
       const scene::ResolvedSurface surface = scene.scene().resolve_without_temperature(at);
       write_own(surface, at, work.rays[k], own_row);
       write_reflectance(surface, reflectance_row);
-      if (maps_.blends_.count() > 0) maps_.blends_.write_shares(at, own_row);
+      if (maps_.shares_) maps_.shares_(at, own_row);
     }
   }
 

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "sampling/accuracy/control/mapped_surface.h"
+#include "sampling/accuracy/basis/mapped_surface.h"
 
 namespace ifov::geometry {
 struct SurfacePoint;
@@ -19,14 +20,14 @@ class SpectralScene;
 
 namespace ifov::render {
 
-class BlendColumns;
-
 /// What maps and patterns say of the surfaces that a camera sees (sampling::MappedSurface). An object serves one thread.
 class SurfaceMaps {
  public:
-  /// Keeps references to all; they must outlive this and what it makes.
-  SurfaceMaps(const transport::SpectralScene& scene, const sensor::Camera& camera,
-              const BlendColumns& blends);
+  /// Writes shares of materials into the columns of a value; empty: there are none.
+  using Shares = std::function<void(const geometry::SurfacePoint& at, float* columns)>;
+
+  /// Keeps references to scene and camera; they must outlive this, and this what it makes.
+  SurfaceMaps(const transport::SpectralScene& scene, const sensor::Camera& camera, Shares shares);
   ~SurfaceMaps();
 
   /// Whether any surface assignment differs from place to place.
@@ -44,7 +45,7 @@ class SurfaceMaps {
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
-  const BlendColumns& blends_;
+  Shares shares_;
   std::vector<char> differs_;  // by surface assignment
   bool any_ = false;
   std::unique_ptr<Work> work_;

@@ -1,7 +1,7 @@
 #include "sampling/accuracy/parts.h"
 
 #include "sampling/accuracy/basis/dither.h"
-#include "sampling/accuracy/control/control_variates.h"
+#include "sampling/accuracy/radiance/control_variates.h"
 #include "sampling/accuracy/radiance/nearby_spread.h"
 #include "sampling/accuracy/radiance/spread.h"
 #include "sampling/accuracy/radiance/stratum_moments.h"

@@ -13,12 +13,12 @@
 #include "sampling/accuracy/borders/steering_columns.h"
 #include "sampling/accuracy/borders/traced_pixels.h"
 #include "sampling/accuracy/clutter_choice.h"
-#include "sampling/accuracy/control/control_variates.h"
 #include "sampling/accuracy/edges/edge_tracer.h"
 #include "sampling/accuracy/edges/probing.h"
 #include "sampling/accuracy/lattice_survey.h"
 #include "sampling/accuracy/like_neighbours.h"
 #include "sampling/accuracy/parts.h"
+#include "sampling/accuracy/radiance/control_variates.h"
 #include "sampling/accuracy/radiance/lattice_values.h"
 #include "sampling/accuracy/radiance/spread.h"
 #include "sampling/accuracy/random_look.h"
@@ -129,7 +129,9 @@ void TileTracing::trace_lattice() {
   tell_uneven();
   parts_->errors.take_from_lattice();
   // Where a footprint weighs the values of a pixel unlike, it would have to weigh what is foretold as well.
-  if (problem_.footprint->whole_pixel()) parts_->controls->fit(values, *parts_->spread, parts_->errors);
+  if (problem_.footprint->whole_pixel())
+    parts_->controls->fit(values, *parts_->spread,
+                          [this](int p) { return parts_->errors.inverse_squares(p); });
   for (int p = 0; p < lattice.domain().count(); ++p)
     parts_->tracer.pixels().allow_variance(static_cast<std::uint32_t>(p),
                                            parts_->errors.border_variance(p, spread));

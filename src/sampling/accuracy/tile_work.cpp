@@ -11,9 +11,9 @@
 #include "sampling/accuracy/borders/steering_columns.h"
 #include "sampling/accuracy/borders/traced_pixels.h"
 #include "sampling/accuracy/clutter_choice.h"
-#include "sampling/accuracy/control/control_variates.h"
 #include "sampling/accuracy/edges/edge_tracer.h"
 #include "sampling/accuracy/parts.h"
+#include "sampling/accuracy/radiance/control_variates.h"
 #include "sampling/accuracy/radiance/leaf_integrator.h"
 #include "sampling/accuracy/radiance/nearby_spread.h"
 #include "sampling/accuracy/radiance/radiance.h"
@@ -99,7 +99,7 @@ void TileWork::estimate() {
     const bool ready = group >= sources_ && radiance_ != nullptr;  // by tighten_borders, of all pixels
     if (!ready) begin_radiance(first, std::min(sources_, first + group), integrator);
     tracing_.controls().attach(radiance_->pixels(), tracing_.tracer().model(), *nearby_, tracing_.spread(),
-                               tracing_.errors());
+                               [this](int p) { return tracing_.errors().inverse_squares(p); });
     const std::vector<int> outputs = radiance_->outputs_reached(problem_.tile.count());
     recall_.recall_values(*radiance_, intervals_.states());
     planner.run(*radiance_, integrator, outputs, tracing_.steering().list(), columns_);

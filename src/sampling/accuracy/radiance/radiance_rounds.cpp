@@ -7,7 +7,7 @@
 #include "sampling/accuracy/basis/label_table.h"
 #include "sampling/accuracy/basis/ray_ledger.h"
 #include "sampling/accuracy/borders/border_model.h"
-#include "sampling/accuracy/control/control_variates.h"
+#include "sampling/accuracy/radiance/control_variates.h"
 #include "sampling/accuracy/radiance/strata.h"
 #include "sampling/accuracy/radiance/stray_values.h"
 #include "sampling/hash.h"

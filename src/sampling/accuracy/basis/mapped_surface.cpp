@@ -1,4 +1,4 @@
-#include "sampling/accuracy/control/mapped_surface.h"
+#include "sampling/accuracy/basis/mapped_surface.h"
 
 #include <memory>
 

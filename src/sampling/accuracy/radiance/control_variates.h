@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <unordered_map>
@@ -9,7 +10,6 @@
 
 namespace ifov::sampling {
 
-class AllowedErrors;
 class BorderModel;
 class Field;
 class LabelSpread;
@@ -29,17 +29,20 @@ struct Stratum;
 /// fitted to the values of the lattice, label by label and column by column, which no estimate of a stratum contains.
 class ControlVariates {
  public:
+  /// 1 over the variance allowed to a source pixel, by column; valid until the next call.
+  using InverseSquares = std::function<std::span<const double>(int source)>;
+
   ControlVariates(Field& field, const Lattice& lattice, const LabelTable& table, std::uint64_t seed);
   virtual ~ControlVariates();
 
   /// Fits what is worth it by the errors allowed: leaves the rests of the lattice's values in `values.rest`, and how those differ in
   /// LabelSpread::rest().
-  void fit(LatticeValues& values, LabelSpread& spread, AllowedErrors& errors);
+  void fit(LatticeValues& values, LabelSpread& spread, const InverseSquares& allowed);
   bool any() const { return !surfaces_.empty(); }
 
   /// Marks the strata of pixels that have a control variate (Stratum::control), with its means over them.
   void attach(SourcePixels& pixels, const BorderModel& model, const NearbySpread& nearby,
-              const LabelSpread& spread, AllowedErrors& errors) const;
+              const LabelSpread& spread, const InverseSquares& allowed) const;
   /// c at points of a stratum that has one: rows of Field::stride() floats.
   void foretell(const SourcePixel& pixel, const Stratum& stratum, std::span<const FocalPoint> points,
                 std::span<float> rows) const;
@@ -49,7 +52,13 @@ class ControlVariates {
   virtual FocalPoint place(const FocalPoint& point) const;
 
  private:
-  struct Fit;  // of a label, by column
+  /// A control variate is worth its while where a stratum would take more values than this without it.
+  static constexpr double kWorthValues = 24.0;
+  /// Of a label, by column: c = own + slope * reflectance + constant, where `on`.
+  struct Fit {
+    std::vector<float> slope, constant;
+    std::vector<std::uint8_t> on;
+  };
   struct Sums;
   struct Of {
     std::unique_ptr<const MappedSurface> surface;
@@ -63,7 +72,7 @@ class ControlVariates {
                 std::span<float> rows) const;
   int owner(std::size_t vertex) const;
   std::vector<std::uint8_t> worth(const LatticeValues& values, const LabelSpread& spread,
-                                  AllowedErrors& errors) const;
+                                  const InverseSquares& allowed) const;
   void find_surfaces(const LatticeValues& values, std::vector<std::uint8_t>& wanted);
   void fit_labels(const LatticeValues& values, std::size_t labels);
   void take_rests(LatticeValues& values) const;
