@@ -17,7 +17,7 @@ namespace ifov::exposure {
 /// tell how uncertain that is.
 class SolvedSurface final : public scene::SolvedTemperature {
  public:
-  static constexpr int kSunPairs = 12, kSkyPairs = 4;
+  static constexpr int kSunPairs = 5, kSkyPairs = 2;
 
   /// Keeps the reference to the world. `sun_radius_rad`: of the Sun's disc.
   SolvedSurface(std::shared_ptr<const thermal::SurfaceClasses> classes, const geometry::World& world,

@@ -60,7 +60,7 @@ struct Fluxes {
 };
 
 /// The balance of a surface outdoors,
-///   a (E_sun V cos + E_sky F + r E_global (1 - F)) + e (L_sky F + sigma T_a^4 (1 - F)) - e sigma T^4 + h (T_a - T) - LE + P,
+///   a (E_sun V cos + E_sky F + r_g E_global (1 - F)) + e (L_sky F + sigma T_a^4 (1 - F)) - e sigma T^4 + h (T_a - T) - LE + P,
 /// with the sky's share of its view F = (1 + cos tilt) / 2 and V of the Sun that it sees.
 class SurfaceBalance : public SurfaceExchange {
  public:

@@ -13,6 +13,10 @@ namespace {
 
 constexpr int kTilts = 12, kAzimuths = 12;  // steps of half and of a whole turn
 constexpr double kLeastRise_k = 0.1;        // of a surface that the Sun warms
+constexpr int kSides = 4;                   // of the directions that tell what is coldest and hottest
+// Of the largest rise, as the Sun may stand 33 degrees from the nearest of those, in front of a direction between them; and of
+// what shade differs by among them, as the wind may.
+constexpr double kBetween = 0.2;
 
 math::Vec3 sun_of(const Outdoors& now) {
   const double level = std::cos(now.sun_elevation_rad);
@@ -43,51 +47,53 @@ std::vector<double> kernel_by_row(const SurfaceSolution& solution) {
 
 }  // namespace
 
-SurfaceClasses::SurfaceClasses(const OutdoorsSeries& series, const ClassSurface& surface, int threads)
-    : step_s_(series.step_s) {
-  const std::size_t count = series.rows.size();
+SurfaceClasses::SurfaceClasses(std::shared_ptr<const OutdoorsSeries> series, ClassSurface surface,
+                               int threads)
+    : series_(std::move(series)), surface_(std::move(surface)), places_(2 + (kTilts - 1) * kAzimuths) {
+  const std::size_t count = series_->rows.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const Outdoors& now = series.rows[i];
+    const Outdoors& now = series_->rows[i];
     if (!(now.direct_w_m2 > 0.0) || !(now.sun_elevation_rad > 0.0)) continue;
-    rows_.push_back({i, sun_of(now), sun_of(series.rows[i > 0 ? i - 1 : 0]),
-                     sun_of(series.rows[std::min(i + 1, count - 1)]),
-                     surface.skin.solar_absorptance * now.direct_w_m2});
+    rows_.push_back({i, sun_of(now), sun_of(series_->rows[i > 0 ? i - 1 : 0]),
+                     sun_of(series_->rows[std::min(i + 1, count - 1)]),
+                     surface_.skin.solar_absorptance * now.direct_w_m2});
   }
-  nodes_.resize(2 + (kTilts - 1) * kAzimuths);
-  parallel_for(static_cast<std::int64_t>(nodes_.size()), threads, [&](std::int64_t index) {
-    const int ring = static_cast<int>(index) - 2;
-    const double tilt = index == 0   ? 0.0
-                        : index == 1 ? std::numbers::pi
-                                     : (1 + ring / kAzimuths) * kTiltStep_rad;
-    solve(nodes_[static_cast<std::size_t>(index)], tilt, ring > 0 ? ring % kAzimuths * kAzimuthStep_rad : 0.0,
-          series, surface);
+  // Up, down, and to four sides half and wholly upright.
+  constexpr std::array<int, 4> kRings{0, kTilts, kTilts / 4, kTilts / 2};
+  std::vector<const Node*> bounding(2 + 2 * kSides);
+  parallel_for(static_cast<std::int64_t>(bounding.size()), threads, [&](std::int64_t index) {
+    const auto k = static_cast<int>(index);
+    bounding[static_cast<std::size_t>(k)] =
+        k < 2 ? &node_at(kRings[static_cast<std::size_t>(k)], 0)
+              : &node_at(kRings[static_cast<std::size_t>(2 + (k - 2) / kSides)],
+                         (k - 2) % kSides * (kAzimuths / kSides));
   });
-  constexpr double kBetween =
-      0.05;  // of the largest rise: directions between those of the grid may face the Sun better
-  coldest_k_ = hottest_k_ = nodes_[0].shaded_k[0];
-  double most_k = 0.0;
-  for (const Node& node : nodes_)
+  coldest_k_ = hottest_k_ = bounding[0]->shaded_k[0];
+  double warmest_shaded_k = coldest_k_, most_k = 0.0;
+  for (const Node* node : bounding)
     for (std::size_t sky = 0; sky < 2; ++sky) {
-      coldest_k_ = std::min(coldest_k_, node.shaded_k[sky]);
-      hottest_k_ = std::max(hottest_k_, node.shaded_k[sky] + node.rise_k[sky]);
-      most_k = std::max(most_k, node.rise_k[sky]);
+      coldest_k_ = std::min(coldest_k_, node->shaded_k[sky]);
+      warmest_shaded_k = std::max(warmest_shaded_k, node->shaded_k[sky]);
+      hottest_k_ = std::max(hottest_k_, node->shaded_k[sky] + node->rise_k[sky]);
+      most_k = std::max(most_k, node->rise_k[sky]);
     }
-  hottest_k_ += kBetween * most_k;
+  const double of_shaded_k = kBetween * (warmest_shaded_k - coldest_k_);
+  coldest_k_ -= of_shaded_k;
+  hottest_k_ += of_shaded_k + kBetween * most_k;
 }
 
-void SurfaceClasses::solve(Node& node, double tilt_rad, double azimuth_rad, const OutdoorsSeries& series,
-                           const ClassSurface& surface) {
-  Stand stand = surface.stand;
+void SurfaceClasses::solve(Node& node, double tilt_rad, double azimuth_rad) const {
+  Stand stand = surface_.stand;
   stand.tilt_rad = tilt_rad;
   stand.azimuth_rad = azimuth_rad;
   const math::Vec3 normal = facing(tilt_rad, azimuth_rad);
-  std::vector<double> kernel(series.rows.size(), 0.0), difference = kernel;
+  std::vector<double> kernel(series_->rows.size(), 0.0), difference = kernel;
   for (std::size_t sky = 0; sky < 2; ++sky) {
     stand.free_sky = static_cast<double>(sky);
     for (const double visibility : {0.0, 1.0}) {
       const SurfaceSolution solution =
-          solve_surface(surface.solid, surface.skin, stand, series, surface.start,
-                        std::vector<double>(series.rows.size(), visibility));
+          solve_surface(surface_.solid, surface_.skin, stand, *series_, surface_.start,
+                        std::vector<double>(series_->rows.size(), visibility));
       const double surface_k = solution.history.nodes.back().surface_k;
       (visibility > 0.0 ? node.rise_k[sky] : node.shaded_k[sky]) = surface_k;
       const std::vector<double> one = kernel_by_row(solution);
@@ -116,31 +122,47 @@ math::Vec3 SurfaceClasses::sun_at(std::size_t row, double steps) const {
   return math::normalized(between);
 }
 
-std::array<SurfaceClasses::Corner, 4> SurfaceClasses::corners(math::Vec3 normal) const {
+const SurfaceClasses::Node& SurfaceClasses::node_at(int ring, int azimuth) const {
+  const std::size_t index = ring == 0        ? 0
+                            : ring == kTilts ? 1
+                                             : static_cast<std::size_t>(2 + (ring - 1) * kAzimuths + azimuth);
+  Place& place = places_[index];
+  if (!place.solved.load(std::memory_order_acquire))
+    std::call_once(place.once, [&] {
+      solve(place.node, ring * kTiltStep_rad, ring % kTilts == 0 ? 0.0 : azimuth * kAzimuthStep_rad);
+      place.solved.store(true, std::memory_order_release);
+    });
+  return place.node;
+}
+
+SurfaceClasses::Corners SurfaceClasses::corners(math::Vec3 normal) const {
   const double tilt = std::acos(std::clamp(normal.z, -1.0, 1.0)) / kTiltStep_rad;
   const int low = std::clamp(static_cast<int>(tilt), 0, kTilts - 1);
-  const double high_share = std::clamp(tilt - low, 0.0, 1.0);
   double turn = std::atan2(normal.x, normal.y) / kAzimuthStep_rad;
   if (turn < 0.0) turn += kAzimuths;
   const int west = std::clamp(static_cast<int>(turn), 0, kAzimuths - 1);
-  const double east_share = std::clamp(turn - west, 0.0, 1.0);
-  const auto node = [&](int ring, int azimuth) {
-    if (ring == 0) return &nodes_[0];
-    if (ring == kTilts) return &nodes_[1];
-    return &nodes_[static_cast<std::size_t>(2 + (ring - 1) * kAzimuths + azimuth % kAzimuths)];
+  const double up = std::clamp(tilt - low, 0.0, 1.0), east = std::clamp(turn - west, 0.0, 1.0);
+  Corners found;
+  constexpr double kRounding = 1e-9;  // a wall is not solved for what leans by less
+  const auto add = [&](int ring, double share) {
+    const auto one = [&](int azimuth, double of_ring) {
+      if (share * of_ring > kRounding) found.all[found.count++] = {&node_at(ring, azimuth), share * of_ring};
+    };
+    if (ring % kTilts == 0) return one(0, 1.0);
+    one(west, 1.0 - east);
+    one((west + 1) % kAzimuths, east);
   };
-  return {{{node(low, west), (1.0 - high_share) * (1.0 - east_share)},
-           {node(low, west + 1), (1.0 - high_share) * east_share},
-           {node(low + 1, west), high_share * (1.0 - east_share)},
-           {node(low + 1, west + 1), high_share * east_share}}};
+  add(low, 1.0 - up);
+  add(low + 1, up);
+  return found;
 }
 
 void SurfaceClasses::bends(math::Vec3 normal, std::span<const std::size_t> rows,
                            std::span<double> bend) const {
-  const std::array<Corner, 4> all = corners(normal);
+  const Corners all = corners(normal);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     double kernel = 0.0, difference = 0.0;
-    for (const Corner& corner : all) {
+    for (const Corners::Corner& corner : all) {
       kernel += corner.share * static_cast<double>(corner.node->kernel[rows[k]]);
       difference += corner.share * static_cast<double>(corner.node->difference[rows[k]]);
     }
@@ -148,25 +170,21 @@ void SurfaceClasses::bends(math::Vec3 normal, std::span<const std::size_t> rows,
   }
 }
 
-double SurfaceClasses::shaded_k(math::Vec3 normal, double free_sky) const {
-  double shaded_k = 0.0;
-  for (const Corner& corner : corners(normal))
-    shaded_k += corner.share * std::lerp(corner.node->shaded_k[0], corner.node->shaded_k[1], free_sky);
-  return shaded_k;
-}
-
-double SurfaceClasses::shaded_k(math::Vec3 normal, double free_sky, std::span<double> weight_k) const {
+SurfaceClasses::Shade SurfaceClasses::shaded(math::Vec3 normal, double free_sky,
+                                             std::span<double> weight_k) const {
+  Shade shade;
   std::fill(weight_k.begin(), weight_k.end(), 0.0);
-  for (const Corner& corner : corners(normal)) {
-    if (!(corner.share > 0.0)) continue;
+  for (const Corners::Corner& corner : corners(normal)) {
     const Node& node = *corner.node;
+    shade.kelvin += corner.share * std::lerp(node.shaded_k[0], node.shaded_k[1], free_sky);
+    shade.of_sky_k += corner.share * (node.shaded_k[1] - node.shaded_k[0]);
     const double factor = corner.share * std::lerp(node.ratio[0], node.ratio[1], free_sky);
     for (std::size_t k = 0; k < rows_.size(); ++k)
       weight_k[k] += factor * static_cast<double>(node.kernel[k]);
   }
   for (std::size_t k = 0; k < rows_.size(); ++k)
     weight_k[k] *= rows_[k].absorbed_w_m2 * std::max(0.0, math::dot(normal, rows_[k].sun));
-  return shaded_k(normal, free_sky);
+  return shade;
 }
 
 }  // namespace ifov::thermal

@@ -1,4 +1,4 @@
-"""Figures of docs/theory/atmosphere.md, atmosphere_scattering.md, atmosphere_sensor.md and atmosphere_error.md."""
+"""Figures of docs/theory/atmosphere.md, atmosphere_scattering.md and atmosphere_sensor.md."""
 
 import numpy as np
 

@@ -20,7 +20,11 @@ int main(int count, char** words) {
       {"phase", print_phase},
       {"round_earth", print_round_earth},
       {"adjacency", print_adjacency},
+      {"model_error", print_model_error},
       {"photon_transfer", print_photon_transfer},
+      {"temperatures", print_temperatures},
+      {"orbit", print_orbit},
+      {"image", print_image},
   };
   for (const auto& [name, print] : sets)
     if (count == 2 && name == words[1]) {

@@ -16,6 +16,10 @@ void print_gases();             ///< vertical transmittance of gases
 void print_phase();             ///< scattering matrices
 void print_round_earth();       ///< light along lines in flat layers over that about a round Earth
 void print_adjacency();         ///< shares of the ground's light in the air by distance
+void print_model_error();       ///< how far the band model's transmittance may be off
 void print_photon_transfer();   ///< mean and variance of counts, and 1/f noise
+void print_temperatures();  ///< a day of two solids in the Sun and in the shade, and what the past is worth
+void print_orbit();         ///< places of a satellite in TEME and above the turning Earth
+void print_image();         ///< points of a pixel in two levels, and what it takes from like ones
 
 }  // namespace ifov::figures

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -9,6 +10,7 @@
 #include "atmosphere/scattering/column_solver.h"
 #include "atmosphere/scattering/ground_spread.h"
 #include "atmosphere/scattering/phase/scattering_matrix.h"
+#include "atmosphere/sensor/model_error_table.h"
 #include "figure_data.h"
 #include "geodesy/moon_position.h"
 #include "geodesy/sun_position.h"
@@ -128,6 +130,32 @@ void print_adjacency() {
   for (const double um : {0.45, 0.865}) print("hazy", um, spread(hazy, um, {}));
   print("clear", 0.45, spread(clear, 0.45, {}));
   print("low", 0.45, spread(hazy, 0.45, {0.0, 2.0}));
+}
+
+void print_model_error() {
+  using namespace atmosphere;
+  const ModelErrorTable& table = ModelErrorTable::built_in();
+  constexpr int kPoints = 300;
+  for (const char* name : {"tropical", "subarctic winter"}) {
+    const Profile profile = model_atmosphere(name).between(0.0, kTopOfAtmosphereKm);
+    const GasAmounts amounts = vertical_amounts(profile, 0.0, kTopOfAtmosphereKm);
+    const double water = profile.precipitable_water_g_cm2();
+    std::printf("water %c %.3f\n", *name, water);
+    // Steps of about 1 % of the wavelength.
+    for (int k = 0; k < kPoints; ++k) {
+      const double um = 0.36 * std::pow(15.0 / 0.36, (k + 0.5) / kPoints),
+                   half = 0.5 * std::log(15.0 / 0.36) / kPoints;
+      const int first = static_cast<int>(1e4 / um * (1.0 - half) / 5.0),
+                last = static_cast<int>(1e4 / um * (1.0 + half) / 5.0);
+      double seen = 0.0, less = 0.0;
+      for (int bin = first; bin <= last; ++bin) {
+        const double one = std::max(1e-30, gas_transmittance(5.0 * bin, amounts, GasModel::standard));
+        seen += one;
+        less += one * std::exp(table.of_depth(2000.0 / bin, {1.0, water, -std::log(one), 0.0}));
+      }
+      std::printf("model_error %c %.5f %.6f %.5f\n", *name, um, seen / (last - first + 1), less / seen - 1.0);
+    }
+  }
 }
 
 }  // namespace ifov::figures

@@ -66,6 +66,18 @@ def dots_path(ax, points, diameter, colour):
     return f'<path d="{d}" style="fill: none; stroke: {colour}; stroke-width: {diameter}; stroke-linecap: round"/>'
 
 
+def with_indices(element):
+    """The text of an element with E_{sun} as E and a lowered "sun", x^{2} as x and a raised 2."""
+    open_tag, text, close_tag = element.group(1, 2, 3)
+    parts = re.split(r"([_^]\{[^}]*\})", text)
+    for k in range(1, len(parts), 2):
+        down, back = ("0.3em", "-0.21em") if parts[k][0] == "_" else ("-0.5em", "0.35em")
+        parts[k] = f'<tspan dy="{down}" style="font-size: 70%">{parts[k][2:-1]}</tspan>'
+        if parts[k + 1]:
+            parts[k + 1] = f'<tspan dy="{back}">{parts[k + 1]}</tspan>'
+    return open_tag.replace("<text", '<text xml:space="preserve"') + "".join(parts) + close_tag
+
+
 def save(fig, folder, name, script):
     """Writes docs/<folder>/figures/<name>.svg, or $FIGURES/<folder>/figures/<name>.svg, which says what drew it."""
     path = pathlib.Path(os.environ.get("FIGURES", ROOT / "docs")) / folder / "figures" / f"{name}.svg"
@@ -79,6 +91,7 @@ def save(fig, folder, name, script):
     text = re.sub(r"<metadata>.*?</metadata>\n?", "", text, flags=re.DOTALL)
     text = re.sub(r"<\?xml.*?\?>\n<!DOCTYPE.*?>\n", "", text, flags=re.DOTALL)
     text = re.sub(r"(<svg [^>]*>)", rf"\1\n <!-- drawn by tools/figures/{pathlib.Path(script).name} -->", text, count=1)
+    text = re.sub(r"(<text [^>]*>)([^<]*[_^]\{[^<]*)(</text>)", with_indices, text)
     # Hundredths of a point are enough; numbers that are text stay.
     text = re.sub(r"<[^>]*>", lambda tag: re.sub(r"(\d\.\d{2})\d+", r"\1", tag.group()), text)
     path.write_text("\n".join(line.rstrip() for line in text.splitlines()) + "\n")

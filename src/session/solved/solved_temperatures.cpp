@@ -219,13 +219,14 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
         "a temperature that is solved needs \"weather\": a file with air temperature, wind and sunlight, such as "
         "\"weather\": {\"file\": \"amsterdam.epw\"}");
   const DocumentOutdoors about = outdoors_of_document(document, *weather);
-  const thermal::OutdoorsSeries& series = about.outdoors.series;
+  const auto kept = std::make_shared<const thermal::OutdoorsSeries>(about.outdoors.series);
+  const thermal::OutdoorsSeries& series = *kept;
   const thermal::Stand stand = open_stand(about);
   for (auto& [material, solved] : by_material) {
     solved.thermal =
         thermal_of(document, document.scene.materials[material], scene, material, about.mean_air_k);
     solved.classes = std::make_shared<const thermal::SurfaceClasses>(
-        series, thermal::ClassSurface{solved.thermal.solid, solved.thermal.skin, stand, solved.thermal.start},
+        kept, thermal::ClassSurface{solved.thermal.solid, solved.thermal.skin, stand, solved.thermal.start},
         threads);
     scene.solved[material] =
         std::make_shared<const exposure::SolvedSurface>(solved.classes, *scene.world, kSunRadius_rad);
