@@ -88,7 +88,9 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
           }
           if (pixel.strata[r].foretold()) {
             const StratumControl& control = pixel.strata[r].control;
-            sum.add_path(c, w * w * control.variance[columns[c]], control.freedom);
+            const double variance = w * w * control.variance[columns[c]];
+            sum.add_path(c, variance, control.freedom);
+            sum.foretold[c] += variance;
           }
           const double count = static_cast<double>(pixel.strata[r].count());
           const double missed = radiance.unseen().variance(pixel, r, columns[c]);

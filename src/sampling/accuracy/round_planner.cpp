@@ -32,6 +32,8 @@ constexpr double kGrowth = 2.5;
 /// From here on replicated nets cost less than jittered values: early where paths make the variance and not
 /// texture.
 constexpr double kManyPaths = 320.0, kManyValues = 16384.0;
+/// Of the variance that borders leave, values may take this share at least, whatever means from maps have taken.
+constexpr double kLeastOfValues = 0.3;
 /// What rounds of n values in clutter are planned by: their variance falls as n to minus this, between borders (3/2)
 /// and paths (1). A round holds at most this many times the values of those before it.
 constexpr double kClutterFall = 1.35, kClutterGrowth = 6.0;
@@ -152,10 +154,13 @@ bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrat
       if (wide) output.satisfied = false;
       const double planned_t = intervals_.stopping().student(
           std::max(output.test + 1, 2), std::max(sum.path[d].degrees_of_freedom(), 20.0));
-      output.path_budget[d] =
+      const double budget =
           std::max(limit_d * limit_d - from_borders, 0.2 * limit_d * limit_d) / (planned_t * planned_t);
+      output.path_budget[d] = std::max(budget - sum.foretold[d], kLeastOfValues * budget);
       // Few degrees of freedom may keep an interval wide whose variance is small: more values still.
-      if (wide) output.path_budget[d] = std::min(output.path_budget[d], 0.7 * sum.path[d].variance());
+      if (wide)
+        output.path_budget[d] =
+            std::min(output.path_budget[d], 0.7 * (sum.path[d].variance() - sum.foretold[d]));
     }
   }
 

@@ -20,7 +20,8 @@ namespace {
 
 /// Grids that means are taken over have so many cells a side, at first and at most.
 constexpr int kCoarsestMeans = 16, kFinestMeans = 128;
-/// Share of the allowed variance that such means may take, and that they may take at most where the finest grid does not do.
+/// Share of the allowed variance that such means may take over a whole pixel, and that they may take at most where the finest grid
+/// does not do; over a part of it in proportion, so that they take no more together.
 constexpr double kMeansShare = 0.08, kMostMeansShare = 0.2;
 
 constexpr std::uint64_t kControlKey = 0x636f6e74726f6c;
@@ -90,7 +91,7 @@ bool ControlVariates::integrate(const SourcePixel& pixel, std::size_t s, const B
     for (std::size_t c = 0; c < columns_; ++c)
       share = std::max(share, area * area * sums.squares(static_cast<int>(c)) /
                                   (sums.blocks() * sums.count()) * inverse[c]);
-    if (share > (side < kFinestMeans ? kMeansShare : kMostMeansShare)) continue;
+    if (share > (side < kFinestMeans ? kMeansShare : kMostMeansShare) * area) continue;
     StratumControl& control = out.control;
     control.mean.resize(columns_);
     control.variance.resize(columns_);
