@@ -212,6 +212,12 @@ TEST(ControlVariates, OfLabelsWithFewVerticesHold) {
   }
 }
 
+TEST(ControlVariates, OfSeveralLabelsLeaveTheLimitWithinReach) {
+  const Found found = render<AccuracySampler>({.noise = 0.6, .parts_px = 0.9}, 12);
+  EXPECT_GE(found.held, 0.95);
+  EXPECT_EQ(found.unconverged, 0.0);
+}
+
 TEST(ControlVariates, MustNotTakeTheVarianceTheyAreJudgedBy) {
   const Found right = render<AccuracySampler>({.noise = 0.6}, 20),
               fault = render<AccuracySampler>({.noise = 0.6, .fitted_exactly = true}, 20);
