@@ -29,6 +29,7 @@ namespace ifov::render {
 
 class MapDetail;
 class SceneLight;
+class SurfaceMaps;
 struct Polarimetry;
 
 /// The picture on a camera's focal plane: answers a sampler's queries by tracing the scene. One tile, one thread.
@@ -50,6 +51,8 @@ class SceneField final : public sampling::Field {
                             std::span<sampling::Label> labels, std::span<float> values) override;
   void levels(const sampling::LevelRequests& requests, sampling::LevelSums& sums) override;
   void known_detail(const sampling::FieldRect& pixels, sampling::KnownDetail& detail) override;
+  std::unique_ptr<sampling::MappedSurface> mapped_surface(sampling::Label label,
+                                                          const sampling::FocalPoint& seen) override;
   /// By number in scene::TruthMaterials. Rays that met nothing stand on the material of the surroundings, the last
   /// of the scene; surface assignments that mix stand on none: BlendColumns::kNoMaterial.
   std::uint32_t material_of(sampling::Label label) const override;
@@ -81,6 +84,7 @@ class SceneField final : public sampling::Field {
   BlendColumns blends_;
   std::shared_ptr<MapDetail> map_detail_;  // once asked for
   UnseenLight unseen_;
+  std::shared_ptr<const SurfaceMaps> maps_;  // once asked for
   SeenThrough through_;
   std::unique_ptr<transport::MirrorLight> mirror_light_;  // null where mirrors throw none
   struct Sunlight {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -56,6 +57,7 @@ struct KnownDetail {
   std::vector<FocalPoint> standouts;
 };
 
+class MappedSurface;
 struct LevelRequests;
 struct LevelSums;
 
@@ -81,8 +83,7 @@ class Field {
     this->values(requests, labels, values);
   }
 
-  /// Means and spreads of groups of values in two levels (sampling/image/levels.h), which take less time than the values one by one. Here:
-  /// of values(), all of it direct.
+  /// Means and spreads of groups of values in two levels (sampling/image/levels.h). Here: of values(), all of it direct.
   virtual void levels(const LevelRequests& requests, LevelSums& sums);
 
   /// What is known, without a search, of the detail of these pixels; nothing where the field cannot tell.
@@ -91,6 +92,9 @@ class Field {
     detail.full.assign(
         static_cast<std::size_t>(pixels.x1 - pixels.x0) * static_cast<std::size_t>(pixels.y1 - pixels.y0), 0);
   }
+
+  /// What maps say of the surface of this label that the ray through `seen` meets, by a few rays; null: nothing that differs.
+  virtual std::unique_ptr<MappedSurface> mapped_surface(Label label, const FocalPoint& seen);
 
   /// Index of the material a label stands on, for abundances.
   virtual std::uint32_t material_of(Label label) const = 0;

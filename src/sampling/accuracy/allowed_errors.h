@@ -32,6 +32,9 @@ class AllowedErrors {
   /// columns in all outputs.
   void take_from_sums(OutputIntervals& intervals);
 
+  /// 1 over the variance allowed by the lattice's means, by column: 0 where nothing is asked. Valid until the next call.
+  std::span<const double> inverse_squares(int source);
+
   /// Share of a source pixel's allowed variance that borders may take: all of it where every label looks the same
   /// everywhere.
   double geometry_share(int source, const LabelSpread& spread) const;
@@ -46,7 +49,6 @@ class AllowedErrors {
   std::vector<double> source_means() const;
   void find_lattice_limits();
   void cover_lattice();
-  std::span<const double> inverse_squares(int source);  // of the lattice's limits, by column
 
   const TileProblem& problem_;
   const SourceGrid& grid_;

@@ -14,6 +14,17 @@
 
 namespace ifov::sampling {
 
+namespace {
+
+/// Of one value of a region, with what of it is foretold.
+double value_variance(const SourcePixel& pixel, const std::vector<StratumMoments>& moments,
+                      std::size_t region, std::size_t c, int column) {
+  const Stratum& stratum = pixel.strata[region];
+  return moments[region].variance[c] + (stratum.foretold() ? stratum.control.spread[column] : 0.0);
+}
+
+}  // namespace
+
 OutputIntervals::OutputIntervals(const Tolerance& tolerance, const LaterLight* later, const LabelTable& table,
                                  int outputs, bool replicates)
     : limits_(tolerance, later),
@@ -75,6 +86,12 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
           } else {
             sum.add_path(c, apart, moments[r].freedom);
           }
+          if (pixel.strata[r].foretold()) {
+            const StratumControl& control = pixel.strata[r].control;
+            const double variance = w * w * control.variance[columns[c]];
+            sum.add_path(c, variance, control.freedom);
+            sum.foretold[c] += variance;
+          }
           const double count = static_cast<double>(pixel.strata[r].count());
           const double missed = radiance.unseen().variance(pixel, r, columns[c]);
           sum.add_path(c, w * w * missed, INFINITY);
@@ -87,7 +104,8 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
         const double variance = model.border_variance_of(b, o);
         for (std::size_t c = 0; c < n; ++c) {
           const double step = moments[in].mean[c] - moments[out].mean[c];
-          sum.geometry[c] += variance * (step * step + moments[in].variance[c] + moments[out].variance[c]);
+          sum.geometry[c] += variance * (step * step + value_variance(pixel, moments, in, c, columns[c]) +
+                                         value_variance(pixel, moments, out, c, columns[c]));
         }
       }
       for (std::size_t l = 0; l < model.loose.size(); ++l) {
@@ -95,10 +113,11 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
         for (std::size_t c = 0; c < n; ++c) {
           double low = INFINITY, high = -INFINITY, within = 0.0;
           for (std::uint32_t corner : model.loose[l].corner) {
-            const StratumMoments& m = moments[model.region_of(corner)];
+            const std::size_t region = model.region_of(corner);
+            const StratumMoments& m = moments[region];
             low = std::min(low, m.mean[c]);
             high = std::max(high, m.mean[c]);
-            within = std::max(within, m.variance[c]);
+            within = std::max(within, value_variance(pixel, moments, region, c, columns[c]));
           }
           sum.geometry[c] += w * w * ((high - low) * (high - low) / 12.0 + within);
         }

@@ -1,6 +1,7 @@
 #include "sampling/accuracy/parts.h"
 
 #include "sampling/accuracy/basis/dither.h"
+#include "sampling/accuracy/radiance/control_variates.h"
 #include "sampling/accuracy/radiance/nearby_spread.h"
 #include "sampling/accuracy/radiance/spread.h"
 #include "sampling/accuracy/radiance/stratum_moments.h"
@@ -27,6 +28,11 @@ std::unique_ptr<StratumEstimates> AccuracyParts::estimates(const Lattice& lattic
                                                            const LabelTable& table,
                                                            const LabelSpread& spread) const {
   return std::make_unique<StratumEstimates>(lattice, values, table, spread);
+}
+
+std::unique_ptr<ControlVariates> AccuracyParts::controls(Field& field, const Lattice& lattice,
+                                                         const LabelTable& table, std::uint64_t seed) const {
+  return std::make_unique<ControlVariates>(field, lattice, table, seed);
 }
 
 std::unique_ptr<UnseenValues> AccuracyParts::unseen(const LabelSpread& spread, const Prober& prober,

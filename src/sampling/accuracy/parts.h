@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 namespace ifov::sampling {
 
+class ControlVariates;
 class Dither;
 class Field;
 class LabelSpread;
@@ -34,6 +36,9 @@ class AccuracyParts {
   virtual std::unique_ptr<StratumEstimates> estimates(const Lattice& lattice, const LatticeValues& values,
                                                       const LabelTable& table,
                                                       const LabelSpread& spread) const;
+  /// What maps foretell of values.
+  virtual std::unique_ptr<ControlVariates> controls(Field& field, const Lattice& lattice,
+                                                    const LabelTable& table, std::uint64_t seed) const;
   /// What values have not met.
   virtual std::unique_ptr<UnseenValues> unseen(const LabelSpread& spread, const Prober& prober,
                                                const StandoutValues& standouts, const LabelTable& table,

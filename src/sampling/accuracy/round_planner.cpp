@@ -32,6 +32,8 @@ constexpr double kGrowth = 2.5;
 /// From here on replicated nets cost less than jittered values: early where paths make the variance and not
 /// texture.
 constexpr double kManyPaths = 320.0, kManyValues = 16384.0;
+/// Of the variance that borders leave, values may take this share at least, whatever means from maps have taken.
+constexpr double kLeastOfValues = 0.3;
 /// What rounds of n values in clutter are planned by: their variance falls as n to minus this, between borders (3/2)
 /// and paths (1). A round holds at most this many times the values of those before it.
 constexpr double kClutterFall = 1.35, kClutterGrowth = 6.0;
@@ -109,11 +111,29 @@ double RoundPlanner::next_clutter(const SourcePixel& pixel, double wanted) {
   return std::clamp(next, 0.3 * have, kClutterGrowth * have);
 }
 
+/// Strata whose values are foretold need some of their own before they may say that they are.
+bool RoundPlanner::begin_foretold(Radiance& radiance) {
+  bool any = false;
+  for (std::size_t p = 0; p < radiance.pixels().others().size(); ++p) {
+    const SourcePixel& pixel = radiance.pixels().others()[p];
+    for (std::size_t s = 0; s < pixel.strata.size(); ++s) {
+      const Stratum& stratum = pixel.strata[s];
+      if (!stratum.foretold() || stratum.round > 0 || stratum.nets.size > 0) continue;
+      radiance.rounds().plan(p, s, std::max(kFewest, kPilot * pixel.model.area[s]));
+      for (int o : pixel.model.outputs) outputs_[o].test = std::max(outputs_[o].test, 1);
+      any = true;
+    }
+  }
+  return any;
+}
+
 /// Looks at the intervals so far and plans values where they are too wide; false when nothing is left to do.
 bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrator,
                               const std::vector<int>& outputs) {
   const std::size_t n = steering_.size();
-  if (clutter_.begin_rounds(options_.clutter_switch, radiance, outputs_)) return true;
+  bool begun = clutter_.begin_rounds(options_.clutter_switch, radiance, outputs_);
+  begun = begin_foretold(radiance) || begun;
+  if (begun) return true;
   intervals_.gather(radiance, integrator, steering_, outputs);
 
   std::vector<double> mean(all_columns_.size()), limit(mean.size());
@@ -134,10 +154,13 @@ bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrat
       if (wide) output.satisfied = false;
       const double planned_t = intervals_.stopping().student(
           std::max(output.test + 1, 2), std::max(sum.path[d].degrees_of_freedom(), 20.0));
-      output.path_budget[d] =
+      const double budget =
           std::max(limit_d * limit_d - from_borders, 0.2 * limit_d * limit_d) / (planned_t * planned_t);
+      output.path_budget[d] = std::max(budget - sum.foretold[d], kLeastOfValues * budget);
       // Few degrees of freedom may keep an interval wide whose variance is small: more values still.
-      if (wide) output.path_budget[d] = std::min(output.path_budget[d], 0.7 * sum.path[d].variance());
+      if (wide)
+        output.path_budget[d] =
+            std::min(output.path_budget[d], 0.7 * (sum.path[d].variance() - sum.foretold[d]));
     }
   }
 

@@ -28,6 +28,7 @@ class RoundPlanner {
            std::span<const int> steering_channels, int columns);
 
  private:
+  bool begin_foretold(Radiance& radiance);
   bool plan_round(Radiance& radiance, const LeafIntegrator& integrator, const std::vector<int>& outputs);
   bool steer_by_more(const Radiance& radiance, const LeafIntegrator& integrator,
                      const std::vector<int>& outputs);

@@ -18,6 +18,7 @@
 #include "sampling/accuracy/lattice_survey.h"
 #include "sampling/accuracy/like_neighbours.h"
 #include "sampling/accuracy/parts.h"
+#include "sampling/accuracy/radiance/control_variates.h"
 #include "sampling/accuracy/radiance/lattice_values.h"
 #include "sampling/accuracy/radiance/spread.h"
 #include "sampling/accuracy/radiance/standout_values.h"
@@ -65,7 +66,8 @@ struct TileTracing::Parts {
         errors(problem, grid, lattice, values, Stopping(problem.tolerance->confidence()).normal(), steering,
                contrast),
         clutter(lattice, values, contrast, recall, steering),
-        standouts(lattice, values) {}
+        standouts(lattice, values),
+        controls(parts.controls(field, lattice, table, problem.seed)) {}
 
   Lattice lattice;
   SourceGrid grid;
@@ -81,6 +83,7 @@ struct TileTracing::Parts {
   AllowedErrors errors;
   ClutterChoice clutter;
   StandoutValues standouts;
+  std::unique_ptr<ControlVariates> controls;
   std::unique_ptr<LabelSpread> spread;
   KnownDetail known;
   Prober::Finds gaps;              // between labels of pixels that would else have been left to few values
@@ -109,6 +112,7 @@ const SteeringColumns& TileTracing::steering() const { return parts_->steering; 
 const LatticeValues& TileTracing::lattice_values() const { return parts_->values; }
 const StandoutValues& TileTracing::standouts() const { return parts_->standouts; }
 const LabelSpread& TileTracing::spread() const { return *parts_->spread; }
+const ControlVariates& TileTracing::controls() const { return *parts_->controls; }
 
 void TileTracing::trace_lattice() {
   const Lattice& lattice = parts_->lattice;
@@ -133,6 +137,10 @@ void TileTracing::trace_lattice() {
     parts_->standouts.ask(parts_->known.standouts, ledger, problem_.seed);
   }
   parts_->errors.take_from_lattice(parts_->standouts, spread);
+  // Where a footprint weighs the values of a pixel unlike, it would have to weigh what is foretold as well.
+  if (problem_.footprint->whole_pixel())
+    parts_->controls->fit(values, *parts_->spread,
+                          [this](int p) { return parts_->errors.inverse_squares(p); });
   for (int p = 0; p < lattice.domain().count(); ++p)
     parts_->tracer.pixels().allow_variance(static_cast<std::uint32_t>(p),
                                            parts_->errors.border_variance(p, spread));

@@ -10,6 +10,7 @@ class AccuracyParts;
 class AllowedErrors;
 class ClutterChoice;
 class EdgeTracer;
+class ControlVariates;
 class Field;
 class LabelSpread;
 class LabelTable;
@@ -51,6 +52,7 @@ class TileTracing {
   const LatticeValues& lattice_values() const;
   const LabelSpread& spread() const;
   const StandoutValues& standouts() const;
+  const ControlVariates& controls() const;
 
  private:
   void tell_uneven();

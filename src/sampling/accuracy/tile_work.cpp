@@ -13,6 +13,7 @@
 #include "sampling/accuracy/clutter_choice.h"
 #include "sampling/accuracy/edges/edge_tracer.h"
 #include "sampling/accuracy/parts.h"
+#include "sampling/accuracy/radiance/control_variates.h"
 #include "sampling/accuracy/radiance/leaf_integrator.h"
 #include "sampling/accuracy/radiance/nearby_spread.h"
 #include "sampling/accuracy/radiance/radiance.h"
@@ -59,9 +60,10 @@ void TileWork::trace() {
 }
 
 void TileWork::begin_radiance(int first, int last, const LeafIntegrator& integrator) {
-  radiance_ = std::make_unique<Radiance>(tracing_.tracer(), tracing_.ledger(), tracing_.table(),
-                                         Radiance::Judges{tracing_.spread(), *nearby_, *estimates_, *unseen_},
-                                         problem_.seed, !integrator.unit_box());
+  radiance_ = std::make_unique<Radiance>(
+      tracing_.tracer(), tracing_.ledger(), tracing_.table(),
+      Radiance::Judges{tracing_.spread(), *nearby_, *estimates_, *unseen_, tracing_.controls()},
+      problem_.seed, !integrator.unit_box());
   radiance_->add_pixels(first, last, integrator);
 }
 
@@ -96,6 +98,8 @@ void TileWork::estimate() {
   for (int first = 0; first < sources_; first += group) {
     const bool ready = group >= sources_ && radiance_ != nullptr;  // by tighten_borders, of all pixels
     if (!ready) begin_radiance(first, std::min(sources_, first + group), integrator);
+    tracing_.controls().attach(radiance_->pixels(), tracing_.tracer().model(), *nearby_, tracing_.spread(),
+                               [this](int p) { return tracing_.errors().inverse_squares(p); });
     const std::vector<int> outputs = radiance_->outputs_reached(problem_.tile.count());
     recall_.recall_values(*radiance_, intervals_.states());
     planner.run(*radiance_, integrator, outputs, tracing_.steering().list(), columns_);

@@ -15,8 +15,9 @@ struct LatticeValues {
 
   std::size_t columns = 0;
   std::vector<std::uint32_t> labels;
-  std::vector<std::uint32_t> own;      ///< the same before labels were merged; empty where none were
-  std::vector<float> values;           ///< [vertex][column]
+  std::vector<std::uint32_t> own;  ///< the same before labels were merged; empty where none were
+  std::vector<float> values;       ///< [vertex][column]
+  std::vector<float> rest;         ///< the same less what is foretold (ControlVariates); empty: nothing is
   std::vector<std::uint8_t> constant;  ///< by label: whether its values are the same to the last bit
   std::vector<std::uint32_t> only;     ///< by pixel: the label of all its vertices, or kMixed
 
@@ -29,6 +30,9 @@ struct LatticeValues {
   } random;
 
   const float* value(std::size_t vertex) const { return &values[vertex * columns]; }
+  const float* value_or_rest(std::size_t vertex, bool foretold) const {
+    return foretold ? &rest[vertex * columns] : value(vertex);
+  }
 
   /// Whether all vertices of a pixel have the same label and value.
   bool flat(int pixel) const { return only[pixel] != kMixed && constant[only[pixel]] != 0; }

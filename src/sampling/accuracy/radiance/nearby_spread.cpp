@@ -14,6 +14,11 @@ namespace ifov::sampling {
 
 namespace {
 
+bool is_foretold(const SourcePixel& pixel, std::uint32_t label) {
+  return std::any_of(pixel.strata.begin(), pixel.strata.end(),
+                     [&](const Stratum& s) { return s.label == label && s.foretold(); });
+}
+
 /// So many vertices tell how values of a label differ thereabouts.
 constexpr double kTold = 4.0;
 
@@ -38,9 +43,10 @@ double NearbySpread::of_label(const SourcePixel& pixel, std::uint32_t label,
   const std::size_t columns = static_cast<std::size_t>(field_.columns());
   deviation.assign(columns, 0.0f);
   const double count = widen(pixel, label, deviation);
+  const LabelSpread& spread = spread_.rest_if(is_foretold(pixel, label));
   // A few that agree thereabouts may do so by chance where the label's values elsewhere do not.
   for (std::size_t c = 0; c < columns; ++c) {
-    const double near = static_cast<double>(deviation[c]), total = spread_.total(label, static_cast<int>(c));
+    const double near = static_cast<double>(deviation[c]), total = spread.total(label, static_cast<int>(c));
     deviation[c] = static_cast<float>(std::sqrt((near * near * count + total * kTold) / (count + kTold)));
   }
   return count;
@@ -49,7 +55,7 @@ double NearbySpread::of_label(const SourcePixel& pixel, std::uint32_t label,
 /// From the lattice's values of a label, or of all, in the pixel and those around it. Their number.
 double NearbySpread::widen(const SourcePixel& pixel, std::uint32_t label,
                            std::vector<float>& deviation) const {
-  const bool any_label = label == kNoLabel;
+  const bool any_label = label == kNoLabel, foretold = !any_label && is_foretold(pixel, label);
   const int k = lattice_.cells_per_pixel(), row = lattice_.columns() + 1, width = lattice_.domain().width();
   const int x = pixel.source % width * k, y = pixel.source / width * k;
   const std::size_t columns = deviation.size();
@@ -61,9 +67,9 @@ double NearbySpread::widen(const SourcePixel& pixel, std::uint32_t label,
       if (!any_label && values_.labels[v] != label) continue;
       count += 1.0;
       for (std::size_t c = 0; c < columns; ++c) {
-        const double difference = values_.value(v)[c] - mean[c];
+        const double value = values_.value_or_rest(v, foretold)[c], difference = value - mean[c];
         mean[c] += difference / count;
-        squares[c] += difference * (values_.value(v)[c] - mean[c]);
+        squares[c] += difference * (value - mean[c]);
       }
     }
   const int height = lattice_.domain().height(), column = pixel.source % width, line = pixel.source / width;

@@ -18,8 +18,9 @@ struct Radiance::Parts {
         std::uint64_t seed, bool keep)
       : strays(tracer.model(), tracer.contradictions(), table, ledger.field()),
         pixels(tracer.pixels(), judges.spread, judges.nearby),
-        rounds(pixels.others(), tracer.model(), strays, table, ledger, keep ? &kept : nullptr, seed),
-        nets(pixels.others(), tracer.model(), strays, table, ledger, seed),
+        rounds(pixels.others(), tracer.model(), strays, table, ledger, judges.controls,
+               keep ? &kept : nullptr, seed),
+        nets(pixels.others(), tracer.model(), strays, table, ledger, judges.controls, seed),
         clutter(pixels.others(), tracer.lattice(), ledger, keep, seed),
         memory(table, keep ? &kept : nullptr, static_cast<std::size_t>(ledger.field().stride())) {}
 

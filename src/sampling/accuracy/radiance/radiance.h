@@ -9,6 +9,7 @@
 
 namespace ifov::sampling {
 
+class ControlVariates;
 class EdgeTracer;
 class LabelSpread;
 class LabelTable;
@@ -38,6 +39,7 @@ class Radiance {
     const NearbySpread& nearby;
     const StratumEstimates& estimates;
     const UnseenValues& unseen;
+    const ControlVariates& controls;
   };
   /// `keep_values`: for a footprint that weighs the values of a pixel unlike.
   Radiance(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable& table, const Judges& judges,

@@ -36,6 +36,11 @@ void pass_rounds(Archive& archive, Rounds& rounds, std::size_t columns, std::siz
   for (auto& round : rounds) BlockSums::pass(round, archive, columns);
 }
 
+bool foretold(const SourcePixel& pixel) {
+  return std::any_of(pixel.strata.begin(), pixel.strata.end(),
+                     [](const Stratum& stratum) { return stratum.foretold(); });
+}
+
 }  // namespace
 
 void RadianceMemory::remember(const SourcePixel& pixel, double predicted, TileMemory& memory) const {
@@ -52,6 +57,8 @@ void RadianceMemory::remember(const SourcePixel& pixel, double predicted, TileMe
     if (!pixel.rounds.empty()) memory.keep_pixel(pixel.source, bytes);
     return;
   }
+  // What is foretold depends on the error that is asked for.
+  if (foretold(pixel)) return;
   bool any = false;
   for (std::size_t s = 0; s < pixel.strata.size(); ++s) {
     const Stratum& stratum = pixel.strata[s];
@@ -77,6 +84,7 @@ void RadianceMemory::remember(const SourcePixel& pixel, double predicted, TileMe
 }
 
 bool RadianceMemory::recall(SourcePixel& pixel, const TileMemory& memory) const {
+  if (foretold(pixel)) return false;
   const std::span<const std::byte> bytes = memory.pixel(pixel.source);
   if (bytes.empty()) return true;
   MemoryReader read(bytes);

@@ -5,6 +5,7 @@
 #include "sampling/accuracy/basis/label_table.h"
 #include "sampling/accuracy/basis/ray_ledger.h"
 #include "sampling/accuracy/borders/border_model.h"
+#include "sampling/accuracy/radiance/control_variates.h"
 #include "sampling/accuracy/radiance/strata.h"
 #include "sampling/accuracy/radiance/stratum_moments.h"
 #include "sampling/accuracy/radiance/stray_values.h"
@@ -24,12 +25,13 @@ constexpr std::uint64_t kStratumNetKey = 0x736e657473;
 
 RadianceNets::RadianceNets(std::vector<SourcePixel>& pixels, const BorderModel& model,
                            const StrayValues& strays, const LabelTable& table, RayLedger& ledger,
-                           std::uint64_t seed)
+                           const ControlVariates& controls, std::uint64_t seed)
     : pixels_(pixels),
       model_(model),
       strays_(strays),
       table_(table),
       ledger_(ledger),
+      controls_(controls),
       seed_(seed),
       stride_(static_cast<std::size_t>(ledger.field().stride())) {}
 
@@ -80,12 +82,13 @@ void RadianceNets::trace() {
   constexpr std::size_t kBatch = 4096;
   std::vector<PathRequest> requests;
   struct Asker {
+    const SourcePixel* pixel;
     Stratum* stratum;
     std::size_t replicate;
   };
   std::vector<Asker> askers;
   std::vector<std::uint32_t> labels;
-  std::vector<float> values;
+  std::vector<float> values, foretold(stride_);
   const auto trace_batch = [&] {
     labels.clear();
     values.resize(requests.size() * stride_);
@@ -98,16 +101,21 @@ void RadianceNets::trace() {
       ++stratum.nets.accepted[askers[i].replicate];
       double* sum = &stratum.nets.sum[askers[i].replicate * stride_];
       for (std::size_t c = 0; c < stride_; ++c) sum[c] += value[c];
+      if (!stratum.foretold()) continue;
+      controls_.foretell(*askers[i].pixel, stratum, {&requests[i].point, 1}, foretold);
+      for (std::size_t c = 0; c < stride_; ++c) sum[c] -= foretold[c];
     }
     requests.clear();
     askers.clear();
   };
   for (const auto& [p, s] : planned_)
-    request_net(p, s, [&, stratum = &pixels_[p].strata[s]](std::size_t r, const PathRequest& request) {
-      requests.push_back(request);
-      askers.push_back({stratum, r});
-      if (requests.size() == kBatch) trace_batch();
-    });
+    request_net(
+        p, s,
+        [&, pixel = &pixels_[p], stratum = &pixels_[p].strata[s]](std::size_t r, const PathRequest& request) {
+          requests.push_back(request);
+          askers.push_back({pixel, stratum, r});
+          if (requests.size() == kBatch) trace_batch();
+        });
   if (!requests.empty()) trace_batch();
   planned_.clear();
 }

@@ -8,6 +8,7 @@
 namespace ifov::sampling {
 
 class BorderModel;
+class ControlVariates;
 class LabelTable;
 class RayLedger;
 class StrayValues;
@@ -19,7 +20,8 @@ struct StratumNets;
 class RadianceNets {
  public:
   RadianceNets(std::vector<SourcePixel>& pixels, const BorderModel& model, const StrayValues& strays,
-               const LabelTable& table, RayLedger& ledger, std::uint64_t seed);
+               const LabelTable& table, RayLedger& ledger, const ControlVariates& controls,
+               std::uint64_t seed);
 
   /// Few replicates know their variance badly: with 8, one interval in a hundred errs by four standard errors.
   static constexpr int kReplicates = 24;
@@ -44,6 +46,7 @@ class RadianceNets {
   const StrayValues& strays_;
   const LabelTable& table_;
   RayLedger& ledger_;
+  const ControlVariates& controls_;
   std::uint64_t seed_;
   std::size_t stride_;
   std::vector<Planned> planned_;

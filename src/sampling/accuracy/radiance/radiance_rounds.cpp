@@ -7,6 +7,7 @@
 #include "sampling/accuracy/basis/label_table.h"
 #include "sampling/accuracy/basis/ray_ledger.h"
 #include "sampling/accuracy/borders/border_model.h"
+#include "sampling/accuracy/radiance/control_variates.h"
 #include "sampling/accuracy/radiance/strata.h"
 #include "sampling/accuracy/radiance/stray_values.h"
 #include "sampling/hash.h"
@@ -27,12 +28,13 @@ constexpr std::uint64_t kStratumKey = 0x7374726174, kPathsKey = 0x7061746873;
 
 RadianceRounds::RadianceRounds(std::vector<SourcePixel>& pixels, const BorderModel& model,
                                const StrayValues& strays, const LabelTable& table, RayLedger& ledger,
-                               KeptValues* kept, std::uint64_t seed)
+                               const ControlVariates& controls, KeptValues* kept, std::uint64_t seed)
     : pixels_(pixels),
       model_(model),
       strays_(strays),
       table_(table),
       ledger_(ledger),
+      controls_(controls),
       kept_(kept),
       seed_(seed),
       stride_(static_cast<std::size_t>(ledger.field().stride())) {}
@@ -146,8 +148,10 @@ void RadianceRounds::trace_requests() {
 /// The values of planned_[first] to planned_[last - 1], which stand in one block.
 void RadianceRounds::add_block(std::size_t first, std::size_t last, std::span<const std::uint32_t> labels,
                                const float* values) {
+  const SourcePixel& pixel = pixels_[planned_[first].pixel];
   Stratum& stratum = pixels_[planned_[first].pixel].strata[planned_[first].stratum];
   const float* rows[4];
+  FocalPoint points[4];
   std::size_t count = 0;
   for (std::size_t i = 0; i < last - first; ++i) {
     const float* value = values + i * stride_;
@@ -163,12 +167,22 @@ void RadianceRounds::add_block(std::size_t first, std::size_t last, std::span<co
     }
     if (labels[i] != stratum.label && !strays_.belongs(stratum, requests_[first + i].point, labels[i], value))
       continue;
+    points[count] = requests_[first + i].point;
     rows[count++] = value;
     if (kept_ == nullptr) continue;
     stratum.samples.push_back(static_cast<std::uint32_t>(kept_->x.size()));
     kept_->x.push_back({requests_[first + i].point.x_px, requests_[first + i].point.y_px});
     kept_->replicates.push_back(planned_[first + i].replicate);
     kept_->values.insert(kept_->values.end(), value, value + stride_);
+  }
+  if (count > 0 && stratum.foretold()) {
+    rests_.resize(4 * stride_);
+    controls_.foretell(pixel, stratum, {points, count}, {rests_.data(), count * stride_});
+    for (std::size_t i = 0; i < count; ++i) {
+      float* rest = &rests_[i * stride_];
+      for (std::size_t c = 0; c < stride_; ++c) rest[c] = rows[i][c] - rest[c];
+      rows[i] = rest;
+    }
   }
   if (count > 0) stratum.rounds.back().add_block({rows, count});
 }

@@ -10,6 +10,7 @@
 namespace ifov::sampling {
 
 class BorderModel;
+class ControlVariates;
 class LabelTable;
 class RayLedger;
 class StrayValues;
@@ -22,7 +23,8 @@ class RadianceRounds {
  public:
   /// `kept` takes up the values for a footprint that weighs those of a pixel unlike; null: their sums are enough.
   RadianceRounds(std::vector<SourcePixel>& pixels, const BorderModel& model, const StrayValues& strays,
-                 const LabelTable& table, RayLedger& ledger, KeptValues* kept, std::uint64_t seed);
+                 const LabelTable& table, RayLedger& ledger, const ControlVariates& controls,
+                 KeptValues* kept, std::uint64_t seed);
 
   /// Sequences of paths in a round. Each has one value in every block of 2 x 2 cells.
   static constexpr std::uint32_t kReplicates = 4;
@@ -58,6 +60,7 @@ class RadianceRounds {
   const StrayValues& strays_;
   const LabelTable& table_;
   RayLedger& ledger_;
+  const ControlVariates& controls_;
   KeptValues* kept_;
   std::uint64_t seed_;
   std::size_t stride_;
@@ -65,6 +68,7 @@ class RadianceRounds {
   std::vector<PlannedRound> planned_rounds_;
   std::vector<Planned> planned_;
   std::vector<PathRequest> requests_;
+  std::vector<float> rests_;  // of a block
 };
 
 }  // namespace ifov::sampling

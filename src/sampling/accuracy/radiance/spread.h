@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "sampling/accuracy/basis/label_table.h"
@@ -35,6 +37,11 @@ class LabelSpread {
   /// Whether all values of the label agree, and so do those of all labels that it could borrow a variance from.
   bool constant(std::uint32_t label) const { return label < labels_ && constant_[label] != 0; }
 
+  /// How rests of values differ (LatticeValues::rest); itself where nothing is foretold.
+  const LabelSpread& rest() const { return rest_ != nullptr ? *rest_ : *this; }
+  const LabelSpread& rest_if(bool foretold) const { return foretold ? rest() : *this; }
+  void take_rest(std::unique_ptr<const LabelSpread> rest) { rest_ = std::move(rest); }
+
   /// Variance of a value about the label's mean over the tile.
   double total(std::uint32_t label, int column) const { return row(total_, label)[column]; }
 
@@ -56,6 +63,7 @@ class LabelSpread {
   }
 
   std::vector<std::size_t> late_;  // rows of labels from labels_ on
+  std::unique_ptr<const LabelSpread> rest_;
 };
 
 }  // namespace ifov::sampling

@@ -22,6 +22,14 @@ struct StratumNets {
   std::vector<double> sum;              ///< [replicate][column] of the accepted
 };
 
+/// Of a stratum whose values maps foretell in part (ControlVariates): its values are rests, and by column, of what is foretold,
+struct StratumControl {
+  std::vector<double> mean;      ///< over the stratum; empty: nothing is foretold
+  std::vector<double> variance;  ///< of that mean
+  std::vector<double> spread;    ///< variance from place to place
+  double freedom = 0.0;          ///< degrees of freedom behind `variance`
+};
+
 /// A label within a source pixel, and what is known of its values. It starts with values at jittered points. Where paths
 /// vary so much that many are needed, those are replaced by nets.
 struct Stratum {
@@ -40,7 +48,9 @@ struct Stratum {
   std::vector<double> stray_sum, stray_squares;
   /// Per column: standard deviation of values nearby, as NearbySpread has it. Empty where all values of the label agree.
   std::vector<float> deviation;
+  StratumControl control;
 
+  bool foretold() const { return !control.mean.empty(); }
   std::size_t count() const;  ///< values that the estimate rests on
 };
 

@@ -64,16 +64,16 @@ void StratumEstimates::moments(const SourcePixel& pixel, std::size_t s, std::spa
   out.mean.assign(n, 0.0);
   out.variance.assign(n, 0.0);
   out.share = 1.0;
-  if (stratum.nets.size > 0) {
-    RadianceNets::moments(stratum.nets, columns, out);
-    if (out.sampled) return;
+  if (stratum.nets.size > 0) RadianceNets::moments(stratum.nets, columns, out);
+  if (stratum.nets.size == 0 || !out.sampled) {
+    out.sampled = stratum.count() > 0;
+    if (out.sampled)
+      of_values(stratum, columns, out);
+    else
+      of_lattice(pixel, stratum, columns, out);
   }
-  out.sampled = stratum.count() > 0;
-
-  if (out.sampled)
-    of_values(stratum, columns, out);
-  else
-    of_lattice(pixel, stratum.label, columns, out);
+  if (stratum.foretold())
+    for (std::size_t c = 0; c < n; ++c) out.mean[c] += stratum.control.mean[columns[c]];
 }
 
 void StratumEstimates::of_values(const Stratum& stratum, std::span<const int> columns,
@@ -89,7 +89,8 @@ void StratumEstimates::of_values(const Stratum& stratum, std::span<const int> co
   }
   out.share = cubes / (squares * squares);
   std::vector<double> weighted(n, 0.0);
-  const double told = std::min(1.0, spread_.blocks(label) / kTelling);
+  const LabelSpread& spread = spread_.rest_if(stratum.foretold());
+  const double told = std::min(1.0, spread.blocks(label) / kTelling);
   for (const BlockSums& round : stratum.rounds) {
     const double count = round.count();
     if (count == 0.0) continue;
@@ -98,7 +99,7 @@ void StratumEstimates::of_values(const Stratum& stratum, std::span<const int> co
     for (std::size_t c = 0; c < n; ++c) {
       const int column = columns[c];
       out.mean[c] += count * count / squares * round.mean(column);
-      const double local = spread_.local(label, column);
+      const double local = spread.local(label, column);
       const double whole = count > 1.0 ? round.spread(column) * count / (count - 1.0) : 0.0;
       const double lent_variance = told * local + (1.0 - told) * std::max(local, whole);
       const double one = (round.squares(column) + lent * lent_variance) / (round.blocks() + lent);
@@ -113,9 +114,12 @@ void StratumEstimates::of_values(const Stratum& stratum, std::span<const int> co
       out.freedom = std::min(out.freedom, out.variance[c] * out.variance[c] / weighted[c]);
 }
 
-void StratumEstimates::of_lattice(const SourcePixel& pixel, std::uint32_t label, std::span<const int> columns,
-                                  StratumMoments& out) const {
+void StratumEstimates::of_lattice(const SourcePixel& pixel, const Stratum& stratum,
+                                  std::span<const int> columns, StratumMoments& out) const {
   const std::size_t n = columns.size();
+  const std::uint32_t label = stratum.label;
+  const bool foretold = stratum.foretold();
+  const LabelSpread& spread = spread_.rest_if(foretold);
   if (spread_.constant(label)) {
     for (std::size_t c = 0; c < n; ++c) out.mean[c] = table_.mean(label)[columns[c]];
     out.freedom = 2.0;
@@ -135,16 +139,17 @@ void StratumEstimates::of_lattice(const SourcePixel& pixel, std::uint32_t label,
       weight += w;
       count += 1.0;
       for (std::size_t c = 0; c < n; ++c) {
-        const double value = values_.value(v)[columns[c]], old = out.mean[c];
+        const double value = values_.value_or_rest(v, foretold)[columns[c]], old = out.mean[c];
         out.mean[c] += w / weight * (value - old);
         squares[c] += w * (value - old) * (value - out.mean[c]);
       }
     }
   for (std::size_t c = 0; c < n; ++c) {
-    if (count == 0.0) out.mean[c] = table_.mean(label)[columns[c]];
+    // Rests are fitted to a mean of 0.
+    if (count == 0.0 && !foretold) out.mean[c] = table_.mean(label)[columns[c]];
     const double own = count > 1.0 ? squares[c] / weight * count / (count - 1.0)
-                                   : (count == 0.0 ? kElsewhere : 1.0) * spread_.total(label, columns[c]);
-    out.variance[c] = std::max(own, spread_.local(label, columns[c]));
+                                   : (count == 0.0 ? kElsewhere : 1.0) * spread.total(label, columns[c]);
+    out.variance[c] = std::max(own, spread.local(label, columns[c]));
   }
   out.freedom = std::max(2.0, count - 1.0);
 }

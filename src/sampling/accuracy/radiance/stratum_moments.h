@@ -46,7 +46,7 @@ class StratumEstimates {
 
  private:
   void of_values(const Stratum& stratum, std::span<const int> columns, StratumMoments& out) const;
-  void of_lattice(const SourcePixel& pixel, std::uint32_t label, std::span<const int> columns,
+  void of_lattice(const SourcePixel& pixel, const Stratum& stratum, std::span<const int> columns,
                   StratumMoments& out) const;
 
   const Lattice& lattice_;

@@ -66,12 +66,13 @@ double UnseenValues::variance(const SourcePixel& pixel, std::size_t s, int colum
   if (!pixel.cluttered && !stratum.rounds.empty()) seen = stratum.rounds.back().spread(column);
   double nearby =
       static_cast<double>(stratum.deviation[column]) * static_cast<double>(stratum.deviation[column]);
+  const LabelSpread& spread = spread_.rest_if(stratum.foretold());
   // Strata of few values have borrowed from the tile in moments(); what many agree on may still not be all.
-  const bool many = !pixel.cluttered && count >= kManyValues && spread_.blocks(stratum.label) >= kManyValues;
-  if (many) nearby = std::max(nearby, spread_.local(stratum.label, column));
+  const bool many = !pixel.cluttered && count >= kManyValues && spread.blocks(stratum.label) >= kManyValues;
+  if (many) nearby = std::max(nearby, spread.local(stratum.label, column));
   const double hidden = std::max(0.0, nearby - seen);
   count = std::max(1.0, count);
-  double rare = many ? kRareValues * spread_.rare(stratum.label, column) : 0.0;
+  double rare = many ? kRareValues * spread.rare(stratum.label, column) : 0.0;
   if (pixel.cluttered) rare = kKnownFar * kKnownFar * known_farther(pixel, column);
   double squared = std::min(kUnseen * kUnseen, 1.0 + count);
   if (pixel.cluttered) {
