@@ -1,4 +1,5 @@
 #include "atmosphere/sensor/channel_scattering.h"
+#include "atmosphere/sensor/sky_directions.h"
 
 #include <algorithm>
 #include <array>

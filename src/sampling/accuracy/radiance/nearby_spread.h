@@ -33,7 +33,8 @@ class NearbySpread {
   double of_label(const SourcePixel& pixel, std::uint32_t label, std::vector<float>& deviation) const;
 
  private:
-  double widen(const SourcePixel& pixel, std::uint32_t label, std::vector<float>& deviation) const;
+  double widen(const SourcePixel& pixel, std::uint32_t label, std::vector<float>& deviation,
+               bool of_uneven = false) const;
 
   const Lattice& lattice_;
   const LatticeValues& values_;
