@@ -70,12 +70,8 @@ scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& poin
 
   std::vector<double>& sums_k = scratch.weight_k;
   sums_k.resize(classes_->sunlit_rows());
-  const double shaded_k = classes_->shaded_k(normal, sky.mean, sums_k);
-  double variance_k2 = 0.0;
-  if (sky.variance > 0.0) {
-    const double slope_k = classes_->shaded_k(normal, 1.0) - classes_->shaded_k(normal, 0.0);
-    variance_k2 += sky.variance * slope_k * slope_k;
-  }
+  const auto [shaded_k, of_sky_k] = classes_->shaded(normal, sky.mean, sums_k);
+  double variance_k2 = sky.variance * of_sky_k * of_sky_k;
   std::partial_sum(sums_k.begin(), sums_k.end(), sums_k.begin());
   const double rise_k = sums_k.empty() ? 0.0 : sums_k.back();
   if (!(rise_k > 0.0)) return {shaded_k, std::sqrt(variance_k2)};
@@ -128,7 +124,7 @@ SolvedSurface::Exposure SolvedSurface::exposure(const geometry::SurfacePoint& po
 double SolvedSurface::temperature_k(const geometry::SurfacePoint& point, const Exposure& exposure) const {
   std::vector<double> weight_k(classes_->sunlit_rows());
   const math::Vec3 normal = ExposedPoint(world_, point).normal();
-  const double shaded_k = classes_->shaded_k(normal, exposure.free_sky, weight_k);
+  const double shaded_k = classes_->shaded(normal, exposure.free_sky, weight_k).kelvin;
   std::vector<std::size_t> rows(weight_k.size());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   std::vector<double> bend(rows.size());

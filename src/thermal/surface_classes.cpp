@@ -14,7 +14,8 @@ namespace {
 constexpr int kTilts = 12, kAzimuths = 12;  // steps of half and of a whole turn
 constexpr double kLeastRise_k = 0.1;        // of a surface that the Sun warms
 constexpr int kSides = 4;                   // of the directions that tell what is coldest and hottest
-// Of the largest rise: the Sun may stand 33 degrees from the nearest of those, in front of a direction between them.
+// Of the largest rise, as the Sun may stand 33 degrees from the nearest of those, in front of a direction between them; and of
+// what shade differs by among them, as the wind may.
 constexpr double kBetween = 0.2;
 
 math::Vec3 sun_of(const Outdoors& now) {
@@ -68,14 +69,17 @@ SurfaceClasses::SurfaceClasses(std::shared_ptr<const OutdoorsSeries> series, Cla
                          (k - 2) % kSides * (kAzimuths / kSides));
   });
   coldest_k_ = hottest_k_ = bounding[0]->shaded_k[0];
-  double most_k = 0.0;
+  double warmest_shaded_k = coldest_k_, most_k = 0.0;
   for (const Node* node : bounding)
     for (std::size_t sky = 0; sky < 2; ++sky) {
       coldest_k_ = std::min(coldest_k_, node->shaded_k[sky]);
+      warmest_shaded_k = std::max(warmest_shaded_k, node->shaded_k[sky]);
       hottest_k_ = std::max(hottest_k_, node->shaded_k[sky] + node->rise_k[sky]);
       most_k = std::max(most_k, node->rise_k[sky]);
     }
-  hottest_k_ += kBetween * most_k;
+  const double of_shaded_k = kBetween * (warmest_shaded_k - coldest_k_);
+  coldest_k_ -= of_shaded_k;
+  hottest_k_ += of_shaded_k + kBetween * most_k;
 }
 
 void SurfaceClasses::solve(Node& node, double tilt_rad, double azimuth_rad) const {
@@ -166,24 +170,21 @@ void SurfaceClasses::bends(math::Vec3 normal, std::span<const std::size_t> rows,
   }
 }
 
-double SurfaceClasses::shaded_k(math::Vec3 normal, double free_sky) const {
-  double shaded_k = 0.0;
-  for (const Corners::Corner& corner : corners(normal))
-    shaded_k += corner.share * std::lerp(corner.node->shaded_k[0], corner.node->shaded_k[1], free_sky);
-  return shaded_k;
-}
-
-double SurfaceClasses::shaded_k(math::Vec3 normal, double free_sky, std::span<double> weight_k) const {
+SurfaceClasses::Shade SurfaceClasses::shaded(math::Vec3 normal, double free_sky,
+                                             std::span<double> weight_k) const {
+  Shade shade;
   std::fill(weight_k.begin(), weight_k.end(), 0.0);
   for (const Corners::Corner& corner : corners(normal)) {
     const Node& node = *corner.node;
+    shade.kelvin += corner.share * std::lerp(node.shaded_k[0], node.shaded_k[1], free_sky);
+    shade.of_sky_k += corner.share * (node.shaded_k[1] - node.shaded_k[0]);
     const double factor = corner.share * std::lerp(node.ratio[0], node.ratio[1], free_sky);
     for (std::size_t k = 0; k < rows_.size(); ++k)
       weight_k[k] += factor * static_cast<double>(node.kernel[k]);
   }
   for (std::size_t k = 0; k < rows_.size(); ++k)
     weight_k[k] *= rows_[k].absorbed_w_m2 * std::max(0.0, math::dot(normal, rows_[k].sun));
-  return shaded_k(normal, free_sky);
+  return shade;
 }
 
 }  // namespace ifov::thermal

@@ -53,16 +53,19 @@ class SurfaceClasses {
   /// To where the Sun stood, by row and steps after it (-1 to 1), unit; below the horizon it may be, too.
   math::Vec3 sun_at(std::size_t row, double steps) const;
 
-  /// T_0 of a surface with this outward normal (unit, ENU) and share of the sky above its horizon that is free, and w_k by
-  /// sunlit row, kelvins, none below 0.
-  double shaded_k(math::Vec3 normal, double free_sky, std::span<double> weight_k) const;
-  double shaded_k(math::Vec3 normal, double free_sky) const;
+  /// T_0 at a free share of the sky, and by what a free sky changes it from a hidden one; kelvins.
+  struct Shade {
+    double kelvin = 0.0, of_sky_k = 0.0;
+  };
+  /// Of a surface with this outward normal (unit, ENU) and share of the sky above its horizon that is free; w_k by sunlit row,
+  /// kelvins, none below 0.
+  Shade shaded(math::Vec3 normal, double free_sky, std::span<double> weight_k) const;
   /// b_k of some sunlit rows.
   void bends(math::Vec3 normal, std::span<const std::size_t> rows, std::span<double> bend) const;
   /// The row of the series that a sunlit row is.
   std::size_t row_of_series(std::size_t sunlit_row) const { return rows_[sunlit_row].index; }
 
-  /// Of all that can come out: of ten directions, and a margin for those between them.
+  /// Of all that can come out: of ten directions, with a margin for those between them.
   double coldest_k() const { return coldest_k_; }
   double hottest_k() const { return hottest_k_; }
 

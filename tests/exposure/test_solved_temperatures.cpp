@@ -235,6 +235,39 @@ TEST(SolvedTemperatures, WhereAShadowWasAcrossItsPath) {
   EXPECT_GT(off_no_sky, 0.5);
 }
 
+/// Where radiance bends most with temperature: its mean over estimates is that of their mean temperature.
+TEST(SolvedTemperatures, RadianceOfEstimatesHasNoBias) {
+  const WeatherFile weather;
+  std::string text = text_of(weather, "15:00", kPole);
+  for (const auto& [from, to] : {std::pair{"10 um", "3.7 um"}, {"11 um", "3.8 um"}})
+    text.replace(text.find(from), std::string(from).size(), to);
+  const Session session = load(text);
+  const Session::Parts& parts = session.parts();
+  const transport::SpectralScene& spectral = *parts.spectral_scene;
+  radiometry::SpectrumBlock scratch(3, spectral.node_count());
+  const auto planck = [&](double kelvin) {
+    std::vector<double> channel(1);
+    spectral.nodes().planck_channels(kelvin, channel);
+    return channel[0];
+  };
+  for (const double y : {0.5, 0.7}) {  // north of the pole
+    const geometry::SurfacePoint point = below(parts.scene, 0.0, y);
+    constexpr int kDraws = 10000;
+    double mean_k = 0.0, corrected = 0.0, uncorrected = 0.0;
+    for (std::uint64_t draw = 0; draw < kDraws; ++draw) {
+      const scene::ResolvedSurface surface = parts.scene.resolve(point, draw);
+      const float* light = spectral.emission(surface, {0.0, 0.0, 1.0}, scratch.row(0));
+      for (std::size_t n = 0; n < spectral.node_count(); ++n)
+        corrected += spectral.nodes().node_weight(n) * static_cast<double>(light[n]) / kDraws;
+      mean_k += surface.constituents[0].mapped_temperature_k / kDraws;
+      uncorrected += planck(surface.constituents[0].mapped_temperature_k) / kDraws;
+    }
+    const double per_k = planck(mean_k + 0.5) - planck(mean_k - 0.5);
+    EXPECT_NEAR((corrected - planck(mean_k)) / per_k, 0.0, 0.02) << y;
+    EXPECT_GT((uncorrected - planck(mean_k)) / per_k, 0.08) << y;
+  }
+}
+
 TEST(SolvedTemperatures, PointsAtFourHoursAgainstEachSolvedInFull) {
   const WeatherFile weather;
   double squares = 0.0, bias = 0.0;

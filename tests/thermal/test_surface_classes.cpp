@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numeric>
+
 #include "outdoors.h"
 #include "thermal/solid.h"
 #include "thermal/surface_classes.h"
@@ -35,7 +38,7 @@ double full_k(const Solid& solid, const OutdoorsSeries& series, double tilt_deg,
 double class_k(const SurfaceClasses& classes, math::Vec3 normal, double free_sky,
                const std::vector<double>& visibility) {
   std::vector<double> weight_k(classes.sunlit_rows());
-  const double shaded_k = classes.shaded_k(normal, free_sky, weight_k);
+  const double shaded_k = classes.shaded(normal, free_sky, weight_k).kelvin;
   std::vector<std::size_t> rows(weight_k.size());
   for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = k;
   std::vector<double> bend(rows.size());
@@ -87,6 +90,42 @@ TEST(SurfaceClasses, BetweenDirectionsSharesOfTheSkyAndHoursOfSun) {
   EXPECT_LT(std::sqrt(squares / count), 0.2);
   EXPECT_LT(worst, 0.5);
   EXPECT_GT(most, 1.0);  // a share of the sky that is not looked at would be noticed
+}
+
+/// At the ends of days and at noon, of thin steel, which follows the Sun, and of a road.
+TEST(SurfaceClasses, TellWhatIsColdestAndHottestOfAllDirections) {
+  const Solid steel{{{0.001, 45.0, 7800.0, 490.0}}, Insulated{}};
+  int beyond_ten_directions = 0;
+  for (const Solid& solid : {road(), steel})
+    for (const double hours : {2.0, 7.0, 12.0, 15.0, 18.5, 23.0}) {
+      OutdoorsSeries series = test::june(2.0, 900.0);
+      series.rows.resize(series.rows.size() -
+                         static_cast<std::size_t>((24.0 - hours) * 3600.0 / series.step_s));
+      for (Outdoors& now : series.rows) now.wind_from_rad = 0.4;
+      const SurfaceClasses classes(std::make_shared<const OutdoorsSeries>(series), {solid, Skin{}, Stand{}},
+                                   0);
+      double coldest_k = INFINITY, hottest_k = 0.0, coldest_of_ten_k = INFINITY, hottest_of_ten_k = 0.0;
+      std::vector<double> weight_k(classes.sunlit_rows());
+      for (double tilt = 0.0; tilt <= 180.0; tilt += 7.5)
+        for (double azimuth = 0.0; azimuth < 360.0; azimuth += 15.0)
+          for (const double free_sky : {0.0, 1.0}) {
+            const double shaded_k = classes.shaded(facing(tilt, azimuth), free_sky, weight_k).kelvin;
+            const double sunlit_k = std::accumulate(weight_k.begin(), weight_k.end(), shaded_k);
+            coldest_k = std::min(coldest_k, shaded_k);
+            hottest_k = std::max(hottest_k, sunlit_k);
+            if (std::fmod(tilt, 45.0) == 0.0 && std::fmod(azimuth, 90.0) == 0.0) {
+              coldest_of_ten_k = std::min(coldest_of_ten_k, shaded_k);
+              hottest_of_ten_k = std::max(hottest_of_ten_k, sunlit_k);
+            }
+          }
+      EXPECT_LE(classes.coldest_k(), coldest_k) << hours;
+      EXPECT_GE(classes.hottest_k(), hottest_k) << hours;
+      // A bound that is of no use would hold, too.
+      EXPECT_LT(coldest_k - classes.coldest_k(), 3.0) << hours;
+      EXPECT_LT(classes.hottest_k() - hottest_k, 12.0) << hours;
+      beyond_ten_directions += hottest_k > hottest_of_ten_k + 0.1 || coldest_k < coldest_of_ten_k - 0.1;
+    }
+  EXPECT_GT(beyond_ten_directions, 3);  // without the margin it fails
 }
 
 }  // namespace
