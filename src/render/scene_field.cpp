@@ -168,7 +168,7 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
         }
       }
     }
-    labels[k] = label.pack();
+    labels[k] = mirrors() ? SurfaceLabel::among_mirrors(label.pack()) : label.pack();
     if (through_.any() && passed_[k] != 0) {
       labels[k] = SurfaceLabel::with_mirrored(labels[k], passed_[k] >> 20,
                                               (passed_[k] & SeenThrough::kUnevenState) != 0);

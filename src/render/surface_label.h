@@ -30,6 +30,10 @@ struct SurfaceLabel {
            static_cast<std::uint64_t>(sun);
   }
 
+  /// The label in a scene with mirrors: patches wrap sooner, and leave the two highest of their bits to what mirrors tell.
+  static constexpr sampling::Label among_mirrors(sampling::Label label) {
+    return label & ~(kUneven | kMirroredSky);
+  }
   /// The label of the same hit in a state of MirrorLight, which is folded into the bits of the patch; `uneven` takes
   /// the highest of them, the sky in a mirror the one below.
   static constexpr sampling::Label with_mirrored(sampling::Label label, std::uint64_t state, bool uneven) {
