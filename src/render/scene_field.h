@@ -56,10 +56,7 @@ class SceneField final : public sampling::Field {
   /// of the scene; surface assignments that mix stand on none: BlendColumns::kNoMaterial.
   std::uint32_t material_of(sampling::Label label) const override;
   bool uneven(sampling::Label label) const override {
-    return SurfaceLabel::is_uneven(label, mirrors());
-  }
-  bool apart_from_uneven(sampling::Label label) const override {
-    return SurfaceLabel::is_mirrored_sky(label, mirrors());
+    return SurfaceLabel::is_uneven(label, mirror_light_ != nullptr || through_.any_mirror());
   }
   /// The instance, where labels hold its whole number.
   std::uint32_t object_of(sampling::Label label) const override;
@@ -70,7 +67,6 @@ class SceneField final : public sampling::Field {
   sampling::RayCounts counts() const override { return counts_; }
 
  private:
-  bool mirrors() const { return mirror_light_ != nullptr || through_.any_mirror(); }
   /// Whether sunlight on a surface is seen from the side that is viewed, and whether light from behind is, too.
   bool shows_sunlight(const scene::ResolvedSurface& surface, bool& transmits) const;
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,

@@ -29,7 +29,7 @@ class Dome final : public Field {
   }
   std::uint32_t material_of(Label label) const override { return label == 1 ? 0 : 1; }
   bool uneven(Label label) const override { return label == 2; }
-  bool apart_from_uneven(Label label) const override { return tells_sky_ && label == 3; }
+  
   RayCounts counts() const override { return {}; }
 
  private:
