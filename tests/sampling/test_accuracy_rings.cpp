@@ -12,11 +12,14 @@ namespace {
 
 using namespace sampling;
 
+constexpr int kDomes = 300;
 constexpr double kSky = 24.0, kMiddle_px = 0.283, kRim_px = 0.4, kHalfWidth = 0.38;
 
 struct DomeShape {
   double x_px = 0.0, y_px = 0.0;
-  double from = 0.0, thing = 0.0;  ///< where what stands beside begins in the ring, and how much of the ring it takes; rad
+  double from = 0.0,
+         thing =
+             0.0;  ///< where what stands beside begins in the ring, and how much of the ring it takes; rad
   bool tells_uneven = true;
 };
 
@@ -54,12 +57,11 @@ class Dome final : public Field {
 };
 
 struct Judged {
-  int sure = 0, held = 0;
-  double samples = 0.0, most = 0.0, error = 0.0;
+  int sure = 0, held = 0;             ///< of kDomes
+  double samples = 0.0, error = 0.0;  ///< means; the error as share of the truth
 };
 
 Judged judge(double most_of_ring, bool tells_uneven) {
-  constexpr int kDomes = 300;
   Judged sum;
   for (std::uint64_t seed = 1; seed <= kDomes; ++seed) {
     const auto draw = [&](std::uint64_t number) { return unit_double(hash(seed, number)); };
@@ -72,40 +74,33 @@ Judged judge(double most_of_ring, bool tells_uneven) {
     render.half_width = kHalfWidth;
     const TileResult result = render(field);
     const double error = static_cast<double>(result.mean[4]) - truth,
-                 half_width = static_cast<double>(result.half_width[4]),
-                 samples = static_cast<double>(result.samples[4]);
-    if (half_width <= kHalfWidth) {
-      ++sum.sure;
-      sum.held += std::abs(error) <= half_width;
-    }
+                 half_width = static_cast<double>(result.half_width[4]);
+    sum.sure += half_width <= kHalfWidth;
+    sum.held += std::abs(error) <= half_width;
     sum.error += error / truth / kDomes;
-    sum.samples += samples / kDomes;
-    sum.most = std::max(sum.most, samples);
+    sum.samples += static_cast<double>(result.samples[4]) / kDomes;
   }
   return sum;
 }
 
 TEST(AccuracyRings, MirrorDomesHold) {
   const Judged sum = judge(0.0, true);
-  EXPECT_GE(sum.sure, 290);
-  std::printf("X %d %d %g %g\n",sum.sure,sum.held,sum.samples,sum.most);
-  EXPECT_GE(sum.held, 0.93 * sum.sure);
-  EXPECT_LE(sum.samples, 400.0);
+  EXPECT_GE(sum.sure, 0.95 * kDomes);
+  EXPECT_GE(sum.held, 0.93 * kDomes);
+  EXPECT_LE(sum.samples, 420.0);
   EXPECT_LT(std::abs(sum.error), 0.004);
 }
 
 /// What stands beside is met by few of the first rays, or by none.
 TEST(AccuracyRings, WhatIsSeenOnlyInTheMirrorIsInTheInterval) {
   const Judged sum = judge(1.0, true);
-  EXPECT_GE(sum.sure, 150);
-  std::printf("X %d %d %g %g\n",sum.sure,sum.held,sum.samples,sum.most);
-  EXPECT_GE(sum.held, 0.93 * sum.sure);
+  EXPECT_GE(sum.sure, 0.5 * kDomes);
+  EXPECT_GE(sum.held, 0.93 * kDomes);
 }
 
 TEST(AccuracyRings, PlantedFaultARingThatIsSaidToBeEven) {
   const Judged sum = judge(1.0, false);
-  EXPECT_LT(sum.held, 0.93 * sum.sure);
-  std::printf("X %d %d %g\n",sum.sure,sum.held,sum.samples);
+  EXPECT_LT(sum.held, 0.6 * kDomes);
 }
 
 }  // namespace

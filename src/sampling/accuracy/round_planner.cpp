@@ -145,7 +145,7 @@ bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrat
   std::vector<std::uint8_t> tested(outputs_.size(), 0);
   StratumMoments moments;
   std::vector<ClutterRound::Moment> clutter;
-  std::vector<double> deviation(n), unseen(n);
+  std::vector<double> deviation(n);
   for (std::size_t p = 0; p < radiance.pixels().others().size(); ++p) {
     const SourcePixel& pixel = radiance.pixels().others()[p];
     const PixelModel& model = pixel.model;
@@ -163,9 +163,9 @@ bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrat
       const double count =
           pixel.cluttered ? pixel.clutter_count() : static_cast<double>(pixel.strata[s].count());
       for (std::size_t d = 0; d < n; ++d) {
-        unseen[d] = radiance.unseen().variance(pixel, s, steering_[d]);
-        deviation[d] = pixel.cluttered ? std::sqrt((clutter[d].variance + unseen[d]) * count)
-                                       : std::sqrt(moments.variance[d] + unseen[d] * std::max(1.0, count));
+        const double unseen = radiance.unseen().variance(pixel, s, steering_[d]);
+        deviation[d] = pixel.cluttered ? std::sqrt((clutter[d].variance + unseen) * count)
+                                       : std::sqrt(moments.variance[d] + unseen * std::max(1.0, count));
       }
       double wanted = 0.0;
       for (std::size_t o = 0; o < model.outputs.size(); ++o) {
@@ -174,12 +174,9 @@ bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrat
         const OutputSums::Row sum = intervals_.sum(model.outputs[o]);
         const double weight =
             pixel.cluttered ? integrator.whole_weight(pixel.source, model.outputs[o]) : model.weight_of(s, o);
-        for (std::size_t d = 0; d < n; ++d) {
-          double of_column = sum.gain[d] * weight * deviation[d] * sum.deviation[d] / output.path_budget[d];
-          if (!pixel.cluttered)
-            of_column = radiance.unseen().values(pixel, s, of_column, moments.variance[d], unseen[d]);
-          wanted = std::max(wanted, of_column);
-        }
+        for (std::size_t d = 0; d < n; ++d)
+          wanted = std::max(wanted,
+                            sum.gain[d] * weight * deviation[d] * sum.deviation[d] / output.path_budget[d]);
       }
       if (pixel.cluttered) {
         const double more = std::min(next_clutter(pixel, wanted), room);

@@ -1,7 +1,6 @@
 #include "sampling/accuracy/radiance/unseen_values.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sampling/accuracy/basis/label_table.h"
 #include "sampling/accuracy/edges/probing.h"
@@ -79,15 +78,6 @@ double UnseenValues::variance(const SourcePixel& pixel, std::size_t s, int colum
     squared = missed * missed;
   }
   return std::max(squared * hidden, rare) / (count * count);
-}
-
-double UnseenValues::values(const SourcePixel& pixel, std::size_t s, double wanted, double of_one,
-                            double unseen) const {
-  const Stratum& stratum = pixel.strata[s];
-  if (!(unseen > 0.0 && wanted > 0.0) || !field_.uneven(table_.label(stratum.label))) return wanted;
-  const double count = std::max(1.0, static_cast<double>(stratum.count())),
-               allowed = (of_one + unseen * count) / wanted;
-  return (of_one + std::sqrt(of_one * of_one + 4.0 * allowed * unseen * count * count)) / (2.0 * allowed);
 }
 
 }  // namespace ifov::sampling

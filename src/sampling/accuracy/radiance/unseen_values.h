@@ -21,11 +21,6 @@ class UnseenValues {
   /// Variance of the mean of a stratum's values by what they have not met; of a cluttered pixel's where it is one.
   virtual double variance(const SourcePixel& pixel, std::size_t stratum, int column) const;
 
-  /// How many values a stratum needs where `wanted` would do if both the variance of one value and `unseen`, which
-  /// variance() has for the number so far, fell as one over their number: what is unseen falls as one over its square. Where
-  /// the stratum's label does not say that its values differ, `wanted`.
-  double values(const SourcePixel& pixel, std::size_t stratum, double wanted, double of_one, double unseen) const;
-
  protected:
   /// The square of how far from the mean of a cluttered pixel's values lies what rays or strays have met there, and none of
   /// its values; 0: nothing.
