@@ -23,6 +23,11 @@ void IntervalStatistics::add(const sampling::TileResult& result) {
       const std::size_t k = pixel * columns + c;
       const double error = static_cast<double>(result.mean[k]) - reference_.mean[p * columns + c];
       const double reference_error = reference_.standard_error[p * columns + c];
+      // Q, U and V of what depolarizes are 0 on every path: any interval holds that.
+      if (reference_.mean[p * columns + c] == 0.0 && reference_error == 0.0 && result.mean[k] == 0.0f) {
+        ++sums.zeros;
+        continue;
+      }
       const double half_width = static_cast<double>(result.half_width[k]);
       const double geometry = static_cast<double>(result.variance_geometry[k]);
       const double path = static_cast<double>(result.variance_path[k]);
@@ -50,6 +55,11 @@ void IntervalStatistics::add(const sampling::TileResult& result) {
 std::vector<ChannelHonesty> IntervalStatistics::summary() const {
   std::vector<ChannelHonesty> channels;
   for (const Sums& sums : sums_) {
+    // Of a scene all of whose light is 0, all intervals hold it.
+    if (sums.count == 0) {
+      channels.push_back({.count = sums.zeros, .coverage = 0.95});
+      continue;
+    }
     const auto n = static_cast<double>(sums.count), seeds = static_cast<double>(sums.image_error.size());
     ChannelHonesty channel;
     channel.count = sums.count;

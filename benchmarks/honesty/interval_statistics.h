@@ -42,7 +42,7 @@ class IntervalStatistics {
 
  private:
   struct Sums {
-    std::int64_t count = 0, covered = 0, beyond_four = 0, small_misses = 0;
+    std::int64_t count = 0, covered = 0, beyond_four = 0, small_misses = 0, zeros = 0;
     double half_width = 0.0, squared_error = 0.0, reference_variance = 0.0, geometry = 0.0, path = 0.0;
     std::vector<double> image_error;  ///< mean over the pixels, by seed
   };

@@ -3,6 +3,7 @@
 
 #include "atmosphere/scattering/phase/phase_function.h"
 #include "atmosphere/sensor/channel_scattering.h"
+#include "atmosphere/sensor/sky_directions.h"
 
 namespace ifov::atmosphere {
 

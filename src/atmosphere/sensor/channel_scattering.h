@@ -5,9 +5,10 @@
 #include "atmosphere/scattering/column_solver.h"
 #include "atmosphere/sensor/channel_points.h"
 #include "atmosphere/sensor/kept_solutions.h"
-#include "atmosphere/sensor/sky_directions.h"
 
 namespace ifov::atmosphere {
+
+struct SkyDirections;
 
 /// All numbers that the solution of a column for a sensor depends on: whoever keeps answers keeps them by
 /// these and by the program's version.

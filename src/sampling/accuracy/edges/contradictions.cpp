@@ -19,8 +19,10 @@ constexpr double kNegligible = 0.1;
 bool Contradictions::disagrees(FocalPoint point, std::uint32_t label, double slack_px) const {
   const Cell& cell = model_.tree()[model_.tree().leaf_at(point)];
   const std::uint32_t model = model_.label_in(cell, point);
-  if (model == kNoLabel) return foreign(cell, label);
-  return model != label && !within_tolerance(cell, point, model, label, slack_px);
+  const bool unlike = model == kNoLabel
+                          ? foreign(cell, label)
+                          : model != label && !within_tolerance(cell, point, model, label, slack_px);
+  return unlike && !under_arc_beside(cell, point, label, slack_px);
 }
 
 bool Contradictions::matters(std::uint32_t pixel, std::uint32_t a, std::uint32_t b) const {
@@ -33,6 +35,7 @@ double Contradictions::dismissed(FocalPoint point, std::uint32_t label) const {
   if (pixels_.abandoned(cell.pixel)) return 0.0;
   const std::uint32_t model = model_.label_in(cell, point);
   if (model == label) return 0.0;
+  if (under_arc_beside(cell, point, label, 0.0)) return 0.0;
   if (model == kNoLabel) {
     // What the corners say of a complex cell is part of its variance.
     if (std::find(cell.corner, cell.corner + 4, label) != cell.corner + 4) return 0.0;
@@ -85,6 +88,53 @@ bool Contradictions::beside_border(const Cell& cell, FocalPoint point, std::uint
                             region.vertex[(i + 1) % region.count]) <= width)
       return true;
   }
+  return false;
+}
+
+/// Whether the arc of a cell beside this one reaches over the point, which is counted there: a round thing that looks in between two
+/// vertices.
+bool Contradictions::under_arc_beside(const Cell& cell, FocalPoint point, std::uint32_t seen,
+                                      double slack_px) const {
+  const Lattice& lattice = model_.tree().lattice();
+  const double x0 = lattice.x_px(cell.x), y0 = lattice.y_px(cell.y), side = lattice.side_px(cell.level),
+               just_px = 0.5 * lattice.unit_px();
+  for (const FocalPoint beyond : {FocalPoint{point.x_px, y0 - just_px},
+                                  {point.x_px, y0 + side + just_px},
+                                  {x0 - just_px, point.y_px},
+                                  {x0 + side + just_px, point.y_px}}) {
+    const PixelRect& domain = lattice.domain();
+    if (beyond.x_px < domain.x0 || beyond.y_px < domain.y0 || beyond.x_px >= domain.x1 ||
+        beyond.y_px >= domain.y1)
+      continue;
+    const Cell& next = model_.tree()[model_.tree().leaf_at(beyond)];
+    if (next.pixel == cell.pixel && next.kind == CellKind::chord && under_arc(next, point, seen, slack_px))
+      return true;
+  }
+  return false;
+}
+
+bool Contradictions::under_arc(const Cell& cell, FocalPoint point, std::uint32_t seen,
+                               double slack_px) const {
+  const Curve& curve = model_.curve_of(cell);
+  if (curve.corner || (seen != curve.inner && seen != curve.outer)) return false;
+  const CurveShape shape = model_.shape_of(cell);
+  Point2 knots[3];
+  arc_knots(shape.a, shape.b, shape.sagitta, knots);
+  const Point2 p{point.x_px, point.y_px}, d = shape.b - shape.a;
+  Polygon bulge;
+  bulge.add(shape.a);
+  for (const Point2 knot : knots) bulge.add(knot);
+  bulge.add(shape.b);
+  // What lies on the chord's other side.
+  const Polygon inner = model_.inner_region(cell, {shape.a, shape.b, shape.chord, 0.0});
+  Point2 middle{};
+  for (int i = 0; i < inner.count; ++i) middle = middle + (1.0 / inner.count) * inner.vertex[i];
+  const bool inner_bulges = cross(d, middle - shape.a) * cross(d, knots[1] - shape.a) < 0.0;
+  if (seen != (inner_bulges ? curve.inner : curve.outer)) return false;
+  if (bulge.contains(p)) return true;
+  const double width = 2.0 * curve.middle_width + slack_px;
+  for (int i = 0; i + 1 < bulge.count; ++i)
+    if (distance_to_segment(p, bulge.vertex[i], bulge.vertex[i + 1]) <= width) return true;
   return false;
 }
 

@@ -33,6 +33,8 @@ class Contradictions {
   bool within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model, std::uint32_t seen,
                         double slack_px) const;
   bool beside_border(const Cell& cell, FocalPoint point, std::uint32_t seen, double slack_px) const;
+  bool under_arc_beside(const Cell& cell, FocalPoint point, std::uint32_t seen, double slack_px) const;
+  bool under_arc(const Cell& cell, FocalPoint point, std::uint32_t seen, double slack_px) const;
   bool beside_legs(const Cell& cell, FocalPoint point, std::uint32_t seen, double slack_px) const;
 
   const BorderModel& model_;
