@@ -53,8 +53,8 @@ struct FieldRect {
 struct KnownDetail {
   std::vector<FocalPoint> points;  ///< one in each part of the picture that a pixel is known to hold
   std::vector<std::uint8_t> full;  ///< by pixel, row by row: 1 where it holds too many parts to name
-  /// Points at which something is known to stand out from what is about it, however small: values of a pixel may not meet it.
-  std::vector<FocalPoint> standouts;
+  std::vector<FocalPoint>
+      standouts;  ///< where something is known to stand out from all about it, however small
 };
 
 class MappedSurface;
@@ -87,11 +87,7 @@ class Field {
   virtual void levels(const LevelRequests& requests, LevelSums& sums);
 
   /// What is known, without a search, of the detail of these pixels; nothing where the field cannot tell.
-  virtual void known_detail(const FieldRect& pixels, KnownDetail& detail) {
-    detail.points.clear();
-    detail.full.assign(
-        static_cast<std::size_t>(pixels.x1 - pixels.x0) * static_cast<std::size_t>(pixels.y1 - pixels.y0), 0);
-  }
+  virtual void known_detail(const FieldRect& pixels, KnownDetail& detail);
 
   /// What maps say of the surface of this label that the ray through `seen` meets, by a few rays; null: nothing that differs.
   virtual std::unique_ptr<MappedSurface> mapped_surface(Label label, const FocalPoint& seen);
