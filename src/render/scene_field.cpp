@@ -169,11 +169,9 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
       }
     }
     labels[k] = label.pack();
-    if (through_.any() && passed_[k] != 0) {
+    if (through_.any() && passed_[k] != 0)
       labels[k] = SurfaceLabel::with_mirrored(labels[k], passed_[k] >> 20,
                                               (passed_[k] & SeenThrough::kUnevenState) != 0);
-      if ((passed_[k] & SeenThrough::kSkyState) != 0) labels[k] = SurfaceLabel::with_mirrored_sky(labels[k]);
-    }
   }
   if (mirror_light_ != nullptr)
     mirror_light_->answer(counts_, [&](std::uint32_t k, std::uint64_t state, bool uneven) {

@@ -58,9 +58,6 @@ class SceneField final : public sampling::Field {
   bool uneven(sampling::Label label) const override {
     return SurfaceLabel::is_uneven(label, mirror_light_ != nullptr || through_.any_mirror());
   }
-  bool apart_from_uneven(sampling::Label label) const override {
-    return SurfaceLabel::is_mirrored_sky(label, through_.any_mirror());
-  }
   /// The instance, where labels hold its whole number.
   std::uint32_t object_of(sampling::Label label) const override;
   const BlendColumns& blends() const { return blends_; }

@@ -18,11 +18,6 @@ constexpr std::uint8_t kMostReflections = 2;
 /// Of light: less shows nothing.
 constexpr double kFaint = 1e-3, kFaintImage = 0.02;
 
-/// A state that is not 0, with these marks alone.
-std::uint64_t with(std::uint64_t state, std::uint64_t marks) {
-  return (state & ~(SeenThrough::kUnevenState | SeenThrough::kSkyState)) | marks | 1;
-}
-
 }  // namespace
 
 SeenThrough::SeenThrough(const transport::SpectralScene& scene)
@@ -91,8 +86,8 @@ void SeenThrough::follow(std::span<math::Ray> rays, std::span<geometry::SurfaceP
     for (std::size_t j = 0; j < next_.size(); ++j) {
       const std::uint32_t k = next_[j];
       if (ways_[j] == Way::bent_mirror) {
-        states[k] = hits_[j].hit() ? with(sampling::hash(states[k], 5u), kUnevenState)
-                                   : with(sampling::hash(states[k], 4u), kSkyState);
+        states[k] = hits_[j].hit() ? (sampling::hash(states[k], 5u) | kUnevenState) | 1
+                                   : (sampling::hash(states[k], 4u) & ~kUnevenState) | 1;
         continue;
       }
       rays[k] = rays_[j];
@@ -104,7 +99,7 @@ void SeenThrough::follow(std::span<math::Ray> rays, std::span<geometry::SurfaceP
         met = sampling::hash(hits[k].instance, hits[k].patch, material, hits[k].front ? 3u : 2u);
         going_.push_back(k);
       }
-      states[k] = with(sampling::hash(states[k], met), 0);
+      states[k] = (sampling::hash(states[k], met) & ~kUnevenState) | 1;
     }
   }
 }

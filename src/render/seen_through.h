@@ -20,7 +20,7 @@ namespace ifov::render {
 /// thread.
 class SeenThrough {
  public:
-  static constexpr std::uint64_t kUnevenState = 2, kSkyState = 4;
+  static constexpr std::uint64_t kUnevenState = 2;
 
   explicit SeenThrough(const transport::SpectralScene& scene);
 
@@ -29,7 +29,7 @@ class SeenThrough {
   bool any_mirror() const { return !mirrors_.empty(); }
   /// Replaces rays that met a pane, a boundary or a flat mirror, and what they met, by where they go on and what they meet there;
   /// `states`: by ray, the same 64 bits for what came the same way, 0 where nothing was passed; with kUnevenState where what is seen
-  /// may be many things, kSkyState where a mirror that bends shows the sky.
+  /// may be many things.
   void follow(std::span<math::Ray> rays, std::span<geometry::SurfacePoint> hits,
               std::span<std::uint64_t> states, sampling::RayCounts& counts);
   /// Follows a ray that something blocks straight through panes: what those are that it passes, 0 where it is blocked.

@@ -31,14 +31,9 @@ struct SurfaceLabel {
   }
 
   /// The label of the same hit in a state of MirrorLight, which is folded into the bits of the patch; `uneven` takes
-  /// the highest of them, the sky in a mirror the one below.
+  /// the highest of them.
   static constexpr sampling::Label with_mirrored(sampling::Label label, std::uint64_t state, bool uneven) {
-    return (label ^ (state & 0x7ffffu) << 18) | (uneven ? kUneven : 0);
-  }
-  /// The label of a place where a mirror that bends shows the sky.
-  static constexpr sampling::Label with_mirrored_sky(sampling::Label label) { return label | kMirroredSky; }
-  static constexpr bool is_mirrored_sky(sampling::Label label, bool mirrors) {
-    return mirrors && (label & kMirroredSky) != 0 && (label & kUneven) == 0;
+    return (label ^ (state & 0xfffffu) << 18) | (uneven ? kUneven : 0);
   }
   static constexpr bool is_uneven(sampling::Label label, bool mirrors) {
     return (label & 3u) == static_cast<sampling::Label>(SunState::penumbra) ||
@@ -46,7 +41,6 @@ struct SurfaceLabel {
   }
 
   static constexpr sampling::Label kUneven = sampling::Label{1} << 38;
-  static constexpr sampling::Label kMirroredSky = sampling::Label{1} << 37;
   static constexpr std::uint32_t kMaximumInstances = 1u << 25;
   static constexpr std::uint32_t instance_of(sampling::Label label) {
     return static_cast<std::uint32_t>(label >> 39);

@@ -95,8 +95,6 @@ class Field {
 
   /// Whether values of a label differ by their nature, however alike those are that were met: a penumbra's.
   virtual bool uneven(Label) const { return false; }
-  /// Whether a label shows what no uneven label does: the sky, in a mirror whose other labels show things.
-  virtual bool apart_from_uneven(Label) const { return false; }
 
   /// Number of the object that a label belongs to, as TileProblem::pilot_objects counts them.
   static constexpr std::uint32_t kNoObject = ~std::uint32_t{0};

@@ -1,5 +1,4 @@
 #include "atmosphere/sensor/channel_scattering.h"
-#include "atmosphere/sensor/sky_directions.h"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +9,7 @@
 
 #include "atmosphere/column/light_limits.h"
 #include "atmosphere/scattering/sky_ring.h"
+#include "atmosphere/sensor/sky_directions.h"
 
 namespace ifov::atmosphere {
 namespace {

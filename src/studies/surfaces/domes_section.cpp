@@ -45,8 +45,8 @@ ReportSection domes_section(const StudyOptions& options) {
     const DomeLight light{disc, kDomeSky};
     add_domes(format("dome_mirror_{}", disc ? "disc" : "point"),
               format("mirror, Sun a {}", disc ? "disc" : "point"),
-              judge_domes(mirror, light, mirror_dome_radiance(kDomeReflectance, light), shifts, options),
-              kMostDomeSamples, section.figures);
+              judge_domes(mirror, light, mirror_dome_radiance(kDomeReflectance, light), shifts, options), {},
+              section.figures);
   }
   Plot plot;
   plot.title = "Samples for a metal dome";

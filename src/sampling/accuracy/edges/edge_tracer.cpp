@@ -38,7 +38,7 @@ struct EdgeTracer::Parts {
         edge_cells(pixels.size()),
         brackets(tree, contrast, pixels, queries, dither, options.initial_bracket_px, seed),
         model(tree, brackets),
-        features(tree, brackets, contrast, pixels),
+        features(tree, brackets),
         contradictions(model, contrast, pixels),
         complex(tree, features, contrast, pixels, options.thinnest_px),
         growth(tree, brackets, model, edge_cells, complex, features, contrast, pixels),

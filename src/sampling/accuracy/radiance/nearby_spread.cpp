@@ -29,8 +29,7 @@ std::vector<float> NearbySpread::deviation(const SourcePixel& pixel, std::uint32
   if (spread_.constant(label)) return deviation;
   const double count = of_label(pixel, label, deviation);
   // What few have told, or what differs by its nature, may differ as much as all that is about.
-  const bool uneven = field_.uneven(table_.label(label));
-  if (count < kTold || uneven) widen(pixel, kNoLabel, deviation, uneven);
+  if (count < kTold || field_.uneven(table_.label(label))) widen(pixel, kNoLabel, deviation);
   return deviation;
 }
 
@@ -47,10 +46,9 @@ double NearbySpread::of_label(const SourcePixel& pixel, std::uint32_t label,
   return count;
 }
 
-/// From the lattice's values of a label, or of all, or of all that an uneven one may show, in the pixel and those around it. Their
-/// number.
-double NearbySpread::widen(const SourcePixel& pixel, std::uint32_t label, std::vector<float>& deviation,
-                           bool of_uneven) const {
+/// From the lattice's values of a label, or of all, in the pixel and those around it. Their number.
+double NearbySpread::widen(const SourcePixel& pixel, std::uint32_t label,
+                           std::vector<float>& deviation) const {
   const bool any_label = label == kNoLabel;
   const int k = lattice_.cells_per_pixel(), row = lattice_.columns() + 1, width = lattice_.domain().width();
   const int x = pixel.source % width * k, y = pixel.source / width * k;
@@ -60,9 +58,7 @@ double NearbySpread::widen(const SourcePixel& pixel, std::uint32_t label, std::v
   for (int j = std::max(0, y - k); j <= std::min(lattice_.rows(), y + 2 * k); ++j)
     for (int i = std::max(0, x - k); i <= std::min(lattice_.columns(), x + 2 * k); ++i) {
       const std::size_t v = static_cast<std::size_t>(j) * row + i;
-      if (any_label ? of_uneven && field_.apart_from_uneven(table_.label(values_.labels[v]))
-                    : values_.labels[v] != label)
-        continue;
+      if (!any_label && values_.labels[v] != label) continue;
       count += 1.0;
       for (std::size_t c = 0; c < columns; ++c) {
         const double difference = values_.value(v)[c] - mean[c];

@@ -33,8 +33,7 @@ class NearbySpread {
   double of_label(const SourcePixel& pixel, std::uint32_t label, std::vector<float>& deviation) const;
 
  private:
-  double widen(const SourcePixel& pixel, std::uint32_t label, std::vector<float>& deviation,
-               bool of_uneven = false) const;
+  double widen(const SourcePixel& pixel, std::uint32_t label, std::vector<float>& deviation) const;
 
   const Lattice& lattice_;
   const LatticeValues& values_;
