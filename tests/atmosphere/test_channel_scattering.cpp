@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "atmosphere/sensor/channel_scattering.h"
+#include "atmosphere/sensor/sky_directions.h"
 
 namespace ifov::atmosphere {
 namespace {
