@@ -44,7 +44,7 @@ class AddAQuantity(PageTest):
                     "sampling": {"tile": 3}, "output": {"products": ["echo_time", "samples"]}}
         (folder / "scene.json").write_text(json.dumps(document))
 
-        self.assertIn("`echo_time`", run("schema", "--markdown").stdout)
+        self.assertIn('`"echo_time"`', run("schema", "--markdown").stdout)
         result = run("render", "scene.json", "-o", "out", "-q")
         self.assertIn(result.returncode, (0, 6), result.stderr)
         values = array.array("f", (folder / "out/image_echo_time.img").read_bytes())

@@ -280,7 +280,7 @@ TEST(ProductWriter, RunRecordHoldsFiguresAndChecksums) {
   EXPECT_LT(by_reason["unseen light"].natural(), by_reason["samples"].natural());
   EXPECT_EQ(by_reason["air"].natural(), 0u);
   const std::size_t pictures = why_not_built("png").empty() ? 1 : 0;
-  ASSERT_EQ(root["files"].items().size(), 12u + pictures);  // nine cubes, GeoTIFF, style, picture, report
+  ASSERT_EQ(root["files"].items().size(), 14u + pictures);  // eleven cubes, GeoTIFF, style, picture, report
   for (const JsonView& file : root["files"].items()) {
     const std::string bytes = test::read_all(folder.path() / file["name"].text());
     Sha256 whole;
@@ -418,7 +418,7 @@ TEST(ProductWriter, StoppingLeavesPartFilesWithTheFinishedTiles) {
     writer.begin(image.info());
     writer.write(image.tile({16, 16, 32, 32}));
     EXPECT_THROW(writer.finish(image.outcome()), std::logic_error);
-    EXPECT_EQ(writer.part_files().size(), 9u);
+    EXPECT_EQ(writer.part_files().size(), 11u);
   }
   for (const auto& name : names_in(folder.path())) EXPECT_TRUE(name.ends_with(".part")) << name;
   const std::string bytes = test::read_all(folder.path() / "demo_radiance.img.part");

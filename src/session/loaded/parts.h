@@ -23,7 +23,7 @@ class WeatherSeries;
 namespace ifov::io {
 struct Document;
 struct FileStamp;
-}
+}  // namespace ifov::io
 namespace ifov::radiometry {
 class SpectralNodes;
 }
