@@ -85,7 +85,9 @@ NumberedMap::Extremes NumberedMap::extremes(double west, double north, double ea
   const auto copies = [](double low, double high, double size, Tiling tiling) {
     if (tiling == Tiling::edge) return std::pair{0.0, 1.0};
     const double first = std::floor(low / size), last = std::ceil(high / size);
-    return std::pair{first, std::min(last, first + kMostCopies)};
+    if (last - first <= kMostCopies) return std::pair{first, last};
+    const double middle = std::floor(0.5 * (first + last));
+    return std::pair{middle - 0.5 * kMostCopies, middle + 0.5 * kMostCopies};
   };
   const auto [copy_west, copy_east] = copies(west, east, width, across);
   const auto [copy_north, copy_south] = copies(north, south, height, down);

@@ -28,7 +28,7 @@ class NumberedMap {
   };
   using Inside = std::function<bool(double column, double row)>;
   /// The lowest and the highest among cells whose middles are `inside`, all of which lie in columns [west, east) and rows
-  /// [north, south). Of a map that repeats more often than that there, those of its first eight copies to the east and to the south.
+  /// [north, south). Of a map that repeats more than eight times across or down there, those of the eight copies in the middle.
   Extremes extremes(double west, double north, double east, double south, const Inside& inside) const;
 
  protected:

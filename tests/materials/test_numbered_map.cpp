@@ -59,5 +59,21 @@ TEST(NumberedMap, ExtremesAreThoseOfAllCellsInside) {
       expect_as_cell_by_cell(across, down);
 }
 
+// More copies than are looked through: each of those in the middle of a turned window holds all there is.
+TEST(NumberedMap, ManyCopiesAreAsOne) {
+  for (const Tiling tiling : {Tiling::repeat, Tiling::mirror}) {
+    const TemperatureMap map({0.0, 2.0, 1.0, 1.0, 3, 2, tiling},
+                             {300.0f, 301.0f, 290.0f, 302.0f, 900.0f, 299.0f});
+    const auto inside = [](double column, double row) {
+      return std::abs(column - 40.0) + std::abs(row + 7.0) < 60.0;
+    };
+    const NumberedMap::Extremes found = map.extremes(-20.0, -67.0, 100.0, 53.0, inside);
+    ASSERT_TRUE(found.any);
+    EXPECT_EQ(found.lowest.number, 290.0f);
+    EXPECT_EQ(found.highest.number, 900.0f);
+    EXPECT_TRUE(inside(found.highest.column, found.highest.row));
+  }
+}
+
 }  // namespace
 }  // namespace ifov::materials

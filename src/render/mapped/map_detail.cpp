@@ -1,4 +1,4 @@
-#include "render/map_detail.h"
+#include "render/mapped/map_detail.h"
 
 #include <algorithm>
 #include <array>
