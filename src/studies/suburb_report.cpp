@@ -4,15 +4,18 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/spectral_projection.h"
 #include "core/format.h"
 #include "studies/common/html_page.h"
 #include "studies/common/report_plot.h"
-#include "studies/common/spectral_projection.h"
 #include "studies/scatter_plots.h"
 
 namespace ifov::studies {
 
 namespace {
+
+using analysis::CubeView;
+using analysis::SpectralAxes;
 
 /// Rows of the paper's table 2.
 struct PaperRow {

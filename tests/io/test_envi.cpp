@@ -130,6 +130,47 @@ TEST(EnviReader, ConvertsBigEndianBip) {
   std::vector<float> line(3);
   reader.read(1, 1, line);
   EXPECT_EQ(line, (std::vector<float>{256 + 7, 256 + 9, 256 + 11}));
+  std::vector<float> part(2);
+  reader.read(1, 1, part, 1);
+  EXPECT_EQ(part, (std::vector<float>{256 + 9, 256 + 11}));
+  EXPECT_EQ(reader.pixel(2, 1), (std::vector<double>{256 + 10, 256 + 11}));
+  EXPECT_THROW(reader.read(1, 1, part, 3), std::out_of_range);
+  EXPECT_THROW(reader.pixel(0, 2), std::out_of_range);
+}
+
+/// Every value of a cube is its place in band-sequential order, whatever the interleave.
+TEST(EnviReader, PixelsAndPartsOfLinesAgreeInAllInterleaves) {
+  const int samples = 3, lines = 2, bands = 4;
+  for (const char* const interleave : {"bsq", "bil", "bip"}) {
+    const test::ScratchFolder folder("envi_interleave");
+    std::ofstream(folder.path() / "x.hdr")
+        << "ENVI\nsamples = 3\nlines = 2\nbands = 4\ndata type = 1\ninterleave = " << interleave << "\n";
+    std::string data(24, '\0');
+    for (int b = 0; b < bands; ++b)
+      for (int y = 0; y < lines; ++y)
+        for (int x = 0; x < samples; ++x) {
+          const int at = interleave[1] == 's'   ? (b * lines + y) * samples + x
+                         : interleave[2] == 'l' ? (y * bands + b) * samples + x
+                                                : (y * samples + x) * bands + b;
+          data[static_cast<std::size_t>(at)] = static_cast<char>((b * lines + y) * samples + x);
+        }
+    std::ofstream(folder.path() / "x.img", std::ios::binary) << data;
+    const EnviReader reader(folder.path() / "x.img");
+    EXPECT_EQ(reader.pixel(1, 1), (std::vector<double>{4, 10, 16, 22})) << interleave;
+    std::vector<float> part(2);
+    reader.read(1, 2, part, 1);
+    EXPECT_EQ(part, (std::vector<float>{16, 17})) << interleave;
+  }
+}
+
+TEST(EnviReader, FilesCutShortWhileTheyAreReadAreSaid) {
+  const test::ScratchFolder folder("envi_cut");
+  std::ofstream(folder.path() / "x.hdr") << kHeader;
+  std::ofstream(folder.path() / "x.img") << std::string(28, 'x');
+  const EnviReader reader(folder.path() / "x.img");
+  EXPECT_EQ(reader.pixel(2, 1).size(), 2u);
+  std::filesystem::resize_file(folder.path() / "x.img", 10);
+  EXPECT_THROW(reader.pixel(2, 1), SystemError);
 }
 
 TEST(EnviReader, ShortFilesAreSaid) {

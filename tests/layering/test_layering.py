@@ -42,7 +42,7 @@ class SourceTree(unittest.TestCase):
 
     def test_the_command_line_is_a_program_like_any_other(self):
         (program,) = libraries_of(ROOT / "src/cli")
-        self.assertEqual(sorted(program.rooms), ["core", "landscape", "studies"])
+        self.assertEqual(sorted(program.rooms), ["core", "landscape", "studies", "viewer"])
 
     def test_parts_of_rooms_are_those_of_the_table(self):
         self.assertIn("io_document", RULES.parts)

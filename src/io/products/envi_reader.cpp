@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
-#include <vector>
+#include <stdexcept>
 
 #include "core/error.h"
 
@@ -40,16 +40,16 @@ std::string read_text(const std::filesystem::path& path) {
 }
 
 template <class T>
-float value_at(const unsigned char* bytes, bool swap) {
+double value_at(const unsigned char* bytes, bool swap) {
   unsigned char copy[sizeof(T)];
   std::memcpy(copy, bytes, sizeof(T));
   if (swap) std::reverse(copy, copy + sizeof(T));
   T value;
   std::memcpy(&value, copy, sizeof(T));
-  return static_cast<float>(value);
+  return static_cast<double>(value);
 }
 
-float (*converter(EnviType type))(const unsigned char*, bool) {
+double (*converter(EnviType type))(const unsigned char*, bool) {
   switch (type) {
     case EnviType::byte: return value_at<std::uint8_t>;
     case EnviType::int16: return value_at<std::int16_t>;
@@ -86,24 +86,47 @@ void EnviReader::fetch(std::uint64_t offset, unsigned char* to, std::size_t byte
     throw SystemError(format("{}: cannot be read: the file ends", data_path_.string()));
 }
 
-void EnviReader::read(int line, int band, std::span<float> values) const {
+std::size_t EnviReader::place(int sample, int line, int band) const {
+  if (sample < 0 || sample >= header_.samples || line < 0 || line >= header_.lines || band < 0 ||
+      band >= header_.bands)
+    throw std::out_of_range(
+        format("{}: there is no sample {}, line {}, band {}", data_path_.string(), sample, line, band));
   const auto samples = static_cast<std::size_t>(header_.samples),
-             bands = static_cast<std::size_t>(header_.bands);
-  const auto lines = static_cast<std::size_t>(header_.lines);
-  const auto y = static_cast<std::size_t>(line), b = static_cast<std::size_t>(band);
-  const std::size_t size = bytes_per_value(header_.data_type);
-
-  std::size_t first = (y * bands + b) * samples, step = 1;
-  if (header_.interleave == EnviInterleave::bsq) first = (b * lines + y) * samples;
-  if (header_.interleave == EnviInterleave::bip) {
-    first = y * samples * bands + b;
-    step = bands;
+             bands = static_cast<std::size_t>(header_.bands), lines = static_cast<std::size_t>(header_.lines);
+  const auto x = static_cast<std::size_t>(sample), y = static_cast<std::size_t>(line),
+             b = static_cast<std::size_t>(band);
+  switch (header_.interleave) {
+    case EnviInterleave::bsq: return (b * lines + y) * samples + x;
+    case EnviInterleave::bip: return (y * samples + x) * bands + b;
+    case EnviInterleave::bil: break;
   }
-  std::vector<unsigned char> raw(((samples - 1) * step + 1) * size);
-  fetch(header_.header_offset + first * size, raw.data(), raw.size());
+  return (y * bands + b) * samples + x;
+}
+
+void EnviReader::read(int line, int band, std::span<float> values, int first) const {
+  if (values.empty()) return;
+  const std::size_t begin = place(first, line, band);
+  values = values.first(std::min(values.size(), static_cast<std::size_t>(header_.samples - first)));
+  const std::size_t size = bytes_per_value(header_.data_type);
+  const std::size_t step =
+      header_.interleave == EnviInterleave::bip ? static_cast<std::size_t>(header_.bands) : 1;
+  std::vector<unsigned char> raw(((values.size() - 1) * step + 1) * size);
+  fetch(header_.header_offset + begin * size, raw.data(), raw.size());
   const auto convert = converter(header_.data_type);
-  for (std::size_t x = 0; x < samples; ++x)
-    values[x] = convert(raw.data() + x * step * size, header_.big_endian);
+  for (std::size_t x = 0; x < values.size(); ++x)
+    values[x] = static_cast<float>(convert(raw.data() + x * step * size, header_.big_endian));
+}
+
+std::vector<double> EnviReader::pixel(int sample, int line) const {
+  const std::size_t size = bytes_per_value(header_.data_type);
+  const auto convert = converter(header_.data_type);
+  std::vector<double> values;
+  for (int band = 0; band < header_.bands; ++band) {
+    unsigned char raw[8];
+    fetch(header_.header_offset + place(sample, line, band) * size, raw, size);
+    values.push_back(convert(raw, header_.big_endian));
+  }
+  return values;
 }
 
 RasterView EnviReader::view() const {

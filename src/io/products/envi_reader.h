@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "io/envi/envi_header.h"
 #include "io/files/input_file.h"
@@ -22,8 +23,11 @@ class EnviReader {
   const EnviHeader& header() const { return header_; }
   const std::filesystem::path& data_path() const { return data_path_; }
 
-  /// One line of one band, `samples` values.
-  void read(int line, int band, std::span<float> values) const;
+  /// One line of one band from sample `first` on, as many values as there are and as there is room for; from any thread. Throws
+  /// std::out_of_range beyond the image, SystemError where the file has been cut short since.
+  void read(int line, int band, std::span<float> values, int first = 0) const;
+  /// All bands of one pixel; errors likewise.
+  std::vector<double> pixel(int sample, int line) const;
   /// Valid as long as the reader is.
   RasterView view() const;
 
@@ -36,6 +40,8 @@ class EnviReader {
   static Pair pair_of(const std::filesystem::path& path);
 
   void fetch(std::uint64_t offset, unsigned char* to, std::size_t bytes) const;
+  /// Where a value lies, in values from the first.
+  std::size_t place(int sample, int line, int band) const;
 
   EnviHeader header_;
   std::filesystem::path data_path_;

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-namespace ifov::studies {
+namespace ifov::analysis {
 
 /// An image cube in memory: pixels row by row, the columns (channels) of a pixel side by side.
 struct CubeView {
@@ -33,7 +33,13 @@ SpectralAxes principal_axes(const CubeView& cube, int count);
 /// channels that add nothing do not make it singular. At least 2 x 2 pixels.
 SpectralAxes minimum_noise_axes(const CubeView& cube, int count);
 
+/// The same where the noise is known: `noise_variance` of each channel, as the mean over the image of the squared standard errors.
+/// Errors of two channels count as independent, which those of one pixel's paths are not quite: N is diagonal. Strengths are
+/// ratios of variances, so that a channel that is all noise has 1. Throws std::invalid_argument where there are not as many
+/// variances as channels, or none is above 0.
+SpectralAxes minimum_noise_axes(const CubeView& cube, std::span<const double> noise_variance, int count);
+
 /// Scores of every pixel on every axis, pixel by pixel.
 std::vector<float> project(const SpectralAxes& axes, const CubeView& cube);
 
-}  // namespace ifov::studies
+}  // namespace ifov::analysis

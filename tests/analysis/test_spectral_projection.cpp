@@ -1,12 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
+#include "analysis/spectral_projection.h"
 #include "sampling/random.h"
-#include "studies/common/spectral_projection.h"
 
-namespace ifov::studies {
+namespace ifov::analysis {
 namespace {
 
 constexpr int kWidth = 60, kHeight = 50;
@@ -84,6 +85,43 @@ TEST(SpectralProjection, MinimumNoiseFractionFindsTheSignalThatPrincipalComponen
   EXPECT_GT(std::abs(same) / std::sqrt(own * signal), 0.99);
 }
 
+/// Texture from pixel to pixel is noise to neighbours' differences, and is none to those who know the errors.
+TEST(SpectralProjection, KnownNoiseTellsTextureFromNoise) {
+  const double error[] = {0.1, 2.0};
+  std::vector<float> values;
+  double variance[2] = {}, covariance = 0.0, mean[2] = {};
+  const int n = kWidth * kHeight;
+  for (int p = 0; p < n; ++p) {
+    const double texture = normal(p, 0);
+    const double v[] = {texture + error[0] * normal(p, 1), 3.0 + error[1] * normal(p, 2)};
+    for (int c = 0; c < 2; ++c) {
+      values.push_back(static_cast<float>(v[c]));
+      mean[c] += v[c] / n, variance[c] += v[c] * v[c] / n;
+    }
+    covariance += v[0] * v[1] / n;
+  }
+  for (int c = 0; c < 2; ++c) variance[c] -= mean[c] * mean[c];
+  covariance -= mean[0] * mean[1];
+  const std::vector<double> noise = {error[0] * error[0], error[1] * error[1]};
+  const SpectralAxes axes = minimum_noise_axes(view(values, 2), noise, 2);
+  // det(S - l N) = 0 in closed form.
+  const double a = variance[0] / noise[0], b = variance[1] / noise[1],
+               c = covariance * covariance / (noise[0] * noise[1]);
+  const double half = std::sqrt(0.25 * (a - b) * (a - b) + c);
+  EXPECT_NEAR(axes.strength[0], 0.5 * (a + b) + half, 1e-4 * a);
+  EXPECT_NEAR(axes.strength[1], 0.5 * (a + b) - half, 1e-4);
+  EXPECT_NEAR(axes.strength[0], 101.0, 8.0);
+  EXPECT_LT(angle_deg(axes, 0, {1.0, 0.0}), 2.0);
+  // Without knowing, the texture cannot be told from noise.
+  EXPECT_LT(minimum_noise_axes(view(values, 2), 2).strength[0], 1.2);
+}
+
+TEST(SpectralProjection, KnownNoiseMustFitTheChannels) {
+  const std::vector<float> values(2 * static_cast<std::size_t>(kWidth * kHeight), 1.0f);
+  EXPECT_THROW(minimum_noise_axes(view(values, 2), std::vector<double>{1.0}, 2), std::invalid_argument);
+  EXPECT_THROW(minimum_noise_axes(view(values, 2), std::vector<double>{0.0, 0.0}, 2), std::invalid_argument);
+}
+
 TEST(SpectralProjection, ChannelsThatAddNothingDoNoHarm) {
   std::vector<float> values;
   for (int p = 0; p < kWidth * kHeight; ++p) {
@@ -96,4 +134,4 @@ TEST(SpectralProjection, ChannelsThatAddNothingDoNoHarm) {
 }
 
 }  // namespace
-}  // namespace ifov::studies
+}  // namespace ifov::analysis

@@ -1,9 +1,10 @@
-#include "studies/common/spectral_projection.h"
+#include "analysis/spectral_projection.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <stdexcept>
 
-namespace ifov::studies {
+namespace ifov::analysis {
 
 namespace {
 
@@ -91,6 +92,15 @@ SpectralAxes axes_of(const Solver& solver, std::vector<double> mean, int count) 
   return axes;
 }
 
+SpectralAxes noise_fraction_axes(const Eigen::MatrixXd& image, Eigen::MatrixXd noise,
+                                 std::vector<double> mean, int count) {
+  const double stiffening =
+      kStiffening * std::max(noise.trace(), 1e-12 * image.trace()) / double(noise.rows());
+  noise.diagonal().array() += stiffening;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(image, noise);
+  return axes_of(solver, std::move(mean), count);
+}
+
 }  // namespace
 
 SpectralAxes principal_axes(const CubeView& cube, int count) {
@@ -102,12 +112,19 @@ SpectralAxes principal_axes(const CubeView& cube, int count) {
 SpectralAxes minimum_noise_axes(const CubeView& cube, int count) {
   std::vector<double> mean = mean_spectrum(cube);
   const Eigen::MatrixXd image = covariance(cube, mean);
-  Eigen::MatrixXd noise = noise_covariance(cube);
-  const double stiffening =
-      kStiffening * std::max(noise.trace(), 1e-12 * image.trace()) / double(cube.columns);
-  noise.diagonal().array() += stiffening;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(image, noise);
-  return axes_of(solver, std::move(mean), count);
+  return noise_fraction_axes(image, noise_covariance(cube), std::move(mean), count);
+}
+
+SpectralAxes minimum_noise_axes(const CubeView& cube, std::span<const double> noise_variance, int count) {
+  if (noise_variance.size() != static_cast<std::size_t>(cube.columns))
+    throw std::invalid_argument("a variance of noise for each channel is needed");
+  if (std::none_of(noise_variance.begin(), noise_variance.end(), [](double v) { return v > 0.0; }))
+    throw std::invalid_argument("no channel has noise");
+  std::vector<double> mean = mean_spectrum(cube);
+  Eigen::MatrixXd noise = Eigen::MatrixXd::Zero(cube.columns, cube.columns);
+  for (Eigen::Index c = 0; c < noise.rows(); ++c) noise(c, c) = noise_variance[static_cast<std::size_t>(c)];
+  const Eigen::MatrixXd image = covariance(cube, mean);
+  return noise_fraction_axes(image, std::move(noise), std::move(mean), count);
 }
 
 std::vector<float> project(const SpectralAxes& axes, const CubeView& cube) {
@@ -124,4 +141,4 @@ std::vector<float> project(const SpectralAxes& axes, const CubeView& cube) {
   return scores;
 }
 
-}  // namespace ifov::studies
+}  // namespace ifov::analysis

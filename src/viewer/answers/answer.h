@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ifov::viewer {
+
+/// What a request asks for beside its path: names and values as they came. All is checked where it is taken.
+class Query {
+ public:
+  explicit Query(std::map<std::string, std::string> values) : values_(std::move(values)) {}
+
+  /// A whole number in [low, high]. Throws Refused (400), which says what was found and expected; so do the others.
+  int integer(const std::string& name, int low, int high) const;
+  int integer(const std::string& name, int low, int high, int otherwise) const;
+  /// At most `most` bytes.
+  std::string text(const std::string& name, std::size_t most) const;
+  /// One of these.
+  std::string choice(const std::string& name, std::span<const std::string_view> choices) const;
+  bool has(const std::string& name) const { return values_.contains(name); }
+
+ private:
+  const std::string& value(const std::string& name) const;
+
+  std::map<std::string, std::string> values_;
+};
+
+struct Answer {
+  std::string type = "application/json", body = {};
+  std::string about = {};  ///< JSON on one line, ASCII: what the numbers of a binary body are; empty: none
+};
+
+/// A request that is not answered: an HTTP status and why, in words.
+class Refused : public std::runtime_error {
+ public:
+  Refused(int status, const std::string& why) : std::runtime_error(why), status_(status) {}
+  int status() const { return status_; }
+
+ private:
+  int status_;
+};
+
+/// Little-endian floats.
+Answer numbers(std::span<const float> values, std::string about);
+
+}  // namespace ifov::viewer

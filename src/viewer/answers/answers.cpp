@@ -1,0 +1,92 @@
+#include "viewer/answers/answers.h"
+
+#include "core/error.h"
+#include "io/envi/colour_map.h"
+#include "io/json/json_writer.h"
+
+namespace ifov::viewer {
+namespace {
+
+struct Row {
+  std::string_view name;
+  Answer (Answers::*answer)(const Query& query);
+  bool is_large;  ///< takes memory beyond what it sends
+};
+
+constexpr Row kRows[] = {
+    {"sources", &Answers::sources, false},      {"band", &Answers::band, true},
+    {"pixel", &Answers::pixel, false},          {"region", &Answers::region, true},
+    {"projection", &Answers::projection, true}, {"tile", &Answers::tile, true},
+    {"document", &Answers::document, false},    {"materials", &Answers::materials, false},
+    {"colours", &Answers::colours, false},
+};
+
+const Row* row_of(std::string_view name) {
+  for (const Row& row : kRows)
+    if (row.name == name) return &row;
+  return nullptr;
+}
+
+/// A turn among the answers that take much memory.
+class Turn {
+ public:
+  Turn(std::counting_semaphore<2>& turns, bool is_needed) : turns_(is_needed ? &turns : nullptr) {
+    if (turns_ != nullptr) turns_->acquire();
+  }
+  ~Turn() {
+    if (turns_ != nullptr) turns_->release();
+  }
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+
+ private:
+  std::counting_semaphore<2>* turns_;
+};
+
+}  // namespace
+
+Answers::Answers(std::vector<std::filesystem::path> folders, std::unique_ptr<CheckedDocument> document)
+    : document_(std::move(document)) {
+  for (std::filesystem::path& folder : folders)
+    sources_.push_back(std::make_unique<Source>(std::move(folder)));
+}
+
+bool Answers::knows(std::string_view name) { return row_of(name) != nullptr; }
+
+Answer Answers::answer(std::string_view name, const Query& query) {
+  const Row* row = row_of(name);
+  if (row == nullptr) throw Refused(404, "there is no such thing");
+  const Turn turn(large_, row->is_large);
+  return (this->*row->answer)(query);
+}
+
+Source& Answers::source(const Query& query) {
+  if (sources_.empty()) throw Refused(404, "no folder is shown");
+  return *sources_[static_cast<std::size_t>(
+      query.integer("source", 0, static_cast<int>(sources_.size()) - 1))];
+}
+
+std::shared_ptr<const OpenRun> Answers::run(const Query& query) {
+  const Source::Now now = source(query).now();
+  if (!now.run) throw Refused(409, now.fault.empty() ? "the products are not whole yet" : now.fault);
+  const int generation = query.integer("generation", 0, 1 << 30);
+  if (static_cast<std::uint64_t>(generation) != now.generation)
+    throw Refused(409, format("{}: the products were made anew", now.run->folder.string()));
+  return now.run;
+}
+
+Answer Answers::colours(const Query&) {
+  io::JsonWriter json(io::JsonWriter::Layout::compact);
+  const auto put = [&](const char* name, const io::ColourMap& map) {
+    std::vector<int> codes;
+    for (const io::Rgb& colour : map) codes.insert(codes.end(), {colour.r, colour.g, colour.b});
+    json.member(name, codes);
+  };
+  json.object([&] {
+    put("sequential", io::sequential_colours());
+    put("heat", io::heat_colours());
+  });
+  return {.body = json.written()};
+}
+
+}  // namespace ifov::viewer

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <semaphore>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "viewer/answers/answer.h"
+#include "viewer/sources/source.h"
+
+namespace ifov::viewer {
+
+/// What the page may ask for, each under a name of a table. Knows nothing of HTTP. From any thread.
+class Answers {
+ public:
+  /// `document` may be null.
+  Answers(std::vector<std::filesystem::path> folders, std::unique_ptr<CheckedDocument> document);
+
+  /// Whether there is such a name.
+  static bool knows(std::string_view name);
+  /// Throws Refused; InputError and SystemError as readers do.
+  Answer answer(std::string_view name, const Query& query);
+
+  // Each name's own, for the table.
+  Answer sources(const Query& query);
+  Answer band(const Query& query);
+  Answer pixel(const Query& query);
+  Answer region(const Query& query);
+  Answer projection(const Query& query);
+  Answer tile(const Query& query);
+  Answer document(const Query& query);
+  Answer materials(const Query& query);
+  Answer colours(const Query& query);
+
+ private:
+  Source& source(const Query& query);
+  /// The run of the generation that is asked for; 409 where there is another by now.
+  std::shared_ptr<const OpenRun> run(const Query& query);
+
+  std::vector<std::unique_ptr<Source>> sources_;
+  std::unique_ptr<CheckedDocument> document_;
+  std::counting_semaphore<2> large_{2};  ///< what takes much memory waits for its turn
+};
+
+/// At most so many values in one answer.
+inline constexpr std::size_t kMostValues = std::size_t{1} << 21;
+
+}  // namespace ifov::viewer

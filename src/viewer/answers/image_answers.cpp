@@ -1,0 +1,107 @@
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+#include "ifov/products.h"
+#include "io/json/json_writer.h"
+#include "io/products/image_region.h"
+#include "viewer/answers/answers.h"
+
+namespace ifov::viewer {
+namespace {
+
+/// Of all cubes that a mean over a region reads.
+constexpr std::uint64_t kMostRegionBytes = std::uint64_t{4} << 30;
+constexpr std::size_t kLongestRegion = 6000;
+
+const OpenRun::Cube& cube_of(const OpenRun& run, const Query& query) {
+  const std::string name = query.text("cube", 200);
+  const OpenRun::Cube* cube = run.cube(name);
+  if (cube == nullptr) throw Refused(404, format("the run has no cube '{}'", name));
+  return *cube;
+}
+
+}  // namespace
+
+/// Every `step`-th pixel of every `step`-th line, from the middle of the first such square on.
+Answer Answers::band(const Query& query) {
+  const auto run = this->run(query);
+  const OpenRun::Cube& cube = cube_of(*run, query);
+  const int band = query.integer("band", 0, cube.reader.header().bands - 1);
+  const int x0 = query.integer("x0", 0, run->width_px - 1), y0 = query.integer("y0", 0, run->height_px - 1);
+  const int x1 = query.integer("x1", x0 + 1, run->width_px), y1 = query.integer("y1", y0 + 1, run->height_px);
+  const int step = query.integer("step", 1, 1 << 20);
+  const std::size_t columns = static_cast<std::size_t>((x1 - x0 + step - 1) / step),
+                    rows = static_cast<std::size_t>((y1 - y0 + step - 1) / step);
+  if (rows * columns > kMostValues)
+    throw Refused(400, format("{} x {} values are asked for; expected {} at most: take a larger step",
+                              columns, rows, kMostValues));
+  std::vector<float> values(rows * columns), line(static_cast<std::size_t>(x1 - x0));
+  const int middle = (step - 1) / 2;
+  for (std::size_t row = 0; row < rows; ++row) {
+    cube.reader.read(std::min(y0 + static_cast<int>(row) * step + middle, y1 - 1), band, line, x0);
+    for (std::size_t column = 0; column < columns; ++column)
+      values[row * columns + column] = line[std::min(
+          column * static_cast<std::size_t>(step) + static_cast<std::size_t>(middle), line.size() - 1)];
+  }
+  return numbers(values, format("{{\"columns\":{},\"rows\":{}}}", columns, rows));
+}
+
+Answer Answers::pixel(const Query& query) {
+  const auto run = this->run(query);
+  const int x = query.integer("x", 0, run->width_px - 1), y = query.integer("y", 0, run->height_px - 1);
+  io::JsonWriter json(io::JsonWriter::Layout::compact);
+  json.object([&] {
+    for (const OpenRun::Cube& cube : run->cubes) json.member(cube.name, cube.reader.pixel(x, y));
+  });
+  return {.body = json.written()};
+}
+
+Answer Answers::region(const Query& query) {
+  const auto run = this->run(query);
+  const std::string corners = query.text("corners", kLongestRegion);
+  // Masks name files, and map coordinates are not what the page has.
+  if (corners.empty() || corners.find_first_not_of("0123456789.,-") != std::string::npos)
+    throw Refused(400, "'corners' is no list of numbers x,y,x,y,...");
+  if (run->record.empty())
+    throw Refused(400, "means over regions need a run record, which says how its pixels err together");
+  const io::ImageRegion region =
+      io::ImageRegion::parse(corners, {run->width_px, run->height_px, std::nullopt});
+  const std::uint64_t bytes = std::uint64_t(region.end_line() - region.first_line()) *
+                              std::uint64_t(run->width_px) * (2 * run->channels.size() + 8) * sizeof(float);
+  if (bytes > kMostRegionBytes)
+    throw Refused(
+        400, format("the region's lines hold {:.1f} GB, {:.1f} are read at most; ifov info {} --region {}",
+                    double(bytes) * 1e-9, double(kMostRegionBytes) * 1e-9, run->folder.string(), corners));
+  const RegionMean mean = region_means(run->record, {corners}).front();
+  io::JsonWriter json(io::JsonWriter::Layout::compact);
+  json.object([&] {
+    json.member("pixels", mean.pixels);
+    json.member("converged", mean.converged);
+    json.member("reasons", mean.reasons);
+    std::vector<double> means, half_widths;
+    for (const RegionMean::Channel& channel : mean.channels) {
+      means.push_back(channel.pixels > 0 ? channel.mean : std::numeric_limits<double>::quiet_NaN());
+      half_widths.push_back(channel.half_width);
+    }
+    json.member("mean", means);
+    json.member("halfWidth", half_widths);
+  });
+  return {.body = json.written()};
+}
+
+Answer Answers::tile(const Query& query) {
+  const auto watch = source(query).now().watch;
+  if (!watch) throw Refused(409, "no run is at work in the folder, or it has just ended");
+  const int tile = query.integer("tile", 0, static_cast<int>(watch->grid().size()) - 1);
+  const int channel = query.integer("band", 0, static_cast<int>(watch->plan().image.channels.size()) - 1);
+  if (!watch->done()[static_cast<std::size_t>(tile)]) throw Refused(409, "the tile is not done yet");
+  const sampling::PixelRect rect = watch->grid()[static_cast<std::size_t>(tile)];
+  RunWatch::Tile values = watch->tile(static_cast<std::size_t>(tile), static_cast<std::size_t>(channel));
+  std::vector<float> both = std::move(values.mean);
+  both.insert(both.end(), values.worst_ratio.begin(), values.worst_ratio.end());
+  return numbers(both,
+                 format("{{\"x0\":{},\"y0\":{},\"x1\":{},\"y1\":{}}}", rect.x0, rect.y0, rect.x1, rect.y1));
+}
+
+}  // namespace ifov::viewer

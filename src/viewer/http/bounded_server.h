@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "viewer/http/guard.h"
+
+namespace ifov::viewer {
+
+/// What a client gets.
+struct Reply {
+  int status = 200;
+  std::string type, body;
+  std::string about;  ///< of a header of that name; empty: none
+};
+
+/// HTTP, with bounds on what strangers may cost: so many connections at a time, bytes of a request, and seconds for it. Each reply
+/// forbids pages to load, send, frame or run anything but what this server gives out. The only user of cpp-httplib.
+class BoundedServer {
+ public:
+  struct Request {
+    Origin origin;
+    std::string path;  ///< decoded
+    /// A value of the query; null where there is none. Of several the first.
+    std::function<const std::string*(const std::string& name)> value;
+    std::function<void(const std::function<void(const std::string& name, const std::string& value)>&)>
+        each_value;
+  };
+  /// From several threads; throws nothing.
+  using Handler = std::function<Reply(const Request&)>;
+
+  /// Binds; `port` 0: any. Throws SystemError where the address cannot be had.
+  BoundedServer(const std::string& address, int port, Handler handler);
+  ~BoundedServer();
+  BoundedServer(const BoundedServer&) = delete;
+  BoundedServer& operator=(const BoundedServer&) = delete;
+
+  int port() const;
+  /// Returns after stop().
+  void serve();
+  /// From any thread, also before serve().
+  void stop();
+
+ private:
+  struct Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace ifov::viewer

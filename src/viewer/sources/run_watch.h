@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ifov/runs.h"
+#include "io/run_state/run_plan.h"
+#include "io/run_state/tile_index.h"
+
+namespace ifov::viewer {
+
+/// A run that another process may be at work on, as its state folder shows it at one moment. From any thread.
+class RunWatch {
+ public:
+  /// Throws as run_status() and io::read_plan().
+  explicit RunWatch(const std::filesystem::path& folder);
+
+  const RunStatus& status() const { return status_; }
+  const io::RunPlan& plan() const { return plan_; }
+  const std::vector<sampling::PixelRect>& grid() const { return grid_; }
+  const std::vector<bool>& done() const { return done_; }
+
+  /// Means of one channel over the pixels of a finished tile, row by row, and the pixels' largest half-widths over their
+  /// limits. Throws SystemError where the tile is damaged or lies there no more.
+  struct Tile {
+    std::vector<float> mean, worst_ratio;
+  };
+  Tile tile(std::size_t index, std::size_t channel) const;
+
+ private:
+  bool read_values(sampling::TileResult& tile, const std::function<bool()>& is_right) const;
+
+  std::filesystem::path folder_;
+  RunStatus status_;
+  io::RunPlan plan_;
+  io::TileIndex index_;
+  std::vector<sampling::PixelRect> grid_;
+  std::vector<bool> done_;
+};
+
+/// Whether a folder holds the state of an unfinished run.
+bool holds_unfinished_run(const std::filesystem::path& folder);
+
+}  // namespace ifov::viewer

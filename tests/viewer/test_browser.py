@@ -1,0 +1,249 @@
+"""The viewer's page in a real browser: Debian's chromium with chromium-driver and python3-selenium; skipped where they are missing.
+
+With IFOV_SCREENSHOTS=FOLDER in the environment a picture of every screen is left there, to be looked at."""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import time
+import unittest
+
+from viewing import LONG, PROGRAM, Scratch, Viewer, write_products
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.action_chains import ActionChains
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+    from selenium.webdriver.support.ui import Select
+except ImportError:
+    webdriver = None
+
+BROWSER, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
+MISSING = ("python3-selenium is not installed" if webdriver is None else "chromium is not installed" if not BROWSER
+           else "chromium-driver is not installed" if not DRIVER else "")
+SHOTS = os.environ.get("IFOV_SCREENSHOTS")
+EVIL = '<img src=x onerror=document.title="broken">'
+
+
+def start_browser(profile):
+    options = webdriver.ChromeOptions()
+    for flag in ("--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1440,900", "--force-color-profile=srgb", f"--user-data-dir={profile}",
+                 "--no-first-run", "--disable-background-networking", "--disable-dev-shm-usage"):
+        options.add_argument(flag)
+    options.binary_location = BROWSER
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    return webdriver.Chrome(service=Service(DRIVER), options=options)
+
+
+@unittest.skipIf(MISSING, MISSING)
+class Page(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = Scratch()
+        cls.folder = cls.scratch.__enter__()
+        write_products(cls.folder / "a", label=EVIL)
+        write_products(cls.folder / "b", label=EVIL)
+        cls.viewer = Viewer(cls.folder / "a", cls.folder / "b", "--no-browser")
+        cls.browser = start_browser(cls.folder / "profile")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.quit()
+        cls.viewer.end()
+        cls.scratch.__exit__()
+
+    def setUp(self):
+        self.browser.get("about:blank")
+        self.browser.get(self.viewer.url)
+        self.wait(lambda: self.find("spectrum").find_elements(By.CLASS_NAME, "curve"))
+
+    def tearDown(self):
+        wrong = [entry["message"] for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"]
+        self.assertEqual(wrong, [])
+        self.assertNotIn("broken", self.browser.title)
+
+    def find(self, name):
+        return self.browser.find_element(By.ID, name)
+
+    def wait(self, what, seconds=20):
+        until = time.monotonic() + seconds
+        while time.monotonic() < until:
+            found = what()
+            if found:
+                return found
+            time.sleep(0.05)
+        self.fail("it never came: " + self.find("notice").text)
+
+    def shot(self, name):
+        if SHOTS:
+            time.sleep(0.4)
+            self.browser.save_screenshot(str(pathlib.Path(SHOTS) / f"{name}.png"))
+
+    def colour_at(self, canvas, x, y):
+        """Of a pixel of the image, where it is drawn in a canvas that shows all 24 x 16 of them."""
+        return self.browser.execute_script(
+            "const c = document.getElementById(arguments[0]), k = c.width / c.clientWidth, s = 0.98 * Math.min(c.clientWidth / 24, c.clientHeight / 16);"
+            "const u = c.clientWidth / 2 + s * (arguments[1] + 0.2 - 12), v = c.clientHeight / 2 + s * (arguments[2] + 0.2 - 8);"
+            "return [...c.getContext('2d').getImageData(u * k, v * k, 1, 1).data].slice(0, 3);", canvas, x, y)
+
+    def test_token_leaves_the_address(self):
+        self.assertNotIn(self.viewer.token, self.browser.current_url)
+        self.browser.refresh()
+        self.wait(lambda: self.find("spectrum").find_elements(By.CLASS_NAME, "curve"))
+        self.browser.switch_to.new_window("tab")
+        self.browser.get(f"http://127.0.0.1:{self.viewer.port}/")
+        self.wait(lambda: "token is missing or wrong" in self.find("notice").text)
+        self.browser.get_log("browser")
+        self.browser.close()
+        self.browser.switch_to.window(self.browser.window_handles[0])
+
+    def test_layers_bands_and_classes(self):
+        layers = [o.get_attribute("value") for o in Select(self.find("layer")).options]
+        self.assertEqual(layers, ["colour", "channel", "kelvin", "relative", "half_width", "samples", "abundance", "material_class"])
+        for layer in layers:
+            before = self.find("image").get_attribute("data-drawn")
+            Select(self.find("layer")).select_by_value(layer)
+            self.wait(lambda: self.find("image").get_attribute("data-layer") == layer and self.find("image").get_attribute("data-drawn") != before)
+        self.wait(lambda: EVIL in self.find("legend").text)
+        self.wait(lambda: self.colour_at("image", 2, 2) == [80, 90, 160] and self.colour_at("image", 20, 2) == [40, 90, 160])
+        Select(self.find("layer")).select_by_value("channel")
+        self.wait(lambda: self.find("band-name").text.startswith("B1"))
+        self.find("band").send_keys(Keys.ARROW_RIGHT)
+        self.wait(lambda: self.find("band-name").text == "B2 \u00b7 0.56 \u00b5m")
+        # Values rise downwards: light where they are large.
+        self.wait(lambda: sum(self.colour_at("image", 3, 15)) > sum(self.colour_at("image", 3, 0)) + 100)
+        self.shot("synthetic")
+
+    def test_pixels_by_keys_and_pins(self):
+        image = self.find("image")
+        self.wait(lambda: "pixel 12, 8: B1" in self.find("readout").text)
+        image.send_keys(Keys.ARROW_LEFT, Keys.ARROW_UP)
+        self.wait(lambda: "A pixel 11, 7: B1 (0.48 \u00b5m) = 7.11 \u00b1 0.02 W m-2 sr-1 um-1 at 95 %" in self.find("readout").text)
+        image.send_keys("]")
+        self.wait(lambda: "B2 (0.56 \u00b5m) = 107.1 \u00b1 0.04" in self.find("readout").text)
+        image.send_keys("p")
+        self.wait(lambda: len(self.find("pins").find_elements(By.TAG_NAME, "li")) == 2)  # both runs'
+        self.assertEqual(len(self.find("spectrum").find_elements(By.CLASS_NAME, "curve")), 4)
+        self.find("csv").click()
+        table = self.wait(lambda: self.browser.execute_script("return import('/api.js').then(m => m.app.csv)")).splitlines()
+        self.assertTrue(table[0].startswith('"channel","wavelength_um","A pixel 11, 7 (W m-2 sr-1 um-1)","half-width of A pixel 11, 7'))
+        self.assertEqual(len(table), 7)
+        row = table[3].split(",")
+        self.assertEqual((row[0], row[1]), ('"B3"', "0.66"))
+        self.assertAlmostEqual(float(row[2]), 207.11, places=4)
+        self.assertAlmostEqual(float(row[3]), 0.06, places=6)
+        self.find("pins").find_element(By.TAG_NAME, "button").click()
+        self.wait(lambda: len(self.find("pins").find_elements(By.TAG_NAME, "li")) == 1)
+
+    def test_a_polygon_and_the_library(self):
+        image = self.find("image")
+        self.find("polygon").click()
+        for keys in (" ", Keys.ARROW_RIGHT * 4 + " ", Keys.ARROW_DOWN * 4 + " ", Keys.ARROW_LEFT * 4 + " ", Keys.ENTER):
+            image.send_keys(keys)
+        # Corners at pixels' middles from 12.5, 8.5 to 16.5, 12.5: 4 x 4 or 5 x 5 pixels' middles lie on or in it.
+        self.wait(lambda: "mean of" in self.find("pins").text)
+        self.assertRegex(self.find("pins").text, r"A mean of (16|25) pixels")
+        self.find("library").send_keys("grass")
+        self.wait(lambda: self.find("library-names").find_elements(By.TAG_NAME, "option"))
+        self.find("library-add").click()
+        self.wait(lambda: self.find("spectrum").find_elements(By.CLASS_NAME, "library"))
+        self.shot("library")
+
+    def test_blink_and_swipe(self):
+        buttons = {b.get_attribute("data-compare"): b for b in self.find("compare").find_elements(By.TAG_NAME, "button")}
+        buttons["swipe"].click()
+        self.wait(lambda: self.find("which").get_attribute("textContent") == "A | B")
+        self.shot("swipe")
+        buttons["blink"].click()
+        self.assertEqual({self.wait(lambda: self.find("which").get_attribute("textContent") == side) for side in "AB"}, {True})
+        buttons["b"].click()
+        self.wait(lambda: self.find("which").get_attribute("textContent") == "B")
+
+    def test_scatter_and_lasso_both_ways(self):
+        self.find("tab-scatter").click()
+        self.wait(lambda: "384 pixels" in self.find("cloud-text").text)
+        Select(self.find("paint")).select_by_value("material")
+        self.wait(lambda: EVIL in self.find("materials").text)
+        self.find("tool-lasso").click()
+        stage = self.find("cloud")
+        half = stage.size["height"] * 0.49
+        ActionChains(self.browser, 20).move_to_element_with_offset(stage, -int(half), -int(half)).click_and_hold().move_by_offset(int(2 * half), 0).move_by_offset(
+            0, int(half)).move_by_offset(-int(2 * half), 0).release().perform()
+        self.wait(lambda: "are selected" in self.find("cloud-text").text)
+        chosen = int(self.find("cloud-text").text.split(". ")[1].split()[0])
+        self.assertTrue(150 < chosen < 240, chosen)  # the upper half of the cloud
+        self.shot("scatter")
+        # They are the lower half of the image, where values are large.
+        self.find("tab-image").click()
+        self.wait(lambda: self.colour_at("image", 3, 15)[0] > 200 and self.colour_at("image", 3, 15)[2] < 70)
+        self.assertFalse(self.colour_at("image", 3, 1)[0] > 200 and self.colour_at("image", 3, 1)[2] < 70)
+        self.find("tab-scatter").click()
+        for kind in ("pca", "mnf"):
+            Select(self.find("kind")).select_by_value(kind)
+            self.wait(lambda: "along the axes" in self.find("cloud-text").text if kind == "pca" else "known noise" in self.find("cloud-text").text)
+        self.find("dimensions").clear()
+        self.find("dimensions").send_keys("6", Keys.TAB)
+        self.find("spin").click()
+        before = int(self.find("cloud").get_attribute("data-drawn"))
+        self.wait(lambda: int(self.find("cloud").get_attribute("data-drawn")) > before + 5)
+        self.find("spin").click()
+
+    def test_names_for_those_who_do_not_see(self):
+        """What an accessibility checker asks first: names of controls, one main, headings, no positive tab index, contrast."""
+        for screen in ("image", "scatter", "run", "document"):
+            self.find(f"tab-{screen}").click()
+            nameless = self.browser.execute_script(
+                "return [...document.querySelectorAll('button, input, select, canvas, svg, [role]')].filter(e => e.offsetParent && !(e.closest('svg') && e.tagName !== 'svg')"
+                " && !(e.getAttribute('aria-label') || e.getAttribute('aria-labelledby') || (e.labels && e.labels.length) || e.textContent.trim()"
+                " || ['notice', 'screen-image'].includes(e.id) || e.getAttribute('aria-hidden'))).map(e => e.id || e.outerHTML)")
+            self.assertEqual(nameless, [], screen)
+        self.assertEqual(self.browser.execute_script("return document.querySelectorAll('[tabindex]:not([tabindex=\"0\"]):not([tabindex=\"-1\"])').length"), 0)
+        ids = self.browser.execute_script("return [...document.querySelectorAll('[id]')].map(e => e.id)")
+        self.assertEqual(len(ids), len(set(ids)))
+        for name in ("light", "dark"):
+            low = self.browser.execute_script("""
+                document.documentElement.dataset.theme = arguments[0];
+                const style = getComputedStyle(document.documentElement), get = v => { const e = document.createElement('i'); e.style.color = `var(${v})`; document.body.append(e);
+                    const c = getComputedStyle(e).color.match(/[\\d.]+/g).map(Number); e.remove(); return c; };
+                const light = c => { const [r, g, b] = c.map(v => (v /= 255) <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4); return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
+                const ratio = (a, b) => { const [x, y] = [light(get(a)), light(get(b))]; return (Math.max(x, y) + 0.05) / (Math.min(x, y) + 0.05); };
+                return [['--ink', '--paper'], ['--soft', '--paper'], ['--soft', '--wash'], ['--on', '--accent'], ['--warn', '--paper'], ['--bad', '--paper']]
+                    .map(([a, b]) => [a, b, ratio(a, b)]).filter(r => r[2] < 4.5);""", name)
+            self.assertEqual(low, [], name)
+        self.find("tab-image").send_keys(Keys.ARROW_RIGHT)
+        self.wait(lambda: self.browser.switch_to.active_element.get_attribute("id") in ("tab-scatter",))
+
+    def test_documents_and_reasons(self):
+        (self.folder / "scene.json").write_text('{\n  "ifov": 1,\n  "scene": {"objects": [{"plane": {}, "material": "' + EVIL.replace('"', "'") + '"}]},\n  "sensor": {}\n}\n')
+        with Viewer(self.folder / "scene.json", "--no-browser") as viewer:
+            self.browser.get(viewer.url)
+            self.wait(lambda: self.find("messages").find_elements(By.CLASS_NAME, "error"))
+            self.assertTrue(self.find("listing").find_elements(By.CLASS_NAME, "wrong"))
+            self.shot("document")
+            self.browser.get("about:blank")
+        self.browser.get_log("browser")
+
+    def test_a_run_at_work(self):
+        with Scratch() as folder:
+            document = LONG.replace("4000, 4000", "448, 448").replace('"elements": [30, 30]', '"elements": [10, 10]')
+            (folder / "scene.json").write_text(document)
+            (folder / "out").mkdir()
+            with Viewer(folder / "out", "--no-browser") as viewer:
+                self.browser.get(viewer.url)
+                self.wait(lambda: "no run yet" in self.find("notice").text)
+                render = subprocess.Popen([PROGRAM, "render", "scene.json", "-o", "out", "-j", "1", "-q"], cwd=folder)
+                self.wait(lambda: int(self.find("tiles").get_attribute("data-tiles") or 0) > 3)
+                self.assertIn("tiles", self.find("figures").text)
+                self.shot("run")
+                self.assertIn(render.wait(timeout=120), (0, 5, 6))
+                self.wait(lambda: self.find("tab-image").is_enabled())
+                self.browser.get("about:blank")
+        self.browser.get_log("browser")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,35 @@
+// The document with what the checks say of it, in place.
+import {app, ask, complain} from "/api.js";
+import {$, make} from "/tools.js";
+
+let settled = false, loading = false;
+
+async function load() {
+  if (settled || loading) return;
+  loading = true;
+  try {
+    const {file, text, checked, messages} = await ask("document", {source: app.shown});
+    $("document-name").textContent = file + (checked ? "" : " \u2013 being checked ...");
+    const order = ["failure", "error", "warning", "statement"];
+    $("messages").replaceChildren(...messages.slice().sort((a, b) => order.indexOf(a.severity) - order.indexOf(b.severity)).map(m => {
+      const place = m.file && m.line ? `${m.severity}, line ${m.line}: ` : m.severity === "statement" ? "" : `${m.severity}: `;
+      return make("li", {class: m.severity}, place + m.text);
+    }));
+    const wrong = new Map(messages.filter(m => m.line && (m.file === file || m.file.endsWith("/" + file) || file.endsWith("/" + m.file))).map(m => [m.line, m]));
+    let first = null;
+    $("listing").replaceChildren(...text.split("\n").flatMap((line, i) => {
+      const m = wrong.get(i + 1), row = make("div", m ? {class: "wrong"} : {}, line);
+      if (m && !first) first = row;
+      return m ? [row, make("p", {}, m.text)] : [row];
+    }));
+    if (first) first.scrollIntoView({block: "center"});
+    settled = checked;
+    if (!checked) setTimeout(() => { loading = false; load(); }, 700);
+  } catch (error) {
+    if (error.status === 404) $("document-name").textContent = error.message;
+    else complain(error);
+  }
+  loading = false;
+}
+app.on("screen-document", load);
+app.on("runs", () => { if (!app.document) { settled = false; if (!$("screen-document").hidden) load(); } });

@@ -1,0 +1,76 @@
+// Starts the page: screens, theme, and what the folders hold from time to time.
+import {app, ask, complain} from "/api.js";
+import {$} from "/tools.js";
+import "/image.js";
+import "/spectra.js";
+import "/scatter.js";
+import "/run.js";
+import "/document.js";
+
+const screens = ["image", "scatter", "run", "document"];
+let chosen = "", opened = false;
+
+function choose(name) {
+  if (chosen && chosen !== name) app.tell("screen-left");
+  chosen = name;
+  opened = true;
+  for (const s of screens) {
+    $(`screen-${s}`).hidden = s !== name;
+    const tab = $(`tab-${s}`);
+    tab.setAttribute("aria-selected", String(s === name));
+    tab.tabIndex = s === name ? 0 : -1;
+  }
+  app.tell(`screen-${name}`);
+  if (name === "image") app.tell("shown");
+}
+for (const s of screens) $(`tab-${s}`).addEventListener("click", () => choose(s));
+$("tabs").addEventListener("keydown", e => {
+  const by = {ArrowRight: 1, ArrowLeft: -1}[e.key];
+  if (!by) return;
+  const next = screens[(screens.indexOf(chosen) + by + screens.length) % screens.length];
+  choose(next);
+  $(`tab-${next}`).focus();
+});
+
+function theme(name) {
+  document.documentElement.dataset.theme = name;
+  $("theme").textContent = name === "dark" ? "Light" : "Dark";
+  app.tell("theme");
+}
+const preferred = matchMedia("(prefers-color-scheme: dark)");
+theme(localStorage.getItem("ifov-theme") || (preferred.matches ? "dark" : "light"));
+$("theme").addEventListener("click", () => {
+  const name = document.documentElement.dataset.theme === "dark" ? "light" : "dark";
+  localStorage.setItem("ifov-theme", name);
+  theme(name);
+});
+
+let generations = "", timer = 0, notices = "";
+async function look() {
+  clearTimeout(timer);
+  let wait = 1000;
+  try {
+    const said = await ask("sources");
+    app.sources = said.sources;
+    app.document = said.document;
+    if (!app.colours) { app.colours = await ask("colours"); app.tell("colours"); }
+    const faults = said.sources.map(s => s.fault).filter(Boolean).join("; ");
+    if (faults !== notices) { notices = faults; $("notice").textContent = faults; }
+    $("title").textContent = said.sources.map((s, k) => `${said.sources.length > 1 ? "AB"[k] + ": " : ""}${s.folder}`).join("   ") || "view";
+    document.title = `${$("title").textContent} \u2013 ifov view`;
+    app.tell("sources");
+    const now = said.sources.map(s => s.run ? s.generation : 0).join();
+    if (now !== generations) {
+      if (generations && said.sources.some(s => s.generation > 1)) $("notice").textContent = "The products were made anew, and are shown as they are now.";
+      generations = now;
+      app.tell("runs");
+    }
+    const has = said.sources.some(s => s.run), works = said.sources.some(s => s.watch);
+    $("tab-image").disabled = $("tab-scatter").disabled = !has;
+    if (!opened) choose(has && !works ? "image" : works ? "run" : said.document ? "document" : "run");
+    if (has && !works) wait = 3000;
+  } catch (error) { complain(error); wait = 3000; }
+  timer = setTimeout(look, wait);
+}
+app.on("stale", () => { clearTimeout(timer); timer = setTimeout(look, 400); });
+look();
