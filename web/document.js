@@ -11,11 +11,12 @@ async function load() {
     const {file, text, checked, messages} = await ask("document", {source: app.shown});
     $("document-name").textContent = file + (checked ? "" : " \u2013 being checked ...");
     const order = ["failure", "error", "warning", "statement"];
+    const here = m => m.line && (m.file === file || m.file.endsWith("/" + file) || file.endsWith("/" + m.file));
     $("messages").replaceChildren(...messages.slice().sort((a, b) => order.indexOf(a.severity) - order.indexOf(b.severity)).map(m => {
       const place = m.file && m.line ? `${m.severity}, line ${m.line}: ` : m.severity === "statement" ? "" : `${m.severity}: `;
-      return make("li", {class: m.severity}, place + m.text);
+      return make("li", {class: m.severity}, place + (here(m) ? m.text.split("\n")[0] : m.text));
     }));
-    const wrong = new Map(messages.filter(m => m.line && (m.file === file || m.file.endsWith("/" + file) || file.endsWith("/" + m.file))).map(m => [m.line, m]));
+    const wrong = new Map(messages.filter(here).map(m => [m.line, m]));
     let first = null;
     $("listing").replaceChildren(...text.split("\n").flatMap((line, i) => {
       const m = wrong.get(i + 1), row = make("div", m ? {class: "wrong"} : {}, line);

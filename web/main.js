@@ -27,7 +27,7 @@ for (const s of screens) $(`tab-${s}`).addEventListener("click", () => choose(s)
 $("tabs").addEventListener("keydown", e => {
   const by = {ArrowRight: 1, ArrowLeft: -1}[e.key];
   if (!by) return;
-  const next = screens[(screens.indexOf(chosen) + by + screens.length) % screens.length];
+  const open = screens.filter(s => !$(`tab-${s}`).disabled), next = open[(open.indexOf(e.target.id.slice(4)) + by + open.length) % open.length];
   choose(next);
   $(`tab-${next}`).focus();
 });

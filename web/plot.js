@@ -1,5 +1,5 @@
 // Spectra with their intervals: lines, bands of uncertainty, and library spectra on an axis of their own.
-import {brief, draw, ticks} from "/tools.js";
+import {brief, draw, ticks, tickTexts} from "/tools.js";
 
 // series: {um, value, half, colour}; library: {um, value, name}. Returns a function from a place in the picture to a wavelength.
 export function plotSpectra(svg, series, library, {label, band}) {
@@ -21,9 +21,10 @@ export function plotSpectra(svg, series, library, {label, band}) {
   const x0 = scale(least), x1 = scale(most), xm = (x1 - x0) * 0.03 || Math.abs(x0) * 0.1 || 1;
   const px = um => box.l + (scale(um) - x0 + xm) / (x1 - x0 + 2 * xm) * box.w;
   const py = y => box.t + box.h - (y - low) / (high - low) * box.h;
-  for (const t of ticks(low, high, 5)) {
+  const rows = ticks(low, high, 5), texts = tickTexts(rows);
+  for (const [k, t] of rows.entries()) {
     draw(svg, "line", {x1: box.l, x2: box.l + box.w, y1: py(t), y2: py(t), class: "grid"});
-    draw(svg, "text", {x: box.l - 7, y: py(t) + 4, "text-anchor": "end"}, brief(t));
+    draw(svg, "text", {x: box.l - 7, y: py(t) + 4, "text-anchor": "end"}, texts[k]);
   }
   const marks = wide ? [0.1, 0.2, 0.3, 0.5, 1, 2, 3, 5, 10, 20, 50, 100].filter(t => scale(t) >= x0 - xm && scale(t) <= x1 + xm)
     : ticks(x0 - xm, x1 + xm, 6);

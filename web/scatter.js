@@ -1,7 +1,7 @@
 // Points of the image in the space of its bands or of their projections, turned in as many dimensions as one likes, linked to the
 // image both ways.
 import {app, ask, complain} from "/api.js";
-import {$, brief, distinct, fill, fit, inside, make, percentiles, swatch, ticks} from "/tools.js";
+import {$, brief, distinct, fill, fit, inside, make, percentiles, swatch, ticks, tickTexts} from "/tools.js";
 
 const canvas = $("cloud"), places = $("places");
 const state = {points: null, basis: [], zoom: 1, lasso: null, tool: "turn", spinning: false, planes: [], frame: 0, materials: null, wanted: "", picture: null, chosen: [0, 1, 2], active: false};
@@ -170,16 +170,17 @@ function drawAxes(context, w, h, dark) {
   if (a >= 0 && b >= 0) {
     const low = (k, s) => p.middle[k] - s / scale / 2 * p.spread[k], high = (k, s) => p.middle[k] + s / scale / 2 * p.spread[k];
     context.textAlign = "center";
-    for (const t of ticks(low(a, w), high(a, w), 6)) {
+    const across = ticks(low(a, w), high(a, w), 6), upwards = ticks(low(b, h), high(b, h), 6), names = [tickTexts(across), tickTexts(upwards)];
+    for (const [k, t] of across.entries()) {
       const x = w / 2 + scale * (t - p.middle[a]) / p.spread[a];
       if (x < 50 || x > w - 30) continue;
-      context.fillRect(x, h - 24, 1, 5); context.fillText(brief(t), x, h - 7);
+      context.fillRect(x, h - 24, 1, 5); context.fillText(names[0][k], x, h - 7);
     }
     context.textAlign = "left";
-    for (const t of ticks(low(b, h), high(b, h), 6)) {
+    for (const [k, t] of upwards.entries()) {
       const y = h / 2 - scale * (t - p.middle[b]) / p.spread[b];
       if (y < 34 || y > h - 30) continue;
-      context.fillRect(4, y, 5, 1); context.fillText(brief(t), 12, y + 4);
+      context.fillRect(4, y, 5, 1); context.fillText(names[1][k], 12, y + 4);
     }
     context.fillText(`\u2191 ${name(b)}`, 12, 18);
     context.textAlign = "right";

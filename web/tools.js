@@ -37,6 +37,14 @@ export function ticks(low, high, most) {
   return list;
 }
 
+// Texts of such ticks, with as many digits as tell them apart.
+export function tickTexts(list) {
+  const step = list.length > 1 ? list[1] - list[0] : 0, most = Math.max(...list.map(Math.abs));
+  if (!(step > 0) || most >= 1e6 || step < 1e-6) return list.map(brief);
+  const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  return list.map(t => t.toFixed(digits));
+}
+
 // Of a part of the values, where there are many. Percent.
 export function percentiles(values, from, to) {
   const stride = Math.max(1, Math.floor(values.length / 120000)), some = new Float32Array(Math.ceil(values.length / stride));
@@ -98,10 +106,11 @@ export function colourBar(svg, range, map, label) {
     draw(gradient, "stop", {offset: k / 32, "stop-color": `rgb(${map[c]},${map[c + 1]},${map[c + 2]})`});
   }
   draw(svg, "rect", {x: 0, y: 2, width: w, height: 11, fill: `url(#${id})`});
-  for (const t of ticks(range[0], range[1], 6)) {
+  const marks = ticks(range[0], range[1], 6), texts = tickTexts(marks);
+  for (const [k, t] of marks.entries()) {
     const x = w * (t - range[0]) / (range[1] - range[0]);
     draw(svg, "line", {x1: x, x2: x, y1: 13, y2: 17, class: "axis"});
-    draw(svg, "text", {x, y: 28, "text-anchor": x < 14 ? "start" : x > w - 14 ? "end" : "middle"}, brief(t));
+    draw(svg, "text", {x, y: 28, "text-anchor": x < 14 ? "start" : x > w - 14 ? "end" : "middle"}, texts[k]);
   }
   draw(svg, "text", {x: 0, y: 42}, label);
 }

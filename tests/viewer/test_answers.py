@@ -33,7 +33,7 @@ class Products(unittest.TestCase):
         self.assertEqual((run["width"], run["height"], run["confidence"], source["fault"]), (24, 16, 0.95, ""))
         self.assertEqual([c["um"] for c in run["channels"]], [0.48, 0.56, 0.66, 0.86, 1.65, 10.8])
         cubes = {c["name"]: c for c in run["cubes"]}
-        self.assertEqual(list(cubes), ["radiance", "half_width", "samples", "abundance", "material_class"])
+        self.assertEqual(list(cubes), ["radiance", "half_width", "samples", "quality", "reasons", "abundance", "material_class"])
         self.assertEqual(cubes["material_class"]["classes"], ["nothing", '<img src=x onerror="alert(1)">', "roof"])
         self.assertEqual(cubes["material_class"]["lookup"][:6], [0, 90, 160, 40, 90, 160])
         self.assertEqual(cubes["material_class"]["role"], "truth")

@@ -103,8 +103,8 @@ class Page(unittest.TestCase):
 
     def test_layers_bands_and_classes(self):
         layers = [o.get_attribute("value") for o in Select(self.find("layer")).options]
-        self.assertEqual(layers, ["colour", "channel", "kelvin", "relative", "half_width", "samples", "abundance", "material_class"])
-        for layer in layers:
+        self.assertEqual(layers, ["colour", "channel", "kelvin", "relative", "half_width", "samples", "quality", "reasons", "abundance", "material_class"])
+        for layer in layers[1:]:
             before = self.find("image").get_attribute("data-drawn")
             Select(self.find("layer")).select_by_value(layer)
             self.wait(lambda: self.find("image").get_attribute("data-layer") == layer and self.find("image").get_attribute("data-drawn") != before)

@@ -116,6 +116,9 @@ def write_products(folder, width=24, height=16, name="image", label="grass"):
     write_cube(folder / f"{name}_material_class.img", [grid(lambda x, y: 1 + (x < width // 2))], classes=["nothing", label, "roof"], code="H")
     write_cube(folder / f"{name}_samples.img", [grid(lambda x, y: 64), grid(lambda x, y: 40), grid(lambda x, y: 24)],
                ["samples", "label rays", "radiance evaluations"], code="I")
+    write_cube(folder / f"{name}_quality.img", [grid(lambda x, y, v=v: v) for v in (1.0, 0.5, 0.01, 0.2)],
+               ["converged", "largest half-width over limit", "missable fraction", "borders"])
+    write_cube(folder / f"{name}_reasons.img", [grid(lambda x, y: 0)], code="H")
     record = {
         "program": {"name": "ifov", "version": "0.1.0"}, "seed": 1, "sampler": "accuracy",
         "document": {"path": "scene.json", "text": '{\n  "ifov": 1\n}\n'},
