@@ -150,7 +150,7 @@ function drawLegend(raster) {
   $("band-name").textContent = bandName();
   $("rgb").hidden = state.layer !== "colour";
   $("stretch").hidden = Boolean(raster.cube);
-  if (run) state.rgb.forEach((c, i) => { const um = run.channels[c].um; if (document.activeElement !== $(["red", "green", "blue"][i])) $(["red", "green", "blue"][i]).value = +um.toFixed(4); });
+  if (run) state.rgb.forEach((c, i) => { const um = run.channels[c].um; if (document.activeElement !== $(["red", "green", "blue"][i])) $(["red", "green", "blue"][i]).value = +um.toFixed(3); });
 }
 
 function bandName() {

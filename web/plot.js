@@ -26,7 +26,7 @@ export function plotSpectra(svg, series, library, {label, band}) {
     draw(svg, "line", {x1: box.l, x2: box.l + box.w, y1: py(t), y2: py(t), class: "grid"});
     draw(svg, "text", {x: box.l - 7, y: py(t) + 4, "text-anchor": "end"}, texts[k]);
   }
-  const marks = wide ? [0.1, 0.2, 0.3, 0.5, 1, 2, 3, 5, 10, 20, 50, 100].filter(t => scale(t) >= x0 - xm && scale(t) <= x1 + xm)
+  const marks = wide ? [0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 7, 10, 15, 20, 50, 100].filter(t => scale(t) >= x0 - xm && scale(t) <= x1 + xm)
     : ticks(x0 - xm, x1 + xm, 6);
   for (const t of marks) {
     draw(svg, "line", {x1: px(t), x2: px(t), y1: box.t + box.h, y2: box.t + box.h + 4, class: "axis"});

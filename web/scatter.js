@@ -151,9 +151,14 @@ function drawCloud() {
     context.setLineDash(end.best >= 0.99 ? [] : [3, 2]);
     context.beginPath(); context.arc(x, y, 7, 0, 7); context.stroke();
     context.setLineDash([]);
-    context.fillStyle = text;
+    if (end.best < 0.5) continue;
+    const name = end.best >= 0.99 ? end.name : `${end.name}, ${Math.round(100 * end.best)} % at most`;
     context.font = "12px sans-serif";
-    context.fillText(end.best >= 0.99 ? end.name : `${end.name}, ${Math.round(100 * end.best)} % at most`, x + 10, y + 4);
+    context.lineWidth = 3;
+    context.strokeStyle = `rgb(${ground})`;
+    context.strokeText(name, x + 10, y + 4);
+    context.fillStyle = text;
+    context.fillText(name, x + 10, y + 4);
   }
   if (state.lasso && state.lasso.where === canvas) outline(context, state.lasso.points);
   canvas.dataset.drawn = String(+(canvas.dataset.drawn || 0) + 1);

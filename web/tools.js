@@ -62,7 +62,7 @@ const C1 = 1.191042972e8, C2 = 1.438776877e4;  // W m-2 sr-1 um4; um K
 export const kelvin = (um, l) => l > 0 && um > 0 ? C2 / (um * Math.log1p(C1 / (um ** 5 * l))) : NaN;
 
 // Seven hues that are told apart by those who miss red or green (Okabe and Ito), dark enough for lines.
-export const hues = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#b8860b", "#56b4e9", "#7a4fbf"];
+export const hues = ["#d55e00", "#7a4fbf", "#b8860b", "#cc79a7", "#0072b2", "#009e73", "#56b4e9"];
 
 // Hues a golden angle apart, as those of classes.
 export function distinct(k) {

@@ -27,7 +27,8 @@ std::vector<float> thinned(const io::EnviReader& reader, const std::vector<int>&
     for (std::size_t b = 0; b < bands.size(); ++b) {
       reader.read(std::min(y + middle, header.lines - 1), bands[b], line);
       for (std::size_t x = 0; x < columns; ++x)
-        values[begin + x * bands.size() + b] = line[std::min(x * static_cast<std::size_t>(step) + static_cast<std::size_t>(middle), line.size() - 1)];
+        values[begin + x * bands.size() + b] = line[std::min(
+            x * static_cast<std::size_t>(step) + static_cast<std::size_t>(middle), line.size() - 1)];
     }
   }
   return values;

@@ -183,7 +183,8 @@ struct BoundedServer::Inside {
                             for (const auto& [name, value] : asked.params) take(name, value);
                           }};
     // A reply in thousands of overlapping parts would be a cheap way to a large one.
-    const Reply reply = asked.has_header("Range") ? Reply{400, "text/plain", "parts are not given out", {}} : handler(request);
+    const Reply reply = asked.has_header("Range") ? Reply{400, "text/plain", "parts are not given out", {}}
+                                                  : handler(request);
     response.status = reply.status;
     if (!reply.about.empty()) response.set_header("X-Ifov-About", reply.about);
     response.set_content(reply.body, reply.type.c_str());
