@@ -13,6 +13,7 @@ THROUGH_THE_PROGRAM = {
     "landscape/": "tests/landscape/test_make.py",
     "session/surveys/atmosphere_survey.h": "tests/cli/test_atmosphere.py",
     "session/preview.h": "tests/cli/test_preview.py",
+    "viewer/": "tests/viewer/test_answers.py",
     "session/runs/": "tests/cli",
 }
 
