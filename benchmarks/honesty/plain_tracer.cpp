@@ -73,9 +73,12 @@ PlainTracer::PlainTracer(const scene::Scene& scene, const PlainSpectra& spectra,
   }
   const auto look_at = [&](math::Point3 point, double radius_m) {
     sampling::FocalPoint place;
+    const double down =
+        std::abs(camera.middle_ray().direction.z);  // what lies on level ground looks shorter than it is
     if (camera.project(point, place))
-      windows_.push_back({place.x_px, place.y_px, radius_m / camera.gsd_m(point)});
+      windows_.push_back({place.x_px, place.y_px, radius_m / (camera.gsd_m(point) * down)});
   };
+  for (const PlainHints::Ball& ball : hints_.bright) look_at(ball.centre_m, ball.radius_m);
   for (const PlainHints::Ball& lamp : hints_.lamps) look_at(lamp.centre_m, lamp.radius_m);
   if (!scene.sun || scene.sun->half_angle_rad <= 0.0) return;
   for (const PlainHints::Ball& mirror : hints_.mirrors) {

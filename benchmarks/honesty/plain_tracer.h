@@ -21,6 +21,7 @@ struct PlainHints {
     math::Point3 centre_m;
     double radius_m = 0.0;
   };
+  std::vector<Ball> bright;   ///< what is unlike all about it and small: looked at more closely
   std::vector<Ball> lamps;    ///< spheres of the material "lamp", which nothing else is made of
   std::vector<Ball> mirrors;  ///< mirror spheres, seen from outside: their glints are looked for
   /// Balls that hold all mirrors: sunlight by way of them is traced from the Sun.

@@ -20,9 +20,13 @@ WildDraft::WildDraft(RandomStream& numbers, Light which, std::string scene, std:
               : turned < 0.7 ? random.magnitude(0.001, 2.0)
               : turned < 0.9 ? random.between(0.0, 2.0)
                              : random.between(0.0, 90.0);
+  const std::string aslant = random.with(0.3)
+                                 ? format(R"(, "view_zenith": "{:.3f} deg", "view_azimuth": "{:.3f} deg")",
+                                          random.between(2.0, 65.0), random.between(0.0, 360.0))
+                                 : "";
   camera = format(
-      R"("camera": {{"orthographic": {{"gsd": "{} m", "pixels": [{}, {}], "center": ["{} m", "{} m"], "rotation": "{} deg"}}}})",
-      gsd_m, size_px, size_px, centre_m[0], centre_m[1], angle_deg);
+      R"("camera": {{"orthographic": {{"gsd": "{} m", "pixels": [{}, {}], "center": ["{} m", "{} m"], "rotation": "{} deg"{}}}}})",
+      gsd_m, size_px, size_px, centre_m[0], centre_m[1], angle_deg, aslant);
   if (random.with(0.35))
     psf = format(R"("psf": {{"gaussian": {{"sigma": "{:.3f} px"}}}})", random.between(0.25, 0.9));
   const bool air = random.with(0.25);
@@ -135,7 +139,11 @@ std::string WildDraft::text(const std::string& kind) const {
       "{{\n  // {}, {} ({} px of {:.4g} m, {:.4g} deg)\n  \"ifov\": 1,\n  \"scene\": {{\n    \"materials\": {{\n      ",
       name, kind, size_px, gsd_m, angle_deg);
   for (const std::string& m : materials) text += (&m == materials.data() ? "" : ",\n      ") + m;
-  text += "\n    },\n    \"objects\": [\n      ";
+  text += "\n    },\n    ";
+  if (!prototypes.empty()) text += "\"prototypes\": {\n      ";
+  for (const std::string& p : prototypes) text += (&p == prototypes.data() ? "" : ",\n      ") + p;
+  if (!prototypes.empty()) text += "\n    },\n    ";
+  text += "\"objects\": [\n      ";
   for (const std::string& o : objects) text += (&o == objects.data() ? "" : ",\n      ") + o;
   text += "\n    ]\n  },\n  " + light + ",\n  ";
   if (!atmosphere.empty()) text += atmosphere + ",\n  ";

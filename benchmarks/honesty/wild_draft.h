@@ -10,7 +10,7 @@
 
 namespace ifov::benchmarks {
 
-/// A document in the making: a camera that looks straight down on a plane, light, channels, a PSF and what is asked,
+/// A document in the making: a camera that looks down on a plane, straight or aslant, light, channels, a PSF and what is asked,
 /// all by chance; makers add materials and objects. Lengths of the makers are in pixels.
 struct WildDraft {
   enum class Light { solar, thermal };
@@ -25,7 +25,7 @@ struct WildDraft {
   int size_px = 16;
   std::array<double, 2> centre_m{};
   double angle_deg = 0.0;
-  std::vector<std::string> materials, objects;
+  std::vector<std::string> materials, prototypes, objects;
   std::string light, atmosphere, camera, channels, psf, sampling;
   math::Vec3 towards_sun{0.0, 0.0, 1.0};
   PlainHints hints;

@@ -22,6 +22,11 @@ void make_hot_sphere(WildDraft& draft);  ///< small, above cool ground
 void make_lamps(WildDraft& draft);       ///< small hot spheres in a canyon
 void make_night(WildDraft& draft);       ///< a small hot sphere over ground with warm slabs, at 1.6 and 11 um
 
+void make_copies(WildDraft& draft);     ///< of prototypes with something small and bright on them
+void make_holes(WildDraft& draft);      ///< a plate above the ground with an opacity map
+void make_hot_cells(WildDraft& draft);  ///< few, in a temperature map
+void make_faces(WildDraft& draft);      ///< a mesh with few faces unlike the others
+
 void make_mixture(WildDraft& draft);  ///< side by side in every place, each with a temperature map
 void make_wide(WildDraft& draft);     ///< channels of up to 1000 um
 void make_colours(WildDraft& draft);  ///< steep spectra and several reflections in a canyon

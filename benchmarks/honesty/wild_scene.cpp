@@ -13,14 +13,16 @@ namespace {
 
 using Maker = void (*)(WildDraft&);
 
-constexpr std::array<std::string_view, 21> kKinds{
+constexpr std::array<std::string_view, 25> kKinds{
     "rows_map", "gaps",  "facade",     "hot_sphere", "mixture",   "walls",    "rows_boxes",
     "ball",     "wide",  "panels",     "texture",    "rows_mesh", "yard",     "lamps",
-    "colours",  "wires", "hemisphere", "blocks",     "airy",      "overhead", "night"};
-constexpr std::array<Maker, 21> kMakers{
+    "colours",  "wires", "hemisphere", "blocks",     "airy",      "overhead", "night",
+    "copies",   "holes", "hot_cells",  "faces"};
+constexpr std::array<Maker, 25> kMakers{
     nullptr,      make_gaps,  make_facade,     make_hot_sphere, make_mixture, make_walls,    nullptr,
     make_ball,    make_wide,  make_panels,     make_texture,    nullptr,      make_yard,     make_lamps,
-    make_colours, make_wires, make_hemisphere, make_blocks,     make_airy,    make_overhead, make_night};
+    make_colours, make_wires, make_hemisphere, make_blocks,     make_airy,    make_overhead, make_night,
+    make_copies,  make_holes, make_hot_cells,  make_faces};
 
 WildScene rows(RowsScene::Form form, RandomStream& random, const std::string& name,
                const std::filesystem::path& folder) {
@@ -34,7 +36,8 @@ WildDraft::Light light_of(std::string_view kind, RandomStream& random) {
   if (kind == "facade" || kind == "yard" || kind == "ball" || kind == "hemisphere" || kind == "colours" ||
       kind == "airy" || kind == "overhead")
     return WildDraft::Light::solar;
-  if (kind == "hot_sphere" || kind == "lamps" || kind == "mixture" || kind == "wide" || kind == "night")
+  if (kind == "hot_sphere" || kind == "lamps" || kind == "mixture" || kind == "wide" || kind == "night" ||
+      kind == "hot_cells")
     return WildDraft::Light::thermal;
   return random.with(0.6) ? WildDraft::Light::solar : WildDraft::Light::thermal;
 }

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "geometry/world.h"
 #include "sensor/camera.h"
@@ -120,46 +122,122 @@ void visit_small_pieces(const geometry::World& world, const geometry::WantedMate
   });
 }
 
+namespace {
+
+constexpr double kApartPatches_px = 0.5;
+
+/// A place of kApartPatches_px each way.
+struct Place {
+  std::int64_t x = 0, y = 0;
+  auto operator<=>(const Place&) const = default;
+};
+std::optional<Place> place_of(sampling::FocalPoint p) {
+  if (!(std::abs(p.x_px) < 1e9) || !(std::abs(p.y_px) < 1e9)) return {};
+  return Place{static_cast<std::int64_t>(std::floor(p.x_px / kApartPatches_px)),
+               static_cast<std::int64_t>(std::floor(p.y_px / kApartPatches_px))};
+}
+
+/// Bounds in the image.
+struct Bounds {
+  sampling::FocalPoint low, high;
+  void add(sampling::FocalPoint p) {
+    low = {std::min(low.x_px, p.x_px), std::min(low.y_px, p.y_px)};
+    high = {std::max(high.x_px, p.x_px), std::max(high.y_px, p.y_px)};
+  }
+  bool small() const { return high.x_px - low.x_px <= kNarrow_px && high.y_px - low.y_px <= kNarrow_px; }
+};
+
+/// A piece smaller than a pixel.
+struct SmallPiece {
+  std::uint32_t object = 0, material = 0;
+  sampling::FocalPoint middle;
+};
+
+/// Calls `at` with a piece of each place where it or a place about it holds pieces of another material of the object:
+/// single faces of a mesh that are painted otherwise, and where paints meet.
+/// `large`: materials of larger pieces of objects, (object, material), which may lie where no small piece does.
+void visit_islands(std::vector<SmallPiece> pieces, const std::set<std::uint32_t>& painted,
+                   const std::set<std::pair<std::uint32_t, std::uint32_t>>& large,
+                   const std::function<void(const SmallPiece&)>& at) {
+  std::erase_if(pieces,
+                [&](const SmallPiece& p) { return !painted.contains(p.object) || !place_of(p.middle); });
+  using Key = std::tuple<std::uint32_t, Place, std::uint32_t>;
+  const auto key_of = [](const SmallPiece& p) { return Key{p.object, *place_of(p.middle), p.material}; };
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [&](const SmallPiece& a, const SmallPiece& b) { return key_of(a) < key_of(b); });
+  std::vector<Key> keys(pieces.size());
+  std::transform(pieces.begin(), pieces.end(), keys.begin(), key_of);
+  const auto larger_of_another = [&](std::uint32_t object, std::uint32_t material) {
+    const auto first = large.lower_bound({object, 0u}), last = large.upper_bound({object, ~0u});
+    return first != last && (first->second != material || std::prev(last)->second != material);
+  };
+  // Whether a place holds no other material of this object.
+  const auto only = [&](std::uint32_t object, Place place, std::uint32_t material) {
+    const auto first = std::lower_bound(keys.begin(), keys.end(), Key{object, place, 0u});
+    const auto last = std::upper_bound(first, keys.end(), Key{object, place, ~0u});
+    if (first == last) return !larger_of_another(object, material);
+    return std::get<2>(*first) == material && std::get<2>(*std::prev(last)) == material;
+  };
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    if (k > 0 && keys[k] == keys[k - 1]) continue;
+    const auto& [object, place, material] = keys[k];
+    bool alike = true;
+    for (std::int64_t dy = -1; alike && dy <= 1; ++dy)
+      for (std::int64_t dx = -1; alike && dx <= 1; ++dx)
+        alike = only(object, {place.x + dx, place.y + dy}, material);
+    if (!alike) at(pieces[k]);
+  }
+}
+
+}  // namespace
+
 void visit_small_patches(const geometry::World& world, std::size_t materials,
                          const std::function<bool(std::uint32_t)>& wanted, const sensor::Camera& camera,
                          const std::function<void(sampling::FocalPoint)>& at) {
-  constexpr double kApartPatches_px = 0.5;
   if (world.triangle_count() > kMostPieces || world.object_count() > kMostPieces) return;
   struct Patch {
-    sampling::FocalPoint low, high, middle;
+    Bounds bounds;
+    sampling::FocalPoint middle;
   };
   std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, Patch> patches;
+  std::vector<SmallPiece> small;
+  std::map<std::uint32_t, std::uint32_t> first_material;  // by object
+  std::set<std::uint32_t> painted;                        // objects of several materials
+  std::set<std::pair<std::uint32_t, std::uint32_t>> large;
   world.visit_surfaces(geometry::WantedMaterials(materials, true), [&](const geometry::SurfacePiece& piece) {
     if (!wanted(piece.object)) return;
     const UnitShape shape = unit_shape(piece.kind);
     sampling::FocalPoint middle;
     if (!camera.project(piece.scene_from_unit(math::Point3{} + shape.middle), middle)) return;
     if (patches.size() > kMostPieces) return;
-    const auto [known, fresh] =
-        patches.try_emplace({piece.object, piece.patch, piece.material}, Patch{middle, middle, middle});
-    Patch& patch = known->second;
+    Bounds bounds{middle, middle};
     for (const math::Vec3& side : {math::Vec3{shape.reach.x, 0.0, 0.0}, math::Vec3{0.0, shape.reach.y, 0.0},
                                    math::Vec3{0.0, 0.0, shape.reach.z}})
       for (const double sign : {-1.0, 1.0}) {
         sampling::FocalPoint end;
-        if (!camera.project(piece.scene_from_unit(math::Point3{} + shape.middle + sign * side), end))
-          continue;
-        patch.low = {std::min(patch.low.x_px, end.x_px), std::min(patch.low.y_px, end.y_px)};
-        patch.high = {std::max(patch.high.x_px, end.x_px), std::max(patch.high.y_px, end.y_px)};
+        if (camera.project(piece.scene_from_unit(math::Point3{} + shape.middle + sign * side), end))
+          bounds.add(end);
       }
+    const auto [known, fresh] =
+        patches.try_emplace({piece.object, piece.patch, piece.material}, Patch{bounds, middle});
+    known->second.bounds.add(bounds.low);
+    known->second.bounds.add(bounds.high);
+    if (first_material.try_emplace(piece.object, piece.material).first->second != piece.material)
+      painted.insert(piece.object);
+    if (bounds.small())
+      small.push_back({piece.object, piece.material, middle});
+    else
+      large.emplace(piece.object, piece.material);
   });
-  std::set<std::tuple<std::uint32_t, std::int64_t, std::int64_t>> known;
-  for (const auto& [key, patch] : patches) {
-    if (patch.high.x_px - patch.low.x_px > kNarrow_px || patch.high.y_px - patch.low.y_px > kNarrow_px)
-      continue;
-    const sampling::FocalPoint p = patch.middle;
-    if (!(std::abs(p.x_px) < 1e9) || !(std::abs(p.y_px) < 1e9)) continue;
-    if (known
-            .emplace(std::get<2>(key), static_cast<std::int64_t>(std::floor(p.x_px / kApartPatches_px)),
-                     static_cast<std::int64_t>(std::floor(p.y_px / kApartPatches_px)))
-            .second)
-      at(p);
-  }
+  std::set<std::pair<std::uint32_t, Place>> known;
+  const auto add = [&](std::uint32_t material, sampling::FocalPoint middle) {
+    const std::optional<Place> place = place_of(middle);
+    if (place && known.emplace(material, *place).second) at(middle);
+  };
+  for (const auto& [key, patch] : patches)
+    if (patch.bounds.small()) add(std::get<2>(key), patch.middle);
+  visit_islands(std::move(small), painted, large,
+                [&](const SmallPiece& piece) { add(piece.material, piece.middle); });
 }
 
 }  // namespace ifov::render

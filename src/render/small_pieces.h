@@ -22,7 +22,8 @@ void visit_small_pieces(const geometry::World& world, const geometry::WantedMate
                         const sensor::Camera& camera, const std::function<void(sampling::FocalPoint)>& at);
 
 /// Calls `at` with points in the image of smooth patches of objects (SurfacePoint::patch) that are smaller than a pixel: small parts of
-/// copies and of meshes. Of many of one material in half a pixel, with one; of a scene of more than 2^20 pieces, with none.
+/// copies and of meshes; and of pieces smaller than a pixel beside those of another material of the same object: faces that are painted
+/// otherwise. Of many of one material in half a pixel, with one; of a scene of more than 2^20 pieces, with none.
 /// `wanted`: of an object.
 void visit_small_patches(const geometry::World& world, std::size_t materials,
                          const std::function<bool(std::uint32_t)>& wanted, const sensor::Camera& camera,

@@ -194,5 +194,45 @@ TEST(PilotRays, SmallShiningPiecesOfMeshesAreSought) {
   EXPECT_TRUE(found({false, true}));
 }
 
+// A level sheet of 0.3 m faces, of one smooth patch, in which two are of another paint. They outshine nothing.
+TEST(PilotRays, FacesPaintedOtherwiseAreSought) {
+  constexpr std::uint32_t kFaces = 60;
+  geometry::TriangleMesh sheet;
+  for (std::uint32_t j = 0; j <= kFaces; ++j)
+    for (std::uint32_t i = 0; i <= kFaces; ++i)
+      sheet.vertices_m.push_back({0.3 * i - 9.0, 0.3 * j - 9.0, 0.0});
+  for (std::uint32_t j = 0; j < kFaces; ++j)
+    for (std::uint32_t i = 0; i < kFaces; ++i) {
+      const std::uint32_t a = j * (kFaces + 1) + i, b = a + kFaces + 1;
+      sheet.triangles.push_back({a, a + 1, b + 1});
+      sheet.triangles.push_back({a, b + 1, b});
+    }
+  const std::size_t odd[] = {2 * (20 * kFaces + 11), 2 * (41 * kFaces + 35) + 1};
+  sheet.slot_names = {"most", "few"};
+  const auto near = [&](bool painted) {
+    sheet.slots.assign(sheet.triangles.size(), 0);
+    if (painted)
+      for (const std::size_t k : odd) sheet.slots[k] = 1;
+    geometry::WorldBuilder builder;
+    builder.place(builder.add_shape(sheet), {}, std::vector<std::uint32_t>{0, 1});
+    const auto world = builder.build(2);
+    return render::PilotRays(*world, 2, camera(), {}, {}, 1.5).near({0, 0, kSide, kSide}, 1.5).points;
+  };
+  const std::vector<sampling::FocalPoint> none = near(false), points = near(true);
+  for (const std::size_t k : odd) {
+    math::Point3 middle{};
+    for (const std::uint32_t v : sheet.triangles[k])
+      middle = middle + (1.0 / 3.0) * (sheet.vertices_m[v] - math::Point3{});
+    const double x = 0.5 * kSide + middle.x, y = 0.5 * kSide - middle.y;
+    const auto in_it = [&](const sampling::FocalPoint& p) {
+      return std::hypot(p.x_px - x, p.y_px - y) < 0.01;
+    };
+    EXPECT_TRUE(std::any_of(points.begin(), points.end(), in_it));
+    EXPECT_FALSE(std::any_of(none.begin(), none.end(), in_it));
+  }
+  // The paint about them within a half and one and a half places, and no more of the sheet.
+  EXPECT_LE(points.size(), none.size() + 2 * (1 + 25));
+}
+
 }  // namespace
 }  // namespace ifov
