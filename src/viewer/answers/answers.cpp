@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "io/envi/colour_map.h"
 #include "io/json/json_writer.h"
+#include "viewer/sources/open_run.h"
 
 namespace ifov::viewer {
 namespace {

@@ -6,6 +6,8 @@
 #include "io/json/json_writer.h"
 #include "io/products/image_region.h"
 #include "viewer/answers/answers.h"
+#include "viewer/sources/open_run.h"
+#include "viewer/sources/run_watch.h"
 
 namespace ifov::viewer {
 namespace {
@@ -94,7 +96,7 @@ Answer Answers::tile(const Query& query) {
   const auto watch = source(query).now().watch;
   if (!watch) throw Refused(409, "no run is at work in the folder, or it has just ended");
   const int tile = query.integer("tile", 0, static_cast<int>(watch->grid().size()) - 1);
-  const int channel = query.integer("band", 0, static_cast<int>(watch->plan().image.channels.size()) - 1);
+  const int channel = query.integer("band", 0, watch->channels() - 1);
   if (!watch->done()[static_cast<std::size_t>(tile)]) throw Refused(409, "the tile is not done yet");
   const sampling::PixelRect rect = watch->grid()[static_cast<std::size_t>(tile)];
   RunWatch::Tile values = watch->tile(static_cast<std::size_t>(tile), static_cast<std::size_t>(channel));

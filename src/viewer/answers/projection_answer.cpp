@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "io/json/json_writer.h"
 #include "viewer/answers/answers.h"
+#include "viewer/sources/open_run.h"
 
 namespace ifov::viewer {
 namespace {

@@ -1,6 +1,9 @@
 #include "io/json/json_writer.h"
 #include "io/quantities/quantity.h"
+#include "io/run_state/run_plan.h"
 #include "viewer/answers/answers.h"
+#include "viewer/sources/open_run.h"
+#include "viewer/sources/run_watch.h"
 
 namespace ifov::viewer {
 namespace {

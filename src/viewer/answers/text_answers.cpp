@@ -2,6 +2,7 @@
 #include "ifov/materials.h"
 #include "io/json/json_writer.h"
 #include "viewer/answers/answers.h"
+#include "viewer/sources/open_run.h"
 
 namespace ifov::viewer {
 namespace {

@@ -4,6 +4,8 @@
 #include "io/files/own_files.h"
 #include "io/products/bil_cube.h"
 #include "io/run_state/run_folder.h"
+#include "io/run_state/run_plan.h"
+#include "io/run_state/tile_index.h"
 #include "io/run_state/tile_survey.h"
 
 namespace ifov::viewer {
@@ -11,20 +13,26 @@ namespace ifov::viewer {
 RunWatch::RunWatch(const std::filesystem::path& folder)
     : folder_(folder),
       status_(run_status(folder)),
-      plan_(io::read_plan(io::plan_file(folder))),
-      index_(plan_),
-      grid_(plan_.grid()),
-      done_(io::survey_tiles(folder, plan_, &index_).done) {}
+      plan_(std::make_unique<const io::RunPlan>(io::read_plan(io::plan_file(folder)))),
+      grid_(plan_->grid()) {
+  auto index = std::make_unique<io::TileIndex>(*plan_);
+  done_ = io::survey_tiles(folder, *plan_, index.get()).done;
+  index_ = std::move(index);
+}
+
+RunWatch::~RunWatch() = default;
+
+int RunWatch::channels() const { return static_cast<int>(plan_->image.channels.size()); }
 
 bool RunWatch::read_values(sampling::TileResult& tile, const std::function<bool()>& is_right) const {
-  const int bands = static_cast<int>(plan_.image.channels.size());
+  const int bands = static_cast<int>(plan_->image.channels.size());
   const auto fill = [&](const char* quantity, const char* ending, std::vector<float>& values) {
     if (values.empty()) return true;
-    const io::OwnFile file(folder_ / (plan_.name + "_" + quantity + ".img" + ending));
+    const io::OwnFile file(folder_ / (plan_->name + "_" + quantity + ".img" + ending));
     if (!file) return false;
     io::read_bil_tile(
         [&](std::uint64_t offset, void* to, std::size_t bytes) { file.read_at(offset, to, bytes); },
-        plan_.image.width_px, bands, tile.tile, values);
+        plan_->image.width_px, bands, tile.tile, values);
     return true;
   };
   // The cubes get their own names when the run ends, which may be at any time.
@@ -41,7 +49,7 @@ bool RunWatch::read_values(sampling::TileResult& tile, const std::function<bool(
 
 RunWatch::Tile RunWatch::tile(std::size_t index, std::size_t channel) const {
   sampling::TileResult result;
-  const std::string fault = index_.read(
+  const std::string fault = index_->read(
       index,
       [this](sampling::TileResult& tile, const std::function<bool()>& is_right) {
         return read_values(tile, is_right);

@@ -2,13 +2,21 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "ifov/runs.h"
-#include "io/run_state/run_plan.h"
-#include "io/run_state/tile_index.h"
+#include "sampling/pixel_rect.h"
+
+namespace ifov::io {
+struct RunPlan;
+class TileIndex;
+}  // namespace ifov::io
+namespace ifov::sampling {
+struct TileResult;
+}
 
 namespace ifov::viewer {
 
@@ -17,9 +25,11 @@ class RunWatch {
  public:
   /// Throws as run_status() and io::read_plan().
   explicit RunWatch(const std::filesystem::path& folder);
+  ~RunWatch();
 
   const RunStatus& status() const { return status_; }
-  const io::RunPlan& plan() const { return plan_; }
+  const io::RunPlan& plan() const { return *plan_; }
+  int channels() const;
   const std::vector<sampling::PixelRect>& grid() const { return grid_; }
   const std::vector<bool>& done() const { return done_; }
 
@@ -35,8 +45,8 @@ class RunWatch {
 
   std::filesystem::path folder_;
   RunStatus status_;
-  io::RunPlan plan_;
-  io::TileIndex index_;
+  std::unique_ptr<const io::RunPlan> plan_;
+  std::unique_ptr<const io::TileIndex> index_;
   std::vector<sampling::PixelRect> grid_;
   std::vector<bool> done_;
 };

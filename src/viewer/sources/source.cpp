@@ -3,6 +3,8 @@
 #include "core/call_scope.h"
 #include "core/error.h"
 #include "io/files/input_file.h"
+#include "viewer/sources/open_run.h"
+#include "viewer/sources/run_watch.h"
 
 namespace ifov::viewer {
 namespace {

@@ -10,10 +10,11 @@
 #include <vector>
 
 #include "ifov/check.h"
-#include "viewer/sources/open_run.h"
-#include "viewer/sources/run_watch.h"
 
 namespace ifov::viewer {
+
+struct OpenRun;
+class RunWatch;
 
 /// A document and what `ifov check` says of it, which is found out beside.
 class CheckedDocument {
