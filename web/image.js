@@ -1,6 +1,6 @@
 // The image: layers, stretch, zoom and pan, comparison of two runs, and where pixels and regions are chosen.
 import {app, ask, complain} from "/api.js";
-import {$, brief, colourBar, fill, fit, kelvin, later, make, percentiles, swatch} from "/tools.js";
+import {$, brief, colourBar, fill, fit, hasKelvin, kelvin, later, make, percentiles, swatch} from "/tools.js";
 
 const canvas = $("image");
 const most = 1 << 20;  // values of a raster: what is sent at a time
@@ -53,7 +53,7 @@ async function layerIn(k, window) {
   if (state.layer === "channel") return {...await take(main, band), label: `radiance, ${app.run(k).unit || "as stored"}`, map: "sequential"};
   if (state.layer === "kelvin") {
     const raster = await take(main, band);
-    return {...raster, values: raster.values.map(l => kelvin(channel.um, l)), label: "brightness temperature, K", map: "heat"};
+    return {...raster, values: raster.values.map(l => kelvin(channel.um, l)), label: "brightness temperature at the channel's centre, K", map: "heat"};
   }
   if (state.layer === "relative") {
     const [value, half] = await Promise.all([take(main, band), take("half_width", band)]);
@@ -280,12 +280,12 @@ app.on("runs", () => {
   const colour = run.rgb.length === 3 || (Math.min(...um) < 0.5 && Math.max(...um) > 0.62);
   if (run.channels.length > 2) options.push(["colour", "colour picture"]);
   options.push(["channel", main.what || "radiance"]);
-  if (um.some(v => v > 2.5) || !colour) options.push(["kelvin", "brightness temperature"]);
+  if (hasKelvin(run)) options.push(["kelvin", "brightness temperature"]);
   if (app.cube("half_width")) options.push(["relative", "relative error"]);
   for (const cube of run.cubes.slice(1)) options.push([cube.name, cube.what]);
   fill($("layer"), options, state.layer);
   state.rgb = run.rgb.length === 3 ? run.rgb.map(b => b - 1) : [0.66, 0.56, 0.48].map(v => nearest(run, v));
-  if (!options.some(o => o[0] === state.layer)) state.layer = run.channels.length > 2 && colour ? "colour" : Math.min(...um) > 2.5 ? "kelvin" : "channel";
+  if (!options.some(o => o[0] === state.layer)) state.layer = run.channels.length > 2 && colour ? "colour" : Math.min(...um) > 2.5 && hasKelvin(run) ? "kelvin" : "channel";
   $("layer").value = state.layer;
   if (!state.view) fitAll();
   chooseLayer(state.layer);

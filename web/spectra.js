@@ -1,6 +1,6 @@
 // Spectra of pixels and regions with their intervals, library spectra over them, and a table to take along.
 import {app, ask, complain} from "/api.js";
-import {$, brief, hues, kelvin, make, save, swatch} from "/tools.js";
+import {$, brief, hasKelvin, hues, kelvin, make, save, swatch} from "/tools.js";
 import {plotSpectra} from "/plot.js";
 import {chooseBand} from "/image.js";
 
@@ -54,7 +54,7 @@ function show() {
   const run = app.run();
   if (!run) return;
   const inKelvin = $("quantity").value === "kelvin", c = run.channels[Math.min(app.band, run.channels.length - 1)];
-  const label = inKelvin ? "brightness temperature, K" : `radiance, ${run.unit || "as stored"}`;
+  const label = inKelvin ? "brightness temperature at centres, K" : `radiance, ${run.unit || "as stored"}`;
   read = plotSpectra($("spectrum"), shown().map(inUnit), library, {label, band: c.um});
   const b = run.channels.indexOf(c);
   $("readout").textContent = current.map(inUnit).map(s => {
@@ -139,4 +139,9 @@ app.on("pixel", lookAtPixel);
 app.on("region", lookAtRegion);
 app.on("band", show);
 app.on("theme", show);
-app.on("runs", () => { app.pins = app.pins.filter(p => app.run(p.source)); });
+app.on("runs", () => {
+  app.pins = app.pins.filter(p => app.run(p.source));
+  const kelvinFits = Boolean(app.run()) && hasKelvin(app.run());
+  $("quantity").querySelector("option[value=kelvin]").disabled = !kelvinFits;
+  if (!kelvinFits) $("quantity").value = "radiance";
+});

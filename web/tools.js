@@ -58,7 +58,9 @@ export function percentiles(values, from, to) {
   return [low, high];
 }
 
+// Planck's law at one wavelength (the channel's centre), inverted: 2 h c^2 and h c / k of CODATA 2018.
 const C1 = 1.191042972e8, C2 = 1.438776877e4;  // W m-2 sr-1 um4; um K
+export const hasKelvin = run => run.unit === "W m-2 sr-1 um-1" && run.channels.some(c => c.um > 2.5);
 export const kelvin = (um, l) => l > 0 && um > 0 ? C2 / (um * Math.log1p(C1 / (um ** 5 * l))) : NaN;
 
 // Seven hues that are told apart by those who miss red or green (Okabe and Ito), dark enough for lines.

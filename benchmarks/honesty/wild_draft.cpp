@@ -20,10 +20,12 @@ WildDraft::WildDraft(RandomStream& numbers, Light which, std::string scene, std:
               : turned < 0.7 ? random.magnitude(0.001, 2.0)
               : turned < 0.9 ? random.between(0.0, 2.0)
                              : random.between(0.0, 90.0);
-  const std::string aslant = random.with(0.3)
-                                 ? format(R"(, "view_zenith": "{:.3f} deg", "view_azimuth": "{:.3f} deg")",
-                                          random.between(2.0, 65.0), random.between(0.0, 360.0))
-                                 : "";
+  std::string aslant;
+  if (random.with(0.3)) {
+    const double view_zenith = random.between(2.0, 65.0), view_azimuth = random.between(0.0, 360.0);
+    aslant =
+        format(R"(, "view_zenith": "{:.3f} deg", "view_azimuth": "{:.3f} deg")", view_zenith, view_azimuth);
+  }
   camera = format(
       R"("camera": {{"orthographic": {{"gsd": "{} m", "pixels": [{}, {}], "center": ["{} m", "{} m"], "rotation": "{} deg"{}}}}})",
       gsd_m, size_px, size_px, centre_m[0], centre_m[1], angle_deg, aslant);

@@ -20,7 +20,8 @@ void contrast(WildDraft& draft, const char* most, const char* few) {
     draft.grey(most, random.between(0.02, 0.1));
     draft.grey(few, random.between(0.6, 0.95));
   } else {
-    draft.warm(most, random.between(0.9, 1.0), random.between(275.0, 300.0));
+    const double emissivity = random.between(0.9, 1.0), cool_k = random.between(275.0, 300.0);
+    draft.warm(most, emissivity, cool_k);
     draft.warm(few, 1.0, random.between(400.0, 1000.0));
   }
 }
@@ -82,10 +83,12 @@ void make_holes(WildDraft& draft) {
   const std::string opacity = format(
       R"("opacity": {{"file": "{}.img", "low_left": ["{} m", "{} m"], "size": ["{} m", "{} m"], "tiling": "{}", "cutoff": 0.5}})",
       draft.name, corner.x, corner.y, side, side, random.one_of({"repeat", "edge"}));
+  const double reflectance = random.between(0.02, 0.7), emissivity = random.between(0.8, 1.0),
+               plate_k = random.between(270.0, 330.0);
   draft.material("plate", draft.regime == WildDraft::Light::solar
-                              ? format(R"("reflectance": {:.3f}, {})", random.between(0.02, 0.7), opacity)
-                              : format(R"("emissivity": {:.3f}, "temperature": "{:.1f} K", {})",
-                                       random.between(0.8, 1.0), random.between(270.0, 330.0), opacity));
+                              ? format(R"("reflectance": {:.3f}, {})", reflectance, opacity)
+                              : format(R"("emissivity": {:.3f}, "temperature": "{:.1f} K", {})", emissivity,
+                                       plate_k, opacity));
   const double half = random.one_of({kReach_px, random.between(2.0, 8.0)});
   draft.polygon({{-half, -half, height}, {half, -half, height}, {half, half, height}, {-half, half, height}},
                 "plate");
@@ -132,10 +135,9 @@ void make_faces(WildDraft& draft) {
   std::vector<math::Point3> points;
   for (std::size_t j = 0; j < corners; ++j)
     for (std::size_t i = 0; i < corners; ++i) {
-      const math::Point3 p =
-          draft.place(-kReach_px + (static_cast<double>(i) + random.between(-0.3, 0.3)) * width,
-                      -kReach_px + (static_cast<double>(j) + random.between(-0.3, 0.3)) * width,
-                      rough * random.uniform());
+      const double x = static_cast<double>(i) + random.between(-0.3, 0.3),
+                   y = static_cast<double>(j) + random.between(-0.3, 0.3), z = rough * random.uniform();
+      const math::Point3 p = draft.place(-kReach_px + x * width, -kReach_px + y * width, z);
       points.push_back(p);
       mesh += format("v {} {} {}\n", p.x, p.y, p.z);
     }

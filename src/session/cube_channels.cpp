@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/format.h"
+#include "io/envi/wavelength_unit.h"
 #include "io/products/envi_reader.h"
 #include "render/image_info.h"
 
@@ -22,15 +23,15 @@ void require_channels(const io::EnviReader& cube, std::span<const render::Channe
     throw InputError(format(
         "{}: its header has no wavelengths (field 'wavelength'): expected one for each of the {} bands", file,
         bands));
-  const bool nanometres = header.wavelength_units == "Nanometers";
-  if (!nanometres && header.wavelength_units != "Micrometers")
+  const std::optional<double> um_per_unit = io::micrometres_per(header.wavelength_units);
+  if (!um_per_unit)
     throw InputError(format("{}: its header has wavelength units '{}': expected Micrometers or Nanometers",
                             file, header.wavelength_units));
   if (!header.data_units.empty() && header.data_units != radiance_unit)
     throw InputError(
         format("{}: its values are in '{}': expected {}", file, header.data_units, radiance_unit));
   for (std::size_t c = 0; c < bands; ++c) {
-    const double found_um = header.wavelength[c] * (nanometres ? 1e-3 : 1.0);
+    const double found_um = header.wavelength[c] * *um_per_unit;
     const render::ChannelInfo& channel = channels[c];
     const double apart_um = std::max(0.1 * channel.fwhm_um, 1e-4 * channel.centre_um);
     if (!(std::abs(found_um - channel.centre_um) <= apart_um))

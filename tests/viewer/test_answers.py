@@ -4,6 +4,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import shutil
 import struct
 import subprocess
@@ -26,6 +27,14 @@ class Products(unittest.TestCase):
     def tearDownClass(cls):
         cls.viewer.end()
         cls.scratch.__exit__()
+
+    def test_the_page_inverts_plancks_law(self):
+        # CODATA 2018, exact; W m-2 sr-1 um4 and um K.
+        h, c, k = 6.62607015e-34, 299792458.0, 1.380649e-23
+        script = (pathlib.Path(__file__).resolve().parents[2] / "web/tools.js").read_text()
+        c1, c2 = map(float, re.search(r"const C1 = (\S+), C2 = (\S+);", script).groups())
+        self.assertAlmostEqual(c1 / (2 * h * c * c * 1e24), 1.0, places=8)
+        self.assertAlmostEqual(c2 / (h * c / k * 1e6), 1.0, places=8)
 
     def test_what_there_is(self):
         (source,) = self.viewer.ask("sources")["sources"]

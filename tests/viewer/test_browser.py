@@ -3,6 +3,7 @@
 With IFOV_SCREENSHOTS=FOLDER in the environment a picture of every screen is left there, to be looked at."""
 
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -117,6 +118,15 @@ class Page(unittest.TestCase):
         # Values rise downwards: light where they are large.
         self.wait(lambda: sum(self.colour_at("image", 3, 15)) > sum(self.colour_at("image", 3, 0)) + 100)
         self.shot("synthetic")
+
+    def test_kelvins_are_those_of_plancks_law(self):
+        h, c, k = 6.62607015e-34, 299792458.0, 1.380649e-23  # CODATA 2018
+        for um, kelvin in ((3.7, 900.0), (10.0, 300.0), (12.0, 220.0)):
+            metres = um * 1e-6
+            radiance = 2e-6 * h * c**2 / metres**5 / math.expm1(h * c / (metres * k * kelvin))
+            found = self.browser.execute_script(
+                "return import('/tools.js').then(m => m.kelvin(arguments[0], arguments[1]))", um, radiance)
+            self.assertAlmostEqual(found, kelvin, places=4)
 
     def test_pixels_by_keys_and_pins(self):
         image = self.find("image")

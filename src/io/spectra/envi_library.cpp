@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/names.h"
 #include "io/envi/envi_header.h"
+#include "io/envi/wavelength_unit.h"
 #include "io/files/inputs.h"
 #include "io/spectra/spectrum_bytes.h"
 #include "io/tables/text_table.h"
@@ -42,10 +43,9 @@ const std::string* other(const EnviHeader& header, const std::string& key) {
 
 /// Micrometres for each unit of the header's wavelengths.
 double um_per_unit(const EnviHeader& header, const std::string& file) {
-  const std::string unit = lower_case(header.wavelength_units);
-  if (unit.starts_with("micro") || unit == "um") return 1.0;
-  if (unit.starts_with("nano") || unit == "nm") return 1e-3;
-  if (unit.empty() || unit == "unknown")
+  const std::string& unit = header.wavelength_units;
+  if (const std::optional<double> known = micrometres_per(unit)) return *known;
+  if (unit.empty() || lower_case(unit) == "unknown")
     return *std::max_element(header.wavelength.begin(), header.wavelength.end()) < 100.0 ? 1.0 : 1e-3;
   fail(file,
        format("\"wavelength units\" is \"{}\"; expected Micrometers or Nanometers", header.wavelength_units));

@@ -46,6 +46,10 @@ std::string Query::choice(const std::string& name, std::span<const std::string_v
   return text;
 }
 
+std::size_t thinned_place(std::size_t k, std::size_t step, std::size_t count) {
+  return std::min(k * step + (step - 1) / 2, count - 1);
+}
+
 Answer numbers(std::span<const float> values, std::string about) {
   return {"application/octet-stream",
           std::string(reinterpret_cast<const char*>(values.data()), values.size_bytes()), std::move(about)};

@@ -45,6 +45,9 @@ class Refused : public std::runtime_error {
   int status_;
 };
 
+/// Where the k-th of every `step` places stands among `count`: in the middle of its step.
+std::size_t thinned_place(std::size_t k, std::size_t step, std::size_t count);
+
 /// Little-endian floats.
 Answer numbers(std::span<const float> values, std::string about);
 

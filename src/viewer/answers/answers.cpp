@@ -52,8 +52,6 @@ Answers::Answers(std::vector<std::filesystem::path> folders, std::unique_ptr<Che
     sources_.push_back(std::make_unique<Source>(std::move(folder)));
 }
 
-bool Answers::knows(std::string_view name) { return row_of(name) != nullptr; }
-
 Answer Answers::answer(std::string_view name, const Query& query) {
   const Row* row = row_of(name);
   if (row == nullptr) throw Refused(404, "there is no such thing");

@@ -18,8 +18,6 @@ class Answers {
   /// `document` may be null.
   Answers(std::vector<std::filesystem::path> folders, std::unique_ptr<CheckedDocument> document);
 
-  /// Whether there is such a name.
-  static bool knows(std::string_view name);
   /// Throws Refused; InputError and SystemError as readers do.
   Answer answer(std::string_view name, const Query& query);
 

@@ -39,12 +39,11 @@ Answer Answers::band(const Query& query) {
     throw Refused(400, format("{} x {} values are asked for; expected {} at most: take a larger step",
                               columns, rows, kMostValues));
   std::vector<float> values(rows * columns), line(static_cast<std::size_t>(x1 - x0));
-  const int middle = (step - 1) / 2;
+  const auto apart = static_cast<std::size_t>(step), lines = static_cast<std::size_t>(y1 - y0);
   for (std::size_t row = 0; row < rows; ++row) {
-    cube.reader.read(std::min(y0 + static_cast<int>(row) * step + middle, y1 - 1), band, line, x0);
+    cube.reader.read(y0 + static_cast<int>(thinned_place(row, apart, lines)), band, line, x0);
     for (std::size_t column = 0; column < columns; ++column)
-      values[row * columns + column] = line[std::min(
-          column * static_cast<std::size_t>(step) + static_cast<std::size_t>(middle), line.size() - 1)];
+      values[row * columns + column] = line[thinned_place(column, apart, line.size())];
   }
   return numbers(values, format("{{\"columns\":{},\"rows\":{}}}", columns, rows));
 }

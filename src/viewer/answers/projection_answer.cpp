@@ -6,6 +6,7 @@
 #include "analysis/spectral_projection.h"
 #include "core/error.h"
 #include "io/json/json_writer.h"
+#include "sampling/quantiles.h"
 #include "viewer/answers/answers.h"
 #include "viewer/sources/open_run.h"
 
@@ -20,18 +21,15 @@ constexpr int kMostAxes = 10;
 std::vector<float> thinned(const io::EnviReader& reader, const std::vector<int>& bands, int step) {
   const io::EnviHeader& header = reader.header();
   std::vector<float> values, line(static_cast<std::size_t>(header.samples));
-  const auto columns = static_cast<std::size_t>((header.samples + step - 1) / step);
-  const int middle = (step - 1) / 2;
-  for (int y = 0; y < header.lines; y += step) {
-    const std::size_t begin = values.size();
-    values.resize(begin + columns * bands.size());
+  const auto apart = static_cast<std::size_t>(step), lines = static_cast<std::size_t>(header.lines);
+  const std::size_t columns = (line.size() + apart - 1) / apart, rows = (lines + apart - 1) / apart;
+  values.resize(rows * columns * bands.size());
+  for (std::size_t y = 0; y < rows; ++y)
     for (std::size_t b = 0; b < bands.size(); ++b) {
-      reader.read(std::min(y + middle, header.lines - 1), bands[b], line);
+      reader.read(static_cast<int>(thinned_place(y, apart, lines)), bands[b], line);
       for (std::size_t x = 0; x < columns; ++x)
-        values[begin + x * bands.size() + b] = line[std::min(
-            x * static_cast<std::size_t>(step) + static_cast<std::size_t>(middle), line.size() - 1)];
+        values[(y * columns + x) * bands.size() + b] = line[thinned_place(x, apart, line.size())];
     }
-  }
   return values;
 }
 
@@ -60,16 +58,6 @@ std::vector<double> mean_squares(const std::vector<float>& values, std::size_t b
   return sums;
 }
 
-/// Half-widths over standard errors at a confidence, for errors that are normal: the quantile of (1 + confidence) / 2.
-double normal_quantile(double confidence) {
-  double low = 0.0, high = 10.0;
-  for (int k = 0; k < 60; ++k) {
-    const double middle = 0.5 * (low + high);
-    (std::erf(middle / std::sqrt(2.0)) < confidence ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
 struct Noise {
   std::vector<double> variance;
   std::string from;
@@ -81,7 +69,8 @@ Noise noise_of(const OpenRun& run, const std::vector<int>& bands, int step) {
   std::string from = "standard errors";
   if (cube == nullptr) {
     cube = run.cube("half_width");
-    scale = 1.0 / normal_quantile(run.confidence > 0.0 && run.confidence < 1.0 ? run.confidence : 0.95);
+    scale = 1.0 /
+            sampling::two_sided_normal(run.confidence > 0.0 && run.confidence < 1.0 ? run.confidence : 0.95);
     from = "half-widths, taken for those of normal errors";
   }
   if (cube == nullptr)

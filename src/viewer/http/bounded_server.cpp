@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstring>
 #include <deque>
 #include <mutex>
 #include <thread>
@@ -168,17 +169,12 @@ struct BoundedServer::Inside {
   Server server;
   int port = 0;
   Handler handler;
-  std::atomic<bool> serving{false};
 
   void answer(const httplib::Request& asked, httplib::Response& response) const {
     const Request request{{asked.method, asked.get_header_value("Host"), asked.get_header_value("Origin"),
                            asked.get_header_value("Sec-Fetch-Site"), asked.get_header_value("X-Ifov-Token"),
                            static_cast<int>(asked.get_header_value_count("Host"))},
                           asked.path,
-                          [&](const std::string& name) {
-                            const auto found = asked.params.find(name);
-                            return found == asked.params.end() ? nullptr : &found->second;
-                          },
                           [&](const auto& take) {
                             for (const auto& [name, value] : asked.params) take(name, value);
                           }};

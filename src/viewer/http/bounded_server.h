@@ -23,8 +23,7 @@ class BoundedServer {
   struct Request {
     Origin origin;
     std::string path;  ///< decoded
-    /// A value of the query; null where there is none. Of several the first.
-    std::function<const std::string*(const std::string& name)> value;
+    /// Calls with every name and value of the query.
     std::function<void(const std::function<void(const std::string& name, const std::string& value)>&)>
         each_value;
   };

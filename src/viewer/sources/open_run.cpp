@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "ifov/products.h"
+#include "io/envi/wavelength_unit.h"
 #include "io/quantities/quantity.h"
 #include "io/quantities/quantity_set.h"
 
@@ -57,18 +58,13 @@ OpenRun::Cube open_cube(const std::filesystem::path& file, std::string name, std
   return cube;
 }
 
-double micrometres(const io::EnviHeader& header, double wavelength) {
-  const std::string& unit = header.wavelength_units;
-  return unit.starts_with("Nano") || unit.starts_with("nano") || unit == "nm" ? 1e-3 * wavelength
-                                                                              : wavelength;
-}
-
 std::vector<Channel> channels_of(const io::EnviHeader& header) {
   std::vector<Channel> channels;
+  const double um_per_unit = io::micrometres_per(header.wavelength_units).value_or(1.0);
   for (std::size_t b = 0; b < static_cast<std::size_t>(header.bands); ++b) {
     Channel channel{b < header.band_names.size() ? header.band_names[b] : format("band {}", b + 1)};
-    if (b < header.wavelength.size()) channel.centre_um = micrometres(header, header.wavelength[b]);
-    if (b < header.fwhm.size()) channel.fwhm_um = micrometres(header, header.fwhm[b]);
+    if (b < header.wavelength.size()) channel.centre_um = um_per_unit * header.wavelength[b];
+    if (b < header.fwhm.size()) channel.fwhm_um = um_per_unit * header.fwhm[b];
     channels.push_back(std::move(channel));
   }
   return channels;
