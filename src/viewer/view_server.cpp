@@ -53,7 +53,9 @@ std::string address_of(const ViewOptions& options) {
 
 std::unique_ptr<CheckedDocument> document_of(const ViewOptions& options) {
   for (const std::filesystem::path& what : options.what) {
-    if (!std::filesystem::exists(what)) throw SystemError(format("there is no '{}'", what.string()));
+    if (!std::filesystem::exists(what))
+      throw SystemError(format("there is no '{}'; expected a folder of products or of a run, or a document",
+                               what.string()));
     if (std::filesystem::is_directory(what) || what.filename().string().ends_with("_run.json")) continue;
     if (options.what.size() > 1)
       throw InputError(format(
