@@ -40,6 +40,10 @@ function(ifov_library target sources rooms libraries)
     set(scope PUBLIC)
     ifov_compile_options(${target})
     ifov_join_sources(${target} "${sources}")
+    if(IFOV_JOIN_SOURCES)
+      ifov_precompile(${target} FIRST ifov_core HEADERS <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map>
+                      <memory> <numbers> <optional> <span> <string> <string_view> <variant> <vector>)
+    endif()
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
                                                VISIBILITY_INLINES_HIDDEN ON)
     foreach(library ${libraries})

@@ -7,7 +7,7 @@
 #include "analysis/spectral_projection.h"
 #include "sampling/random.h"
 
-namespace ifov::analysis {
+namespace ifov::analysis::test_spectral_projection {
 namespace {
 
 constexpr int kWidth = 60, kHeight = 50;
@@ -134,4 +134,4 @@ TEST(SpectralProjection, ChannelsThatAddNothingDoNoHarm) {
 }
 
 }  // namespace
-}  // namespace ifov::analysis
+}  // namespace ifov::analysis::test_spectral_projection

@@ -11,7 +11,7 @@
 #include "measured.h"
 #include "support/truth_data.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_absorption_terms {
 namespace {
 
 std::set<double> exponents() {
@@ -80,7 +80,7 @@ TEST(AbsorptionTerms, OverlapOfGasesAgainstTheProduct) {
   };
   for (const Choice& choice :
        {Choice{5, 8, 0.002, 0.010}, Choice{8, 16, 0.0005, 0.010}, Choice{8, 8, 0.002, 0.025}}) {
-    test::Measured measured, without_second_gas;
+    ifov::test::Measured measured, without_second_gas;
     for (int nu = 700; nu <= 14500; nu += 15) {
       const AbsorptionSet set = line_absorption(nu, layers, GasModel::standard, choice.terms, choice.most);
       ASSERT_LE(set.terms(), static_cast<std::size_t>(choice.most));
@@ -121,4 +121,4 @@ TEST(AbsorptionTerms, DepthsOfATermAddUpToTheGasOfTheLayers) {
 }
 
 }  // namespace
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_absorption_terms

@@ -14,7 +14,7 @@
 #include "radiometry/planck.h"
 #include "radiometry/solar_spectrum.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_atmosphere_error {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0, kGround = 0.3, kGround_k = 300.0;
@@ -180,4 +180,4 @@ TEST(SkyTableError, OfARingHasItsClosedForm) {
 }
 
 }  // namespace
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_atmosphere_error

@@ -7,7 +7,7 @@
 #include "atmosphere/sensor/channel_scattering.h"
 #include "atmosphere/sensor/sky_directions.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_channel_scattering {
 namespace {
 
 /// Where a channel across the edge of a water band is checked, under a Sun of this irradiance.
@@ -37,4 +37,4 @@ TEST(ChannelScattering, SharesOfWeakPointsDoNotDependOnTheSun) {
 }
 
 }  // namespace
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_channel_scattering

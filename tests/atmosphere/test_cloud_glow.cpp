@@ -15,7 +15,7 @@
 #include "radiometry/planck.h"
 #include "radiometry/solar_spectrum.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_cloud_glow {
 namespace {
 
 AtmosphereDescription with_cloud(double depth, double base_km, double top_km,
@@ -127,4 +127,4 @@ TEST(CloudGlow, FitsWhatTheCloudReflects) {
   }
 }
 
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_cloud_glow

@@ -14,7 +14,7 @@
 #include "radiometry/planck.h"
 #include "radiometry/refractive_index.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_clouds {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -227,4 +227,4 @@ TEST(Clouds, GlowAsBlackBodies) {
   EXPECT_GT(std::abs(at(2.0) / at(1.9) - 1.0), 0.006) << "100 m are told apart";
 }
 
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_clouds

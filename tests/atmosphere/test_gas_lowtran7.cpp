@@ -15,7 +15,7 @@
 #include "support/truth_data.h"
 
 // Runs of the original program (Kneizys et al. 1988). Its four decimals round to 5e-5.
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_gas_lowtran7 {
 namespace {
 
 constexpr double kTolerance = 0.002;
@@ -87,10 +87,10 @@ double trace_gases(double nu, const GasAmounts& amounts, GasModel model) {
 }
 
 /// Each column of the program's output against ours.
-std::map<std::string, test::Measured> compared(const std::filesystem::path& file, const GasAmounts& amounts,
-                                               GasModel model) {
-  std::map<std::string, test::Measured> columns;
-  for (const test::LowtranRow& row : test::lowtran_rows(file)) {
+std::map<std::string, ifov::test::Measured> compared(const std::filesystem::path& file,
+                                                     const GasAmounts& amounts, GasModel model) {
+  std::map<std::string, ifov::test::Measured> columns;
+  for (const ifov::test::LowtranRow& row : ifov::test::lowtran_rows(file)) {
     const double nu = row.wavenumber_cm1;
     const ContinuumDepths continuum = continuum_depths(nu, amounts, model);
     columns["H2O"].add(nu, line_transmittance(Gas::h2o, nu, amounts, model), row.h2o);
@@ -110,7 +110,7 @@ class Lowtran7 : public testing::TestWithParam<ProgramRun (*)()> {};
 
 TEST_P(Lowtran7, EveryGasColumn) {
   const ProgramRun run = GetParam()();
-  const auto file = test::truth_file("atmosphere/lowtran7/" + run.file + ".tape7.txt");
+  const auto file = ifov::test::truth_file("atmosphere/lowtran7/" + run.file + ".tape7.txt");
   if (!file) GTEST_SKIP() << "reference data not found: atmosphere/lowtran7/" << run.file << ".tape7.txt";
   for (const auto& [name, measured] : compared(*file, run.amounts, GasModel::lowtran7)) {
     measured.record(name);
@@ -121,7 +121,7 @@ TEST_P(Lowtran7, EveryGasColumn) {
 
 TEST_P(Lowtran7, PlantedFaultsAreCaught) {
   const ProgramRun run = GetParam()();
-  const auto file = test::truth_file("atmosphere/lowtran7/" + run.file + ".tape7.txt");
+  const auto file = ifov::test::truth_file("atmosphere/lowtran7/" + run.file + ".tape7.txt");
   if (!file) GTEST_SKIP() << "reference data not found: atmosphere/lowtran7/" << run.file << ".tape7.txt";
   // The continuum as we change it.
   EXPECT_GT(compared(*file, run.amounts, GasModel::standard)["H2O_continuum"].largest(), 5 * kTolerance);
@@ -141,4 +141,4 @@ INSTANTIATE_TEST_SUITE_P(Runs, Lowtran7, testing::Values(&run_a, &run_b, &run_g)
                          [](const auto& run) { return std::string(1, "ABG"[run.index]); });
 
 }  // namespace
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_gas_lowtran7

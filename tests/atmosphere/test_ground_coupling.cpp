@@ -5,7 +5,7 @@
 #include "atmosphere/ground_coupling.h"
 #include "core/error.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_ground_coupling {
 namespace {
 
 using Q = PathQuantity;
@@ -112,4 +112,4 @@ TEST(GroundCoupling, ErrorsNameTheRuns) {
 }
 
 }  // namespace
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_ground_coupling

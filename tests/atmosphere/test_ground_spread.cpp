@@ -9,7 +9,7 @@
 #include "atmosphere/scattering/phase/phase_function.h"
 #include "column_maker.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_ground_spread {
 namespace {
 
 using test::Air;
@@ -104,4 +104,4 @@ TEST(GroundSpread, LeansTowardsTheSensor) {
 }
 
 }  // namespace
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_ground_spread

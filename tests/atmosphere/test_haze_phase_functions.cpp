@@ -12,7 +12,7 @@
 #include "atmosphere/scattering/phase/scattering_matrix.h"
 #include "atmosphere/scattering/single_scattering.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_haze_phase_functions {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -215,4 +215,4 @@ TEST(HazePhaseFunctions, ConserveEnergy) {
   EXPECT_NEAR(back / std::cos(40.0 * kDegree), 1.0, 1e-3);
 }
 
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_haze_phase_functions

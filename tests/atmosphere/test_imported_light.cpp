@@ -7,7 +7,7 @@
 #include "atmosphere/imported_light.h"
 #include "core/error.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_imported_light {
 namespace {
 
 using Q = PathQuantity;
@@ -174,4 +174,4 @@ TEST(ImportedAtmosphere, ChannelsOfTheFileHaveItsOwnValues) {
 }
 
 }  // namespace
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_imported_light

@@ -5,7 +5,7 @@
 #include "atmosphere/imported_path.h"
 #include "core/error.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_imported_path {
 namespace {
 
 using Q = PathQuantity;
@@ -62,4 +62,4 @@ TEST(ImportedPath, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_imported_path

@@ -9,7 +9,7 @@
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "radiometry/solar_spectrum.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_line_of_sight_grid {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0, kPi = std::numbers::pi;
@@ -152,4 +152,4 @@ TEST_F(LinesOfSight, OfOneDirectionAreTheGeometrysOwn) {
 }
 
 }  // namespace
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_line_of_sight_grid

@@ -11,7 +11,7 @@
 #include "atmosphere/scattering/phase/scattering_matrix.h"
 #include "atmosphere/scattering/phase/spherical_functions.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_mie {
 namespace {
 
 using Complex = std::complex<double>;
@@ -189,4 +189,4 @@ TEST(Mie, SizesAreDistributedAsAsked) {
   EXPECT_THROW(MieSphere(1.0, {1.5, -0.1}), std::invalid_argument);
 }
 
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_mie

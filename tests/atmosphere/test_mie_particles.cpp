@@ -13,7 +13,7 @@
 #include "core/error.h"
 #include "radiometry/refractive_index.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_mie_particles {
 namespace {
 
 using radiometry::Spectrum;
@@ -100,4 +100,4 @@ TEST(MieParticles, SayWhereTheirIndexEnds) {
   EXPECT_THROW(haze(1.4, -1e-3), InputError);
 }
 
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_mie_particles

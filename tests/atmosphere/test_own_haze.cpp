@@ -15,7 +15,7 @@
 #include "column_maker.h"
 #include "core/error.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_own_haze {
 namespace {
 
 using radiometry::Spectrum;
@@ -254,4 +254,4 @@ TEST(OwnHaze, RefusesWhatCannotBe) {
   EXPECT_THROW(particles(1.0, 0.9, 1.0), InputError);
 }
 
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_own_haze

@@ -11,7 +11,7 @@
 #include "measured.h"
 #include "support/truth_data.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_particles {
 namespace {
 
 AtmosphereDescription us_standard_rural() {
@@ -61,19 +61,19 @@ AerosolTransmittance transmittance(const AerosolColumn& aerosol, double waveleng
 }
 
 TEST(Aerosol, VerticalAsLowtran7) {
-  const auto file = test::truth_file("atmosphere/lowtran7/B_US76_rural23_vertical_trans.tape7.txt");
+  const auto file = ifov::test::truth_file("atmosphere/lowtran7/B_US76_rural23_vertical_trans.tape7.txt");
   if (!file)
     GTEST_SKIP() << "reference data not found: atmosphere/lowtran7/B_US76_rural23_vertical_trans.tape7.txt";
   const AtmosphereColumn column(us_standard_rural());
   AtmosphereDescription faulty = us_standard_rural();
   faulty.aerosol.type = "urban";
   const AtmosphereColumn urban(faulty);
-  test::Measured extinction, absorption, wrong;
+  ifov::test::Measured extinction, absorption, wrong;
   const auto of = [](const AtmosphereColumn& air, double nu) {
     return transmittance(air.aerosol(), 1e4 / nu,
                          [&](std::size_t r) { return air.aerosol().thickness_550(r, 0.0, 100.0); });
   };
-  for (const test::LowtranRow& row : test::lowtran_rows(*file)) {
+  for (const ifov::test::LowtranRow& row : ifov::test::lowtran_rows(*file)) {
     const double nu = row.wavenumber_cm1;
     extinction.add(nu, of(column, nu).total, row.aerosol);
     absorption.add(nu, of(column, nu).absorbed, row.aerosol_absorbed);
@@ -88,7 +88,8 @@ TEST(Aerosol, VerticalAsLowtran7) {
 }
 
 TEST(Aerosol, HorizontalAsLowtran7) {
-  const auto file = test::truth_file("atmosphere/lowtran7/G_TROP_rural23_horizontal5km_trans.tape7.txt");
+  const auto file =
+      ifov::test::truth_file("atmosphere/lowtran7/G_TROP_rural23_horizontal5km_trans.tape7.txt");
   if (!file)
     GTEST_SKIP()
         << "reference data not found: atmosphere/lowtran7/G_TROP_rural23_horizontal5km_trans.tape7.txt";
@@ -99,8 +100,8 @@ TEST(Aerosol, HorizontalAsLowtran7) {
   const AerosolOptics rural("rural", column.profile().relative_humidity_percent(0));
   const AerosolOptics dry("rural", 0.0);
   const double thickness = 5.0 * column.aerosol().extinction_550_km(0, 0.0);
-  test::Measured extinction, wrong;
-  for (const test::LowtranRow& row : test::lowtran_rows(*file)) {
+  ifov::test::Measured extinction, wrong;
+  for (const ifov::test::LowtranRow& row : ifov::test::lowtran_rows(*file)) {
     const double nu = row.wavenumber_cm1;
     extinction.add(nu, std::exp(-thickness * rural.at(1e4 / nu).extinction), row.aerosol);
     wrong.add(nu, std::exp(-thickness * dry.at(1e4 / nu).extinction), row.aerosol);
@@ -119,7 +120,8 @@ bool in_nitric_acid(double nu) {
 }
 
 TEST(DirectSun, AsLowtran7) {
-  const auto file = test::truth_file("atmosphere/lowtran7/F_US76_rural23_direct_solar_zenith48.tape7.txt");
+  const auto file =
+      ifov::test::truth_file("atmosphere/lowtran7/F_US76_rural23_direct_solar_zenith48.tape7.txt");
   if (!file)
     GTEST_SKIP()
         << "reference data not found: atmosphere/lowtran7/F_US76_rural23_direct_solar_zenith48.tape7.txt";
@@ -139,8 +141,8 @@ TEST(DirectSun, AsLowtran7) {
   }
   const GasAmounts slant = slant_amounts(profile, 0.0, 100.0, kZenith);
   const GasAmounts vertical = vertical_amounts(profile, 0.0, 100.0);
-  test::Measured total, wrong;
-  for (const std::vector<double>& row : test::numeric_rows(*file, 5)) {
+  ifov::test::Measured total, wrong;
+  for (const std::vector<double>& row : ifov::test::numeric_rows(*file, 5)) {
     const double nu = row[0];
     if (nu > 33000.0 || row.size() > 5 || in_nitric_acid(nu)) continue;
     const double particles =
@@ -225,4 +227,4 @@ TEST(Aerosol, WrongWordsAreNamed) {
 }
 
 }  // namespace
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_particles

@@ -8,7 +8,7 @@
 #include "atmosphere/scattering/phase/scattering_matrix.h"
 #include "atmosphere/scattering/sky_ring.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_polarization_signs {
 namespace {
 
 using math::Vec3;
@@ -113,4 +113,4 @@ TEST(PolarizationSigns, ARingIsItsDirections) {
 }
 
 }  // namespace
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_polarization_signs

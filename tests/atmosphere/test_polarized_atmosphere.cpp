@@ -11,7 +11,7 @@
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "radiometry/solar_spectrum.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_polarized_atmosphere {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0, kPi = std::numbers::pi;
@@ -192,4 +192,4 @@ TEST_F(PolarizedAtmosphere, NightAndScalarSolver) {
 }
 
 }  // namespace
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_polarized_atmosphere

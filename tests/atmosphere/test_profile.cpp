@@ -11,7 +11,7 @@
 #include "measured.h"
 #include "support/truth_data.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_profile {
 namespace {
 
 ProfileDescription of_1986(const std::string& model) {
@@ -28,7 +28,7 @@ TEST(Profile, ModelAtmospheresAsPublished) {
       {"tropical", "afglt"},          {"mid-latitude summer", "afglms"}, {"mid-latitude winter", "afglmw"},
       {"subarctic summer", "afglss"}, {"subarctic winter", "afglsw"},    {"US standard 1976", "afglus"}};
   for (const auto& [name, stem] : files) {
-    const auto file = test::truth_file("atmosphere/afgl_profiles/" + stem + ".dat");
+    const auto file = ifov::test::truth_file("atmosphere/afgl_profiles/" + stem + ".dat");
     if (!file) GTEST_SKIP() << "reference data not found: atmosphere/afgl_profiles/" << stem << ".dat";
     const Profile& model = model_atmosphere(name);
     std::ifstream stream(*file);
@@ -193,4 +193,4 @@ TEST(Profile, WrongInputIsNamed) {
 }
 
 }  // namespace
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_profile

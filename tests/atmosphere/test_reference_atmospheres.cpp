@@ -15,7 +15,7 @@
 #include "support/truth_data.h"
 
 // The atmosphere against other programs with newer line data. Nothing in it is adjusted to them.
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_reference_atmospheres {
 namespace {
 
 /// Gas transmittance of whole paths at multiples of 5 cm-1, smoothed to 20 cm-1 already by the band model.
@@ -96,7 +96,7 @@ Spectrum5 two_way(const AtmosphereColumn& column) {
 TEST(Modtran6, TwoWayTransmittanceOfPasadena) {
   for (const Pasadena& scene : {Pasadena{"AOT550-0.1000_H2OSTR-1.5000", 1.5, 0.1},
                                 Pasadena{"AOT550-0.0100_H2OSTR-2.0000", 2.0, 0.0392}}) {
-    const auto file = test::truth_file("atmosphere/modtran6_isofit_pasadena/" + scene.name + ".chn");
+    const auto file = ifov::test::truth_file("atmosphere/modtran6_isofit_pasadena/" + scene.name + ".chn");
     if (!file)
       GTEST_SKIP() << "reference data not found: atmosphere/modtran6_isofit_pasadena/" << scene.name
                    << ".chn";
@@ -105,9 +105,9 @@ TEST(Modtran6, TwoWayTransmittanceOfPasadena) {
     AtmosphereDescription dry = described(scene);
     dry.air.water_vapour_g_cm2 = 0.1;
     const Spectrum5 faulty = two_way(AtmosphereColumn(dry));
-    test::Measured all, wrong;
-    std::map<double, test::Measured> parts;
-    for (const std::vector<double>& row : test::channel_rows(*file)) {
+    ifov::test::Measured all, wrong;
+    std::map<double, ifov::test::Measured> parts;
+    for (const std::vector<double>& row : ifov::test::channel_rows(*file)) {
       const double nm = row[0];
       const double theirs =
           row[19] / row[18] * std::cos(51.9928 * std::numbers::pi / 180.0) / std::numbers::pi;
@@ -131,7 +131,8 @@ TEST(Modtran6, TwoWayTransmittanceOfPasadena) {
 // The bands that pairs of oxygen molecules make, in MODTRAN5's column of uniformly mixed gases on that path:
 // two of the three in the visible, and those at 1.06 and 1.27 um. LOWTRAN7 has none of them.
 TEST(Modtran5, OxygenPairs) {
-  const auto file = test::truth_file("atmosphere/modtran_tape7_pyradi/horizon5kmtropical_first12cols.txt");
+  const auto file =
+      ifov::test::truth_file("atmosphere/modtran_tape7_pyradi/horizon5kmtropical_first12cols.txt");
   if (!file)
     GTEST_SKIP()
         << "reference data not found: atmosphere/modtran_tape7_pyradi/horizon5kmtropical_first12cols.txt";
@@ -140,8 +141,8 @@ TEST(Modtran5, OxygenPairs) {
   const GasAmounts path = horizontal_amounts(build_profile(description).profile, 0.0, 5.0);
   for (const auto& [first, last] :
        {std::pair{20600.0, 21300.0}, {17000.0, 17700.0}, {9200.0, 9700.0}, {7500.0, 8300.0}}) {
-    test::Measured ours, without;
-    for (const std::vector<double>& row : test::numeric_rows(*file, 12)) {
+    ifov::test::Measured ours, without;
+    for (const std::vector<double>& row : ifov::test::numeric_rows(*file, 12)) {
       if (row[0] < first || row[0] > last) continue;
       double lines = 1.0;
       for (const Gas gas : {Gas::co2, Gas::co, Gas::ch4, Gas::n2o, Gas::o2})
@@ -159,7 +160,8 @@ TEST(Modtran5, OxygenPairs) {
 
 // 5 km at sea level in the tropical model: where the windows are, and what is in them.
 TEST(Modtran5, HorizontalWindows) {
-  const auto file = test::truth_file("atmosphere/modtran_tape7_pyradi/horizon5kmtropical_first12cols.txt");
+  const auto file =
+      ifov::test::truth_file("atmosphere/modtran_tape7_pyradi/horizon5kmtropical_first12cols.txt");
   if (!file)
     GTEST_SKIP()
         << "reference data not found: atmosphere/modtran_tape7_pyradi/horizon5kmtropical_first12cols.txt";
@@ -172,7 +174,7 @@ TEST(Modtran5, HorizontalWindows) {
   const GasAmounts path = horizontal_amounts(profile, 0.0, 5.0);
   struct Window {
     double first, last;
-    test::Measured ours, as_in_1986, water;
+    ifov::test::Measured ours, as_in_1986, water;
   };
   std::vector<Window> windows;
   for (const auto& [first, last] : std::vector<std::pair<double, double>>{{750, 1250},
@@ -186,7 +188,7 @@ TEST(Modtran5, HorizontalWindows) {
                                                                           {11500, 13000},
                                                                           {13300, 13700}})
     windows.push_back({first, last, {}, {}, {}});
-  for (const std::vector<double>& row : test::numeric_rows(*file, 12)) {
+  for (const std::vector<double>& row : ifov::test::numeric_rows(*file, 12)) {
     const double nu = row[0];
     for (Window& window : windows) {
       if (nu < window.first || nu > window.last) continue;
@@ -214,7 +216,7 @@ TEST(Modtran5, HorizontalWindows) {
 
 // REPTRAN medium (Gasteiger et al. 2014), US standard atmosphere, sun in the zenith, molecules alone.
 TEST(Reptran, VerticalTransmittance) {
-  const auto file = test::truth_file("atmosphere/libradtran/transmittance_reptran.OUT");
+  const auto file = ifov::test::truth_file("atmosphere/libradtran/transmittance_reptran.OUT");
   if (!file) GTEST_SKIP() << "reference data not found: atmosphere/libradtran/transmittance_reptran.OUT";
   AtmosphereDescription description;
   description.air.model = "US standard 1976";
@@ -228,7 +230,7 @@ TEST(Reptran, VerticalTransmittance) {
   std::ifstream stream(*file);
   for (double nm, direct, global; stream >> nm >> direct >> global;) theirs.emplace_back(1e7 / nm, direct);
   std::reverse(theirs.begin(), theirs.end());
-  test::Measured all, wrong, near_940;
+  ifov::test::Measured all, wrong, near_940;
   for (double nu = 5050.0; nu < 25200.0; nu += 10.0) {
     // Theirs, every 5 cm-1, with the triangle of the band model's 20 cm-1.
     double sum = 0.0, weight = 0.0;
@@ -269,7 +271,7 @@ TEST(AtmosphereColumn, TermsTransmitWhatTheColumnDoes) {
   EXPECT_NE(std::find(z.begin(), z.end(), 2.3), z.end());
   EXPECT_EQ(z[1], 0.05);
   const GasAmounts vertical = vertical_amounts(column.profile(), 0.0, 100.0);
-  test::Measured measured;
+  ifov::test::Measured measured;
   for (double nu = 700.0; nu <= 28000.0; nu += 35.0) {
     const ColumnOptics optics = column.at(nu);
     double terms = 0.0, particles = 0.0;
@@ -310,4 +312,4 @@ TEST(AtmosphereColumn, AllBinsInSeconds) {
 }
 
 }  // namespace
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_reference_atmospheres

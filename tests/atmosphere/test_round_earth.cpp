@@ -10,6 +10,7 @@
 #include "atmosphere/scattering/round_earth_error.h"
 #include "atmosphere/spherical_reference.h"
 
+namespace test_round_earth {
 using namespace ifov::atmosphere;
 using namespace ifov::atmosphere::test;
 
@@ -128,3 +129,5 @@ TEST(RoundEarth, HighSunsAndSteepViewsAreAsInFlatLayers) {
   EXPECT_NEAR(part.radiance().i, same.radiance().i, 1e-12 * whole);
   EXPECT_NEAR(part.transmittance, same.transmittance, 1e-13);
 }
+
+}  // namespace test_round_earth

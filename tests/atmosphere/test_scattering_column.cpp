@@ -9,6 +9,7 @@
 #include "atmosphere/column_maker.h"
 #include "core/parallel.h"
 
+namespace test_scattering_column {
 using namespace ifov::atmosphere;
 using namespace ifov::atmosphere::test;
 
@@ -215,3 +216,5 @@ TEST(ScatteringColumn, RefusesWhatDoesNotFit) {
   options.nodes_per_hemisphere = 1;
   EXPECT_THROW(ColumnSolver{options}, std::invalid_argument);
 }
+
+}  // namespace test_scattering_column

@@ -13,7 +13,7 @@
 // zenith, ground of albedo 0.2. Everything is divided by sunlight that the ground reflects straight to the
 // sensor, which takes the solar spectrum out. The program has phase functions of its own for aerosol, and two
 // streams for light scattered more than once.
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_scattering_lowtran7 {
 namespace {
 
 constexpr double kAlbedo = 0.2;
@@ -25,7 +25,7 @@ struct Nadir {
 class ScatteringLowtran7 : public testing::Test {
  protected:
   void SetUp() override {
-    if (!test::truth_file("atmosphere/lowtran7"))
+    if (!ifov::test::truth_file("atmosphere/lowtran7"))
       GTEST_SKIP() << "reference data not found: atmosphere/lowtran7";
   }
 
@@ -51,7 +51,8 @@ class ScatteringLowtran7 : public testing::Test {
   /// Rows with wavenumber, transmittance, thermal, path, single, ground, direct ... at every 600 cm-1.
   static std::vector<std::vector<double>> rows(const std::string& file, double from_cm1, double to_cm1) {
     std::vector<std::vector<double>> result;
-    for (const auto& row : test::numeric_rows(*test::truth_file("atmosphere/lowtran7/" + file), 9)) {
+    for (const auto& row :
+         ifov::test::numeric_rows(*ifov::test::truth_file("atmosphere/lowtran7/" + file), 9)) {
       if (row[0] >= from_cm1 && row[0] <= to_cm1 && std::fmod(row[0], 600.0) == 0.0) result.push_back(row);
     }
     EXPECT_GT(result.size(), 4u);
@@ -92,4 +93,4 @@ TEST_F(ScatteringLowtran7, LightThatReachesTheGround) {
   }
 }
 
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_scattering_lowtran7

@@ -9,6 +9,7 @@
 #include "atmosphere/scattering/phase/scattering_matrix.h"
 #include "atmosphere/scattering/phase/spherical_functions.h"
 
+namespace test_scattering_phase {
 using namespace ifov::atmosphere;
 
 namespace {
@@ -115,3 +116,5 @@ TEST(ScatteringPhase, GaussNodesIntegratePolynomials) {
     }
   }
 }
+
+}  // namespace test_scattering_phase

@@ -12,7 +12,7 @@
 
 // MODTRAN6 over Pasadena: nadir from 2.3 km, ground at 0.35 km, Sun 51.99 degrees from the zenith, rural
 // haze. Nothing is adjusted to it.
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_scattering_reference {
 namespace {
 
 constexpr double kSunZenith_rad = 51.9928 * std::numbers::pi / 180.0;
@@ -65,14 +65,14 @@ Terms channel(const AtmosphereColumn& column, const ColumnSolver& solver, double
 TEST(ScatteringReference, Modtran6PathRadianceAndSphericalAlbedo) {
   const ColumnSolver solver;
   for (const Case& scene : kCases) {
-    const auto file = test::truth_file("atmosphere/modtran6_isofit_pasadena/" + scene.name + ".chn");
+    const auto file = ifov::test::truth_file("atmosphere/modtran6_isofit_pasadena/" + scene.name + ".chn");
     if (!file)
       GTEST_SKIP() << "reference data not found: atmosphere/modtran6_isofit_pasadena/" << scene.name
                    << ".chn";
     const AtmosphereColumn column = column_of(scene);
     double worst_path = 0.0, worst_albedo = 0.0, worst_single = 0.0;
     int channels = 0;
-    const auto rows = test::channel_rows(*file);
+    const auto rows = ifov::test::channel_rows(*file);
     for (std::size_t i = 0; i < rows.size(); i += rows[i][0] < 700.0 ? 3 : 12) {
       const auto& row = rows[i];
       const Terms ours = channel(column, solver, row[0]);
@@ -94,11 +94,11 @@ TEST(ScatteringReference, Modtran6PathRadianceAndSphericalAlbedo) {
 // Where haze scatters most of it, between the bands of water: with one number a layer for its phase function (the
 // planted fault) the path is 9 % too bright at 1.25 um and 16 % too dark at 2.15 um.
 TEST(ScatteringReference, Modtran6PathRadianceOfHazeInTheInfrared) {
-  const auto file = test::truth_file("atmosphere/modtran6_isofit_pasadena/" + kCases[0].name + ".chn");
+  const auto file = ifov::test::truth_file("atmosphere/modtran6_isofit_pasadena/" + kCases[0].name + ".chn");
   if (!file) GTEST_SKIP() << "reference data not found: atmosphere/modtran6_isofit_pasadena/";
   const AtmosphereColumn column = column_of(kCases[0]);
   const ColumnSolver solver;
-  const auto rows = test::channel_rows(*file);
+  const auto rows = ifov::test::channel_rows(*file);
   double planted = 0.0;
   for (const double wanted_nm : {1008.0, 1068.0, 1248.0, 1609.0, 2150.0}) {
     const auto& row = *std::min_element(rows.begin(), rows.end(), [&](const auto& a, const auto& b) {
@@ -113,4 +113,4 @@ TEST(ScatteringReference, Modtran6PathRadianceOfHazeInTheInfrared) {
   EXPECT_GT(planted, 0.1);
 }
 
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_scattering_reference

@@ -8,6 +8,7 @@
 #include "atmosphere/column_maker.h"
 #include "atmosphere/scattering/multiple_scattering_table.h"
 
+namespace test_scattering_reuse {
 using namespace ifov::atmosphere;
 using namespace ifov::atmosphere::test;
 
@@ -175,3 +176,5 @@ TEST_F(ScatteringReuse, RefusesWhatDoesNotFit) {
   bad.depth = {0.1, 1.0};
   EXPECT_THROW(make(bad), std::invalid_argument);
 }
+
+}  // namespace test_scattering_reuse

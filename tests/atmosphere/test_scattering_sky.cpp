@@ -9,6 +9,7 @@
 #include "atmosphere/scattering/phase/scattering_matrix.h"
 #include "atmosphere/scattering/sky_ring.h"
 
+namespace test_scattering_sky {
 using namespace ifov::atmosphere;
 using namespace ifov::atmosphere::test;
 
@@ -208,3 +209,5 @@ TEST(ScatteringSky, SkyHasItsNeutralPoints) {
   EXPECT_EQ(neutral(0.0, kElevation + 0.25, true), kElevation + 0.25)
       << "light scattered once has a neutral point";
 }
+
+}  // namespace test_scattering_sky

@@ -10,6 +10,7 @@
 #include "atmosphere/column_maker.h"
 #include "support/truth_data.h"
 
+namespace test_scattering_truth {
 using namespace ifov::atmosphere;
 using namespace ifov::atmosphere::test;
 
@@ -192,3 +193,5 @@ TEST(ScatteringTruth, PolradtranSky) {
   EXPECT_LT(worst(solve(true)), 0.006);
   EXPECT_GT(worst(solve(false)), 0.05) << "the scalar answer passes for the vector one";
 }
+
+}  // namespace test_scattering_truth

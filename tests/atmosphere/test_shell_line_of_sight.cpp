@@ -11,6 +11,7 @@
 #include "atmosphere/spherical_shells.h"
 #include "atmosphere/thermal/thermal_column.h"
 
+namespace test_shell_line_of_sight {
 using namespace ifov::atmosphere;
 using namespace ifov::atmosphere::test;
 
@@ -143,3 +144,5 @@ TEST(ShellOrders, FlatOnesAreTheColumnsMeanRadiance) {
         << flat.altitude_km()[z];
   }
 }
+
+}  // namespace test_shell_line_of_sight

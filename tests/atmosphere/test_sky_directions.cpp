@@ -9,7 +9,7 @@
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "radiometry/solar_spectrum.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_sky_directions {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -81,4 +81,4 @@ TEST(SensorAtmosphere, SkyTableHoldsTheIrradiance) {
 }
 
 }  // namespace
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_sky_directions

@@ -8,6 +8,7 @@
 using namespace ifov::atmosphere;
 using namespace ifov::atmosphere::test;
 using ifov::test::SphericalMonteCarlo;
+namespace test_spherical_monte_carlo {
 
 namespace {
 
@@ -70,3 +71,5 @@ TEST(SphericalMonteCarlo, MakesItsTableAnew) {
   EXPECT_LT(off(0.0), 4.5);
   EXPECT_GT(off(0.2), 10.0) << "a Sun that is 0.2 degrees lower passes";
 }
+
+}  // namespace test_spherical_monte_carlo

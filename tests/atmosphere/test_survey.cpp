@@ -12,7 +12,7 @@
 #include "atmosphere/survey/survey_effects.h"
 #include "radiometry/solar_spectrum.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_survey {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -142,4 +142,4 @@ TEST(AtmosphereSurvey, StepsAreAsWideAsTheBandModelResolves) {
 }
 
 }  // namespace
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_survey

@@ -10,6 +10,7 @@
 #include "atmosphere/thermal/thermal_column.h"
 #include "radiometry/planck.h"
 
+namespace test_thermal_column {
 using namespace ifov::atmosphere;
 
 namespace {
@@ -276,3 +277,5 @@ TEST(ThermalColumn, RefusesWhatDoesNotFit) {
   EXPECT_THROW(ThermalColumn(one, one, none), std::invalid_argument);
   EXPECT_THROW(ThermalColumn(falling, two, one), std::invalid_argument);
 }
+
+}  // namespace test_thermal_column

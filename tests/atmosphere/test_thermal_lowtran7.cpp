@@ -14,7 +14,7 @@
 // Runs of the original program (Kneizys et al. 1988), which gives each of its layers one temperature: its
 // opaque sky is that of half a kilometre up, 2 to 7 % too dark. With such layers our columns agree with it;
 // with sources linear in optical depth they differ by what is known to be the program's.
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_thermal_lowtran7 {
 namespace {
 
 using studies::UniformLayers;
@@ -43,8 +43,8 @@ Differences differences(const LowtranRun& run, bool uniform_layers, double from_
   const double observer_km = run.mu > 0.0 ? 200.0 : 0.0;
   Differences result;
   int count = 0;
-  for (const auto& row :
-       test::numeric_rows(*test::truth_file("atmosphere/lowtran7/" + run.file + ".tape7.txt"), 4)) {
+  for (const auto& row : ifov::test::numeric_rows(
+           *ifov::test::truth_file("atmosphere/lowtran7/" + run.file + ".tape7.txt"), 4)) {
     if (row.size() != 4 || row[0] < from_cm1 || row[0] >= to_cm1 || std::fmod(row[0], 10.0) != 0.0) continue;
     const ColumnOptics optics = column.at(row[0]);
     const double um = optics.wavelength_um;
@@ -82,7 +82,7 @@ const LowtranRun kSlant{"D60_MLS_noaerosol_sky_60deg_thermal", "mid-latitude sum
 class ThermalLowtran7 : public testing::Test {
  protected:
   void SetUp() override {
-    if (!test::truth_file("atmosphere/lowtran7"))
+    if (!ifov::test::truth_file("atmosphere/lowtran7"))
       GTEST_SKIP() << "reference data not found: atmosphere/lowtran7";
   }
 };
@@ -120,4 +120,4 @@ TEST_F(ThermalLowtran7, NadirFromSpace) {
   }
 }
 
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_thermal_lowtran7

@@ -10,7 +10,7 @@
 #include "radiometry/planck.h"
 #include "support/truth_data.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_thermal_reference {
 namespace {
 
 constexpr const char* kReptran = "atmosphere/libradtran/spectrum_terrestrial_reptran.OUT";
@@ -38,7 +38,7 @@ double flux_down(const AtmosphereColumn& column, double from_cm1, double to_cm1)
 
 // Downward thermal flux of the subarctic summer by REPTRAN "fine" (1 cm-1).
 TEST(ThermalReference, ReptranDownwardFlux) {
-  const auto file = test::truth_file(kReptran);
+  const auto file = ifov::test::truth_file(kReptran);
   if (!file) GTEST_SKIP() << "reference data not found: " << kReptran;
   AtmosphereDescription description;
   description.air.model = "subarctic summer";
@@ -47,7 +47,7 @@ TEST(ThermalReference, ReptranDownwardFlux) {
   const AtmosphereColumn column(description);
   const auto theirs = [&](double from, double to) {
     double sum = 0.0;
-    for (const auto& row : test::numeric_rows(*file, 3)) {
+    for (const auto& row : ifov::test::numeric_rows(*file, 3)) {
       if (row[1] >= from && row[1] < to) sum += row[2];
     }
     return sum;
@@ -67,4 +67,4 @@ TEST(ThermalReference, ReptranDownwardFlux) {
   EXPECT_LT(flux_down(faulty, 600.0, 800.0) / theirs(597.5, 797.5), 0.95);
 }
 
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_thermal_reference

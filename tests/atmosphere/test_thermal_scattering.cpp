@@ -10,7 +10,7 @@
 #include "column_maker.h"
 #include "radiometry/planck.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_thermal_scattering {
 namespace {
 
 using test::Column;
@@ -234,4 +234,4 @@ TEST(ThermalScattering, UsualOptionsAreFineEnough) {
   EXPECT_EQ(EmittedLight(clear.levels, clear.optics, glow).sky(0.5, 0.0), straight.sky(0.5, 0.0));
 }
 
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_thermal_scattering

@@ -6,7 +6,7 @@
 #include "atmosphere/scattering/column_solver.h"
 #include "column_maker.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_thick_columns {
 namespace {
 
 /// A cloud of flat layers that are thin at both sides, where light changes fast.
@@ -69,4 +69,4 @@ TEST(ThickColumns, LoseNoLight) {
   }
 }
 
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_thick_columns

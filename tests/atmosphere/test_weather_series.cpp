@@ -5,7 +5,7 @@
 #include "atmosphere/weather_series.h"
 #include "core/error.h"
 
-namespace ifov::atmosphere {
+namespace ifov::atmosphere::test_weather_series {
 namespace {
 
 using Q = WeatherQuantity;
@@ -76,4 +76,4 @@ TEST(WeatherSeries, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace ifov::atmosphere
+}  // namespace ifov::atmosphere::test_weather_series

@@ -29,7 +29,7 @@ HAS_MPI = "built without MPI" not in run("--version").stdout
 # What containers may lack, and Open MPI then complains of: the machine's topology, copies between processes.
 os.environ |= {"HWLOC_HIDE_ERRORS": "2", "OMPI_MCA_btl_vader_single_copy_mechanism": "none"}
 # Fewer kills than in the runs of one process by default, because each start takes longer.
-MPI_KILLS = KILLS if "IFOV_KILLS" in os.environ else 4
+MPI_KILLS = KILLS if "IFOV_KILLS" in os.environ else 3
 
 
 def mpirun(ranks, *arguments, cwd, launch=()):

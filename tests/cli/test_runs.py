@@ -24,7 +24,7 @@ JUMPING_CLOCK = KILLER.with_name("libjumping_clock.so")
 LIMITS_MEMORY = unittest.skipIf("IFOV_SANITIZER" in os.environ, "a sanitizer takes terabytes of addresses")
 
 # A long version is run with IFOV_KILLS=100.
-KILLS = int(os.environ.get("IFOV_KILLS", "12"))
+KILLS = int(os.environ.get("IFOV_KILLS", "8"))
 
 # Rough ground under spheres: 25 tiles, a second or so of processor time.
 SCENE = """{
@@ -150,7 +150,7 @@ class Runs(WholeProducts, unittest.TestCase):
             whole = products(folder / "scene.out")
         self.assertGreater(calls, 60)
         # The first calls are those of the lock and the plan, the last ones of assembly, publishing and clearing away.
-        moments = sorted({*range(1, 9), *range(calls - 40, calls + 1, 2), *random.Random(3).sample(range(1, calls), KILLS // 2)})
+        moments = sorted({*range(1, 9), *range(calls - 40, calls + 1, 4), *random.Random(3).sample(range(1, calls), KILLS // 2)})
         for moment in moments:
             with self.subTest(call=moment), Folder(scene=QUICK) as folder:
                 process = start(folder, LD_PRELOAD=str(KILLER), IFOV_KILL_AT=str(moment))

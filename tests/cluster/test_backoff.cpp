@@ -2,7 +2,7 @@
 
 #include "cluster/backoff.h"
 
-namespace ifov::cluster {
+namespace ifov::cluster::test_backoff {
 namespace {
 
 using std::chrono::microseconds;
@@ -31,4 +31,4 @@ TEST(Backoff, KeepsTheLimitOfTheMoment) {
 }
 
 }  // namespace
-}  // namespace ifov::cluster
+}  // namespace ifov::cluster::test_backoff

@@ -4,7 +4,7 @@
 
 #include "cluster/launch.h"
 
-namespace ifov::cluster {
+namespace ifov::cluster::test_launch {
 namespace {
 
 class Launch : public testing::Test {
@@ -37,4 +37,4 @@ TEST_F(Launch, AsTheLauncherSays) {
 }
 
 }  // namespace
-}  // namespace ifov::cluster
+}  // namespace ifov::cluster::test_launch

@@ -4,7 +4,7 @@
 #include "cluster/payload.h"
 #include "core/error.h"
 
-namespace ifov::cluster {
+namespace ifov::cluster::test_payload {
 namespace {
 
 TEST(Payload, GivesBackWhatWasPutIn) {
@@ -39,4 +39,4 @@ TEST(Fault, IsThrownAgainWithTheNameOfItsRank) {
 }
 
 }  // namespace
-}  // namespace ifov::cluster
+}  // namespace ifov::cluster::test_payload

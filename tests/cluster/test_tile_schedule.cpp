@@ -6,7 +6,7 @@
 
 #include "cluster/tile_schedule.h"
 
-namespace ifov::cluster {
+namespace ifov::cluster::test_tile_schedule {
 namespace {
 
 constexpr int kColumns = 32, kRows = 24, kThreads = 6;
@@ -89,4 +89,4 @@ TEST(TileSchedule, IgnoresWhatIsNotOfItsTiles) {
 }
 
 }  // namespace
-}  // namespace ifov::cluster
+}  // namespace ifov::cluster::test_tile_schedule

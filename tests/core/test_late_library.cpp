@@ -10,7 +10,7 @@
 #include "core/late_library.h"
 #include "core/parallel.h"
 
-namespace ifov {
+namespace ifov::test_late_library {
 namespace {
 
 constinit LateLibrary mathematics{"libm.so.6"};
@@ -60,4 +60,4 @@ TEST(LateLibrary, WhatIsMissingIsNamed) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_late_library

@@ -4,7 +4,7 @@
 
 #include "core/names.h"
 
-namespace ifov {
+namespace ifov::test_names {
 namespace {
 
 const std::vector<std::string> kShapes{"plane", "box", "sphere", "hemisphere", "cylinder", "disk"};
@@ -48,4 +48,4 @@ TEST(Names, ListsNamesAsASentence) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_names

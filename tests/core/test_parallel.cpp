@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 
-namespace ifov {
+namespace ifov::test_parallel {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -95,4 +95,4 @@ TEST(Parallel, ACancelledCallEndsItsLoops) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_parallel

@@ -2,7 +2,7 @@
 
 #include "core/printable.h"
 
-namespace ifov {
+namespace ifov::test_printable {
 namespace {
 
 TEST(Printable, LeavesTextAlone) {
@@ -46,4 +46,4 @@ TEST(Printable, CutsLongMessages) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_printable

@@ -26,7 +26,7 @@
 #include "session/temperatures/temperature_survey.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov::session {
+namespace ifov::session::test_solved_temperatures {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -403,4 +403,4 @@ TEST(SolvedTemperatures, RefuseAnAccuracyThatTheyDoNotHave) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_solved_temperatures

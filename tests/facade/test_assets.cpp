@@ -8,6 +8,7 @@
 #include <map>
 
 #include "ifov/ifov.h"
+namespace test_assets {
 
 namespace {
 
@@ -255,3 +256,4 @@ TEST_F(AssetsOfPrograms, ArraysThatDoNotFitAreRefused) {
 }
 
 }  // namespace
+}  // namespace test_assets

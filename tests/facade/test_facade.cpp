@@ -3,7 +3,7 @@
 
 #include "facade_fixture.h"
 
-namespace facade_test {
+namespace facade_test::test_facade {
 namespace {
 
 TEST_F(Facade, SaysWhatAnImageIs) {
@@ -130,4 +130,4 @@ TEST(FacadeErrors, HaveTheProgramsExitCodes) {
 }
 
 }  // namespace
-}  // namespace facade_test
+}  // namespace facade_test::test_facade

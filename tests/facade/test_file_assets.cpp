@@ -10,7 +10,7 @@
 #include "ifov/ifov.h"
 #include "named_files.h"
 
-namespace facade_test {
+namespace facade_test::test_file_assets {
 namespace {
 
 namespace fs = std::filesystem;
@@ -156,4 +156,4 @@ TEST_F(FileAssets, ASpectrumIsATableOfAChannel) {
 }
 
 }  // namespace
-}  // namespace facade_test
+}  // namespace facade_test::test_file_assets

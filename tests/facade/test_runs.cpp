@@ -3,7 +3,7 @@
 
 #include "facade_fixture.h"
 
-namespace facade_test {
+namespace facade_test::test_runs {
 namespace {
 
 TEST_F(Facade, WritesWhatTheProgramWrites) {
@@ -123,4 +123,4 @@ TEST_F(Facade, EndsByADeadline) {
 }
 
 }  // namespace
-}  // namespace facade_test
+}  // namespace facade_test::test_runs

@@ -3,7 +3,7 @@
 
 #include "facade_fixture.h"
 
-namespace facade_test {
+namespace facade_test::test_temperature {
 namespace {
 
 TEST_F(Facade, TemperaturesOfMaterials) {
@@ -44,4 +44,4 @@ TEST_F(Facade, TemperaturesOfMaterials) {
 }
 
 }  // namespace
-}  // namespace facade_test
+}  // namespace facade_test::test_temperature

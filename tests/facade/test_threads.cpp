@@ -4,7 +4,7 @@
 
 #include "facade_fixture.h"
 
-namespace facade_test {
+namespace facade_test::test_threads {
 namespace {
 
 TEST_F(Facade, ASinkThatThrowsEndsTheRun) {
@@ -187,4 +187,4 @@ TEST_F(Facade, LoadingIsStoppedFromAnotherThread) {
 }
 
 }  // namespace
-}  // namespace facade_test
+}  // namespace facade_test::test_threads

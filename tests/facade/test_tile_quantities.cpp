@@ -4,7 +4,7 @@
 
 #include "facade_fixture.h"
 
-namespace facade_test {
+namespace facade_test::test_tile_quantities {
 namespace {
 
 /// Every quantity as its cube would have it: by lines, as bytes.
@@ -107,4 +107,4 @@ TEST_F(Facade, DescribesTheRunOfAnImage) {
 }
 
 }  // namespace
-}  // namespace facade_test
+}  // namespace facade_test::test_tile_quantities

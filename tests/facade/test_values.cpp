@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "ifov/ifov.h"
+namespace test_values {
 
 namespace {
 
@@ -229,3 +230,4 @@ TEST_F(Values, FilesAreMadeAnewAndFollowNoLink) {
 }
 
 }  // namespace
+}  // namespace test_values

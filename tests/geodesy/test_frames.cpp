@@ -8,7 +8,7 @@
 #include "geodesy/attitude.h"
 #include "geodesy/geodetic.h"
 
-namespace ifov::geodesy {
+namespace ifov::geodesy::test_frames {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -129,4 +129,4 @@ TEST(Frames, WhatIsNoPlace) {
 }
 
 }  // namespace
-}  // namespace ifov::geodesy
+}  // namespace ifov::geodesy::test_frames

@@ -7,7 +7,7 @@
 #include "geodesy/moon_position.h"
 #include "geodesy/sun_position.h"
 
-namespace ifov::geodesy {
+namespace ifov::geodesy::test_moon_position {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -88,4 +88,4 @@ TEST(MoonPosition, RefusesImpossiblePlaces) {
 }
 
 }  // namespace
-}  // namespace ifov::geodesy
+}  // namespace ifov::geodesy::test_moon_position

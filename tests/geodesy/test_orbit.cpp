@@ -15,7 +15,7 @@
 #include "math/angle.h"
 #include "support/truth_data.h"
 
-namespace ifov::geodesy {
+namespace ifov::geodesy::test_orbit {
 namespace {
 
 constexpr const char* kFirst = "1 00005U 58002B   00179.78495062  .00000023  00000-0  28098-4 0  4753";
@@ -199,4 +199,4 @@ TEST(TwoLineElements, MistakesAreExplained) {
 }
 
 }  // namespace
-}  // namespace ifov::geodesy
+}  // namespace ifov::geodesy::test_orbit

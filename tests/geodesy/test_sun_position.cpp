@@ -9,7 +9,7 @@
 #include "geodesy/sun_position.h"
 #include "studies/atmosphere/sun_references.h"
 
-namespace ifov::geodesy {
+namespace ifov::geodesy::test_sun_position {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -129,4 +129,4 @@ TEST(SunPosition, RefusesImpossiblePlaces) {
 }
 
 }  // namespace
-}  // namespace ifov::geodesy
+}  // namespace ifov::geodesy::test_sun_position

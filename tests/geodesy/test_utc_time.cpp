@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "geodesy/utc_time.h"
 
-namespace ifov::geodesy {
+namespace ifov::geodesy::test_utc_time {
 namespace {
 
 TEST(UtcTime, ReadsIso8601) {
@@ -36,4 +36,4 @@ TEST(UtcTime, RefusesWhatIsNoTime) {
 }
 
 }  // namespace
-}  // namespace ifov::geodesy
+}  // namespace ifov::geodesy::test_utc_time

@@ -11,7 +11,7 @@
 #include "geometry/body_record.h"
 #include "scene_maker.h"
 
-namespace ifov::geometry {
+namespace ifov::geometry::test_body_record {
 namespace {
 
 std::optional<Body> body_of_bytes(std::vector<std::byte> bytes) {
@@ -118,4 +118,4 @@ TEST(BodyRecord, IsNotTrusted) {
 }
 
 }  // namespace
-}  // namespace ifov::geometry
+}  // namespace ifov::geometry::test_body_record

@@ -16,7 +16,7 @@
 #include "geometry/world/world_builder.h"
 #include "scene_maker.h"
 
-namespace ifov::geometry {
+namespace ifov::geometry::test_chunked_mesh {
 namespace {
 
 using math::Point3;
@@ -251,4 +251,4 @@ TEST(ChunkedMeshDeathTest, ATreeThatDoesNotFitIntoMemoryIsAnError) {
 }
 
 }  // namespace
-}  // namespace ifov::geometry
+}  // namespace ifov::geometry::test_chunked_mesh

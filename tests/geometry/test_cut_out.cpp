@@ -10,7 +10,7 @@
 #include "geometry/world/world_builder.h"
 #include "scene_maker.h"
 
-namespace ifov::geometry {
+namespace ifov::geometry::test_cut_out {
 namespace {
 
 using math::Point3;
@@ -180,4 +180,4 @@ TEST_F(CutOuts, WithoutHolesNothingChanges) {
 }
 
 }  // namespace
-}  // namespace ifov::geometry
+}  // namespace ifov::geometry::test_cut_out

@@ -11,7 +11,7 @@
 #include "geometry/world/world_builder.h"
 #include "scene_maker.h"
 
-namespace ifov::geometry {
+namespace ifov::geometry::test_height_field {
 namespace {
 
 using math::Point3;
@@ -220,4 +220,4 @@ TEST(HeightField, SaysWhatItCannotTrace) {
 }
 
 }  // namespace
-}  // namespace ifov::geometry
+}  // namespace ifov::geometry::test_height_field

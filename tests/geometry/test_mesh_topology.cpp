@@ -3,7 +3,7 @@
 #include "geometry/mesh_topology.h"
 #include "scene_maker.h"
 
-namespace ifov::geometry {
+namespace ifov::geometry::test_mesh_topology {
 namespace {
 
 /// Twelve triangles of a cube; each face has its own four vertices at the positions of its neighbours'.
@@ -79,4 +79,4 @@ TEST(MeshTopology, TrianglesWithoutAreaAreHarmless) {
 }
 
 }  // namespace
-}  // namespace ifov::geometry
+}  // namespace ifov::geometry::test_mesh_topology

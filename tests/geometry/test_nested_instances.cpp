@@ -11,7 +11,7 @@
 #include "geometry/world/world_builder.h"
 #include "scene_maker.h"
 
-namespace ifov::geometry {
+namespace ifov::geometry::test_nested_instances {
 namespace {
 
 using math::Point3;
@@ -284,4 +284,4 @@ TEST(NestedInstances, TooManyIsSaid) {
 }
 
 }  // namespace
-}  // namespace ifov::geometry
+}  // namespace ifov::geometry::test_nested_instances

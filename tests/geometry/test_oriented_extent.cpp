@@ -6,7 +6,7 @@
 #include "geometry/world/world_builder.h"
 #include "math/transform.h"
 
-namespace ifov::geometry {
+namespace ifov::geometry::test_oriented_extent {
 namespace {
 
 World::Bounds bounds_of(const std::vector<math::Point3>& points) {
@@ -48,4 +48,4 @@ TEST(World, ObjectsTellTheirLengthAndWidth) {
 }
 
 }  // namespace
-}  // namespace ifov::geometry
+}  // namespace ifov::geometry::test_oriented_extent

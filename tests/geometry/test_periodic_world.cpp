@@ -8,7 +8,7 @@
 #include "geometry/world/world_builder.h"
 #include "sampling/random.h"
 
-namespace ifov::geometry {
+namespace ifov::geometry::test_periodic_world {
 namespace {
 
 constexpr double kWidth = 10.0, kHeight = 7.0;
@@ -137,4 +137,4 @@ TEST(PeriodicWorld, RefusesWhatCannotRepeat) {
 }
 
 }  // namespace
-}  // namespace ifov::geometry
+}  // namespace ifov::geometry::test_periodic_world

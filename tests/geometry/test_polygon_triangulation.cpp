@@ -6,7 +6,7 @@
 #include "math/transform.h"
 #include "scene_maker.h"
 
-namespace ifov::geometry {
+namespace ifov::geometry::test_polygon_triangulation {
 namespace {
 
 using math::Point3;
@@ -72,4 +72,4 @@ TEST(PolygonTriangulation, HopelessInputEndsToo) {
 }
 
 }  // namespace
-}  // namespace ifov::geometry
+}  // namespace ifov::geometry::test_polygon_triangulation

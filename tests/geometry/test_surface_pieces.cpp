@@ -9,7 +9,7 @@
 #include "geometry/world/world_builder.h"
 #include "scene_maker.h"
 
-namespace ifov::geometry {
+namespace ifov::geometry::test_surface_pieces {
 namespace {
 
 using math::Point3;
@@ -130,4 +130,4 @@ TEST(SurfacePieces, AreasOfSolidsAreTheirs) {
 }
 
 }  // namespace
-}  // namespace ifov::geometry
+}  // namespace ifov::geometry::test_surface_pieces

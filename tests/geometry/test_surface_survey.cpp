@@ -5,7 +5,7 @@
 #include "geometry/world/surface_survey.h"
 #include "geometry/world/world_builder.h"
 
-namespace ifov::geometry {
+namespace ifov::geometry::test_surface_survey {
 namespace {
 
 using math::Point3;
@@ -120,4 +120,4 @@ TEST_F(Survey, HitsSayHowTheyBend) {
 }
 
 }  // namespace
-}  // namespace ifov::geometry
+}  // namespace ifov::geometry::test_surface_survey

@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "geometry/terrain_mesh.h"
 
-namespace ifov::geometry {
+namespace ifov::geometry::test_terrain_mesh {
 namespace {
 
 TerrainGrid grid_of(int columns, int rows, const std::function<double(int, int)>& height) {
@@ -149,4 +149,4 @@ TEST(TerrainMesh, SmoothNormalsAreThoseOfTheSlope) {
 }
 
 }  // namespace
-}  // namespace ifov::geometry
+}  // namespace ifov::geometry::test_terrain_mesh

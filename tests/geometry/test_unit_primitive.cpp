@@ -6,7 +6,7 @@
 #include "geometry/unit_primitive.h"
 #include "scene_maker.h"
 
-namespace ifov::geometry {
+namespace ifov::geometry::test_unit_primitive {
 namespace {
 
 using math::Point3;
@@ -81,4 +81,4 @@ TEST(UnitPrimitive, ReachOfABallIsItsRadius) {
 }
 
 }  // namespace
-}  // namespace ifov::geometry
+}  // namespace ifov::geometry::test_unit_primitive

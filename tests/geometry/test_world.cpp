@@ -10,7 +10,7 @@
 #include "geometry/world/world_builder.h"
 #include "scene_maker.h"
 
-namespace ifov::geometry {
+namespace ifov::geometry::test_world {
 namespace {
 
 using math::Point3;
@@ -325,4 +325,4 @@ TEST(World, InputIsChecked) {
 }
 
 }  // namespace
-}  // namespace ifov::geometry
+}  // namespace ifov::geometry::test_world

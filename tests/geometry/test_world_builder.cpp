@@ -9,7 +9,7 @@
 #include "geometry/world/world_builder.h"
 #include "scene_maker.h"
 
-namespace ifov::geometry {
+namespace ifov::geometry::test_world_builder {
 namespace {
 
 using math::Point3;
@@ -212,4 +212,4 @@ TEST(WorldBuilder, BoundsEncloseWhatIsBounded) {
 }
 
 }  // namespace
-}  // namespace ifov::geometry
+}  // namespace ifov::geometry::test_world_builder

@@ -9,7 +9,7 @@
 #include "geometry/world/world_builder.h"
 #include "scene_maker.h"
 
-namespace ifov::geometry {
+namespace ifov::geometry::test_world_packets {
 namespace {
 
 using math::Ray;
@@ -122,4 +122,4 @@ TEST(WorldPackets, TwinsGoToTheLast) {
 }
 
 }  // namespace
-}  // namespace ifov::geometry
+}  // namespace ifov::geometry::test_world_packets

@@ -10,7 +10,7 @@
 #include "geometry/world/world_builder.h"
 #include "scene_maker.h"
 
-namespace ifov::geometry {
+namespace ifov::geometry::test_world_precision {
 namespace {
 
 using math::Point3;
@@ -115,4 +115,4 @@ TEST(WorldPrecision, RimsAreExact) {
 }
 
 }  // namespace
-}  // namespace ifov::geometry
+}  // namespace ifov::geometry::test_world_precision

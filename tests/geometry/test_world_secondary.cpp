@@ -9,7 +9,7 @@
 #include "math/frame.h"
 #include "scene_maker.h"
 
-namespace ifov::geometry {
+namespace ifov::geometry::test_world_secondary {
 namespace {
 
 using math::Point3;
@@ -192,4 +192,4 @@ TEST(WorldSecondary, SharedVerticesAndEdgesDoNotLeak) {
 }
 
 }  // namespace
-}  // namespace ifov::geometry
+}  // namespace ifov::geometry::test_world_secondary

@@ -10,7 +10,6 @@ import shlex
 import shutil
 import subprocess
 import tempfile
-import threading
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -66,43 +65,29 @@ def words_of(flags):
     return [word for flag in flags for word in flag.split(" ")]
 
 
-# Headers of the standard library that many of ours bring together. Parsing them is most of what a header costs: they are compiled
-# before, each row once, and a header gets the largest row of which it brings everything itself. What it has of a row it would have
-# had without, and so another list changes the time alone.
-BROUGHT_TOGETHER = [set(row.split()) for row in (
-    "vector", "string", "string vector", "span vector", "functional span string vector", "memory string vector",
-    "filesystem string vector", "array cstdint functional memory span string vector", "filesystem memory span string vector",
-    "array cmath cstddef memory optional string string_view variant vector",
-    "array cmath cstddef cstdint functional memory optional span string vector",
-    "algorithm array cstddef cstdint span string string_view vector",
-)]
-
-
 def caches(compiler):
     """Whether ccache keeps what is compiled: then nothing need be quick but what changed."""
     return len(compiler) > 1 and "CCACHE_DISABLE" not in os.environ
 
 
-class CompiledBefore:
-    """Rows of BROUGHT_TOGETHER as precompiled headers, made with the flags that all folders share when they are first asked for."""
+# Parsing these is most of what a header costs. Where the build joins sources, they are compiled before, for all headers at once: what a
+# header then has of the standard library without bringing it is found by its text (missing_of_the_standard_library), and by builds
+# that compile each source alone.
+STANDARD = ("algorithm array atomic chrono cmath complex condition_variable cstddef cstdint filesystem functional initializer_list limits map "
+            "memory mutex numbers optional set span stdexcept string string_view thread tuple type_traits utility variant vector").split()
 
-    def __init__(self, compiler, flags, folder):
-        self.compiler, self.flags, self.folder = compiler, flags, pathlib.Path(folder)
-        self.locks = [threading.Lock() for _ in BROUGHT_TOGETHER]
 
-    def words_for(self, standard_headers):
-        """How a source that brings these headers of the standard library is told to take the most of them as they are."""
-        row = max((i for i, row in enumerate(BROUGHT_TOGETHER) if row <= standard_headers), key=lambda i: len(BROUGHT_TOGETHER[i]),
-                  default=None)
-        if row is None:
-            return []
-        header = self.folder / f"row_{row}.h"
-        with self.locks[row]:
-            if not header.exists():
-                header.write_text("".join(f"#include <{name}>\n" for name in sorted(BROUGHT_TOGETHER[row])))
-                subprocess.run([self.compiler[-1], *FLAGS, *words_of(self.flags), "-x", "c++-header", str(header), "-o", f"{header}.gch"],
-                               capture_output=True, check=True)
-        return ["-include", str(header)]
+def joins_sources():
+    return any("/Unity/" in command["file"] for command in json.loads((BUILD / "compile_commands.json").read_text()))
+
+
+def compiled_before(compiler, flags, folder):
+    """Words that have a source take STANDARD as it is once compiled with these flags."""
+    header = pathlib.Path(folder) / "standard.h"
+    header.write_text("".join(f"#include <{name}>\n" for name in STANDARD))
+    subprocess.run([compiler[-1], *FLAGS, *words_of(flags), "-x", "c++-header", str(header), "-o", f"{header}.gch"], capture_output=True,
+                   check=True)
+    return ["-include", str(header)]
 
 
 def standard_headers_of(header):
@@ -120,7 +105,7 @@ def _standard_headers(header):
 
 def compile_alone(compiler, flags, chain, folder="src", before=()):
     """What the compiler says to a source that includes these headers (chains()) and nothing else, twice; empty where it is
-    content. `before`: words for what was compiled before (CompiledBefore)."""
+    content. `before`: compiled_before()."""
     words = [*words_of(flags), *before]
     # The same source for the same header, also in another clone, so that ccache knows it.
     path = chain[-1]
@@ -183,13 +168,12 @@ class Headers(unittest.TestCase):
 
         with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
             shared = set.intersection(*map(set, flags.values()))
-            compiled = CompiledBefore(compiler, sorted(shared), folder)
+            before = compiled_before(compiler, sorted(shared), folder) if joins_sources() and not caches(compiler) else ()
 
             def check(chain):
                 # What a folder's sources are compiled with, of all headers here: it adds paths and definitions alone.
                 parts = [path.relative_to(ROOT / "src").parts for path in chain]
                 own = {flag for p in parts for flag in flags.get("/".join(p[:2]), flags.get(p[0], []))}
-                before = () if caches(compiler) else compiled.words_for(standard_headers_of(chain[0]))
                 return compile_alone(compiler, sorted(own), chain, before=before)
 
             complaints = [text for text in pool.map(check, chains(headers)) if text]
@@ -221,19 +205,6 @@ class Headers(unittest.TestCase):
             header.write("#pragma once\nstd::vector<int> f();\n")
             header.flush()
             self.assertIn("does not compile alone", compile_alone(compiler, [], [pathlib.Path(header.name)]))
-
-    def test_what_was_compiled_before_hides_nothing(self):
-        """A header that brings strings gets no vectors from what was compiled for others."""
-        compiler, _ = compiler_and_flags()
-        with tempfile.TemporaryDirectory() as folder:
-            compiled = CompiledBefore(compiler, [], folder)
-            header = pathlib.Path(folder) / "leaning.h"
-            for includes, content in (("#include <string>\n", False), ("#include <string>\n#include <vector>\n", True)):
-                header.write_text(f"#pragma once\n{includes}std::vector<std::string> f();\n")
-                _standard_headers.cache_clear()
-                before = compiled.words_for(standard_headers_of(header))
-                self.assertEqual(len(before), 2)
-                self.assertEqual(compile_alone([compiler[-1]], [], [header], before=[*before, "-Winvalid-pch", "-Werror"]) == "", content)
 
 
 if __name__ == "__main__":

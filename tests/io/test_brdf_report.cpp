@@ -4,7 +4,7 @@
 #include "io/brdf_report/brdf_report.h"
 #include "math/angle.h"
 
-namespace ifov::io {
+namespace ifov::io::test_brdf_report {
 namespace {
 
 using math::kDegree;
@@ -112,4 +112,4 @@ TEST(BrdfReport, FigureOfANarrowLobeShowsTheFloorBesideIt) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_brdf_report

@@ -8,7 +8,7 @@
 #include "core/format.h"
 #include "io/spectra/brdf_table.h"
 
-namespace ifov::io {
+namespace ifov::io::test_brdf_table {
 namespace {
 
 constexpr const char* kTable =
@@ -96,4 +96,4 @@ TEST(BrdfTable, MistakesAreLocated) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_brdf_table

@@ -11,7 +11,7 @@
 #include "scratch_mesh.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_city_json {
 namespace {
 
 using math::Point3;
@@ -242,4 +242,4 @@ TEST(CityJson, ReadsTheReferenceFiles) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_city_json

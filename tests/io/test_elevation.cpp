@@ -6,7 +6,7 @@
 #include "io/spectra_files.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_elevation {
 namespace {
 
 using test::ScratchFile;
@@ -65,4 +65,4 @@ TEST(Elevation, ReferenceModels) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_elevation

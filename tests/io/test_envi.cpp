@@ -10,7 +10,7 @@
 #include "io/synthetic_image.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_envi {
 namespace {
 
 const char* const kHeader =
@@ -251,4 +251,4 @@ TEST(EnviReader, ReadsHeadersOfOtherMakers) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_envi

@@ -15,7 +15,7 @@
 #include "io/files/mapped_file.h"
 #include "io/files/own_files.h"
 
-namespace ifov::io {
+namespace ifov::io::test_files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -150,4 +150,4 @@ TEST_F(Files, AnAddressLeadsToItsMappedFile) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_files

@@ -5,7 +5,7 @@
 #include "core/error.h"
 #include "io/photometry/ies.h"
 
-namespace ifov::io {
+namespace ifov::io::test_ies {
 namespace {
 
 const std::string kHead = "IESNA:LM-63-2002\n[TEST] none\n[MANUFAC] somebody\n";
@@ -52,4 +52,4 @@ TEST(Ies, ErrorsSayWhereAndWhatWasExpected) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_ies

@@ -14,7 +14,7 @@
 #include "io/instances/instance_file.h"
 #include "io/instances/instance_writer.h"
 
-namespace ifov::io {
+namespace ifov::io::test_instances {
 namespace {
 
 using Position = InstanceLayout::Position;
@@ -258,4 +258,4 @@ TEST_F(Instances, ErrorsInTextAreLocated) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_instances

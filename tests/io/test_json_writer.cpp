@@ -10,7 +10,7 @@
 #include "io/json/json_view.h"
 #include "io/json/json_writer.h"
 
-namespace ifov::io {
+namespace ifov::io::test_json_writer {
 namespace {
 
 using Look = JsonWriter::Layout;
@@ -108,4 +108,4 @@ TEST(JsonView, LooksThroughWhatMayBeMissing) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_json_writer

@@ -16,7 +16,7 @@
 #include "io/small_disk.h"
 #include "io/synthetic_image.h"
 
-namespace ifov::io {
+namespace ifov::io::test_large_cube {
 namespace {
 
 using test::ScratchFolder;
@@ -189,4 +189,4 @@ TEST(BandFigures, DoNotDependOnWhereLinesEnd) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_large_cube

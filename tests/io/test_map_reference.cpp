@@ -5,7 +5,7 @@
 #include "core/error.h"
 #include "io/raster/map_reference.h"
 
-namespace ifov::io {
+namespace ifov::io::test_map_reference {
 namespace {
 
 TEST(MapReference, LongitudeComesBeforeLatitude) {
@@ -55,4 +55,4 @@ TEST(MapReference, PointsWithoutAPlaceAreErrors) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_map_reference

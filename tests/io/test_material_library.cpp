@@ -14,7 +14,7 @@
 #include "io/spectra_files.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_material_library {
 namespace {
 
 const LibraryCurve& curve(const std::string& material, int number = 1) {
@@ -248,4 +248,4 @@ TEST(MaterialLibrary, TablesThatAreNotWellFormedAreLocated) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_material_library

@@ -11,7 +11,7 @@
 #include "scratch_mesh.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_mesh_gltf {
 namespace {
 
 using geometry::Triangle;
@@ -198,4 +198,4 @@ TEST(MeshGltf, ReadsTheReferenceFiles) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_mesh_gltf

@@ -12,7 +12,7 @@
 #include "scratch_mesh.h"
 #include "support/small_pictures.h"
 
-namespace ifov::io {
+namespace ifov::io::test_mesh_materials {
 namespace {
 
 constexpr std::uint32_t cell(std::uint32_t red, std::uint32_t green, std::uint32_t blue,
@@ -270,4 +270,4 @@ TEST(MaterialsOfGltf, ErrorsSayWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_mesh_materials

@@ -11,7 +11,7 @@
 #include "io/mesh/obj_reader.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_mesh_obj {
 namespace {
 
 using geometry::TriangleMesh;
@@ -169,4 +169,4 @@ TEST(MeshObj, DamagedTextIsHandled) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_mesh_obj

@@ -10,7 +10,7 @@
 #include "scratch_mesh.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_mesh_ply {
 namespace {
 
 using geometry::Triangle;
@@ -156,4 +156,4 @@ TEST(MeshPly, ReadsTextureCoordinatesOfAReferenceFile) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_mesh_ply

@@ -13,7 +13,7 @@
 #include "scratch_mesh.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_mesh_reader {
 namespace {
 
 using geometry::TriangleMesh;
@@ -92,4 +92,4 @@ TEST(MeshReader, EqualsTheReferenceTable) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_mesh_reader

@@ -8,7 +8,7 @@
 #include "io/spectra_files.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_modtran_6 {
 namespace {
 
 using Q = atmosphere::PathQuantity;
@@ -151,4 +151,4 @@ TEST(Modtran6Json, ErrorsShowThePlace) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_modtran_6

@@ -9,7 +9,7 @@
 #include "radiometry/planck.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_modtran_channels {
 namespace {
 
 using Q = atmosphere::PathQuantity;
@@ -173,4 +173,4 @@ TEST_F(ThreeAlbedos, TwoRunsPredictTheThird) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_modtran_channels

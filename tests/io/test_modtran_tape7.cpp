@@ -9,7 +9,7 @@
 #include "radiometry/solar_spectrum.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_modtran_tape7 {
 namespace {
 
 using Q = atmosphere::PathQuantity;
@@ -264,4 +264,4 @@ TEST(ModtranTape7, ImportTellsTheFormat) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_modtran_tape7

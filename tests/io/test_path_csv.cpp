@@ -5,7 +5,7 @@
 #include "io/files/input_file.h"
 #include "io/spectra_files.h"
 
-namespace ifov::io {
+namespace ifov::io::test_path_csv {
 namespace {
 
 using Q = atmosphere::PathQuantity;
@@ -76,4 +76,4 @@ TEST(PathCsv, ErrorsShowThePlace) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_path_csv

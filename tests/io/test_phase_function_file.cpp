@@ -8,7 +8,7 @@
 #include "core/format.h"
 #include "io/atmosphere/phase_function_file.h"
 
-namespace ifov::io {
+namespace ifov::io::test_phase_function_file {
 namespace {
 
 using atmosphere::PhaseFunction;
@@ -93,4 +93,4 @@ TEST(PhaseFunctionFile, SaysWhereItIsWrong) {
          "p.csv:4: found 3 angles up to 170 deg; expected 4 at least, from 0 to 180 deg");
 }
 
-}  // namespace ifov::io
+}  // namespace ifov::io::test_phase_function_file

@@ -9,7 +9,7 @@
 
 #include "io/quantities/polarization_quantities.h"
 
-namespace ifov::io::quantities {
+namespace ifov::io::quantities::test_polarization_quantities {
 namespace {
 
 /// Light of a degree of 0.4 at 22.5 deg, whose I, Q and U err by `spread` times shared and own noise.
@@ -95,4 +95,4 @@ TEST(AngleOfPolarization, ItsErrorHoldsWhereLittleIsPolarized) {
 }
 
 }  // namespace
-}  // namespace ifov::io::quantities
+}  // namespace ifov::io::quantities::test_polarization_quantities

@@ -25,7 +25,7 @@
 #include "truth/location.h"
 #include "truth/view_angles.h"
 
-namespace ifov::io {
+namespace ifov::io::test_products {
 namespace {
 
 using test::ScratchFolder;
@@ -518,4 +518,4 @@ TEST(ProductWriter, WrongTilesAreBugs) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_products

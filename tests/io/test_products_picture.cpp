@@ -12,7 +12,7 @@
 #include "radiometry/planck.h"
 #include "radiometry/solar_spectrum.h"
 
-namespace ifov::io {
+namespace ifov::io::test_products_picture {
 namespace {
 
 struct Lab {
@@ -177,4 +177,4 @@ TEST(Quicklook, IsAPngThatHoldsTheEnlargedImage) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_products_picture

@@ -14,7 +14,7 @@
 #include "io/small_disk.h"
 #include "io/synthetic_image.h"
 
-namespace ifov::io {
+namespace ifov::io::test_products_rasters {
 namespace {
 
 using test::ScratchFolder;
@@ -134,4 +134,4 @@ TEST(FullDisk, WritesNameThePathWhatWasWantedAndWhatIsFree) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_products_rasters

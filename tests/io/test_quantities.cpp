@@ -28,7 +28,7 @@
 #include "truth/time.h"
 #include "truth/view_angles.h"
 
-namespace ifov::io {
+namespace ifov::io::test_quantities {
 namespace {
 
 using test::SyntheticImage;
@@ -181,4 +181,4 @@ TEST(Quantities, TheDominantMaterialHasTheLargestShare) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_quantities

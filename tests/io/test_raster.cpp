@@ -7,7 +7,7 @@
 #include "io/spectra_files.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_raster {
 namespace {
 
 using test::ScratchFile;
@@ -146,4 +146,4 @@ TEST(Raster, ReferenceElevations) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_raster

@@ -10,7 +10,7 @@
 #include "io/products/region_means.h"
 #include "io/synthetic_image.h"
 
-namespace ifov::io {
+namespace ifov::io::test_region {
 namespace {
 
 using test::ScratchFolder;
@@ -138,4 +138,4 @@ TEST_F(MeansOfAProduct, AMaskMarksItsPixels) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_region

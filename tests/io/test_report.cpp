@@ -11,7 +11,7 @@
 #include "io/report/report_data.h"
 #include "io/synthetic_image.h"
 
-namespace ifov::io {
+namespace ifov::io::test_report {
 namespace {
 
 using test::SyntheticImage;
@@ -198,4 +198,4 @@ TEST(Histogram, WideRangesAreLogarithmic) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_report

@@ -17,7 +17,7 @@
 #include "io/run_state/run_state.h"
 #include "io/run_state/tile_packs.h"
 
-namespace ifov::io {
+namespace ifov::io::test_run_state {
 namespace {
 
 using test::expect_same;
@@ -407,4 +407,4 @@ TEST(RunPlan, DamageIsNoticed) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_run_state

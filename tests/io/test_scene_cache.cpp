@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "io/scene_cache/scene_cache.h"
 
-namespace ifov::io {
+namespace ifov::io::test_scene_cache {
 namespace {
 
 namespace fs = std::filesystem;
@@ -234,4 +234,4 @@ TEST_F(SceneCacheFile, RecordsNoLongerAskedForAreDropped) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_scene_cache

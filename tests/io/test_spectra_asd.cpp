@@ -8,7 +8,7 @@
 #include "io/spectra_files.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_spectra_asd {
 namespace {
 
 template <class T>
@@ -118,4 +118,4 @@ TEST(Asd, ReferenceFiles) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_spectra_asd

@@ -9,7 +9,7 @@
 #include "io/spectra_files.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_spectra_channels {
 namespace {
 
 std::vector<radiometry::Channel> read(const std::string& content) {
@@ -131,4 +131,4 @@ TEST(ChannelTable, EveryReferenceFileReads) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_spectra_channels

@@ -3,7 +3,7 @@
 #include "io/spectra/csv_spectrum.h"
 #include "io/spectra_files.h"
 
-namespace ifov::io {
+namespace ifov::io::test_spectra_csv {
 namespace {
 
 using test::ScratchFile;
@@ -88,4 +88,4 @@ TEST(CsvSpectrum, SpoiledFilesNeverCrash) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_spectra_csv

@@ -10,7 +10,7 @@
 #include "io/spectra_files.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_spectra_ecostress {
 namespace {
 
 const std::string kGood =
@@ -156,4 +156,4 @@ TEST(Ecostress, CutFilesNeverCrash) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_spectra_ecostress

@@ -4,7 +4,7 @@
 #include "io/spectra_files.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_spectra_ems {
 namespace {
 
 std::string weights() {
@@ -57,4 +57,4 @@ TEST(Ems, ReferenceFiles) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_spectra_ems

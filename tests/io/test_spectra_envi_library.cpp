@@ -8,7 +8,7 @@
 #include "io/spectra_files.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_spectra_envi_library {
 namespace {
 
 std::string header(const std::string& type, const std::string& order = "0", const std::string& more = {}) {
@@ -107,4 +107,4 @@ TEST(EnviLibrary, ReferenceFiles) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_spectra_envi_library

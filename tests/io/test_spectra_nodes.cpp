@@ -12,7 +12,7 @@
 #include "radiometry/spectral_nodes.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_spectra_nodes {
 namespace {
 
 using radiometry::Channel;
@@ -151,4 +151,4 @@ TEST(SpectralNodesOfRealSpectra, LandsatSentinelAndAster) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_spectra_nodes

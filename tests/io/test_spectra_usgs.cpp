@@ -4,7 +4,7 @@
 #include "io/spectra_files.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_spectra_usgs {
 namespace {
 
 const std::string kRows =
@@ -78,4 +78,4 @@ TEST(Usgs, ReferenceFile) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_spectra_usgs

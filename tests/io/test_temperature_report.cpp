@@ -2,7 +2,7 @@
 
 #include "io/temperature_report/temperature_report.h"
 
-namespace ifov::io {
+namespace ifov::io::test_temperature_report {
 namespace {
 
 /// Two materials that change places twice, at a third of the first step and in the middle of the third.
@@ -72,4 +72,4 @@ TEST(TemperatureReport, CsvHasAllFluxes) {
 TEST(TemperatureReport, FigureIsAPicture) { EXPECT_EQ(temperature_figure(made()).substr(1, 3), "PNG"); }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_temperature_report

@@ -5,7 +5,7 @@
 #include "io/library/thermal_library.h"
 #include "io/tables/text_table.h"
 
-namespace ifov::io {
+namespace ifov::io::test_thermal_library {
 namespace {
 
 std::string message_of_table(const std::string& text) {
@@ -82,4 +82,4 @@ TEST(ThermalLibrary, RefusesTablesThatAreNotWellFormed) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_thermal_library

@@ -11,7 +11,7 @@
 #include "radiometry/solar_spectrum.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_uvspec {
 namespace {
 
 using Q = atmosphere::PathQuantity;
@@ -200,4 +200,4 @@ TEST_F(UvspecReference, RadiancesByAngle) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_uvspec

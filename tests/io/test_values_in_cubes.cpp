@@ -11,7 +11,7 @@
 #include "io/run_state/run_state.h"
 #include "io/run_state/tile_packs.h"
 
-namespace ifov::io {
+namespace ifov::io::test_values_in_cubes {
 namespace {
 
 using test::expect_same;
@@ -209,4 +209,4 @@ TEST(PartFile, IsGoneOnWithOnlyWhereNobodyElseHasIt) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_values_in_cubes

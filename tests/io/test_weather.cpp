@@ -10,7 +10,7 @@
 #include "io/weather/weather_file.h"
 #include "support/truth_data.h"
 
-namespace ifov::io {
+namespace ifov::io::test_weather {
 namespace {
 
 using Q = atmosphere::WeatherQuantity;
@@ -263,4 +263,4 @@ TEST(Weather, ReferenceSurfradDay) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_weather

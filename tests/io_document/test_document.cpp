@@ -14,7 +14,7 @@
 #include "io/document/shapes/flat_primitives.h"
 #include "io/document/shapes/round_primitives.h"
 
-namespace ifov::io {
+namespace ifov::io::test_document {
 namespace {
 
 using test::document_with;
@@ -303,4 +303,4 @@ TEST(Document, MissingFilesAreSystemErrors) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_document

@@ -6,7 +6,7 @@
 
 #include "document_maker.h"
 
-namespace ifov::io {
+namespace ifov::io::test_document_damage {
 namespace {
 
 std::uint64_t hash(std::uint64_t x) {  // the finalizer of SplitMix64
@@ -61,4 +61,4 @@ TEST(DocumentDamage, EveryTruncationIsRefused) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_document_damage

@@ -12,7 +12,7 @@
 #include "../support/truth_data.h"
 #include "io/json/json_adapter.h"
 
-namespace ifov::io {
+namespace ifov::io::test_document_json {
 namespace {
 
 using Type = DocumentNode::Type;
@@ -271,4 +271,4 @@ TEST(DocumentJson, ExcerptsReplaceWhatCannotBePrinted) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_document_json

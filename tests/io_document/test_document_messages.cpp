@@ -3,7 +3,7 @@
 
 #include "document_maker.h"
 
-namespace ifov::io {
+namespace ifov::io::test_document_messages {
 namespace {
 
 using test::document_with;
@@ -283,4 +283,4 @@ TEST(DocumentMessages, LaterStagesGetTheSameExcerpt) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_document_messages

@@ -5,7 +5,7 @@
 
 #include "document_maker.h"
 
-namespace ifov::io {
+namespace ifov::io::test_document_nesting {
 namespace {
 
 const std::string kTree =
@@ -44,4 +44,4 @@ TEST(DocumentNesting, UnknownPrototypesAreNamed) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_document_nesting

@@ -10,7 +10,7 @@
 #include "io/document/document.h"
 #include "io/document/shapes/flat_primitives.h"
 
-namespace ifov::io {
+namespace ifov::io::test_document_parts {
 namespace {
 
 const char* const kBase = R"({
@@ -157,4 +157,4 @@ TEST_F(DocumentParts, WrongOverridesAreErrors) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_document_parts

@@ -6,7 +6,7 @@
 
 #include "io/document/schema/quantity.h"
 
-namespace ifov::io {
+namespace ifov::io::test_document_quantity {
 namespace {
 
 double in_si(const Dimension& dimension, std::string_view text) {
@@ -83,4 +83,4 @@ TEST(DocumentQuantity, EveryUnitIsMatchedByItsPattern) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_document_quantity

@@ -5,7 +5,7 @@
 
 #include "document_maker.h"
 
-namespace ifov::io {
+namespace ifov::io::test_document_scatter {
 namespace {
 
 const std::string kInstances = R"({"instances": {"of": "tree", "at": [["1 m", "1 m", "0 m"]]}})";
@@ -142,4 +142,4 @@ TEST(DocumentRandomPlacement, StandsInTheSceneOnly) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_document_scatter

@@ -7,7 +7,7 @@
 #include "io/document/reading/record_walk.h"
 #include "io/json/json_adapter.h"
 
-namespace ifov::io {
+namespace ifov::io::test_document_schema {
 namespace {
 
 TEST(DocumentSchema, ReferencePageIsTheOneThatTheTablesGive) {
@@ -38,4 +38,4 @@ TEST(DocumentSchema, EveryKeyIsExplained) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_document_schema

@@ -10,7 +10,7 @@
 #include "io/document/schema/record.h"
 #include "io/json/json_writer.h"
 
-namespace ifov::io {
+namespace ifov::io::test_document_text {
 namespace {
 
 using test::kDocument;
@@ -153,4 +153,4 @@ TEST(Record, WritesWhatItReads) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_document_text

@@ -6,7 +6,7 @@
 #include "io/document/document.h"
 #include "io/document/thermal_document.h"
 
-namespace ifov::io {
+namespace ifov::io::test_document_thermal {
 namespace {
 
 const std::string kSoil = "\"soil\": {\"reflectance\": 0.25, \"temperature\": \"20 degC\"}";
@@ -138,4 +138,4 @@ TEST(DocumentThermal, TemperaturesAreSolvedSo) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_document_thermal

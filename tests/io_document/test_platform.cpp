@@ -16,7 +16,7 @@
 #include "platform/trajectory.h"
 #include "sensor/camera.h"
 
-namespace ifov::io {
+namespace ifov::io::test_platform {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -291,4 +291,4 @@ TEST_F(Platforms, MessagesOfSatellites) {
 }
 
 }  // namespace
-}  // namespace ifov::io
+}  // namespace ifov::io::test_platform

@@ -12,7 +12,7 @@
 #include "landscape/things/court.h"
 #include "landscape/things/harbour_things.h"
 
-namespace ifov::landscape {
+namespace ifov::landscape::test_meshes {
 namespace {
 
 struct Bounds {
@@ -166,4 +166,4 @@ TEST(Trees, LeavesHangOnWood) {
 }
 
 }  // namespace
-}  // namespace ifov::landscape
+}  // namespace ifov::landscape::test_meshes

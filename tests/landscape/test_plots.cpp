@@ -5,7 +5,7 @@
 #include "landscape/plots/traffic.h"
 #include "landscape/things/court.h"
 
-namespace ifov::landscape {
+namespace ifov::landscape::test_plots {
 namespace {
 
 struct Plan {
@@ -110,4 +110,4 @@ TEST(Plane, OverlapIsArea) {
 }
 
 }  // namespace
-}  // namespace ifov::landscape
+}  // namespace ifov::landscape::test_plots

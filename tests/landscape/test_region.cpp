@@ -4,7 +4,7 @@
 
 #include "landscape/shapes/region.h"
 
-namespace ifov::landscape {
+namespace ifov::landscape::test_region {
 namespace {
 
 Footprint square(double half_m) { return {{}, -half_m, half_m, -half_m, half_m}; }
@@ -75,4 +75,4 @@ TEST(Region, SkirtsFaceOutwards) {
 }
 
 }  // namespace
-}  // namespace ifov::landscape
+}  // namespace ifov::landscape::test_region

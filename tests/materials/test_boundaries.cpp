@@ -13,7 +13,7 @@
 #include "materials/lobe_checks.h"
 #include "radiometry/fresnel.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_boundaries {
 namespace {
 
 using radiometry::Spectrum;
@@ -173,4 +173,4 @@ TEST(Boundaries, AmplitudesTellTheirShares) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_boundaries

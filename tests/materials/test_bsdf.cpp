@@ -15,7 +15,7 @@
 #include "materials/bsdf_checks.h"
 #include "materials/material.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_bsdf {
 namespace {
 
 using math::Vec3;
@@ -294,4 +294,4 @@ TEST(Mirror, ReflectsAboutTheNormal) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_bsdf

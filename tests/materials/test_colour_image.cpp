@@ -6,7 +6,7 @@
 #include "materials/colour_image.h"
 #include "radiometry/colour/upsampling.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_colour_image {
 namespace {
 
 constexpr std::uint32_t rgba(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
@@ -84,4 +84,4 @@ TEST(ColourImage, RowsAndColumnsMayWrapDifferently) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_colour_image

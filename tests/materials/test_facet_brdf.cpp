@@ -20,7 +20,7 @@
 #include "radiometry/polarization_frame.h"
 #include "support/truth_data.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_facet_brdf {
 namespace {
 
 using math::Vec3;
@@ -215,4 +215,4 @@ TEST(Maignan, IsItsFormulaWithFresnelsMatrix) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_facet_brdf

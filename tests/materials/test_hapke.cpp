@@ -16,7 +16,7 @@
 #include "materials/reflectance_events.h"
 #include "support/truth_data.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_hapke {
 namespace {
 
 using radiometry::Spectrum;
@@ -227,4 +227,4 @@ TEST(Hapke, IsReciprocal) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_hapke

@@ -15,7 +15,7 @@
 #include "radiometry/fresnel.h"
 #include "support/truth_data.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_leaf {
 namespace {
 
 using math::Vec3;
@@ -212,4 +212,4 @@ TEST(Leaf, SaysWhatItsVersionLacks) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_leaf

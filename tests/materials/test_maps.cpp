@@ -9,7 +9,7 @@
 #include "materials/mixture_map.h"
 #include "materials/relief_map.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_maps {
 namespace {
 
 MapGrid grid(int width, int height, Tiling tiling = Tiling::edge) {
@@ -157,4 +157,4 @@ TEST(ReliefMap, NormalsAreThoseOfTheMap) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_maps

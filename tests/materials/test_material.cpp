@@ -6,7 +6,7 @@
 #include "materials/draped_map.h"
 #include "materials/material.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_material {
 namespace {
 
 template <class Action>
@@ -87,4 +87,4 @@ TEST(DrapedMaps, RefuseWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_material

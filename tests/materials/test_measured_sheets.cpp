@@ -14,7 +14,7 @@
 #include "materials/lobe_checks.h"
 #include "materials/material.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_measured_sheets {
 namespace {
 
 using math::Vec3;
@@ -224,4 +224,4 @@ TEST(MeasuredSheets, TablesThatCannotBeAreTold) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_measured_sheets

@@ -17,7 +17,7 @@
 #include "radiometry/fresnel.h"
 #include "support/truth_data.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_microfacet {
 namespace {
 
 using math::Vec3;
@@ -209,4 +209,4 @@ TEST(FacetAlbedo, OneTableServesAllOfTheSameFacets) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_microfacet

@@ -9,7 +9,7 @@
 
 #include "materials/draped_map.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_numbered_map {
 namespace {
 
 /// Turned windows of all sizes over a map of 45 x 37 cells, most of them beyond its edges.
@@ -76,4 +76,4 @@ TEST(NumberedMap, ManyCopiesAreAsOne) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_numbered_map

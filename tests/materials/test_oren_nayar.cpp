@@ -7,7 +7,7 @@
 #include "materials/bsdf/hemisphere.h"
 #include "materials/bsdf/oren_nayar.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_oren_nayar {
 namespace {
 
 using math::Vec3;
@@ -119,4 +119,4 @@ TEST(OrenNayar, ReflectsLessThanItsFacets) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_oren_nayar

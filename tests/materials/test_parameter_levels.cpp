@@ -8,7 +8,7 @@
 #include "materials/bsdf/hemisphere.h"
 #include "materials/parameter_levels.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_parameter_levels {
 namespace {
 
 std::shared_ptr<const Bsdf> lacquer(double roughness) {
@@ -79,4 +79,4 @@ TEST(ParameterLevels, FewValuesAreAllLevelsOrNearOnes) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_parameter_levels

@@ -12,7 +12,7 @@
 #include "radiometry/coherency.h"
 #include "radiometry/fresnel.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_polarizing_boundaries {
 namespace {
 
 using radiometry::MuellerMatrix;
@@ -185,4 +185,4 @@ TEST(PolarizingBoundaries, HaveMatricesThatCanBeAndEmitWhatIsLeft) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_polarizing_boundaries

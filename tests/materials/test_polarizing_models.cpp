@@ -21,7 +21,7 @@
 #include "radiometry/polarization_frame.h"
 #include "support/truth_data.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_polarizing_models {
 namespace {
 
 using math::Vec3;
@@ -136,7 +136,7 @@ struct Difference {
 /// Sparrow: Fresnel's matrix of the facet halfway, turned to the event's frames as models turn theirs. `turn`
 /// multiplies the angles' sines.
 Difference against_scatmech(float turn) {
-  std::ifstream file(*test::truth_file(kFacets));
+  std::ifstream file(*ifov::test::truth_file(kFacets));
   Difference found;
   for (std::string line; std::getline(file, line);) {
     std::istringstream stream(line);
@@ -185,7 +185,7 @@ Difference against_scatmech(float turn) {
 }
 
 TEST(PolarizingModels, FacetsAreThoseOfAnotherProgram) {
-  if (!test::truth_file(kFacets)) GTEST_SKIP() << "reference data not found: " << kFacets;
+  if (!ifov::test::truth_file(kFacets)) GTEST_SKIP() << "reference data not found: " << kFacets;
   const Difference right = against_scatmech(1.0f);
   EXPECT_EQ(right.rows, 840);
   EXPECT_LT(right.worst, 1e-6);
@@ -272,4 +272,4 @@ TEST(PolarizingModels, EmissionIsAcrossWhatReflects) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_polarizing_models

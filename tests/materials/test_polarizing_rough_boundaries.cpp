@@ -11,7 +11,7 @@
 #include "radiometry/coherency.h"
 #include "radiometry/fresnel.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_polarizing_rough_boundaries {
 namespace {
 
 using math::Vec3;
@@ -149,4 +149,4 @@ TEST(PolarizingRoughBoundaries, WhatIsLetThroughSwingsAcrossWhatIsReflected) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_polarizing_rough_boundaries

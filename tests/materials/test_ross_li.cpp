@@ -15,7 +15,7 @@
 #include "materials/reflectance_events.h"
 #include "support/truth_data.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_ross_li {
 namespace {
 
 using radiometry::Spectrum;
@@ -166,4 +166,4 @@ TEST(RossLi, AMaterialHasTheAlbedoOfItsKernels) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_ross_li

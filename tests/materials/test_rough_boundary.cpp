@@ -15,7 +15,7 @@
 #include "materials/lobe_checks.h"
 #include "radiometry/fresnel.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_rough_boundary {
 namespace {
 
 using math::Vec3;
@@ -217,4 +217,4 @@ TEST(RoughBoundary, KnowsWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_rough_boundary

@@ -12,7 +12,7 @@
 #include "materials/lobe_checks.h"
 #include "materials/material.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_rough_conductor {
 namespace {
 
 using math::Vec3;
@@ -223,4 +223,4 @@ TEST(RoughConductor, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_rough_conductor

@@ -10,7 +10,7 @@
 #include "materials/bsdf/rough_dielectric.h"
 #include "materials/lobe_checks.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_rough_dielectric {
 namespace {
 
 using math::Vec3;
@@ -104,4 +104,4 @@ TEST(RoughDielectric, ACoatHasAnIndexOfOneOrMore) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_rough_dielectric

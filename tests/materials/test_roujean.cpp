@@ -14,7 +14,7 @@
 #include "materials/material.h"
 #include "materials/reflectance_events.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_roujean {
 namespace {
 
 using radiometry::Spectrum;
@@ -99,4 +99,4 @@ TEST(Roujean, AMaterialThatSendsBackMoreThanArrivesIsRefused) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_roujean

@@ -16,7 +16,7 @@
 #include "materials/reflectance_events.h"
 #include "support/truth_data.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_rpv {
 namespace {
 
 using radiometry::Spectrum;
@@ -160,4 +160,4 @@ TEST(Rpv, AMaterialThatSendsBackMoreThanArrivesIsRefused) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_rpv

@@ -13,7 +13,7 @@
 #include "radiometry/fresnel.h"
 #include "radiometry/refractive_index.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_sea {
 namespace {
 
 using math::Vec3;
@@ -334,4 +334,4 @@ TEST(Sea, SaysWhereItIsNotValid) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_sea

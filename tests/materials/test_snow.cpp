@@ -13,7 +13,7 @@
 #include "materials/material.h"
 #include "materials/reflectance_events.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_snow {
 namespace {
 
 using radiometry::Spectrum;
@@ -152,4 +152,4 @@ TEST(Snow, AnyGrainIsAMaterial) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_snow

@@ -8,7 +8,7 @@
 #include "radiometry/solar_spectrum.h"
 #include "radiometry/spectral_nodes.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_spectral_materials {
 namespace {
 
 using radiometry::Channel;
@@ -39,4 +39,4 @@ TEST(SpectralMaterials, KirchhoffHoldsInEveryNode) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_spectral_materials

@@ -13,7 +13,7 @@
 #include "materials/material.h"
 #include "materials/reflectance_events.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_tabulated {
 namespace {
 
 using radiometry::Spectrum;
@@ -158,4 +158,4 @@ TEST(Tabulated, LightAndViewMayHaveAnglesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_tabulated

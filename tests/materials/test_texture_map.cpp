@@ -8,7 +8,7 @@
 #include "materials/texture_map.h"
 #include "sampling/random.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_texture_map {
 namespace {
 
 constexpr MapGrid kOneCell{0.0, 1.0, 1.0, 1.0, 1, 1};
@@ -213,4 +213,4 @@ TEST(TextureMap, NeedsAnImageForEachRange) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_texture_map

@@ -7,7 +7,7 @@
 #include "materials/bsdf/ward.h"
 #include "materials/lobe_checks.h"
 
-namespace ifov::materials {
+namespace ifov::materials::test_ward {
 namespace {
 
 using math::Vec3;
@@ -102,4 +102,4 @@ TEST(Ward, IsReciprocalAndInvertsItsWarp) {
 }
 
 }  // namespace
-}  // namespace ifov::materials
+}  // namespace ifov::materials::test_ward

@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "math/fft.h"
 
-namespace ifov::math {
+namespace ifov::math::test_fft {
 namespace {
 
 using Series = std::vector<std::complex<double>>;
@@ -47,4 +47,4 @@ TEST(Fft, TakesPowersOfTwo) {
 }
 
 }  // namespace
-}  // namespace ifov::math
+}  // namespace ifov::math::test_fft

@@ -4,7 +4,7 @@
 
 #include "math/frame.h"
 
-namespace ifov::math {
+namespace ifov::math::test_frame {
 namespace {
 
 TEST(Frame, IsOrthonormalAndRightHandedEverywhere) {
@@ -36,4 +36,4 @@ TEST(Frame, PolesAreNoExceptions) {
 }
 
 }  // namespace
-}  // namespace ifov::math
+}  // namespace ifov::math::test_frame

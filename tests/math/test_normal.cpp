@@ -6,7 +6,7 @@
 
 #include "math/normal.h"
 
-namespace ifov::math {
+namespace ifov::math::test_normal {
 namespace {
 
 TEST(NormalQuantile, InvertsTheComplementaryErrorFunction) {
@@ -37,4 +37,4 @@ TEST(NormalQuantile, KnowsTheTables) {
 }
 
 }  // namespace
-}  // namespace ifov::math
+}  // namespace ifov::math::test_normal

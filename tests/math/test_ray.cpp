@@ -4,7 +4,7 @@
 
 #include "math/ray.h"
 
-namespace ifov::math {
+namespace ifov::math::test_ray {
 namespace {
 
 TEST(Ray, GoesOnAtTheSameTimeWithoutItsLimits) {
@@ -19,4 +19,4 @@ TEST(Ray, GoesOnAtTheSameTimeWithoutItsLimits) {
 }
 
 }  // namespace
-}  // namespace ifov::math
+}  // namespace ifov::math::test_ray

@@ -4,7 +4,7 @@
 
 #include "math/transform.h"
 
-namespace ifov::math {
+namespace ifov::math::test_transform {
 namespace {
 
 constexpr double kQuarterTurn = std::numbers::pi / 2.0;
@@ -61,4 +61,4 @@ TEST(Transform, MirroringKeepsOutsideOutside) {
 }
 
 }  // namespace
-}  // namespace ifov::math
+}  // namespace ifov::math::test_transform

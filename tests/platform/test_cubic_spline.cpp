@@ -5,7 +5,7 @@
 
 #include "platform/cubic_spline.h"
 
-namespace ifov::platform {
+namespace ifov::platform::test_cubic_spline {
 namespace {
 
 double at(const CubicSpline& spline, double t) {
@@ -64,4 +64,4 @@ TEST(CubicSpline, FollowsASine) {
 }
 
 }  // namespace
-}  // namespace ifov::platform
+}  // namespace ifov::platform::test_cubic_spline

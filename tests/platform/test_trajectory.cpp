@@ -7,7 +7,7 @@
 #include "platform/quaternion.h"
 #include "platform/trajectory.h"
 
-namespace ifov::platform {
+namespace ifov::platform::test_trajectory {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -81,4 +81,4 @@ TEST(Trajectory, RefusesTimesThatDoNotIncrease) {
 }
 
 }  // namespace
-}  // namespace ifov::platform
+}  // namespace ifov::platform::test_trajectory

@@ -6,7 +6,7 @@
 #include "radiometry/channel.h"
 #include "radiometry/planck.h"
 
-namespace ifov::radiometry {
+namespace ifov::radiometry::test_channel {
 namespace {
 
 TEST(Channel, GaussianHasItsCentreAndWidth) {
@@ -60,4 +60,4 @@ TEST(Channel, RefusesImpossibleShapes) {
 }
 
 }  // namespace
-}  // namespace ifov::radiometry
+}  // namespace ifov::radiometry::test_channel

@@ -7,7 +7,7 @@
 
 #include "radiometry/colour/upsampling.h"
 
-namespace ifov::radiometry {
+namespace ifov::radiometry::test_colour {
 namespace {
 
 TEST(Colour, DecodesSrgbAsTheStandardSays) {
@@ -140,4 +140,4 @@ TEST(Upsampling, GreysAreFlat) {
 }
 
 }  // namespace
-}  // namespace ifov::radiometry
+}  // namespace ifov::radiometry::test_colour

@@ -14,7 +14,7 @@
 #include "radiometry/polarization_frame.h"
 #include "support/truth_data.h"
 
-namespace ifov::radiometry {
+namespace ifov::radiometry::test_fresnel {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -172,4 +172,4 @@ TEST(Fresnel, MetalsAndWaterByMeasuredIndices) {
 }
 
 }  // namespace
-}  // namespace ifov::radiometry
+}  // namespace ifov::radiometry::test_fresnel

@@ -9,7 +9,7 @@
 #include "radiometry/fresnel.h"
 #include "radiometry/mueller.h"
 
-namespace ifov::radiometry {
+namespace ifov::radiometry::test_mueller {
 namespace {
 
 using test::coherency_eigenvalues;
@@ -123,4 +123,4 @@ TEST(MuellerMatrix, WhatCanBeKeepsLightPossible) {
 }
 
 }  // namespace
-}  // namespace ifov::radiometry
+}  // namespace ifov::radiometry::test_mueller

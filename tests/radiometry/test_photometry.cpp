@@ -7,7 +7,7 @@
 #include "radiometry/photometry.h"
 #include "radiometry/planck.h"
 
-namespace ifov::radiometry {
+namespace ifov::radiometry::test_photometry {
 namespace {
 
 TEST(Photometry, EfficiencyHasTheIntegralOfTheStandard) {
@@ -66,4 +66,4 @@ TEST(Photometry, BadTablesAreRefused) {
 }
 
 }  // namespace
-}  // namespace ifov::radiometry
+}  // namespace ifov::radiometry::test_photometry

@@ -9,7 +9,7 @@
 #include "radiometry/planck.h"
 #include "support/truth_data.h"
 
-namespace ifov::radiometry {
+namespace ifov::radiometry::test_planck {
 namespace {
 
 constexpr double kStefanBoltzmann = 5.670374419e-8;  // CODATA 2018
@@ -96,4 +96,4 @@ TEST(Planck, ReferenceTable) {
 }
 
 }  // namespace
-}  // namespace ifov::radiometry
+}  // namespace ifov::radiometry::test_planck

@@ -5,7 +5,7 @@
 
 #include "radiometry/polarization_frame.h"
 
-namespace ifov::radiometry {
+namespace ifov::radiometry::test_polarization_frame {
 namespace {
 
 using math::normalized;
@@ -107,4 +107,4 @@ TEST(PolarizationFrame, ForwardAndBackwardAreNoJump) {
 }
 
 }  // namespace
-}  // namespace ifov::radiometry
+}  // namespace ifov::radiometry::test_polarization_frame

@@ -7,7 +7,7 @@
 #include "radiometry/solar_spectrum.h"
 #include "support/truth_data.h"
 
-namespace ifov::radiometry {
+namespace ifov::radiometry::test_solar_spectrum {
 namespace {
 
 // Total solar irradiance 1361 W m-2 (Kopp and Lean 2011, Geophys. Res. Lett. 38, L01706).
@@ -41,4 +41,4 @@ TEST(SolarSpectrum, AgreesWithE490) {
 }
 
 }  // namespace
-}  // namespace ifov::radiometry
+}  // namespace ifov::radiometry::test_solar_spectrum

@@ -13,7 +13,7 @@
 #include "radiometry/solar_spectrum.h"
 #include "radiometry/spectral_nodes.h"
 
-namespace ifov::radiometry {
+namespace ifov::radiometry::test_spectral_nodes {
 namespace {
 
 /// Vegetation, soil and snow in outline: a red edge, a slope, water bands.
@@ -339,4 +339,4 @@ TEST(SpectralNodes, OfManySurfacesTheOneUnlikeTheOthersIsKeptToo) {
 }
 
 }  // namespace
-}  // namespace ifov::radiometry
+}  // namespace ifov::radiometry::test_spectral_nodes

@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "radiometry/spectrum.h"
 
-namespace ifov::radiometry {
+namespace ifov::radiometry::test_spectrum {
 namespace {
 
 template <class Action>
@@ -95,4 +95,4 @@ TEST(Spectrum, SumsWhereBothAreGiven) {
 }
 
 }  // namespace
-}  // namespace ifov::radiometry
+}  // namespace ifov::radiometry::test_spectrum

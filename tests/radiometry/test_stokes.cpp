@@ -6,7 +6,7 @@
 
 #include "radiometry/stokes.h"
 
-namespace ifov::radiometry {
+namespace ifov::radiometry::test_stokes {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -61,4 +61,4 @@ TEST(StokesVector, DegreesAndAngles) {
 }
 
 }  // namespace
-}  // namespace ifov::radiometry
+}  // namespace ifov::radiometry::test_stokes

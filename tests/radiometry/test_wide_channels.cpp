@@ -8,6 +8,7 @@
 #include "radiometry/planck.h"
 #include "radiometry/spectral_nodes.h"
 
+namespace test_wide_channels {
 using namespace ifov::radiometry;
 
 namespace {
@@ -145,3 +146,5 @@ TEST(WideChannels, TheSkyIsOneOfTheLights) {
   EXPECT_LT(error_with(&sky), 7e-4);
   EXPECT_GT(error_with(nullptr), 3e-3);
 }
+
+}  // namespace test_wide_channels

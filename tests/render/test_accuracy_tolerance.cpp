@@ -7,7 +7,7 @@
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/channel_brightness.h"
 
-namespace ifov::render {
+namespace ifov::render::test_accuracy_tolerance {
 namespace {
 
 radiometry::SpectralNodes nodes_at(double wavelength_um) {
@@ -97,4 +97,4 @@ TEST(AccuracyTolerance, SimultaneousConfidenceIsTighterPerStatement) {
 }
 
 }  // namespace
-}  // namespace ifov::render
+}  // namespace ifov::render::test_accuracy_tolerance

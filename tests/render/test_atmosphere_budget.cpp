@@ -11,7 +11,7 @@
 #include "render/tolerance/channel_brightness.h"
 #include "sampling/tile.h"
 
-namespace ifov::render {
+namespace ifov::render::test_atmosphere_budget {
 namespace {
 
 /// Two channels; the first is judged to 2 %.
@@ -169,4 +169,4 @@ TEST_F(AtmosphereBudget, WithoutErrorsNothingChanges) {
 }
 
 }  // namespace
-}  // namespace ifov::render
+}  // namespace ifov::render::test_atmosphere_budget

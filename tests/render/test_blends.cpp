@@ -14,7 +14,7 @@
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov {
+namespace ifov::test_blends {
 namespace {
 
 using test::SmallScene;
@@ -196,4 +196,4 @@ TEST(Bump, LowSunFromBelowTheTiltComesMirrored) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_blends

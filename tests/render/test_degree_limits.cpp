@@ -10,7 +10,7 @@
 #include "render/tolerance/channel_brightness.h"
 #include "render/tolerance/degree_limits.h"
 
-namespace ifov::render {
+namespace ifov::render::test_degree_limits {
 namespace {
 
 // Whatever I, Q and U are within their half-widths, the degree is within its own: corners and sides of the box of errors.
@@ -71,4 +71,4 @@ TEST(DegreeLimits, AToleranceAsksThemOfIQAndU) {
 }
 
 }  // namespace
-}  // namespace ifov::render
+}  // namespace ifov::render::test_degree_limits

@@ -14,7 +14,7 @@
 #include "sensor/orthographic_camera.h"
 #include "transport/small_scene.h"
 
-namespace ifov {
+namespace ifov::test_glints {
 namespace {
 
 using test::SmallScene;
@@ -203,4 +203,4 @@ TEST(Glints, ImagesPathsLeaveThemOutAndOthersFindThem) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_glints

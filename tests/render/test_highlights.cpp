@@ -14,7 +14,7 @@
 #include "transport/mirrors/sun_lobes.h"
 #include "transport/small_scene.h"
 
-namespace ifov {
+namespace ifov::test_highlights {
 namespace {
 
 using materials::BsdfEvent;
@@ -295,4 +295,4 @@ TEST(Highlights, WideLobesAndPlanesAreLeftToPaths) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_highlights

@@ -14,7 +14,7 @@
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov {
+namespace ifov::test_image_renderer {
 namespace {
 
 using test::SmallScene;
@@ -73,4 +73,4 @@ TEST(RenderImage, WantedTilesComeInTheirOrder) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_image_renderer

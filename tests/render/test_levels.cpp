@@ -22,7 +22,7 @@
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov {
+namespace ifov::test_levels {
 namespace {
 
 /// Ground with a wall on it, one of them a mirror, under a Sun, warm things and a sky.
@@ -202,4 +202,4 @@ TEST(ImageWide, IsTheSameInAnyTilesThreadsAndShares) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_levels

@@ -18,7 +18,7 @@
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov {
+namespace ifov::test_mirror_images {
 namespace {
 
 using test::SmallScene;
@@ -131,4 +131,4 @@ TEST(MirrorImages, ChromeBallShowsItsGlintAndAnEggMarksItsCaustics) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_mirror_images

@@ -14,7 +14,7 @@
 #include "scene/scene.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov::render {
+namespace ifov::render::test_node_budget {
 namespace {
 
 /// Two channels, judged to `error`, whose nodes are wrong by 1 %.
@@ -113,4 +113,4 @@ TEST_F(NodeBudget, KnowsWhatTheSearchCouldNotKeep) {
 }
 
 }  // namespace
-}  // namespace ifov::render
+}  // namespace ifov::render::test_node_budget

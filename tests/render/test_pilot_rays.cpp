@@ -8,7 +8,7 @@
 #include "sampling/random.h"
 #include "sensor/orthographic_camera.h"
 
-namespace ifov {
+namespace ifov::test_pilot_rays {
 namespace {
 
 constexpr int kSide = 32;
@@ -235,4 +235,4 @@ TEST(PilotRays, FacesPaintedOtherwiseAreSought) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_pilot_rays

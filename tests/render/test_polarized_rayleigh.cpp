@@ -28,7 +28,7 @@
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov::render {
+namespace ifov::render::test_polarized_rayleigh {
 namespace {
 
 using radiometry::StokesVector;
@@ -213,4 +213,4 @@ TEST(PolarizedRayleigh, TheSkyIsTheSolversBetweenItsDirections) {
 }
 
 }  // namespace
-}  // namespace ifov::render
+}  // namespace ifov::render::test_polarized_rayleigh

@@ -9,7 +9,7 @@
 #include "transport/spectral_scene.h"
 #include "transport/timed_world.h"
 
-namespace ifov {
+namespace ifov::test_scene_field {
 namespace {
 
 // A mirror 10 m high faces a Sun with a slope of 2: what it throws ends 5 m before it, and labels tell that ground from
@@ -77,4 +77,4 @@ TEST(SceneField, AsksTheSceneAtTheTimeOfThePoint) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_scene_field

@@ -25,7 +25,7 @@
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov {
+namespace ifov::test_small_images {
 namespace {
 
 using test::SmallScene;
@@ -340,4 +340,4 @@ TEST(UnseenEmitters, MarkWhatTheyMayLightAndNothingFarOff) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_small_images

@@ -20,7 +20,7 @@
 #include "truth/sunlight.h"
 #include "truth/time.h"
 
-namespace ifov {
+namespace ifov::test_truth_layers {
 namespace {
 
 using test::SmallScene;
@@ -224,4 +224,4 @@ TEST(TruthLayers, ShadowOfWhatLetsLightThrough) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_truth_layers

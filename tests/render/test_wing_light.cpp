@@ -13,7 +13,7 @@
 #include "sensor/psf.h"
 #include "sensor/psf_wings.h"
 
-namespace ifov::render {
+namespace ifov::render::test_wing_light {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -241,4 +241,4 @@ TEST(WingLight, WhatACutMakesTooWideSaysSo) {
 }
 
 }  // namespace
-}  // namespace ifov::render
+}  // namespace ifov::render::test_wing_light

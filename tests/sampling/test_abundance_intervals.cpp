@@ -5,7 +5,7 @@
 
 #include "accuracy_scenes.h"
 
-namespace ifov::test {
+namespace ifov::test::test_abundance_intervals {
 namespace {
 
 using namespace sampling;
@@ -89,4 +89,4 @@ TEST(AbundanceIntervals, HoldInClutter) {
 }
 
 }  // namespace
-}  // namespace ifov::test
+}  // namespace ifov::test::test_abundance_intervals

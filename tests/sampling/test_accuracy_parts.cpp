@@ -17,7 +17,7 @@
 #include "sampling/accuracy/radiance/pixel_model.h"
 #include "sampling/accuracy/radiance/spread.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_accuracy_parts {
 namespace {
 
 Bracket bisected(double crossing_px, double length_px, double target_px, std::uint64_t key, bool dither) {
@@ -362,4 +362,4 @@ TEST(Clutter, StratifiedCostFollowsItsErrorLaw) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_accuracy_parts

@@ -10,7 +10,7 @@
 
 // Radiance that varies within labels: noise of paths, texture, gradients, and labels that do not tell all.
 
-namespace ifov::test {
+namespace ifov::test::test_accuracy_paths {
 namespace {
 
 /// A field whose paths are noisy: the value depends on the path's own numbers, not only on its point.
@@ -206,4 +206,4 @@ TEST(AccuracyPaths, LabelsWithoutTheSunStateAreNotedByTheirVariance) {
 }
 
 }  // namespace
-}  // namespace ifov::test
+}  // namespace ifov::test::test_accuracy_paths

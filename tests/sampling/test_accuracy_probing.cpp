@@ -7,7 +7,7 @@
 #include "accuracy_scenes.h"
 #include "sampling/hash.h"
 
-namespace ifov::test {
+namespace ifov::test::test_accuracy_probing {
 namespace {
 
 using namespace sampling;
@@ -127,4 +127,4 @@ TEST(AccuracyProbing, WhatCrossesAPixelBetweenTwoOfClutterIsFound) {
 }
 
 }  // namespace
-}  // namespace ifov::test
+}  // namespace ifov::test::test_accuracy_probing

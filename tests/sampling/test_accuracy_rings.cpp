@@ -7,7 +7,7 @@
 
 #include "accuracy_scenes.h"
 
-namespace ifov::test {
+namespace ifov::test::test_accuracy_rings {
 namespace {
 
 using namespace sampling;
@@ -104,4 +104,4 @@ TEST(AccuracyRings, PlantedFaultARingThatIsSaidToBeEven) {
 }
 
 }  // namespace
-}  // namespace ifov::test
+}  // namespace ifov::test::test_accuracy_rings

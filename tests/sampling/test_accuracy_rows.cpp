@@ -6,7 +6,7 @@
 
 #include "accuracy_scenes.h"
 
-namespace ifov::test {
+namespace ifov::test::test_accuracy_rows {
 namespace {
 
 using namespace sampling;
@@ -104,4 +104,4 @@ TEST(AccuracyRows, CrossingsAtLikePlacesDoNotErrAlike) {
 }
 
 }  // namespace
-}  // namespace ifov::test
+}  // namespace ifov::test::test_accuracy_rows

@@ -9,7 +9,7 @@
 // The shapes of study 2 on 3 x 3 pixels: errors of the centre pixel, counts over all nine. Fixed seeds;
 // limits are the product's own with room for fewer trials.
 
-namespace ifov::test {
+namespace ifov::test::test_accuracy_shapes {
 namespace {
 
 constexpr int kTrials = 200;
@@ -278,4 +278,4 @@ TEST(AccuracyShapes, AbundancesAreAreasWithIntervals) {
 }
 
 }  // namespace
-}  // namespace ifov::test
+}  // namespace ifov::test::test_accuracy_shapes

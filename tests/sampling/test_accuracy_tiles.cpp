@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "core/run_control.h"
 
-namespace ifov::test {
+namespace ifov::test::test_accuracy_tiles {
 namespace {
 
 /// Polygons of the nearest of some points (Voronoi), six materials.
@@ -235,4 +235,4 @@ TEST(AccuracyTiles, RefusesWhatItCannotWorkWith) {
 }
 
 }  // namespace
-}  // namespace ifov::test
+}  // namespace ifov::test::test_accuracy_tiles

@@ -7,7 +7,7 @@
 #include "faulty_samplers.h"
 #include "sampling/random.h"
 
-namespace ifov::test {
+namespace ifov::test::test_accuracy_uneven {
 namespace {
 
 using namespace sampling;
@@ -182,4 +182,4 @@ TEST(AccuracyUneven, PlantedFaultOneValueTellsOfAPenumbra) {
 }
 
 }  // namespace
-}  // namespace ifov::test
+}  // namespace ifov::test::test_accuracy_uneven

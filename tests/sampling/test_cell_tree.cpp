@@ -15,7 +15,7 @@
 #include "sampling/accuracy/borders/traced_pixels.h"
 #include "shape_field.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_cell_tree {
 namespace {
 
 /// A tree over 2 x 2 pixels of two cells a side, planted with the labels that a field has at the vertices.
@@ -152,4 +152,4 @@ TEST(BracketStore, HalvesInheritTheCrossing) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_cell_tree

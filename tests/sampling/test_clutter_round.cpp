@@ -9,7 +9,7 @@
 #include "sampling/hash.h"
 #include "sampling/pixel_footprint.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_clutter_round {
 namespace {
 
 constexpr std::size_t kStride = 16;
@@ -179,4 +179,4 @@ TEST(ClutterRound, CountsMaterials) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_clutter_round

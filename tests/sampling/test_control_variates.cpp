@@ -13,7 +13,7 @@
 #include "sampling/accuracy/basis/mapped_surface.h"
 #include "sampling/accuracy/radiance/control_variates.h"
 
-namespace ifov::test {
+namespace ifov::test::test_control_variates {
 namespace {
 
 using namespace sampling;
@@ -226,4 +226,4 @@ TEST(ControlVariates, MustNotTakeTheVarianceTheyAreJudgedBy) {
 }
 
 }  // namespace
-}  // namespace ifov::test
+}  // namespace ifov::test::test_control_variates

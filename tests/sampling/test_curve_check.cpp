@@ -2,7 +2,7 @@
 
 #include "sampling/accuracy/edges/curve_check.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_curve_check {
 namespace {
 
 Point2 at(const FocalPoint& p) { return {p.x_px, p.y_px}; }
@@ -54,4 +54,4 @@ TEST(CurveCheck, ACornerIsLookedForAtItsApexAndItsLegs) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_curve_check

@@ -6,7 +6,7 @@
 #include "sampling/accuracy/detection.h"
 #include "sampling/random.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_detection {
 namespace {
 
 /// Share of features, squares or discs of the given area anywhere in the middle of 3 x 3 pixels, that jittered grids meet.
@@ -83,4 +83,4 @@ TEST(Detection, ValuesCountAsRandomRays) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_detection

@@ -4,7 +4,7 @@
 
 #include "sampling/accuracy/borders/edge_cells.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_edge_cells {
 namespace {
 
 std::vector<std::uint32_t> cells_of(EdgeCells& cells, std::uint32_t pixel) {
@@ -48,4 +48,4 @@ TEST(EdgeCells, ThoseThatAreNotKeptLeave) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_edge_cells

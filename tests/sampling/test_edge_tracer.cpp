@@ -15,7 +15,7 @@
 #include "sampling/accuracy/edges/edge_tracer.h"
 #include "shape_field.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_edge_tracer {
 namespace {
 
 /// The borders of a field over 3 x 3 pixels, of which each may err by `allowed` of the radiance that labels differ by.
@@ -116,4 +116,4 @@ TEST(EdgeTracer, PixelsBeyondTheirBudgetCostNoMoreRays) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_edge_tracer

@@ -16,7 +16,7 @@
 #include "sampling/pixel_footprint.h"
 #include "sampling/random.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_image_pooling {
 namespace {
 
 using test::ShareOfMean;
@@ -198,4 +198,4 @@ TEST(ImagePooling, AuditFindsPooledShadows) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_image_pooling

@@ -17,7 +17,7 @@
 #include "sampling/pixel_footprint.h"
 #include "shape_field.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_image_sampler {
 namespace {
 
 using test::ShareOfMean;
@@ -339,4 +339,4 @@ TEST(Audit, QuantilesAreThoseOfOneMorePixel) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_image_sampler

@@ -7,7 +7,7 @@
 #include "accuracy_scenes.h"
 #include "sampling/accuracy/borders/junction.h"
 
-namespace ifov::test {
+namespace ifov::test::test_junction {
 namespace {
 
 using sampling::Point2;
@@ -115,4 +115,4 @@ TEST(Junction, IsFoundByFewRays) {
 }
 
 }  // namespace
-}  // namespace ifov::test
+}  // namespace ifov::test::test_junction

@@ -8,7 +8,7 @@
 #include "sampling/hash.h"
 #include "sampling/pixel_limits.h"
 
-namespace ifov::test {
+namespace ifov::test::test_later_light {
 namespace {
 
 /// Three by three pixels of 1 with noise of half of it, which will have `later` each, known to `uncertain`.
@@ -64,4 +64,4 @@ TEST(LaterLight, RoomIsLeftForWhatItIsUncertainBy) {
 }
 
 }  // namespace
-}  // namespace ifov::test
+}  // namespace ifov::test::test_later_light

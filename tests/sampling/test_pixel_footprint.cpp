@@ -7,7 +7,7 @@
 
 #include "sampling/pixel_footprint.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_pixel_footprint {
 namespace {
 
 PixelFootprint gaussian(double sigma, double half_width, int cells) {
@@ -99,4 +99,4 @@ TEST(PixelFootprint, RefusesNonsense) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_pixel_footprint

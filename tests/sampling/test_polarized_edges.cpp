@@ -7,7 +7,7 @@
 
 #include "accuracy_scenes.h"
 
-namespace ifov::test {
+namespace ifov::test::test_polarized_edges {
 namespace {
 
 constexpr double kRadiance = 130.0, kQ = 20.0, kU = 35.0;
@@ -116,4 +116,4 @@ TEST(PolarizedEdges, ColumnsThatAloneSeeABorderSteer) {
 }
 
 }  // namespace
-}  // namespace ifov::test
+}  // namespace ifov::test::test_polarized_edges

@@ -8,7 +8,7 @@
 
 #include "sampling/projected_polygon.h"
 
-namespace ifov {
+namespace ifov::test_projected_polygon {
 namespace {
 
 using math::Vec3;
@@ -109,4 +109,4 @@ TEST(ProjectedPolygon, DirectionsAreUniformInProjectedSolidAngle) { EXPECT_LT(wo
 TEST(ProjectedPolygon, PlantedFaultBentAzimuthsFail) { EXPECT_GT(worst_of_many(0.2), 3.0); }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_projected_polygon

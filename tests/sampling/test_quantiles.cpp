@@ -2,7 +2,7 @@
 
 #include "sampling/quantiles.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_quantiles {
 namespace {
 
 TEST(Quantiles, NormalTable) {
@@ -26,4 +26,4 @@ TEST(Quantiles, TableAgreesWithFunction) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_quantiles

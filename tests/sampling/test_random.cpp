@@ -7,7 +7,7 @@
 #include "sampling/random.h"
 #include "support/statistics.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_random {
 namespace {
 
 double uniformity_p_value(double (*draw)(int)) {
@@ -55,4 +55,4 @@ TEST(UnitDouble, SkewIsCaught) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_random

@@ -8,7 +8,7 @@
 #include "sampling/random_placement.h"
 #include "support/statistics.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_random_placement {
 namespace {
 
 /// Smallest distance of two places, all pairs.
@@ -148,4 +148,4 @@ TEST(RandomPlacement, RefusesWhatIsTooMuch) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_random_placement

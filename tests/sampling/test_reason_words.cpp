@@ -5,7 +5,7 @@
 
 #include "sampling/reason_words.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_reason_words {
 namespace {
 
 TEST(Reasons, AreCountedEachForItself) {
@@ -51,4 +51,4 @@ TEST(Reasons, EachHasItsPlaceAndItsWords) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_reason_words

@@ -5,7 +5,7 @@
 
 #include "accuracy_scenes.h"
 
-namespace ifov::test {
+namespace ifov::test::test_reasons {
 namespace {
 
 using sampling::bit;
@@ -68,4 +68,4 @@ TEST(AccuracyReasons, NoneWhereTheLimitIsKept) {
 }
 
 }  // namespace
-}  // namespace ifov::test
+}  // namespace ifov::test::test_reasons

@@ -10,7 +10,7 @@
 
 // A tile that is taken from a looser to a tighter tolerance: what it costs, whether its intervals hold.
 
-namespace ifov::test {
+namespace ifov::test::test_refine {
 namespace {
 
 /// Patches of five radiances, askew, whose paths are noisy.
@@ -189,4 +189,4 @@ TEST(RefinedTests, IntervalsThatForgetTheTestsFail) {
 }
 
 }  // namespace
-}  // namespace ifov::test
+}  // namespace ifov::test::test_refine

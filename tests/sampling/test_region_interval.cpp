@@ -7,7 +7,7 @@
 
 #include "sampling/region_interval.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_region_interval {
 namespace {
 
 RegionSum sum_of(int pixels, double border_share, double air = 0.0) {
@@ -74,4 +74,4 @@ TEST(ResponseArea, OfBoxesAndOfAGaussian) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_region_interval

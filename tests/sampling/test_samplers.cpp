@@ -15,7 +15,7 @@
 #include "sampling/tolerance.h"
 #include "shape_field.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_samplers {
 namespace {
 
 const PixelFootprint kWholePixel = PixelFootprint::box(1.0);
@@ -352,4 +352,4 @@ TEST(ClassicalSamplers, ToleranceOnlyJudges) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_samplers

@@ -7,7 +7,7 @@
 #include "sampling/sequence.h"
 #include "support/statistics.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_sequence {
 namespace {
 
 /// Whether every elementary interval of area 2^-m holds exactly one of the 2^m points from `first` on.
@@ -103,4 +103,4 @@ TEST(Halton, FirstPoints) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_sequence

@@ -11,7 +11,7 @@
 // Do intervals hold wherever the sampling ends? Normal values, tests of growing numbers of them, an end when the
 // estimated interval is narrow enough.
 
-namespace ifov::test {
+namespace ifov::test::test_stopping {
 namespace {
 
 using sampling::Satterthwaite;
@@ -117,4 +117,4 @@ TEST(Stopping, SatterthwaiteOfEqualPartsAddsTheirFreedom) {
 }
 
 }  // namespace
-}  // namespace ifov::test
+}  // namespace ifov::test::test_stopping

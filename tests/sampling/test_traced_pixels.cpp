@@ -4,7 +4,7 @@
 
 #include "sampling/accuracy/borders/traced_pixels.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_traced_pixels {
 namespace {
 
 using Flags = std::vector<std::uint8_t>;
@@ -59,4 +59,4 @@ TEST(TracedPixels, SignsCanBeTakenBack) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_traced_pixels

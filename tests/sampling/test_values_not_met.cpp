@@ -6,7 +6,7 @@
 #include "accuracy_scenes.h"
 #include "faulty_samplers.h"
 
-namespace ifov::test {
+namespace ifov::test::test_values_not_met {
 namespace {
 
 using namespace sampling;
@@ -204,4 +204,4 @@ TEST(ValuesNotMet, WhatIsKnownToStandOutIsPartOfTheInterval) {
 }
 
 }  // namespace
-}  // namespace ifov::test
+}  // namespace ifov::test::test_values_not_met

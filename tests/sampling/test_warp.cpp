@@ -8,7 +8,7 @@
 #include "sampling/warp.h"
 #include "support/statistics.h"
 
-namespace ifov::sampling {
+namespace ifov::sampling::test_warp {
 namespace {
 
 using math::Vec3;
@@ -185,4 +185,4 @@ TEST(SolarDisc, PenumbraIsTheDiscSegment) {
 }
 
 }  // namespace
-}  // namespace ifov::sampling
+}  // namespace ifov::sampling::test_warp

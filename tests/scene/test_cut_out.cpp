@@ -10,7 +10,7 @@
 #include "scene/cut_out.h"
 #include "scene/scene.h"
 
-namespace ifov::scene {
+namespace ifov::scene::test_cut_out {
 namespace {
 
 materials::MapGrid grid(int width, int height, materials::MapBy by = materials::MapBy::position) {
@@ -63,4 +63,4 @@ TEST(SurfaceCutOut, AreAskedForOnlyWhereThereAreAny) {
 }
 
 }  // namespace
-}  // namespace ifov::scene
+}  // namespace ifov::scene::test_cut_out

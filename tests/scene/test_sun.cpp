@@ -5,7 +5,7 @@
 
 #include "scene/scene.h"
 
-namespace ifov::scene {
+namespace ifov::scene::test_sun {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -29,4 +29,4 @@ TEST(Sun, SaysWhereItStands) {
 }
 
 }  // namespace
-}  // namespace ifov::scene
+}  // namespace ifov::scene::test_sun

@@ -2,6 +2,7 @@
 
 #include "scene/map_patterns.h"
 
+namespace test_temperatures {
 using namespace ifov;
 
 namespace {
@@ -70,3 +71,5 @@ TEST(SceneTemperatures, StatesEmitByTheirOwnByMapsAndByPatterns) {
   scene.assignments[0].patterns = {std::make_shared<OnePattern>()};
   EXPECT_TRUE(scene.emits(1));
 }
+
+}  // namespace test_temperatures

@@ -10,7 +10,7 @@
 #include "sensor/orthographic_camera.h"
 #include "sensor/sinking_scanner.h"
 
-namespace ifov::sensor {
+namespace ifov::sensor::test_cameras {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -276,4 +276,4 @@ TEST(FrameCamera, RefusesNonsense) {
 }
 
 }  // namespace
-}  // namespace ifov::sensor
+}  // namespace ifov::sensor::test_cameras

@@ -10,7 +10,7 @@
 #include "sensor/detector/element_light.h"
 #include "sensor/detector/rule_07.h"
 
-namespace ifov::sensor {
+namespace ifov::sensor::test_detector {
 namespace {
 
 using radiometry::Channel;
@@ -115,4 +115,4 @@ TEST(Detector, AllFiguresHaveAName) {
 }
 
 }  // namespace
-}  // namespace ifov::sensor
+}  // namespace ifov::sensor::test_detector

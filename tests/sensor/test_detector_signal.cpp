@@ -8,7 +8,7 @@
 #include "sensor/detector/detector_signal.h"
 #include "sensor/detector/poisson.h"
 
-namespace ifov::sensor {
+namespace ifov::sensor::test_detector_signal {
 namespace {
 
 struct Moments {
@@ -207,4 +207,4 @@ TEST(DetectorSignal, OfGapsIsAGapAndLightIsNotNegative) {
 }
 
 }  // namespace
-}  // namespace ifov::sensor
+}  // namespace ifov::sensor::test_detector_signal

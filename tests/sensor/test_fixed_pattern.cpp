@@ -10,7 +10,7 @@
 #include "sensor/detector/detector_signal.h"
 #include "sensor/detector/one_over_f.h"
 
-namespace ifov::sensor {
+namespace ifov::sensor::test_fixed_pattern {
 namespace {
 
 /// Bright enough for photons to be no matter.
@@ -200,4 +200,4 @@ TEST(OneOverF, ColumnsAreIndependent) {
 }
 
 }  // namespace
-}  // namespace ifov::sensor
+}  // namespace ifov::sensor::test_fixed_pattern

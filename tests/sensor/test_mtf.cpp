@@ -5,7 +5,7 @@
 
 #include "sensor/mtf.h"
 
-namespace ifov::sensor {
+namespace ifov::sensor::test_mtf {
 namespace {
 
 /// Overlap of an annulus of diameter 1 with itself, s apart, over its area: by rows.
@@ -49,4 +49,4 @@ TEST(Mtf, BeginsAtOneAndEndsAtTheCutoff) {
 }
 
 }  // namespace
-}  // namespace ifov::sensor
+}  // namespace ifov::sensor::test_mtf

@@ -7,7 +7,7 @@
 
 #include "sensor/noise.h"
 
-namespace ifov::sensor {
+namespace ifov::sensor::test_noise {
 namespace {
 
 constexpr int kLines = 200, kWidth = 1000;
@@ -90,4 +90,4 @@ TEST(Noise, LeavesGapsAndWhatHasNoneAsItIs) {
 }
 
 }  // namespace
-}  // namespace ifov::sensor
+}  // namespace ifov::sensor::test_noise

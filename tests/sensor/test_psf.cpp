@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "sensor/psf.h"
 
-namespace ifov::sensor {
+namespace ifov::sensor::test_psf {
 namespace {
 
 using std::numbers::pi;
@@ -181,4 +181,4 @@ TEST(KernelPsf, RefusesNonsense) {
 }
 
 }  // namespace
-}  // namespace ifov::sensor
+}  // namespace ifov::sensor::test_psf

@@ -6,6 +6,7 @@
 #include "sensor/psf.h"
 #include "sensor/psf_wings.h"
 
+namespace test_psf_wings {
 using namespace ifov::sensor;
 
 namespace {
@@ -55,3 +56,5 @@ TEST(PsfWings, AreAlikeToAllSidesAndZeroWithinTheCore) {
   }
   EXPECT_GT(wings.half_cell(10, 0), 0.0);
 }
+
+}  // namespace test_psf_wings

@@ -8,7 +8,7 @@
 #include "platform/trajectory.h"
 #include "sensor/pushbroom_camera.h"
 
-namespace ifov::sensor {
+namespace ifov::sensor::test_pushbroom_camera {
 namespace {
 
 using platform::Trajectory;
@@ -154,4 +154,4 @@ TEST(PushbroomCamera, RefusesToSeeTheSameGroundTwice) {
 }
 
 }  // namespace
-}  // namespace ifov::sensor
+}  // namespace ifov::sensor::test_pushbroom_camera

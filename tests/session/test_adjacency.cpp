@@ -19,7 +19,7 @@
 #include "transport/sky/adjacent_ground.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov::session {
+namespace ifov::session::test_adjacency {
 namespace {
 
 namespace fs = std::filesystem;
@@ -156,4 +156,4 @@ TEST_F(Adjacency, IsTold) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_adjacency

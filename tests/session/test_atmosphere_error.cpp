@@ -14,7 +14,7 @@
 #include "io/document/document.h"
 #include "session/session.h"
 
-namespace ifov::session {
+namespace ifov::session::test_atmosphere_error {
 namespace {
 
 namespace fs = std::filesystem;
@@ -103,4 +103,4 @@ TEST_F(AtmosphereErrorOfImages, WithoutAModelledAtmosphereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_atmosphere_error

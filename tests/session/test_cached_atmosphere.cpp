@@ -13,7 +13,7 @@
 #include "session/assembly/atmosphere/atmosphere_cache.h"
 #include "session/session.h"
 
-namespace ifov::session {
+namespace ifov::session::test_cached_atmosphere {
 namespace {
 
 namespace fs = std::filesystem;
@@ -150,4 +150,4 @@ TEST_F(CachedAtmosphere, RefusesARecordThatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_cached_atmosphere

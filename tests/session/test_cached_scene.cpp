@@ -15,7 +15,7 @@
 #include "io/document/document.h"
 #include "session/session.h"
 
-namespace ifov::session {
+namespace ifov::session::test_cached_scene {
 namespace {
 
 namespace fs = std::filesystem;
@@ -230,4 +230,4 @@ TEST_F(CachedScene, OfManyTrianglesIsTheSameWithAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_cached_scene

@@ -20,7 +20,7 @@
 #include "session/loaded/parts.h"
 #include "session/session.h"
 
-namespace ifov::session {
+namespace ifov::session::test_cut_outs {
 namespace {
 
 class WholeImage final : public render::TileSink {
@@ -389,4 +389,4 @@ TEST_F(CutOutScenes, MistakesAreShown) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_cut_outs

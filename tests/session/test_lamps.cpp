@@ -21,7 +21,7 @@
 #include "session/session.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov::session {
+namespace ifov::session::test_lamps {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -322,4 +322,4 @@ TEST(Lamps, MistakesAreLocated) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_lamps

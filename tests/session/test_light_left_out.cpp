@@ -15,7 +15,7 @@
 #include "session/session.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov::session {
+namespace ifov::session::test_light_left_out {
 namespace {
 
 struct Messages final : LogSink {
@@ -236,4 +236,4 @@ TEST_F(WarmMixture, HasNodesForWhatItEmits) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_light_left_out

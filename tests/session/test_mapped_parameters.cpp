@@ -21,7 +21,7 @@
 #include "session/loaded/parts.h"
 #include "session/session.h"
 
-namespace ifov::session {
+namespace ifov::session::test_mapped_parameters {
 namespace {
 
 class KeptTile final : public render::TileSink {
@@ -409,4 +409,4 @@ TEST_F(SidesOfASheet, MistakesAreTold) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_mapped_parameters

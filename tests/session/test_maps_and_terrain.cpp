@@ -18,7 +18,7 @@
 #include "session/session.h"
 #include "support/truth_data.h"
 
-namespace ifov::session {
+namespace ifov::session::test_maps_and_terrain {
 namespace {
 
 class Messages final : public LogSink {
@@ -373,4 +373,4 @@ TEST_F(MapsAndTerrain, TheHeidelbergModelKeepsItsDetail) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_maps_and_terrain

@@ -16,7 +16,7 @@
 #include "session/loaded/parts.h"
 #include "session/session.h"
 
-namespace ifov::session {
+namespace ifov::session::test_narrow_lobes {
 namespace {
 
 constexpr int kAcross = 8;
@@ -144,4 +144,4 @@ TEST(NarrowLobes, PixelsThatMayLackTheirLightAreNotSure) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_narrow_lobes

@@ -13,7 +13,7 @@
 #include "session/loaded/parts.h"
 #include "session/session.h"
 
-namespace ifov {
+namespace ifov::test_open_sky {
 namespace {
 
 constexpr const char* kDome = R"({"ifov": 1,
@@ -128,4 +128,4 @@ TEST_F(OpenSky, TakesTheNoiseOfOpenGround) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_open_sky

@@ -14,7 +14,7 @@
 #include "session/loaded/parts.h"
 #include "session/session.h"
 
-namespace ifov::session {
+namespace ifov::session::test_panes {
 namespace {
 
 constexpr int kSide = 8;
@@ -205,4 +205,4 @@ TEST(PanesOfDocuments, MistakesAreTold) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_panes

@@ -18,7 +18,7 @@
 #include "session/polarized_run.h"
 #include "session/session.h"
 
-namespace ifov::session {
+namespace ifov::session::test_polarization {
 namespace {
 
 using test::rendered_once;
@@ -333,4 +333,4 @@ TEST(Polarization, GlintsOnTheSeaArePolarizedByFresnelsLaw) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_polarization

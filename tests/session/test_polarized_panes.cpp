@@ -9,7 +9,7 @@
 #include "core/format.h"
 #include "session/polarized_run.h"
 
-namespace ifov::session {
+namespace ifov::session::test_polarized_panes {
 namespace {
 
 using test::rendered_once;
@@ -225,4 +225,4 @@ TEST(PolarizedPanes, GlintsOnPolishedBallsAreFresnels) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_polarized_panes

@@ -5,7 +5,7 @@
 
 #include "session/runs/probing.h"
 
-namespace ifov::session {
+namespace ifov::session::test_probing {
 namespace {
 
 /// What a probe of `pieces` of 1,000 pieces foretells, where each needs some chunks out of `needed` of 2,000.
@@ -43,4 +43,4 @@ TEST(Probing, ForetellsChunksThatItHasNotMet) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_probing

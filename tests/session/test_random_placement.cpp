@@ -14,7 +14,7 @@
 #include "session/loaded/parts.h"
 #include "session/session.h"
 
-namespace ifov::session {
+namespace ifov::session::test_random_placement {
 namespace {
 
 class Messages final : public LogSink {
@@ -201,4 +201,4 @@ TEST_F(RandomPlacementTest, FormerNameIsReadAndWarnedOf) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_random_placement

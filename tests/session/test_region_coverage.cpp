@@ -24,7 +24,7 @@
 #include "session/loaded/parts.h"
 #include "session/session.h"
 
-namespace ifov::session {
+namespace ifov::session::test_region_coverage {
 namespace {
 
 using sampling::RegionRule;
@@ -283,4 +283,4 @@ TEST(RegionFault, IntervalsOfIndependentErrorsFailWherePixelsErrAlike) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_region_coverage

@@ -12,7 +12,7 @@
 #include "session/loaded/parts.h"
 #include "session/session.h"
 
-namespace ifov {
+namespace ifov::test_session {
 namespace {
 
 class SessionTest : public testing::Test {
@@ -152,4 +152,4 @@ TEST_F(SessionTest, CancelledRunsLeaveNothingThatLooksComplete) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_session

@@ -12,7 +12,7 @@
 #include "session/loaded/parts.h"
 #include "session/session.h"
 
-namespace ifov::session {
+namespace ifov::session::test_small_highlights {
 namespace {
 
 constexpr double kIrradiance = 1000.0, kUm = 0.65;
@@ -79,4 +79,4 @@ TEST(SmallHighlights, PixelsThatNarrowLobesThrowLightOnAreNotSure) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_small_highlights

@@ -15,7 +15,7 @@
 #include "transport/emitters.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov::session {
+namespace ifov::session::test_sought_emitters {
 namespace {
 
 class Messages final : public LogSink {
@@ -191,4 +191,4 @@ TEST(SoughtEmitters, AreToldOf) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_sought_emitters

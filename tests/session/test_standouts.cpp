@@ -19,7 +19,7 @@
 #include "session/loaded/parts.h"
 #include "session/session.h"
 
-namespace ifov::session {
+namespace ifov::session::test_standouts {
 namespace {
 
 class KeptTile final : public render::TileSink {
@@ -142,4 +142,4 @@ TEST_F(Standouts, HolesOfLargePixelsAreKnown) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_standouts

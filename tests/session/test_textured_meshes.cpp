@@ -21,7 +21,7 @@
 #include "session/session.h"
 #include "support/small_pictures.h"
 
-namespace ifov::session {
+namespace ifov::session::test_textured_meshes {
 namespace {
 
 class TileOfTextures final : public render::TileSink {
@@ -274,4 +274,4 @@ TEST_F(TexturedMeshes, MistakesAreShown) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_textured_meshes

@@ -18,7 +18,7 @@
 #include "session/session.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov::session {
+namespace ifov::session::test_warm_surroundings {
 namespace {
 
 constexpr double kGround_k = 300.0, kReflectance = 0.05;
@@ -98,4 +98,4 @@ TEST(WarmSurroundings, CountForNothingInClearAir) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_warm_surroundings

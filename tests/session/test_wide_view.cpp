@@ -19,7 +19,7 @@
 #include "transport/spectral_scene.h"
 #include "transport/view_table.h"
 
-namespace ifov::session {
+namespace ifov::session::test_wide_view {
 namespace {
 
 namespace fs = std::filesystem;
@@ -180,4 +180,4 @@ TEST_F(WideView, FlatGroundFromStraightAboveKeepsOneRow) {
 }
 
 }  // namespace
-}  // namespace ifov::session
+}  // namespace ifov::session::test_wide_view

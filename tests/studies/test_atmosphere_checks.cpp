@@ -10,7 +10,7 @@
 #include "studies/studies.h"
 #include "support/truth_data.h"
 
-namespace ifov::studies {
+namespace ifov::studies::test_atmosphere_checks {
 namespace {
 
 StudyOptions in_temporary_folder() {
@@ -120,4 +120,4 @@ TEST(AtmosphereRendered, LinesAddNoVarianceToPathsOverAPlain) {
 }
 
 }  // namespace
-}  // namespace ifov::studies
+}  // namespace ifov::studies::test_atmosphere_checks

@@ -6,7 +6,7 @@
 #include "sampling/random.h"
 #include "studies/common/exact_area.h"
 
-namespace ifov::studies {
+namespace ifov::studies::test_exact_area {
 namespace {
 
 /// Fraction of a fine midpoint grid over [0, 1]^2 times the rectangle's area.
@@ -66,4 +66,4 @@ TEST(ExactArea, ConcaveOutline) {
 }
 
 }  // namespace
-}  // namespace ifov::studies
+}  // namespace ifov::studies::test_exact_area

@@ -8,7 +8,7 @@
 #include "studies/common/figures.h"
 #include "studies/common/report_figures.h"
 
-namespace ifov::studies {
+namespace ifov::studies::test_figures {
 namespace {
 
 TEST(FigureTable, JudgesAndWrites) {
@@ -84,4 +84,4 @@ TEST(ReportFigures, AreShownAndKept) {
 }
 
 }  // namespace
-}  // namespace ifov::studies
+}  // namespace ifov::studies::test_figures

@@ -4,7 +4,7 @@
 
 #include "studies/common/material_counts.h"
 
-namespace ifov::studies {
+namespace ifov::studies::test_material_counts {
 namespace {
 
 struct Found {
@@ -56,4 +56,4 @@ TEST(MaterialCounts, ThatTheImageKnowsItselfIsNoError) {
 }
 
 }  // namespace
-}  // namespace ifov::studies
+}  // namespace ifov::studies::test_material_counts

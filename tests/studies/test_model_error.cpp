@@ -9,7 +9,7 @@
 #include "studies/atmosphere/model_comparisons.h"
 #include "support/truth_data.h"
 
-namespace ifov::studies {
+namespace ifov::studies::test_model_error {
 namespace {
 
 using Coverage = std::map<std::pair<std::string, int>, std::pair<int, int>>;
@@ -73,4 +73,4 @@ TEST(ModelError, EmissionOfAirOfOneTemperature) {
 }
 
 }  // namespace
-}  // namespace ifov::studies
+}  // namespace ifov::studies::test_model_error

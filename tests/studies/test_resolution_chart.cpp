@@ -11,7 +11,7 @@
 #include "studies/resolution_chart.h"
 #include "support/truth_data.h"
 
-namespace ifov::studies {
+namespace ifov::studies::test_resolution_chart {
 namespace {
 
 TEST(ResolutionChart, LinePairsOfTheStandard) {
@@ -71,4 +71,4 @@ TEST(ResolutionChart, CoverageAddsUpToTheBars) {
 }
 
 }  // namespace
-}  // namespace ifov::studies
+}  // namespace ifov::studies::test_resolution_chart

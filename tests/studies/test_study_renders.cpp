@@ -18,7 +18,7 @@
 #include "studies/studies.h"
 #include "studies/suburb_study.h"
 
-namespace ifov::studies {
+namespace ifov::studies::test_study_renders {
 namespace {
 
 const std::filesystem::path kFolder = std::filesystem::temp_directory_path();
@@ -177,4 +177,4 @@ TEST(Studies, AliasingWritesItsFiles) {
 }
 
 }  // namespace
-}  // namespace ifov::studies
+}  // namespace ifov::studies::test_study_renders

@@ -15,7 +15,7 @@
 #include "studies/surfaces/dome_scene.h"
 #include "studies/surfaces/surface_sections.h"
 
-namespace ifov::studies {
+namespace ifov::studies::test_surfaces_study {
 namespace {
 
 StudyOptions small_study(int trials = 1) {
@@ -155,4 +155,4 @@ TEST(SurfacesStudy, FiguresOfFresnel) {
 }
 
 }  // namespace
-}  // namespace ifov::studies
+}  // namespace ifov::studies::test_surfaces_study

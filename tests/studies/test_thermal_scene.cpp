@@ -9,7 +9,7 @@
 #include "studies/common/texture_map.h"
 #include "studies/thermal_scene.h"
 
-namespace ifov::studies {
+namespace ifov::studies::test_thermal_scene {
 namespace {
 
 TEST(ThermalScene, RadiancesOfThePaper) {
@@ -78,4 +78,4 @@ TEST(TextureMap, HasItsRms) {
 }
 
 }  // namespace
-}  // namespace ifov::studies
+}  // namespace ifov::studies::test_thermal_scene

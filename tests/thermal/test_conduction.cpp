@@ -12,7 +12,7 @@
 #include "thermal/conduction.h"
 #include "thermal/solid.h"
 
-namespace ifov::thermal {
+namespace ifov::thermal::test_conduction {
 namespace {
 
 using test::concrete;
@@ -255,4 +255,4 @@ TEST(Conduction, BacksHoldWhatTheySay) {
 }
 
 }  // namespace
-}  // namespace ifov::thermal
+}  // namespace ifov::thermal::test_conduction

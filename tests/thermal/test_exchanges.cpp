@@ -12,7 +12,7 @@
 #include "thermal/sun_split.h"
 #include "thermal/wind_profile.h"
 
-namespace ifov::thermal {
+namespace ifov::thermal::test_exchanges {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -164,4 +164,4 @@ TEST(Evaporation, DewPassesNoStomataAndDrySurfacesNothing) {
 }
 
 }  // namespace
-}  // namespace ifov::thermal
+}  // namespace ifov::thermal::test_exchanges

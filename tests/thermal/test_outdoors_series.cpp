@@ -12,7 +12,7 @@
 #include "thermal/sun_split.h"
 #include "thermal/weather_clock.h"
 
-namespace ifov::thermal {
+namespace ifov::thermal::test_outdoors_series {
 namespace {
 
 using atmosphere::WeatherKnot;
@@ -232,4 +232,4 @@ TEST(WeatherClock, LightByNightIsAnError) {
 }
 
 }  // namespace
-}  // namespace ifov::thermal
+}  // namespace ifov::thermal::test_outdoors_series

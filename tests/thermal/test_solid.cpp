@@ -8,7 +8,7 @@
 #include "thermal/solid.h"
 #include "thermal/tridiagonal.h"
 
-namespace ifov::thermal {
+namespace ifov::thermal::test_solid {
 namespace {
 
 std::string message(const Solid& solid) {
@@ -67,4 +67,4 @@ TEST(Tridiagonal, SolvesWithALossInPlaceOfTheSurface) {
 }
 
 }  // namespace
-}  // namespace ifov::thermal
+}  // namespace ifov::thermal::test_solid

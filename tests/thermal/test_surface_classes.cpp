@@ -7,7 +7,7 @@
 #include "thermal/solid.h"
 #include "thermal/surface_classes.h"
 
-namespace ifov::thermal {
+namespace ifov::thermal::test_surface_classes {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -129,4 +129,4 @@ TEST(SurfaceClasses, TellWhatIsColdestAndHottestOfAllDirections) {
 }
 
 }  // namespace
-}  // namespace ifov::thermal
+}  // namespace ifov::thermal::test_surface_classes

@@ -6,7 +6,7 @@
 #include "thermal/surface_solution.h"
 #include "thermal/therm_slab.h"
 
-namespace ifov::thermal {
+namespace ifov::thermal::test_surface_solution {
 namespace {
 
 using test::june;
@@ -192,4 +192,4 @@ TEST(ThermSlab, AsTheSameNumbersByHand) {
 }
 
 }  // namespace
-}  // namespace ifov::thermal
+}  // namespace ifov::thermal::test_surface_solution

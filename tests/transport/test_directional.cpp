@@ -15,7 +15,7 @@
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov {
+namespace ifov::test_directional {
 namespace {
 
 using math::Vec3;
@@ -250,4 +250,4 @@ TEST(DirectionalModels, EmissionDependsOnTheView) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_directional

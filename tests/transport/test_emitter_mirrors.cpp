@@ -7,7 +7,7 @@
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov {
+namespace ifov::test_emitter_mirrors {
 namespace {
 
 using test::SmallScene;
@@ -145,4 +145,4 @@ TEST(EmitterMirrors, ABallThrowsTheLightOfASmallOneByCoddingtonsEquations) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_emitter_mirrors

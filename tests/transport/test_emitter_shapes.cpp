@@ -11,7 +11,7 @@
 #include "transport/emitter_tree.h"
 #include "transport/shapes/emitter_shape.h"
 
-namespace ifov {
+namespace ifov::test_emitter_shapes {
 namespace {
 
 using geometry::SurfacePiece;
@@ -317,4 +317,4 @@ TEST(EmitterShape, PointsCoverWhatIsSeen) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_emitter_shapes

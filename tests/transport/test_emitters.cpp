@@ -12,7 +12,7 @@
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov {
+namespace ifov::test_emitters {
 namespace {
 
 using math::Point3;
@@ -308,4 +308,4 @@ TEST(Emitters, HotPlaneIsLeftOutAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_emitters

@@ -7,7 +7,7 @@
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov {
+namespace ifov::test_leaves {
 namespace {
 
 using test::SmallScene;
@@ -107,4 +107,4 @@ TEST(Leaf, LayerOverGroundFollowsTheInterreflectionSeries) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_leaves

@@ -14,7 +14,7 @@
 #include "transport/polarized/polarized_path_light.h"
 #include "transport/small_scene.h"
 
-namespace ifov {
+namespace ifov::test_lobe_targets {
 namespace {
 
 using math::Point3;
@@ -176,4 +176,4 @@ TEST(LobeTargets, FacetsAreClusteredByPlaceAndNormal) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_lobe_targets

@@ -9,7 +9,7 @@
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov {
+namespace ifov::test_mirror_sun {
 namespace {
 
 using test::SmallScene;
@@ -192,4 +192,4 @@ TEST(MirrorSun, FacesOfManyNormalsArePickedAtRandom) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_mirror_sun

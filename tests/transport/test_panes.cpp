@@ -15,7 +15,7 @@
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov {
+namespace ifov::test_panes {
 namespace {
 
 using materials::Bsdf;
@@ -337,4 +337,4 @@ TEST(Panes, FrontAndBackOfASheetAreTwo) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_panes

@@ -9,7 +9,7 @@
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov {
+namespace ifov::test_path_tracer {
 namespace {
 
 using test::SmallScene;
@@ -155,4 +155,4 @@ TEST(PathTracer, RaysBelowTheHorizonMeetTheSurroundings) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_path_tracer

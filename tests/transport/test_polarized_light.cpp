@@ -15,7 +15,7 @@
 #include "transport/spectral_scene.h"
 #include "transport/view_table.h"
 
-namespace ifov::transport {
+namespace ifov::transport::test_polarized_light {
 namespace {
 
 using atmosphere::Propagation;
@@ -269,4 +269,4 @@ TEST_F(PolarizedLight, UnderASunInTheZenith) {
 }
 
 }  // namespace
-}  // namespace ifov::transport
+}  // namespace ifov::transport::test_polarized_light

@@ -15,7 +15,7 @@
 #include "transport/polarized/polarized_path_light.h"
 #include "transport/small_scene.h"
 
-namespace ifov {
+namespace ifov::test_polarized_paths {
 namespace {
 
 using math::Vec3;
@@ -251,4 +251,4 @@ TEST(PolarizedPaths, SoughtAndFoundLightAgree) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_polarized_paths

@@ -6,7 +6,7 @@
 #include "transport/rami_scene.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov {
+namespace ifov::test_rami {
 namespace {
 
 using test::RamiScene;
@@ -58,4 +58,4 @@ INSTANTIATE_TEST_SUITE_P(Faults, RamiFault,
                                          RamiScene::Fault::swapped));
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_rami

@@ -10,7 +10,7 @@
 #include "transport/spectral_scene.h"
 #include "transport/timed_world.h"
 
-namespace ifov {
+namespace ifov::test_ray_times {
 namespace {
 
 using test::SmallScene;
@@ -126,4 +126,4 @@ TEST(RayTimes, AWorldThatRepeatsKeepsThem) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_ray_times

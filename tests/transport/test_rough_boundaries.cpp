@@ -13,7 +13,7 @@
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov {
+namespace ifov::test_rough_boundaries {
 namespace {
 
 using materials::Bsdf;
@@ -152,4 +152,4 @@ TEST(RoughBoundaries, SunsOfAllDirectionsAreASky) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_rough_boundaries

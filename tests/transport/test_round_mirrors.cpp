@@ -12,7 +12,7 @@
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
 
-namespace ifov {
+namespace ifov::test_round_mirrors {
 namespace {
 
 using geometry::SurfaceSurvey;
@@ -262,4 +262,4 @@ TEST(RoundMirrors, LightOfABallIsThatOfTheClosedForm) {
 }
 
 }  // namespace
-}  // namespace ifov
+}  // namespace ifov::test_round_mirrors

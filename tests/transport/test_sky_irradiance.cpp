@@ -10,7 +10,7 @@
 #include "sampling/random.h"
 #include "transport/sky/sky_irradiance.h"
 
-namespace ifov::transport {
+namespace ifov::transport::test_sky_irradiance {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -98,4 +98,4 @@ TEST(SkyIrradiance, OfASunnySkyIsItsIntegral) {
 }
 
 }  // namespace
-}  // namespace ifov::transport
+}  // namespace ifov::transport::test_sky_irradiance

@@ -8,7 +8,7 @@
 
 #include "transport/sky/sky_refinement.h"
 
-namespace ifov::transport {
+namespace ifov::transport::test_sky_refinement {
 namespace {
 
 using Sky = std::function<double(double zenith, double azimuth)>;
@@ -72,4 +72,4 @@ TEST(SkyRefinement, NodesStayAndPeaksDoNotRing) {
 }
 
 }  // namespace
-}  // namespace ifov::transport
+}  // namespace ifov::transport::test_sky_refinement

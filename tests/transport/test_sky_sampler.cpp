@@ -6,7 +6,7 @@
 #include "sampling/sequence.h"
 #include "transport/sky/sky_sampler.h"
 
-namespace ifov::transport {
+namespace ifov::transport::test_sky_sampler {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -65,4 +65,4 @@ TEST(SkySampler, NothingBelowTheHorizon) {
 }
 
 }  // namespace
-}  // namespace ifov::transport
+}  // namespace ifov::transport::test_sky_sampler

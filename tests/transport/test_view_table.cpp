@@ -12,7 +12,7 @@
 #include "transport/spectral_scene.h"
 #include "transport/view_table.h"
 
-namespace ifov::transport {
+namespace ifov::transport::test_view_table {
 namespace {
 
 using atmosphere::LineOfSightGrid;
@@ -191,4 +191,4 @@ TEST(SensorAltitudes, AreOneWhereTheSensorFliesLevelOrBeyondTheAir) {
 }
 
 }  // namespace
-}  // namespace ifov::transport
+}  // namespace ifov::transport::test_view_table

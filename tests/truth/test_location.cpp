@@ -5,7 +5,7 @@
 
 #include "truth/location.h"
 
-namespace ifov::truth {
+namespace ifov::truth::test_location {
 namespace {
 
 TEST(Location, IsWhereTheRayMeetsTheSceneAndNoNumberElsewhere) {
@@ -25,4 +25,4 @@ TEST(Location, IsWhereTheRayMeetsTheSceneAndNoNumberElsewhere) {
 }
 
 }  // namespace
-}  // namespace ifov::truth
+}  // namespace ifov::truth::test_location

@@ -5,7 +5,7 @@
 
 #include "truth/view_angles.h"
 
-namespace ifov::truth {
+namespace ifov::truth::test_view_angles {
 namespace {
 
 // Of the ray itself: whatever camera sent it, from wherever that stood.
@@ -31,4 +31,4 @@ TEST(ViewAngles, AreThoseOfTheDirectionBackAlongTheRay) {
 }
 
 }  // namespace
-}  // namespace ifov::truth
+}  // namespace ifov::truth::test_view_angles
