@@ -5,12 +5,21 @@
 #include "io/document/tables/map_tables.h"
 #include "io/document/tables/tables.h"
 #include "io/document/thermal_document.h"
+#include "materials/bsdf/bsdf_model.h"
 
 namespace ifov::io {
 namespace {
 
 constexpr std::size_t kMostMaterials = 10000;
 constexpr std::size_t kMostCurves = 100000;
+
+/// Whether its reflectance need not be told: a factor of 1 on what its model reflects.
+bool reflects_by_model(const MaterialDocument& material) {
+  const auto* constant = std::get_if<ConstantSpectrum>(&material.spectrum.source);
+  return constant != nullptr && constant->value == 1.0 && !material.is_emissivity &&
+         material.further_curves.empty() &&
+         materials::bsdf_model(material.scattering.model).reflectance_is_factor;
+}
 
 SchemaType<MaterialDocument> sides_type() {
   using Sides = std::pair<DocumentName, DocumentName>;
@@ -76,15 +85,17 @@ SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type
         [is_emissivity](const MaterialDocument& material) {
           std::vector<SpectrumDocument> values{material.spectrum};
           values.insert(values.end(), material.further_curves.begin(), material.further_curves.end());
-          return !material.sides && material.is_emissivity == is_emissivity ? std::optional(values)
-                                                                            : std::nullopt;
+          const bool told = !material.sides && material.is_emissivity == is_emissivity &&
+                            !reflects_by_model(material);
+          return told ? std::optional(values) : std::nullopt;
         });
   };
   Record<MaterialDocument> record(
       "material", "A surface: reflectance, transmittance (0 unless given) and emissivity sum to 1.");
-  record.exactly_one()
+  record.at_most_one_told()
       .one("reflectance", store(false), curves(SpectrumOf::reflectance),
-           "spectral reflectance, or several curves for a texture to pick from")
+           "spectral reflectance, or several curves for a texture to pick from; needed (or the emissivity) unless the scattering model "
+           "takes it as a factor alone on what it reflects by itself, which is 1 then")
       .one("emissivity", store(true), curves(SpectrumOf::emissivity), "spectral emissivity, likewise")
       .optional(
           "temperature", &MaterialDocument::temperature, temperature_type(),
@@ -118,6 +129,11 @@ SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type
           "emissivity is then 1 - reflectance - transmittance")
       .check([](const MaterialDocument& material, const DocumentNode& node) {
         const char* key = material.is_emissivity ? "emissivity" : "reflectance";
+        if (node.find(key) == nullptr &&
+            !materials::bsdf_model(material.scattering.model).reflectance_is_factor)
+          node.fail(format(
+              "{} needs exactly one of 'reflectance' or 'emissivity': '{}' scattering has no reflectance of its own",
+              node.title(), material.scattering.model));
         if (material.temperature && material.thermal &&
             !std::holds_alternative<SolvedTemperatureDocument>(material.temperature->value))
           node.given("temperature")
