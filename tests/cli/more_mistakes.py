@@ -115,6 +115,22 @@ MISTAKES = [
      "the text \"gould\", expected .*'gold'"),
     ("an index below 0", changed(MATERIALS + ".wall.scattering", {"rough_conductor": {"n": -1, "k": 2, "roughness": 0.1}}), ERROR,
      "'n' is -1, below 0.01: it lies between 0.01 and 1000"),
+    ("an index of 0", changed(MATERIALS + ".wall.scattering", {"rough_conductor": {"n": 0, "k": 2, "roughness": 0.1}}), ERROR,
+     "'n' is 0, below 0.01: it lies between 0.01 and 1000"),
+    ("an index file below 0", changed(MATERIALS + ".wall.scattering", {"rough_conductor": {
+        "n": {"csv": "index.csv", "wavelength_unit": "um"}, "k": 2, "roughness": 0.1}}), ERROR,
+     "'n' is -1.5 at some wavelength, below 0.01: it lies between 0.01 and 1000"),
+    ("a metal whose roughness is misspelt", changed(MATERIALS + ".wall.scattering", {"rough_conductor": {"index": "gold", "roughnes": 0.1}}), ERROR,
+     "unknown key 'roughnes' in 'scene.materials.wall.scattering.rough_conductor'; did you mean 'roughness'\\?"),
+    ("a metal of which the roughness is left out", changed(MATERIALS + ".wall.scattering", {"rough_conductor": {"index": "gold"}}), ERROR,
+     "lacks the key 'roughness': a number between 0 and 1"),
+    ("glass on a sheet", several((MATERIALS + ".wall", {"scattering": {"smooth": {"n": 1.5, "k": 0}}}),
+                                 (OBJECTS + "[1]", {"polygon": {"vertices": [["0 m", "0 m", "1 m"], ["1 m", "0 m", "1 m"], ["1 m", "1 m", "1 m"]]}, "material": "wall"})), ERROR,
+     "light is refracted into 'wall', but this shape has no inside: take a solid"),
+    ("a sea in a storm", changed(MATERIALS + ".wall.scattering", {"sea": {"wind": 20}}), WARNING,
+     "a wind of 20 m/s is above the 14 m/s up to which Cox and Munk \\(1954\\) measured the slopes of the sea"),
+    ("snow in the thermal infrared", changed(MATERIALS + ".wall", {"temperature": "-4 degC", "scattering": {"snow": {"grain": "0.5 mm"}}}), WARNING,
+     "material 'wall': the theory of its scattering holds to 1.3 um; in 'thermal' it is only about right"),
     ("absorption below 0", changed(MATERIALS + ".wall.scattering", {"rough_conductor": {
         "n": 1, "k": {"table": {"wavelength": ["0.3 um", "20 um"], "values": [1, -0.5]}}, "roughness": 0.1}}), ERROR,
      "'k' is -0.5 at some wavelength, below 0: it lies between 0 and 1000"),
@@ -268,6 +284,7 @@ def city_json(translate):
 
 
 FILES = {
+    "index.csv": "wavelength,n\n0.3,1.5\n1,-1.5\n15,1.4\n",
     "empty.csv": "wavelength,reflectance\n",
     "gap.csv": "wavelength,reflectance\n0.4,0.1\n1,n/a\n15,0.3\n",
     "twice.csv": "wavelength,reflectance\n0.4,0.1\n1,0.1\n1,0.2\n15,0.3\n",

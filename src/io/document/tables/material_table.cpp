@@ -13,14 +13,6 @@ namespace {
 constexpr std::size_t kMostMaterials = 10000;
 constexpr std::size_t kMostCurves = 100000;
 
-/// Whether its reflectance need not be told: a factor of 1 on what its model reflects.
-bool reflects_by_model(const MaterialDocument& material) {
-  const auto* constant = std::get_if<ConstantSpectrum>(&material.spectrum.source);
-  return constant != nullptr && constant->value == 1.0 && !material.is_emissivity &&
-         material.further_curves.empty() &&
-         materials::bsdf_model(material.scattering.model).reflectance_is_factor;
-}
-
 SchemaType<MaterialDocument> sides_type() {
   using Sides = std::pair<DocumentName, DocumentName>;
   Record<MaterialDocument> record(
@@ -85,9 +77,8 @@ SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type
         [is_emissivity](const MaterialDocument& material) {
           std::vector<SpectrumDocument> values{material.spectrum};
           values.insert(values.end(), material.further_curves.begin(), material.further_curves.end());
-          const bool told = !material.sides && material.is_emissivity == is_emissivity &&
-                            !reflects_by_model(material);
-          return told ? std::optional(values) : std::nullopt;
+          return !material.sides && material.is_emissivity == is_emissivity ? std::optional(values)
+                                                                            : std::nullopt;
         });
   };
   Record<MaterialDocument> record(
