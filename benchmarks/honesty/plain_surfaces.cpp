@@ -46,8 +46,7 @@ PlainSurfaces::PlainSurfaces(const scene::Scene& scene, const PlainSpectra& spec
 BsdfEvent PlainSurfaces::view(std::uint32_t material, math::Vec3 outgoing, math::Vec3 side) const {
   BsdfEvent event{outgoing, {}, math::as_normal(side), {}, Side::reflected};
   if (!bsdf(material).is_isotropic()) {  // east, or north
-    const math::Vec3 along =
-        std::abs(side.x) < 0.999 ? math::Vec3{1.0, 0.0, 0.0} : math::Vec3{0.0, 1.0, 0.0};
+    const math::Vec3 along = std::abs(side.x) < 0.999 ? math::Vec3{1.0, 0.0, 0.0} : math::Vec3{0.0, 1.0, 0.0};
     event.tangent = math::normalized(along - math::dot(along, side) * side);
   }
   return event;

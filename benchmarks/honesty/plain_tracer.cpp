@@ -73,8 +73,10 @@ PlainTracer::PlainTracer(const scene::Scene& scene, const PlainSpectra& spectra,
       hints_(std::move(hints)) {
   for (std::uint32_t m = 0; m < scene.materials.size(); ++m) {
     if (scene.materials[m].name == "lamp") lamp_ = m;
-    if (!surfaces_.is_plain(m) && (scene.materials[m].temperature_k.value_or(0.0) > 0.0 || !hints_.lamps.empty()))
-      throw std::logic_error("the plain tracer knows of warm things and lamps with Lambert's law and mirrors alone");
+    if (!surfaces_.is_plain(m) &&
+        (scene.materials[m].temperature_k.value_or(0.0) > 0.0 || !hints_.lamps.empty()))
+      throw std::logic_error(
+          "the plain tracer knows of warm things and lamps with Lambert's law and mirrors alone");
   }
   if (lamp_ != geometry::kNoMaterial) {
     lamp_radiance_.resize(spectra.columns());
@@ -218,7 +220,8 @@ bool PlainTracer::scatter(const geometry::SurfacePoint& hit, std::uint32_t mater
   for (std::size_t c = 0; c < way.throughput.size(); ++c) way.throughput[c] *= step.factors[c];
   const bool through = step.event.side == materials::Side::transmitted;
   way.medium = surfaces_.medium_after(material, step.event.side, way.medium);
-  const bool straight = delta && through && surfaces_.bsdf(material).passage() == materials::Passage::straight;
+  const bool straight =
+      delta && through && surfaces_.bsdf(material).passage() == materials::Passage::straight;
   if (!delta)
     way.only_deltas = false, way.pdf = step.pdf;
   else if (!straight)  // how the Sun's light comes here from the corner is the photons' affair

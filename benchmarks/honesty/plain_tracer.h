@@ -69,10 +69,11 @@ class PlainTracer {
     math::Ray ray;
     std::vector<double> throughput;
     const std::vector<double>* medium = nullptr;  ///< what it absorbs, 1/m, by column
-    bool only_deltas = true;     ///< since the camera
-    bool delta_before = true;    ///< the surface before, or the camera itself
-    bool bent = false;           ///< one of the deltas since the camera has turned it
-    double pdf = 0.0;            ///< 1/sr, by which it came to its direction, where that may find the Sun; 0: it may not
+    bool only_deltas = true;                      ///< since the camera
+    bool delta_before = true;                     ///< the surface before, or the camera itself
+    bool bent = false;                            ///< one of the deltas since the camera has turned it
+    double pdf =
+        0.0;  ///< 1/sr, by which it came to its direction, where that may find the Sun; 0: it may not
   };
   void trace(math::Ray ray, double weight, RandomStream& random, Light& light) const;
   void escape(const Way& way, Light& light) const;

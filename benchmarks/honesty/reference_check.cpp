@@ -199,7 +199,9 @@ std::vector<FigureRow> check_reference(const std::filesystem::path& work) {
     // Sun as well, at its highlight, as much whichever way the Sun is found.
     for (const double roughness : {0.05, 0.5}) {
       const std::string text = document(
-          format(R"("metal": {{"scattering": {{"rough_conductor": {{"n": 1, "k": 1000, "roughness": {}}}}}}})", roughness),
+          format(
+              R"("metal": {{"scattering": {{"rough_conductor": {{"n": 1, "k": 1000, "roughness": {}}}}}}})",
+              roughness),
           R"({"plane": {}, "material": "metal"})", R"("sky": {"radiance": "1 W m-2 sr-1 um-1"})", red);
       double worst = 0.0;
       for (const PlainTruthPixel& pixel : truth_of(text, work / "check.json", {}, 4, 1e-3))

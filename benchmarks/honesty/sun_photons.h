@@ -33,7 +33,8 @@ class SunPhotons {
   void show(const geometry::SurfacePoint& hit, math::Vec3 along, std::uint32_t material,
             const std::vector<double>& throughput, std::vector<double>& columns) const;
   /// The share of what arrives along `along` that leaves towards the camera, by column, over pi.
-  std::vector<double> shown(const geometry::SurfacePoint& hit, math::Vec3 along, std::uint32_t material) const;
+  std::vector<double> shown(const geometry::SurfacePoint& hit, math::Vec3 along,
+                            std::uint32_t material) const;
 
   const scene::Scene& scene_;
   const PlainSpectra& spectra_;

@@ -49,11 +49,12 @@ void make_relief(WildDraft& draft) {
   const auto place = [&](double low_px, double side_px) {
     const math::Point3 corner = draft.place(low_px, low_px, 0.0);
     const double side_m = side_px * draft.gsd_m;
-    return format(R"("low_left": ["{} m", "{} m"], "size": ["{} m", "{} m"])", corner.x, corner.y, side_m, side_m);
+    return format(R"("low_left": ["{} m", "{} m"], "size": ["{} m", "{} m"])", corner.x, corner.y, side_m,
+                  side_m);
   };
-  const std::string terrain = format(
-      R"("terrain": {{"file": "{}_heights.img", {}, "smooth": false, "form": "{}"}})", draft.name,
-      place(-kReach_px, cell_px * cells), random.one_of({"mesh", "grid"}));
+  const std::string terrain =
+      format(R"("terrain": {{"file": "{}_heights.img", {}, "smooth": false, "form": "{}"}})", draft.name,
+             place(-kReach_px, cell_px * cells), random.one_of({"mesh", "grid"}));
   const int parts = random.one_of({8, 32, 128});
   const double part_px = random.one_of({2.0 * kReach_px / parts, draft.in_step(random.magnitude(0.1, 2.0))});
   const double share = random.one_of({random.magnitude(0.005, 0.1), random.between(0.1, 0.9)});
@@ -63,16 +64,17 @@ void make_relief(WildDraft& draft) {
     for (int k = 0; k < parts * parts; ++k) map.push_back(random.uniform() < share ? 1.0f : 0.0f);
     draft.surface("zero");
     draft.surface("one");
-    draft.objects.push_back(
-        format(R"({{{}, "material": {{"map": {{"file": "{}.img", {}, "classes": {{"0": "zero", "1": "one"}}}}}}}})",
-               terrain, draft.name, where));
+    draft.objects.push_back(format(
+        R"({{{}, "material": {{"map": {{"file": "{}.img", {}, "classes": {{"0": "zero", "1": "one"}}}}}}}})",
+        terrain, draft.name, where));
   } else {
     const double cool_k = random.between(275.0, 300.0), spread_k = random.one_of({0.5, 10.0, 40.0});
     for (int k = 0; k < parts * parts; ++k)
       map.push_back(static_cast<float>(cool_k + spread_k * random.uniform()));
     draft.material(
-        "ground", format(R"("emissivity": {:.3f}, "temperature": {{"map": {{"file": "{}.img", {}, "unit": "K"}}}})",
-                         random.between(0.8, 1.0), draft.name, where));
+        "ground",
+        format(R"("emissivity": {:.3f}, "temperature": {{"map": {{"file": "{}.img", {}, "unit": "K"}}}})",
+               random.between(0.8, 1.0), draft.name, where));
     draft.objects.push_back(format(R"({{{}, "material": "ground"}})", terrain));
   }
   draft.raster(draft.name + ".img", parts, parts, map);
@@ -80,8 +82,8 @@ void make_relief(WildDraft& draft) {
     draft.surface("house");
     for (int k = 0; k < 3; ++k) {
       const double x = random.between(-6.0, 5.0), y = random.between(-6.0, 5.0);
-      draft.box({x, y, -3.0 * relief_px}, {x + random.magnitude(0.3, 3.0), y + random.magnitude(0.3, 3.0), 2.0 * relief_px},
-                "house");
+      draft.box({x, y, -3.0 * relief_px},
+                {x + random.magnitude(0.3, 3.0), y + random.magnitude(0.3, 3.0), 2.0 * relief_px}, "house");
     }
   }
 }

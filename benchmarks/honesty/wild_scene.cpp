@@ -14,15 +14,16 @@ namespace {
 using Maker = void (*)(WildDraft&);
 
 constexpr std::array<std::string_view, 29> kKinds{
-    "rows_map", "gaps",  "facade",     "hot_sphere", "mixture",   "walls",    "rows_boxes",
-    "ball",     "wide",  "panels",     "texture",    "rows_mesh", "yard",     "lamps",
-    "colours",  "wires", "hemisphere", "blocks",     "airy",      "overhead", "night",
-    "copies",   "holes", "hot_cells",  "faces",      "gloss",     "glass",    "water",      "relief"};
+    "rows_map",   "gaps",   "facade",  "hot_sphere", "mixture", "walls",  "rows_boxes", "ball",
+    "wide",       "panels", "texture", "rows_mesh",  "yard",    "lamps",  "colours",    "wires",
+    "hemisphere", "blocks", "airy",    "overhead",   "night",   "copies", "holes",      "hot_cells",
+    "faces",      "gloss",  "glass",   "water",      "relief"};
 constexpr std::array<Maker, 29> kMakers{
-    nullptr,      make_gaps,  make_facade,     make_hot_sphere, make_mixture, make_walls,    nullptr,
-    make_ball,    make_wide,  make_panels,     make_texture,    nullptr,      make_yard,     make_lamps,
-    make_colours, make_wires, make_hemisphere, make_blocks,     make_airy,    make_overhead, make_night,
-    make_copies,  make_holes, make_hot_cells,  make_faces, make_gloss, make_glass, make_water, make_relief};
+    nullptr,    make_gaps,     make_facade,  make_hot_sphere, make_mixture,    make_walls,
+    nullptr,    make_ball,     make_wide,    make_panels,     make_texture,    nullptr,
+    make_yard,  make_lamps,    make_colours, make_wires,      make_hemisphere, make_blocks,
+    make_airy,  make_overhead, make_night,   make_copies,     make_holes,      make_hot_cells,
+    make_faces, make_gloss,    make_glass,   make_water,      make_relief};
 
 WildScene rows(RowsScene::Form form, RandomStream& random, const std::string& name,
                const std::filesystem::path& folder) {

@@ -44,9 +44,11 @@ double glossy(WildDraft& draft, const std::string& name) {
       break;
     default:
       draft.material(
-          name, format(R"("reflectance": {:.3f}, "scattering": {{"ward": {{"specular": {:.3f}, "roughness": {:.4f}{}}}}})",
-                       random.between(0.02, 0.5), random.magnitude(0.01, 0.3), width,
-                       random.with(0.3) ? format(R"(, "across": {:.4f})", std::min(0.5, 2.0 * width)) : ""));
+          name,
+          format(
+              R"("reflectance": {:.3f}, "scattering": {{"ward": {{"specular": {:.3f}, "roughness": {:.4f}{}}}}})",
+              random.between(0.02, 0.5), random.magnitude(0.01, 0.3), width,
+              random.with(0.3) ? format(R"(, "across": {:.4f})", std::min(0.5, 2.0 * width)) : ""));
   }
   return width;
 }
@@ -105,7 +107,8 @@ void painted_things(WildDraft& draft, int count, double high) {
   draft.surface("paint");
   draft.surface("other");
   for (int k = 0; k < count; ++k) {
-    const double x = random.between(-6.0, 5.0), y = random.between(-6.0, 5.0), top = random.magnitude(0.1, high);
+    const double x = random.between(-6.0, 5.0), y = random.between(-6.0, 5.0),
+                 top = random.magnitude(0.1, high);
     const char* what = random.with(0.5) ? "paint" : "other";
     if (random.with(0.7))
       draft.box({x, y, 0.0}, {x + random.magnitude(0.1, 3.0), y + random.magnitude(0.1, 3.0), top}, what);
@@ -121,9 +124,11 @@ void panes(WildDraft& draft) {
       "pane",
       random.with(0.7)
           ? format(R"("scattering": {{"slab": {{"n": {:.2f}, "k": {}, "thickness": "{:.1f} mm"}}}})",
-                   random.between(1.3, 1.9), random.one_of({"0", "1e-7", "2e-5"}), random.magnitude(1.0, 20.0))
-          : format(R"("scattering": {{"film": {{"n": {:.2f}, "k": 0, "thickness": "{:.6f} mm", "substrate_n": 1.5, "substrate_k": 0, "pane": "4 mm"}}}})",
-                   random.between(1.3, 2.4), random.between(5e-5, 3e-4)));
+                   random.between(1.3, 1.9), random.one_of({"0", "1e-7", "2e-5"}),
+                   random.magnitude(1.0, 20.0))
+          : format(
+                R"("scattering": {{"film": {{"n": {:.2f}, "k": 0, "thickness": "{:.6f} mm", "substrate_n": 1.5, "substrate_k": 0, "pane": "4 mm"}}}})",
+                random.between(1.3, 2.4), random.between(5e-5, 3e-4)));
   for (int k = 0; k < count; ++k) {
     const double wide = random.magnitude(0.4, 9.0), high = random.magnitude(0.4, 6.0);
     const double lean = random.one_of({0.0, random.between(-0.5, 0.5), random.between(-1.5, 1.5)});
@@ -148,9 +153,10 @@ void blocks_of_glass(WildDraft& draft, bool rough) {
   const double n = random.between(1.3, 1.7);
   const char* k = random.one_of({"0", "0", "1e-8"});
   if (rough)
-    draft.material("glass",
-                   format(R"("scattering": {{"rough_boundary": {{"n": {:.3f}, "k": {}, "roughness": {:.3f}}}}})", n,
-                          k, std::min(1.0, 0.21 / (n - 1.0) * random.magnitude(1.0, 1.6))));
+    draft.material(
+        "glass",
+        format(R"("scattering": {{"rough_boundary": {{"n": {:.3f}, "k": {}, "roughness": {:.3f}}}}})", n, k,
+               std::min(1.0, 0.21 / (n - 1.0) * random.magnitude(1.0, 1.6))));
   else
     draft.material("glass", format(R"("scattering": {{"smooth": {{"n": {:.3f}, "k": {}}}}})", n, k));
   const int count = random.one_of({1, 1, 2});
@@ -190,9 +196,12 @@ void make_gloss(WildDraft& draft) {
         break;
       case 1: cylinder(draft, {x, y, 0.0}, r, r * random.between(0.5, 4.0), "gloss"); break;
       case 2:
-        draft.box({x, y, 0.0}, {x + r, y + r * random.between(0.5, 2.0), r * random.between(0.3, 2.0)}, "gloss");
+        draft.box({x, y, 0.0}, {x + r, y + r * random.between(0.5, 2.0), r * random.between(0.3, 2.0)},
+                  "gloss");
         break;
-      default: lump(draft, format("{}_{}.obj", draft.name, k), {x, y, 0.0}, r, r * random.between(0.3, 1.5), "gloss");
+      default:
+        lump(draft, format("{}_{}.obj", draft.name, k), {x, y, 0.0}, r, r * random.between(0.3, 1.5),
+             "gloss");
     }
   }
   if (random.with(0.5)) painted_things(draft, 2, 3.0);
@@ -214,10 +223,12 @@ void make_water(WildDraft& draft) {
   RandomStream& random = draft.random;
   with_disc(draft);
   if (random.with(0.75)) {
-    draft.material("water",
-                   format(R"("reflectance": {:.4f}, "scattering": {{"sea": {{"wind": {:.2f}, "wind_from": "{:.0f} deg", "slopes": "{}"}}}})",
-                          random.magnitude(0.001, 0.1), random.between(1.7, 13.0), random.between(0.0, 360.0),
-                          random.one_of({"anisotropic", "isotropic", "skewed"})));
+    draft.material(
+        "water",
+        format(
+            R"("reflectance": {:.4f}, "scattering": {{"sea": {{"wind": {:.2f}, "wind_from": "{:.0f} deg", "slopes": "{}"}}}})",
+            random.magnitude(0.001, 0.1), random.between(1.7, 13.0), random.between(0.0, 360.0),
+            random.one_of({"anisotropic", "isotropic", "skewed"})));
   } else {
     draft.material("water", R"("scattering": {"smooth": {"n": 1.33, "k": 0.01, "over": "absorber"}})");
     throws_about(draft, {0.0, 0.0, 0.0}, 45.0);

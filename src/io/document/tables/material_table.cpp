@@ -84,9 +84,10 @@ SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type
   Record<MaterialDocument> record(
       "material", "A surface: reflectance, transmittance (0 unless given) and emissivity sum to 1.");
   record.at_most_one_told()
-      .one("reflectance", store(false), curves(SpectrumOf::reflectance),
-           "spectral reflectance, or several curves for a texture to pick from; needed (or the emissivity) unless the scattering model "
-           "takes it as a factor alone on what it reflects by itself, which is 1 then")
+      .one(
+          "reflectance", store(false), curves(SpectrumOf::reflectance),
+          "spectral reflectance, or several curves for a texture to pick from; needed (or the emissivity) unless the scattering model "
+          "takes it as a factor alone on what it reflects by itself, which is 1 then")
       .one("emissivity", store(true), curves(SpectrumOf::emissivity), "spectral emissivity, likewise")
       .optional(
           "temperature", &MaterialDocument::temperature, temperature_type(),
