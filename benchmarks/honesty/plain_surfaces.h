@@ -8,6 +8,7 @@
 #include "honesty/plain_spectra.h"
 #include "honesty/random_stream.h"
 #include "materials/bsdf/bsdf.h"
+#include "math/ray.h"
 #include "scene/scene.h"
 
 namespace ifov::benchmarks {
