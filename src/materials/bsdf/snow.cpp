@@ -107,7 +107,11 @@ Snow::Snow(radiometry::Spectrum reflectance, double grain_m, double soot)
 
 double Snow::holds_to_um() const {
   constexpr double kGrain_m = 0.5e-3, kHolds_um = 1.3, kClear_um = 0.5;
-  const double least = snow_albedo(kGrain_m, 0.0).at(kHolds_um);
+  const radiometry::Spectrum known = snow_albedo(kGrain_m, 0.0);
+  double least = known.at(kHolds_um);
+  for (std::size_t k = 0; k < known.values().size(); ++k)
+    if (known.wavelength_um()[k] > kClear_um && known.wavelength_um()[k] < kHolds_um)
+      least = std::min(least, known.values()[k]);
   const radiometry::Spectrum& albedo = spectra_[1];
   for (std::size_t k = 1; k < albedo.values().size(); ++k) {
     const double low = albedo.values()[k], high = albedo.values()[k - 1];
