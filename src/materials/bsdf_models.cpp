@@ -94,7 +94,8 @@ const BsdfModel& bsdf_model(std::string_view key) {
   }
   const std::string hint = did_you_mean(key, keys);
   throw InputError(format("there is no scattering model '{}'{} {}", key,
-                          hint.empty() ? "; there are" : hint + " There are", list_names(keys, "and")));
+                          hint.empty() ? "; there are" : hint + " There are",
+                          list_names(keys, "and", keys.size())));
 }
 
 }  // namespace ifov::materials
