@@ -91,6 +91,8 @@ void check_energy(const Material& material) {
 
 const std::shared_ptr<const Bsdf>& usual_bsdf() { return Lambertian::shared(); }
 
+double holds_to_um(const Material& material) { return material.bsdf->holds_to_um(); }
+
 void check(const Material& material) {
   check_fraction(material, material.reflectance, "reflectance");
   if (material.transmittance) {

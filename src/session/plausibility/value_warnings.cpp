@@ -3,7 +3,6 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
-#include "materials/bsdf/bsdf.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/channel_brightness.h"
 #include "session/assembly/shared/with_position.h"
@@ -103,7 +102,7 @@ void warn_of_wavelengths(const Parts& parts, LogSink& log) {
 /// Models of scattering whose theory holds to some wavelength alone.
 void warn_of_models(const Parts& parts, LogSink& log) {
   for (const materials::Material& material : parts.scene.materials) {
-    const double last_um = material.bsdf->holds_to_um();
+    const double last_um = materials::holds_to_um(material);
     const std::vector<std::string> names =
         channels_that(parts, [&](std::size_t c) { return parts.channels[c].centre_um > last_um; });
     if (!names.empty() && !material.curve_of)

@@ -5,7 +5,6 @@
 #include "io/document/tables/map_tables.h"
 #include "io/document/tables/tables.h"
 #include "io/document/thermal_document.h"
-#include "materials/bsdf/bsdf_model.h"
 
 namespace ifov::io {
 namespace {
@@ -121,8 +120,7 @@ SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type
           "emissivity is then 1 - reflectance - transmittance")
       .check([](const MaterialDocument& material, const DocumentNode& node) {
         const char* key = material.is_emissivity ? "emissivity" : "reflectance";
-        if (node.find(key) == nullptr &&
-            !materials::bsdf_model(material.scattering.model).reflectance_is_factor)
+        if (node.find(key) == nullptr && !reflects_by_itself(material.scattering))
           node.fail(format(
               "{} needs exactly one of 'reflectance' or 'emissivity': '{}' scattering has no reflectance of its own",
               node.title(), material.scattering.model));

@@ -183,6 +183,10 @@ void check_model(const DocumentNode& node) {
 
 }  // namespace
 
+bool reflects_by_itself(const ScatteringDocument& scattering) {
+  return materials::bsdf_model(scattering.model).reflectance_is_factor;
+}
+
 SchemaType<ScatteringDocument> scattering_type() {
   Record<ScatteringDocument> with_parameters("scattering", "A model with its parameters, under its name.");
   with_parameters.exactly_one();
