@@ -169,6 +169,7 @@ void blocks_of_glass(WildDraft& draft, bool rough) {
     } else {
       draft.sphere(middle, r, "glass");
       draft.hints.focus = 100.0;
+      if (!rough) draft.hints.mirrors.push_back({draft.place(x, y, foot + r), r * draft.gsd_m});  // its glint
     }
     if (!rough) throws_about(draft, middle, std::sqrt(3.0) * r);
   }
