@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "materials/bsdf/bsdf.h"
+
 namespace ifov::benchmarks {
 
 namespace {
@@ -38,6 +40,9 @@ PlainSpectra::PlainSpectra(const scene::Scene& scene, std::span<const radiometry
   for (const materials::Material& material : scene.materials) {
     factors.push_back(&material.reflectance);
     if (material.transmittance) factors.push_back(&*material.transmittance);
+    if (material.bsdf->is_separable()) continue;
+    for (const radiometry::Spectrum& spectrum : material.bsdf->spectra()) factors.push_back(&spectrum);
+    if (material.bsdf->absorption() != nullptr) factors.push_back(material.bsdf->absorption());
   }
   if (scene.view_path.transmittance) factors.push_back(&*scene.view_path.transmittance);
   if (scene.sun) {
@@ -78,9 +83,7 @@ PlainSpectra::PlainSpectra(const scene::Scene& scene, std::span<const radiometry
   }
   for (const auto& points : points_) column_count_ += by_channel_ ? 1 : points.size();
 
-  const auto of = [&](const radiometry::Spectrum& spectrum) {
-    return column_values([&](double um) { return spectrum.at(um); });
-  };
+  const auto of = [&](const radiometry::Spectrum& spectrum) { return columns_of(spectrum); };
   const std::vector<double> none(column_count_, 0.0), all(column_count_, 1.0);
   for (const materials::Material& material : scene.materials) {
     reflectance_.push_back(of(material.reflectance));
@@ -121,6 +124,10 @@ std::vector<double> PlainSpectra::column_values(const Function& value) const {
     if (by_channel_) columns.push_back(mean);
   }
   return columns;
+}
+
+std::vector<double> PlainSpectra::columns_of(const radiometry::Spectrum& spectrum) const {
+  return column_values([&](double um) { return spectrum.at(um); });
 }
 
 std::vector<double> PlainSpectra::planck(double temperature_k) const {

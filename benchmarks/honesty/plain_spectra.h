@@ -29,6 +29,8 @@ class PlainSpectra {
   const std::vector<double>& sky() const { return sky_; }
   const std::vector<double>& surroundings() const { return surroundings_; }
 
+  std::vector<double> columns_of(const radiometry::Spectrum& spectrum) const;
+
   /// Adds weight times (1 - reflectance - transmittance) B(T) times `throughput` to `sum`.
   void add_emission(std::uint32_t material, double temperature_k, double weight,
                     std::span<const double> throughput, std::span<double> sum) const;

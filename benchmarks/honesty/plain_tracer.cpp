@@ -16,6 +16,11 @@ namespace {
 constexpr int kCertainSurfaces = 4;   // before a path may end by chance
 constexpr double kGlintMargin = 1.5;  // a window's half-width over that of the glint
 
+double cone_sr(double half_angle_rad) {
+  const double half_sine = std::sin(0.5 * half_angle_rad);
+  return 4.0 * std::numbers::pi * half_sine * half_sine;
+}
+
 }  // namespace
 
 geometry::SurfacePoint nearest(const scene::Scene& scene, const math::Ray& ray) {
@@ -60,11 +65,18 @@ math::Vec3 cone_direction(math::Vec3 axis, double half_angle_rad, RandomStream& 
 
 PlainTracer::PlainTracer(const scene::Scene& scene, const PlainSpectra& spectra, const sensor::Camera& camera,
                          const PlainFootprint& footprint, PlainHints hints)
-    : scene_(scene), spectra_(spectra), camera_(camera), footprint_(footprint), hints_(std::move(hints)) {
+    : scene_(scene),
+      spectra_(spectra),
+      surfaces_(scene, spectra),
+      camera_(camera),
+      footprint_(footprint),
+      hints_(std::move(hints)) {
   for (std::uint32_t m = 0; m < scene.materials.size(); ++m) {
     if (scene.materials[m].name == "lamp") lamp_ = m;
-    if (!scene.materials[m].bsdf->is_separable())
-      throw std::logic_error("the plain tracer knows Lambert's law and mirrors alone");
+    if (!surfaces_.is_plain(m) &&
+        (scene.materials[m].temperature_k.value_or(0.0) > 0.0 || !hints_.lamps.empty()))
+      throw std::logic_error(
+          "the plain tracer knows of warm things and lamps with Lambert's law and mirrors alone");
   }
   if (lamp_ != geometry::kNoMaterial) {
     lamp_radiance_.resize(spectra.columns());
@@ -113,13 +125,37 @@ void PlainTracer::add_sun(const geometry::SurfacePoint& hit, math::Vec3 side, st
   const std::vector<double>& factor =
       cosine > 0.0 ? spectra_.reflectance(material) : spectra_.transmittance(material);
   const math::Vec3 lit_side = cosine > 0.0 ? side : -side;
-  if (blocked(hit.position_m + hit.offset_m * lit_side, direction, std::numeric_limits<double>::infinity()))
-    return;
+  std::vector<double> share;
+  if (!surfaces_.comes_through({hit.position_m + hit.offset_m * lit_side, direction}, share)) return;
   // The cone's solid angle over the disc's projected one, in which the irradiance is counted.
   const double alpha = scene_.sun->half_angle_rad, half_cosine = std::cos(0.5 * alpha);
   const double weight = std::abs(cosine) / std::numbers::pi / (half_cosine * half_cosine);
   for (std::size_t c = 0; c < sum.size(); ++c)
-    sum[c] += weight * throughput[c] * factor[c] * spectra_.sun()[c];
+    sum[c] += weight * throughput[c] * factor[c] * share[c] * spectra_.sun()[c];
+}
+
+void PlainTracer::add_sun(const geometry::SurfacePoint& hit, const materials::BsdfEvent& view,
+                          std::uint32_t material, std::span<const double> throughput, RandomStream& random,
+                          std::span<double> sum) const {
+  materials::BsdfEvent event = view;
+  event.incoming = sun_direction(random);
+  const math::Vec3 side = view.normal.as_vector();
+  const double cosine = math::dot(event.incoming, side);
+  if (event.incoming.z <= 0.0) return;
+  event.side = cosine > 0.0 ? materials::Side::reflected : materials::Side::transmitted;
+  if (cosine <= 0.0 && !surfaces_.bsdf(material).may_transmit()) return;
+  const math::Vec3 lit_side = cosine > 0.0 ? side : -side;
+  std::vector<double> share;
+  if (!surfaces_.comes_through({hit.position_m + hit.offset_m * lit_side, event.incoming}, share)) return;
+  const std::vector<double> bsdf = surfaces_.evaluate(material, event);
+  const double alpha = scene_.sun->half_angle_rad, half_cosine = std::cos(0.5 * alpha);
+  double weight = std::abs(cosine) / (half_cosine * half_cosine);
+  if (alpha > 0.0) {
+    const double sought = 1.0 / cone_sr(alpha);
+    weight *= sought / (sought + surfaces_.pdf(material, event));
+  }
+  for (std::size_t c = 0; c < sum.size(); ++c)
+    sum[c] += weight * throughput[c] * bsdf[c] * share[c] * spectra_.sun()[c];
 }
 
 void PlainTracer::add_lamps(const geometry::SurfacePoint& hit, math::Vec3 side, std::uint32_t material,
@@ -145,66 +181,106 @@ void PlainTracer::add_lamps(const geometry::SurfacePoint& hit, math::Vec3 side, 
   }
 }
 
+void PlainTracer::escape(const Way& way, Light& light) const {
+  const math::Vec3 direction = way.ray.direction;
+  const bool up = direction.z >= 0.0;
+  const std::vector<double>& around = up ? spectra_.sky() : spectra_.surroundings();
+  for (std::size_t c = 0; c < light.sum.size(); ++c) light.sum[c] += way.throughput[c] * around[c];
+  if (!up || !scene_.sun || scene_.sun->half_angle_rad <= 0.0) return;
+  const double sine = std::sin(scene_.sun->half_angle_rad);
+  if (math::dot(direction, scene_.sun->direction) <= 0.0 ||
+      math::length(math::cross(direction, scene_.sun->direction)) >= sine)
+    return;
+  const double found =
+      way.only_deltas ? 1.0 : way.pdf / (way.pdf + 1.0 / cone_sr(scene_.sun->half_angle_rad));
+  for (std::size_t c = 0; c < light.sum.size(); ++c)
+    light.sum[c] += found * way.throughput[c] * spectra_.sun()[c] / (std::numbers::pi * sine * sine);
+}
+
+void PlainTracer::may_lack(const Way& way, std::uint32_t material, Light& light) const {
+  if (!way.only_deltas || !way.bent || !scene_.sun) return;
+  const std::vector<double>&reflectance = spectra_.reflectance(material),
+        &transmittance = spectra_.transmittance(material);
+  for (std::size_t c = 0; c < light.above.size(); ++c)
+    light.above[c] += way.throughput[c] * (reflectance[c] + transmittance[c]) * spectra_.sun()[c] /
+                      std::numbers::pi * hints_.focus * static_cast<double>(hints_.around_mirrors.size());
+}
+
+bool PlainTracer::scatter(const geometry::SurfacePoint& hit, std::uint32_t material, RandomStream& random,
+                          Way& way, Light& light) const {
+  const math::Vec3 side = side_of(hit);
+  const materials::BsdfEvent view = surfaces_.view(material, -way.ray.direction, side);
+  const bool delta = surfaces_.is_delta(material);
+  if (!delta) {
+    if (scene_.sun) add_sun(hit, view, material, way.throughput, random, light.sum);
+    may_lack(way, material, light);
+  }
+  PlainSurfaces::Step step;
+  if (!surfaces_.step(material, view, random, step)) return false;
+  for (std::size_t c = 0; c < way.throughput.size(); ++c) way.throughput[c] *= step.factors[c];
+  const bool through = step.event.side == materials::Side::transmitted;
+  way.medium = surfaces_.medium_after(material, step.event.side, way.medium);
+  const bool straight =
+      delta && through && surfaces_.bsdf(material).passage() == materials::Passage::straight;
+  if (!delta)
+    way.only_deltas = false, way.pdf = step.pdf;
+  else if (!straight)  // how the Sun's light comes here from the corner is the photons' affair
+    way.bent = true, way.pdf = 0.0;
+  way.delta_before = delta;
+  way.ray = {hit.position_m + (through ? -hit.offset_m : hit.offset_m) * side, step.event.incoming};
+  return true;
+}
+
 void PlainTracer::trace(math::Ray ray, double weight, RandomStream& random, Light& light) const {
   const std::size_t columns = spectra_.columns();
-  std::vector<double> throughput(columns, weight);
-  bool only_mirrors = true,
-       mirror_before = true;  // since the camera; the surface before, or the camera itself
+  Way way{ray, std::vector<double>(columns, weight)};
   for (int surfaces = 0;; ++surfaces) {
-    const geometry::SurfacePoint hit = nearest(scene_, ray);
-    if (!hit.hit()) {
-      const bool up = ray.direction.z >= 0.0;
-      const std::vector<double>& around = up ? spectra_.sky() : spectra_.surroundings();
-      for (std::size_t c = 0; c < columns; ++c) light.sum[c] += throughput[c] * around[c];
-      if (!only_mirrors || !up || !scene_.sun || scene_.sun->half_angle_rad <= 0.0) return;
-      const double sine = std::sin(scene_.sun->half_angle_rad);
-      if (math::dot(ray.direction, scene_.sun->direction) <= 0.0 ||
-          math::length(math::cross(ray.direction, scene_.sun->direction)) >= sine)
-        return;
+    const geometry::SurfacePoint hit = nearest(scene_, way.ray);
+    if (!hit.hit()) return escape(way, light);
+    if (way.medium != nullptr)
       for (std::size_t c = 0; c < columns; ++c)
-        light.sum[c] += throughput[c] * spectra_.sun()[c] / (std::numbers::pi * sine * sine);
-      return;
-    }
+        way.throughput[c] *= std::exp(-(*way.medium)[c] * hit.distance_m);
     const scene::ResolvedSurface surface = scene_.resolve(hit);
     for (const scene::Constituent& part : surface)
-      if (part.material != lamp_ || mirror_before || hints_.lamps.empty())
+      if (part.material != lamp_ || way.delta_before || hints_.lamps.empty())
         spectra_.add_emission(part.material,
                               part.mapped_temperature_k > 0.0 ? part.mapped_temperature_k
                                                               : scene_.states[part.state].temperature_k,
-                              part.weight, throughput, light.sum);
+                              part.weight, way.throughput, light.sum);
 
-    const scene::Constituent& part = pick_constituent(surface, random);
-    const std::vector<double>&reflectance = spectra_.reflectance(part.material),
-          &transmittance = spectra_.transmittance(part.material);
-    const math::Vec3 side = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
+    const std::uint32_t material = pick_constituent(surface, random).material;
+    const std::vector<double>&reflectance = spectra_.reflectance(material),
+          &transmittance = spectra_.transmittance(material);
+    const math::Vec3 side = side_of(hit);
     const double most_reflected = *std::max_element(reflectance.begin(), reflectance.end());
     const double most_let_through = *std::max_element(transmittance.begin(), transmittance.end());
     if (most_reflected + most_let_through <= 0.0) return;
 
-    if (scene_.materials[part.material].bsdf->is_delta()) {
-      for (std::size_t c = 0; c < columns; ++c) throughput[c] *= reflectance[c];
-      ray = {hit.position_m + hit.offset_m * side, mirror_image(ray.direction, side)};
-      mirror_before = true;
+    if (!surfaces_.is_plain(material)) {
+      if (!scatter(hit, material, random, way, light)) return;
+    } else if (surfaces_.is_delta(material)) {
+      for (std::size_t c = 0; c < columns; ++c) way.throughput[c] *= reflectance[c];
+      way.ray = {hit.position_m + hit.offset_m * side, mirror_image(way.ray.direction, side)};
+      way.delta_before = way.bent = true;
+      way.pdf = 0.0;
     } else {
-      if (scene_.sun) add_sun(hit, side, part.material, throughput, random, light.sum);
-      add_lamps(hit, side, part.material, throughput, random, light.sum);
-      if (only_mirrors && surfaces > 0 && scene_.sun)
-        for (std::size_t c = 0; c < columns; ++c)
-          light.above[c] += throughput[c] * (reflectance[c] + transmittance[c]) * spectra_.sun()[c] /
-                            std::numbers::pi * static_cast<double>(hints_.around_mirrors.size());
+      if (scene_.sun) add_sun(hit, side, material, way.throughput, random, light.sum);
+      add_lamps(hit, side, material, way.throughput, random, light.sum);
+      may_lack(way, material, light);
       const double reflected_probability = most_reflected / (most_reflected + most_let_through);
       const bool back = random.uniform() < reflected_probability;
       const math::Vec3 axis = back ? side : -side;
       for (std::size_t c = 0; c < columns; ++c)
-        throughput[c] *=
+        way.throughput[c] *=
             back ? reflectance[c] / reflected_probability : transmittance[c] / (1.0 - reflected_probability);
-      ray = {hit.position_m + hit.offset_m * axis, cosine_direction(axis, random)};
-      only_mirrors = mirror_before = false;
+      way.ray = {hit.position_m + hit.offset_m * axis, cosine_direction(axis, random)};
+      way.only_deltas = way.delta_before = false;
+      way.pdf = 0.0;
     }
     if (surfaces < kCertainSurfaces) continue;
     const double survival = std::min(0.95, most_reflected + most_let_through);
     if (random.uniform() >= survival) return;
-    for (double& factor : throughput) factor /= survival;
+    for (double& factor : way.throughput) factor /= survival;
   }
 }
 

@@ -8,6 +8,7 @@
 #include "geometry/world.h"
 #include "honesty/plain_footprint.h"
 #include "honesty/plain_spectra.h"
+#include "honesty/plain_surfaces.h"
 #include "honesty/random_stream.h"
 #include "math/ray.h"
 #include "scene/scene.h"
@@ -26,6 +27,7 @@ struct PlainHints {
   std::vector<Ball> mirrors;  ///< mirror spheres, seen from outside: their glints are looked for
   /// Balls that hold all mirrors: sunlight by way of them is traced from the Sun.
   std::vector<Ball> around_mirrors;
+  double focus = 1.0;  ///< how many times the Sun's own irradiance they may throw somewhere
 };
 
 /// Means over replicates, by channel.
@@ -35,14 +37,15 @@ struct PlainMean {
   double paths = 0.0;
 };
 
-/// A tracer as plain as can be, to judge the program's by. It shares geometry and material curves with it and nothing
-/// else: points of the pixel's footprint in strata of their own, its own random numbers, one path each of its own
+/// A tracer as plain as can be, to judge the program's by. It shares geometry, material curves and the BSDF of models that
+/// are not separable (PlainSurfaces) with it and nothing else: points of the pixel's footprint in strata of their own, its own random numbers, one path each of its own
 /// making, columns of a fine quadrature in place of spectral nodes.
 ///
 /// At each surface that scatters: one point of the Sun's disc and one of each lamp (uniform over its area), then one
-/// direction about the normal; mirrors are followed. Not in it: light of the Sun that a mirror sends to a surface that
-/// scatters (SunPhotons has it). Surfaces must have neither reliefs nor vertex normals; light must be the scene's own
-/// Sun, uniform sky, surroundings and view path.
+/// direction about the normal, or one that the surface's model draws, which finds the Sun too (balance heuristic); mirrors, panes
+/// and media are followed, and rays to the Sun go through panes. Not in it: light of the Sun that a mirror or a boundary sends
+/// round a corner to a surface that scatters (SunPhotons has it). Surfaces must have neither reliefs nor vertex normals, and
+/// temperatures only where they are separable; light must be the scene's own Sun, uniform sky, surroundings and view path.
 class PlainTracer {
  public:
   /// Keeps references to all but the hints.
@@ -61,17 +64,36 @@ class PlainTracer {
   struct Light {
     std::vector<double> sum, above;
   };
+  /// A path on its way.
+  struct Way {
+    math::Ray ray;
+    std::vector<double> throughput;
+    const std::vector<double>* medium = nullptr;  ///< what it absorbs, 1/m, by column
+    bool only_deltas = true;                      ///< since the camera
+    bool delta_before = true;                     ///< the surface before, or the camera itself
+    bool bent = false;                            ///< one of the deltas since the camera has turned it
+    double pdf =
+        0.0;  ///< 1/sr, by which it came to its direction, where that may find the Sun; 0: it may not
+  };
   void trace(math::Ray ray, double weight, RandomStream& random, Light& light) const;
+  void escape(const Way& way, Light& light) const;
+  /// What becomes of a path at a surface that is not separable; false where it ends.
+  bool scatter(const geometry::SurfacePoint& hit, std::uint32_t material, RandomStream& random, Way& way,
+               Light& light) const;
+  void may_lack(const Way& way, std::uint32_t material, Light& light) const;
   void add_sun(const geometry::SurfacePoint& hit, math::Vec3 side, std::uint32_t material,
                std::span<const double> throughput, RandomStream& random, std::span<double> sum) const;
   void add_lamps(const geometry::SurfacePoint& hit, math::Vec3 side, std::uint32_t material,
                  std::span<const double> throughput, RandomStream& random, std::span<double> sum) const;
+  void add_sun(const geometry::SurfacePoint& hit, const materials::BsdfEvent& view, std::uint32_t material,
+               std::span<const double> throughput, RandomStream& random, std::span<double> sum) const;
   bool blocked(math::Point3 from_m, math::Vec3 direction, double length_m) const;
   math::Vec3 sun_direction(RandomStream& random) const;
   double window_density(const std::vector<Window>& windows, double x_px, double y_px) const;
 
   const scene::Scene& scene_;
   const PlainSpectra& spectra_;
+  PlainSurfaces surfaces_;
   const sensor::Camera& camera_;
   const PlainFootprint& footprint_;
   PlainHints hints_;

@@ -69,6 +69,22 @@ double beneath_sphere(PixelIndex pixel, double radius, double height, double lam
   return 0.9 * planck(4.0, 285.0) + 0.1 * factor * planck(4.0, lamp_k);
 }
 
+/// What a clear pane of index n reflects at an angle, all reflections between its faces, unpolarized; the rest comes
+/// through (Fresnel; Born and Wolf 1999, section 1.5).
+double pane_reflectance(double n, double degrees) {
+  const double c = std::cos(degrees * std::numbers::pi / 180.0), t = std::sqrt(1.0 - (1.0 - c * c) / (n * n));
+  const auto both_faces = [](double amplitude) {
+    const double r = amplitude * amplitude;
+    return 2.0 * r / (1.0 + r);
+  };
+  return 0.5 * (both_faces((c - n * t) / (c + n * t)) + both_faces((n * c - t) / (n * c + t)));
+}
+
+/// Largest |z| of pixels that ought to be alike.
+double worst_z(const std::vector<PlainTruthPixel>& truth, double exact) {
+  return worst_z(truth, std::vector<double>(truth.size(), exact));
+}
+
 }  // namespace
 
 std::vector<FigureRow> check_reference(const std::filesystem::path& work) {
@@ -150,6 +166,45 @@ std::vector<FigureRow> check_reference(const std::filesystem::path& work) {
                           ? std::abs(without[p].mean[0] - exact[p]) / without[p].error[0]
                           : HUGE_VAL);
     rows.push_back({"reference_fault_mirror_not_told", json_number(z), "worst z", "> 6", z > 6.0});
+  }
+  const double lambert = 1000.0 * std::cos(40.0 * std::numbers::pi / 180.0) / std::numbers::pi;
+  const std::string pane = R"("pane": {"scattering": {"slab": {"n": 1.5, "k": 0, "thickness": "4 mm"}}})";
+  {
+    // Dark ground under a level pane: what the ground sends back to it returns to less than 2e-4.
+    const std::string text = document(
+        R"("ground": {"reflectance": 0.001}, )" + pane,
+        R"({"plane": {}, "material": "ground"}, {"polygon": {"vertices": [["-50 m", "-50 m", "2 m"], ["50 m", "-50 m", "2 m"], ["50 m", "50 m", "2 m"], ["-50 m", "50 m", "2 m"]]}, "material": "pane"})",
+        sun, red);
+    const double through = (1.0 - pane_reflectance(1.5, 40.0)) * (1.0 - pane_reflectance(1.5, 0.0));
+    close("sun_through_pane",
+          worst_z(truth_of(text, work / "check.json", {}, 4, 1e-3), 0.001 * lambert * through));
+  }
+  {
+    // A tall pane sends the Sun to the ground before it, at 50 deg from its normal.
+    const std::string text = document(
+        R"("ground": {"reflectance": 0.3}, )" + pane,
+        R"({"plane": {}, "material": "ground"}, {"polygon": {"vertices": [["-5 m", "2.5 m", "0 m"], ["5 m", "2.5 m", "0 m"], ["5 m", "2.5 m", "9 m"], ["-5 m", "2.5 m", "9 m"]]}, "material": "pane"})",
+        sun, red);
+    const double exact = 0.3 * lambert * (1.0 + pane_reflectance(1.5, 50.0));
+    PlainHints hints;
+    caught("pane_not_told", worst_z(truth_of(text, work / "check.json", hints, 4, 1e-3), exact));
+    hints.around_mirrors = {{{0.0, 2.5, 4.5}, 6.74}};
+    close("sun_by_pane", worst_z(truth_of(text, work / "check.json", hints, 4, 1e-3), exact));
+  }
+  {
+    // Metal that reflects all, of any roughness, under a sky of 1: 1 of it comes back (within the 1e-3 of its model); under the disc
+    // Sun as well, at its highlight, as much whichever way the Sun is found.
+    for (const double roughness : {0.05, 0.5}) {
+      const std::string text = document(
+          format(
+              R"("metal": {{"scattering": {{"rough_conductor": {{"n": 1, "k": 1000, "roughness": {}}}}}}})",
+              roughness),
+          R"({"plane": {}, "material": "metal"})", R"("sky": {"radiance": "1 W m-2 sr-1 um-1"})", red);
+      double worst = 0.0;
+      for (const PlainTruthPixel& pixel : truth_of(text, work / "check.json", {}, 4, 1e-3))
+        worst = std::max(worst, std::abs(pixel.mean[0] - 1.0) - 4.5 * pixel.error[0]);
+      add(format("white_metal_{:g}", roughness), worst, "off by, beyond 4.5 errors", "< 3e-3", worst < 3e-3);
+    }
   }
   {
     // Nothing but the glint of the disc; of all pixels together rho E R^2 / 4.

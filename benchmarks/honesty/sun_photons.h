@@ -7,9 +7,9 @@
 
 namespace ifov::benchmarks {
 
-/// Sunlight that mirrors send to surfaces that scatter, traced from the Sun: photons start on a square across the
-/// sunbeam about each ball that holds mirrors, count where they meet a mirror of it first, are followed by the
-/// mirrors' law and scattered by chance, and each scattering that the camera sees is added to the pixels whose
+/// Sunlight that mirrors, panes and smooth boundaries send to surfaces that scatter, traced from the Sun: photons start on a square
+/// across the sunbeam about each ball that holds such things, count where they meet one of it first and are turned before they meet a
+/// surface that scatters (what comes straight through panes PlainTracer finds), are scattered by chance, and each scattering that the camera sees is added to the pixels whose
 /// footprint holds it. With what PlainTracer finds this is all the light, but for what is seen in a mirror. Only for
 /// orthographic cameras and footprints of bounded reach.
 class SunPhotons {
@@ -30,11 +30,15 @@ class SunPhotons {
  private:
   void follow(math::Ray ray, std::size_t ball, double power, RandomStream& random,
               std::vector<double>& columns) const;
-  void show(const geometry::SurfacePoint& hit, math::Vec3 side, std::uint32_t material,
+  void show(const geometry::SurfacePoint& hit, math::Vec3 along, std::uint32_t material,
             const std::vector<double>& throughput, std::vector<double>& columns) const;
+  /// The share of what arrives along `along` that leaves towards the camera, by column, over pi.
+  std::vector<double> shown(const geometry::SurfacePoint& hit, math::Vec3 along,
+                            std::uint32_t material) const;
 
   const scene::Scene& scene_;
   const PlainSpectra& spectra_;
+  PlainSurfaces surfaces_;
   const sensor::Camera& camera_;
   const PlainFootprint& footprint_;
   PlainHints hints_;

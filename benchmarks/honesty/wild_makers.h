@@ -27,6 +27,11 @@ void make_holes(WildDraft& draft);      ///< a plate above the ground with an op
 void make_hot_cells(WildDraft& draft);  ///< few, in a temperature map
 void make_faces(WildDraft& draft);      ///< a mesh with few faces unlike the others
 
+void make_gloss(WildDraft& draft);   ///< metal, lacquer and plastic of roughness 0.02 to 0.5
+void make_glass(WildDraft& draft);   ///< panes before painted things, solids of smooth and of rough glass
+void make_water(WildDraft& draft);   ///< a sea under a wind, or still water, with things in it
+void make_relief(WildDraft& draft);  ///< heights from a raster under maps of classes or temperatures
+
 void make_mixture(WildDraft& draft);  ///< side by side in every place, each with a temperature map
 void make_wide(WildDraft& draft);     ///< channels of up to 1000 um
 void make_colours(WildDraft& draft);  ///< steep spectra and several reflections in a canyon

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "core/error.h"
+#include "core/names.h"
 #include "materials/bsdf/boundary/film.h"
 #include "materials/bsdf/boundary/rough_boundary.h"
 #include "materials/bsdf/boundary/slab.h"
@@ -86,12 +87,15 @@ const BsdfParameter* BsdfModel::first_needed() const {
 std::span<const BsdfModel* const> bsdf_models() { return kModels; }
 
 const BsdfModel& bsdf_model(std::string_view key) {
-  std::string keys;
+  std::vector<std::string> keys;
   for (const BsdfModel* model : kModels) {
     if (model->key == key) return *model;
-    keys += (keys.empty() ? "'" : ", '") + std::string(model->key) + "'";
+    keys.emplace_back(model->key);
   }
-  throw InputError(format("there is no scattering model '{}'; there are {}", key, keys));
+  const std::string hint = did_you_mean(key, keys);
+  throw InputError(format("there is no scattering model '{}'{} {}", key,
+                          hint.empty() ? "; there are" : hint + " There are",
+                          list_names(keys, "and", keys.size())));
 }
 
 }  // namespace ifov::materials

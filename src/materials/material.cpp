@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <iterator>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "core/error.h"
@@ -49,28 +50,48 @@ void check_sum(const Material& material, const radiometry::Spectrum& transmittan
   }
 }
 
+struct Excess {
+  double share = 0.0, cosine = 1.0;
+  std::optional<double> um;  ///< none: at all wavelengths
+};
+
+/// The most that goes on of light from one direction, and where in the spectrum.
+Excess most_of(const Bsdf& bsdf, double cosine) {
+  radiometry::Spectrum whole = directional_hemispherical(bsdf, Side::reflected, cosine);
+  if (bsdf.may_transmit())
+    whole = radiometry::sum(whole, directional_hemispherical(bsdf, Side::transmitted, cosine));
+  const auto most = std::max_element(whole.values().begin(), whole.values().end());
+  Excess excess{*most, cosine, std::nullopt};
+  if (!whole.is_constant())
+    excess.um = whole.wavelength_um()[static_cast<std::size_t>(most - whole.values().begin())];
+  return excess;
+}
+
 /// A model may be such that parameters in their ranges reflect more than what arrives.
 void check_energy(const Material& material) {
   constexpr double kCosines[] = {1.0, 0.7, 0.4, 0.2, 0.1, 0.02}, kRounding = 1e-3;
-  std::array<double, std::size(kCosines)> most;
+  std::array<Excess, std::size(kCosines)> all;
   parallel_for(std::ssize(kCosines), 0, [&](std::int64_t k) {
-    const double cosine = kCosines[k];
-    radiometry::Spectrum whole = directional_hemispherical(*material.bsdf, Side::reflected, cosine);
-    if (material.bsdf->may_transmit())
-      whole = radiometry::sum(whole, directional_hemispherical(*material.bsdf, Side::transmitted, cosine));
-    most[static_cast<std::size_t>(k)] = whole.maximum();
+    all[static_cast<std::size_t>(k)] = most_of(*material.bsdf, kCosines[k]);
   });
-  for (std::size_t k = 0; k < most.size(); ++k)
-    if (most[k] > 1.0 + kRounding)
-      throw InputError(format(
-          "material '{}': of light that comes {:.0f} deg from the normal it sends back {:.4g} times as "
-          "much; its parameters belong to no passive surface",
-          material.name, std::acos(kCosines[k]) * 180.0 / std::numbers::pi, most[k]));
+  // The first of those that are alike but for rounding.
+  Excess worst;
+  for (const Excess& one : all)
+    if (one.share > worst.share * (1.0 + 1e-4)) worst = one;
+  if (worst.share > 1.0 + kRounding)
+    throw InputError(format(
+        "material '{}': of light{} that comes {:.0f} deg from the normal it sends back {}{:.4g} times as "
+        "much; its parameters belong to no passive surface",
+        material.name, worst.um ? format(" of {:.4g} um", *worst.um) : "",
+        std::acos(worst.cosine) * 180.0 / std::numbers::pi,
+        material.bsdf->may_transmit() ? "and lets through " : "", worst.share));
 }
 
 }  // namespace
 
 const std::shared_ptr<const Bsdf>& usual_bsdf() { return Lambertian::shared(); }
+
+double holds_to_um(const Material& material) { return material.bsdf->holds_to_um(); }
 
 void check(const Material& material) {
   check_fraction(material, material.reflectance, "reflectance");

@@ -40,4 +40,7 @@ struct Material {
 /// by more than 1e-9, where a model transmits that cannot, or where a temperature is not above 0 K.
 void check(const Material& material);
 
+/// Bsdf::holds_to_um() of its model.
+double holds_to_um(const Material& material);
+
 }  // namespace ifov::materials

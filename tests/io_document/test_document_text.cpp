@@ -57,6 +57,22 @@ TEST(DocumentText, SaysWhatDiffersFromTheDefaultsOnShortLines) {
 )");
 }
 
+TEST(DocumentText, TellsTheReflectanceThatAModelDoesWithout) {
+  const auto with = [](const char* material) {
+    return std::string(R"({"ifov": 1, "scene": {"materials": {"pane": )") + material +
+           R"(}, "objects": [{"plane": {}, "material": "pane"}]},
+      "sensor": {"camera": {"orthographic": {"gsd": "1 m", "pixels": [4, 2]}}, "channels": [{"gaussian": {"center": "0.5 um", "fwhm": "10 nm"}}]}})";
+  };
+  const std::string slab = R"("scattering": {"slab": {"n": 1.5, "k": 0, "thickness": "4 mm"}})";
+  const std::string bare = again(with(("{" + slab + "}").c_str()));
+  EXPECT_NE(bare.find(R"("reflectance": 1,)"), std::string::npos) << bare;
+  EXPECT_EQ(again(with((R"({"reflectance": 1, )" + slab + "}").c_str())), bare);
+  EXPECT_EQ(again(bare), bare);
+  // White paint is told, too.
+  EXPECT_NE(again(with(R"({"reflectance": 1})")).find(R"("reflectance": 1)"), std::string::npos);
+  EXPECT_THROW(again(with(R"({"scattering": "mirror"})")), InputError);
+}
+
 TEST(DocumentText, NamesFilesFromItsOwnFolder) {
   Document document = parse_document(kDocument, "folder/a.json");
   EXPECT_NE(document_text(document, "folder/b.json").find(R"("leaf.csv")"), std::string::npos);

@@ -233,11 +233,12 @@ TEST(Bsdf, TheRegistryKnowsEveryModel) {
     bsdf_model("lambertain");
     ADD_FAILURE();
   } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "there is no scattering model 'lambertain'; there are 'lambertian', 'mirror', 'oren_nayar', "
-              "'ross_li', 'roujean', 'rpv', 'hapke', 'snow', 'table', 'rough_conductor', 'rough_dielectric', "
-              "'ward', 'smooth', 'rough_boundary', 'slab', 'film', 'sea', 'leaf', 'priest_germer', "
-              "'maxwell_beard', 'shell_target', 'maignan'");
+    EXPECT_EQ(
+        std::string(error.what()),
+        "there is no scattering model 'lambertain'; did you mean 'lambertian'? There are 'lambertian', 'mirror', 'oren_nayar', "
+        "'ross_li', 'roujean', 'rpv', 'hapke', 'snow', 'table', 'rough_conductor', 'rough_dielectric', "
+        "'ward', 'smooth', 'rough_boundary', 'slab', 'film', 'sea', 'leaf', 'priest_germer', "
+        "'maxwell_beard', 'shell_target' and 'maignan'");
   }
 }
 

@@ -207,7 +207,7 @@ TEST(RoughConductor, SaysWhatIsWrong) {
   EXPECT_EQ(
       error_of({{"index", std::string("gold")}, {"roughness", 0.0}}),
       "a 'roughness' of 0 is below 0.01: what so narrow a lobe throws on other surfaces is not sought; a smooth surface is "
-      "\"scattering\": \"mirror\"");
+      "'smooth', by its refractive index, or 'mirror'");
   EXPECT_NE(error_of({{"index", std::string("gould")}, {"roughness", 0.1}})
                 .find("there is no refractive index of 'gould'; "
                       "there are 'aluminium', "),

@@ -329,7 +329,7 @@ TEST(Sea, SaysWhereItIsNotValid) {
     EXPECT_EQ(
         std::string(error.what()),
         "a wind of 0.5 m/s is below 1.6 m/s: the slopes that it leaves throw light on other surfaces that is not "
-        "sought; calm water is a \"mirror\", or a \"rough_conductor\" of \"index\": \"water\"");
+        "sought; calm water is {\"smooth\": {\"index\": \"water\", \"over\": \"absorber\"}}");
   }
 }
 

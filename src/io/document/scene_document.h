@@ -47,7 +47,8 @@ struct MaterialDocument {
   std::string name;
   std::optional<std::pair<DocumentName, DocumentName>> sides;  ///< front and back; then nothing else is given
   bool is_emissivity = false;  ///< the spectrum is emissivity; else reflectance. Opaque: the two sum to 1.
-  SpectrumDocument spectrum;
+  /// May be left out where the model takes it as a factor alone (BsdfModel::reflectance_is_factor).
+  SpectrumDocument spectrum{ConstantSpectrum{1.0}, SpectrumOf::reflectance, {}, OutsideRange::error, {}};
   std::optional<SpectrumDocument> transmittance;  ///< of a thin leaf; with reflectance only; absent: opaque
   std::vector<SpectrumDocument> further_curves;   ///< of the same quantity; with them a texture, which picks
   std::optional<TextureDocument> texture;

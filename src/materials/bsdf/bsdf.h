@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 
@@ -50,6 +51,8 @@ class Bsdf {
   /// A separable model is isotropic.
   virtual bool is_isotropic() const { return true; }
   virtual bool may_transmit() const { return false; }
+  /// The longest wavelength to which its theory holds, um; beyond it is about right.
+  virtual double holds_to_um() const { return std::numeric_limits<double>::infinity(); }
   virtual Passage passage() const { return Passage::none; }
   /// The same surface from its other side, where that differs; null: it does not.
   virtual std::shared_ptr<const Bsdf> behind() const { return nullptr; }

@@ -24,8 +24,8 @@ double facet_width(const BsdfInputs& inputs, std::string_view key, bool widens) 
   const double width = inputs.number(key), least = widens ? kLeast : kLeastFoundSlope;
   if (width < least)
     throw InputError(format(
-        "a '{}' of {:g} is below {:g}: what so narrow a lobe throws on other surfaces is not sought; a smooth surface is "
-        "\"scattering\": \"mirror\"",
+        "a '{}' of {:g} is below {:g}: what so narrow a lobe throws on other surfaces is not sought; a smooth surface is 'smooth', by "
+        "its refractive index, or 'mirror'",
         key, width, least));
   return width;
 }

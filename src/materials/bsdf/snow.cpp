@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -103,6 +104,23 @@ const BsdfModel Snow::kModel{
 
 Snow::Snow(radiometry::Spectrum reflectance, double grain_m, double soot)
     : spectra_{std::move(reflectance), snow_albedo(grain_m, soot)} {}
+
+double Snow::holds_to_um() const {
+  constexpr double kGrain_m = 0.5e-3, kHolds_um = 1.3, kClear_um = 0.5;
+  const radiometry::Spectrum known = snow_albedo(kGrain_m, 0.0);
+  double least = known.at(kHolds_um);
+  for (std::size_t k = 0; k < known.values().size(); ++k)
+    if (known.wavelength_um()[k] > kClear_um && known.wavelength_um()[k] < kHolds_um)
+      least = std::min(least, known.values()[k]);
+  const radiometry::Spectrum& albedo = spectra_[1];
+  for (std::size_t k = 1; k < albedo.values().size(); ++k) {
+    const double low = albedo.values()[k], high = albedo.values()[k - 1];
+    if (albedo.wavelength_um()[k] < kClear_um || low >= least) continue;
+    const double from = albedo.wavelength_um()[k - 1], to = albedo.wavelength_um()[k];
+    return high <= least ? from : from + (to - from) * (high - least) / (high - low);
+  }
+  return std::numeric_limits<double>::infinity();
+}
 
 double Snow::fitted_r0(const ReflectionAngles& a) { return fitted(a.cos_in, a.cos_out, a.cos_phase); }
 

@@ -20,6 +20,8 @@ class Snow final : public Bsdf {
   Snow(radiometry::Spectrum reflectance, double grain_m, double soot = 0.0);
 
   std::span<const radiometry::Spectrum> spectra() const override { return spectra_; }
+  /// Where its spherical albedo is first lower than that of grains of 0.5 mm to 1.3 um (docs/theory/surfaces.md).
+  double holds_to_um() const override;
   void evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                 float* bsdf) const override;
 

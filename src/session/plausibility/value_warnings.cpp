@@ -99,6 +99,19 @@ void warn_of_wavelengths(const Parts& parts, LogSink& log) {
     log.warn(format("the wavelengths of {} are below {:g} um: are they um?", named(near), kShortest_um));
 }
 
+/// Models of scattering whose theory holds to some wavelength alone.
+void warn_of_models(const Parts& parts, LogSink& log) {
+  for (const materials::Material& material : parts.scene.materials) {
+    const double last_um = materials::holds_to_um(material);
+    const std::vector<std::string> names =
+        channels_that(parts, [&](std::size_t c) { return parts.channels[c].centre_um > last_um; });
+    if (!names.empty() && !material.curve_of)
+      log.warn(format(
+          "material '{}': the theory of its scattering holds to {:.2f} um; in {} it is only about right",
+          material.name, last_um, named(names)));
+  }
+}
+
 void warn_of_kelvins(const Parts& parts, LogSink& log) {
   if (!parts.plan.request || parts.plan.request->unit != render::ErrorUnit::kelvin || !parts.tolerance)
     return;
@@ -150,6 +163,7 @@ void warn_of_values(const Parts& parts, const SceneSurvey& survey, LogSink& log)
   warn_of_temperatures(parts, log);
   warn_of_wavelengths(parts, log);
   warn_of_kelvins(parts, log);
+  warn_of_models(parts, log);
   warn_of_air(parts, log);
 }
 

@@ -72,15 +72,9 @@ std::vector<ScatteringModelText> scattering_models() {
 }
 
 ScatteringModelText scattering_model(const std::string& key) {
+  const std::string_view known = materials::bsdf_model(key).key;
   const std::vector<ScatteringModelText> models = scattering_models();
-  std::vector<std::string> keys;
-  for (const ScatteringModelText& model : models) {
-    if (model.key == key) return model;
-    keys.push_back(model.key);
-  }
-  const std::string hint = did_you_mean(key, keys);
-  throw InputError(format("there is no scattering model '{}'{} {}", key,
-                          hint.empty() ? "; there are" : hint + " There are", list_names(keys, "and")));
+  return *std::ranges::find(models, known, &ScatteringModelText::key);
 }
 
 std::vector<std::pair<std::string, std::string>> parameter_texts(const ScatteringDocument& scattering) {

@@ -47,7 +47,6 @@ class RecordRows {
   void add_check(Check check) { checks_.push_back(std::move(check)); }
   void add_group(bool is_required) { description_.group_required.push_back(is_required); }
   int last_group() const { return static_cast<int>(description_.group_required.size()) - 1; }
-  bool last_group_is_required() const { return description_.group_required.back(); }
   void add_former_name(std::string name);
   void add_need(std::string key, std::string other);
 
@@ -103,13 +102,15 @@ class Record {
   }
 
   /// The cases that follow exclude each other: exactly one of them is given (at most one).
-  Record& exactly_one() { return group(true); }
-  Record& at_most_one() { return group(false); }
+  Record& exactly_one() { return group(true, true); }
+  Record& at_most_one() { return group(false, false); }
+  /// At most one; a value is written whatever a T holds without the key (a check says when one is needed).
+  Record& at_most_one_told() { return group(false, true); }
 
   template <class V, class Target>
   Record& one(std::string key, Target target, const SchemaType<V>& type, std::string doc) {
     return add({std::move(key), std::move(doc), type.description, false, {}, rows_.last_group()}, target,
-               type, rows_.last_group_is_required() ? std::nullopt : unwritten<V>(target, type));
+               type, group_is_told_ ? std::nullopt : unwritten<V>(target, type));
   }
 
   /// The key above was called `name` and is still read under it (docs/developer/versions.md says how long).
@@ -185,12 +186,14 @@ class Record {
     return *this;
   }
 
-  Record& group(bool required) {
+  Record& group(bool required, bool told) {
     rows_.add_group(required);
+    group_is_told_ = told;
     return *this;
   }
 
   RecordRows rows_;
+  bool group_is_told_ = true;  ///< of the last group: what is written does not depend on what a T{} holds
 };
 
 /// Whether the node's JSON type is one that the description takes.

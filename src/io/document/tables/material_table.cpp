@@ -82,9 +82,11 @@ SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type
   };
   Record<MaterialDocument> record(
       "material", "A surface: reflectance, transmittance (0 unless given) and emissivity sum to 1.");
-  record.exactly_one()
-      .one("reflectance", store(false), curves(SpectrumOf::reflectance),
-           "spectral reflectance, or several curves for a texture to pick from")
+  record.at_most_one_told()
+      .one(
+          "reflectance", store(false), curves(SpectrumOf::reflectance),
+          "spectral reflectance, or several curves for a texture to pick from; needed (or the emissivity) unless the scattering model "
+          "takes it as a factor alone on what it reflects by itself, which is 1 then")
       .one("emissivity", store(true), curves(SpectrumOf::emissivity), "spectral emissivity, likewise")
       .optional(
           "temperature", &MaterialDocument::temperature, temperature_type(),
@@ -118,6 +120,10 @@ SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type
           "emissivity is then 1 - reflectance - transmittance")
       .check([](const MaterialDocument& material, const DocumentNode& node) {
         const char* key = material.is_emissivity ? "emissivity" : "reflectance";
+        if (node.find(key) == nullptr && !reflects_by_itself(material.scattering))
+          node.fail(format(
+              "{} needs exactly one of 'reflectance' or 'emissivity': '{}' scattering has no reflectance of its own",
+              node.title(), material.scattering.model));
         if (material.temperature && material.thermal &&
             !std::holds_alternative<SolvedTemperatureDocument>(material.temperature->value))
           node.given("temperature")

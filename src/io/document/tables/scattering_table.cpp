@@ -1,6 +1,6 @@
 #include <map>
 
-#include "core/format.h"
+#include "core/error.h"
 #include "io/document/parameter_map_document.h"
 #include "io/document/scene_document.h"
 #include "io/document/schema/record.h"
@@ -160,7 +160,32 @@ SchemaType<ScatteringDocument> named_type() {
   return {named.description, read, write};
 }
 
+/// What is wrong with the name of a model, or with parameters under it; empty: nothing.
+std::string fault_of(std::string_view name, bool has_parameters) {
+  try {
+    const BsdfModel& model = materials::bsdf_model(name);
+    return has_parameters && model.parameters.empty()
+               ? format("'{}' has no parameters: write \"scattering\": \"{}\"", name, name)
+               : std::string();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+void check_model(const DocumentNode& node) {
+  if (node.type() == DocumentNode::Type::text) {
+    if (const std::string fault = fault_of(node.text(), false); !fault.empty()) node.fail(fault);
+  } else if (node.type() == DocumentNode::Type::object) {
+    for (const DocumentNode& member : node.members())
+      if (const std::string fault = fault_of(member.name(), true); !fault.empty()) member.fail_at_key(fault);
+  }
+}
+
 }  // namespace
+
+bool reflects_by_itself(const ScatteringDocument& scattering) {
+  return materials::bsdf_model(scattering.model).reflectance_is_factor;
+}
 
 SchemaType<ScatteringDocument> scattering_type() {
   Record<ScatteringDocument> with_parameters("scattering", "A model with its parameters, under its name.");
@@ -179,7 +204,13 @@ SchemaType<ScatteringDocument> scattering_type() {
             [key](const ScatteringDocument& from) { return from.model == key ? &from : nullptr; }),
         parameters_type(*model), std::string(model->doc));
   }
-  return any ? either(named_type(), with_parameters.type()) : named_type();
+  if (!any) return named_type();
+  const SchemaType<ScatteringDocument> both = either(named_type(), with_parameters.type());
+  const auto read = [given = both.read](const DocumentNode& node) {
+    check_model(node);
+    return given(node);
+  };
+  return {both.description, read, both.write};
 }
 
 }  // namespace ifov::io

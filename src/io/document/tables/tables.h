@@ -46,6 +46,8 @@ SchemaType<TemperatureDocument> temperature_type();
 SchemaType<ThermalDocument> thermal_type();
 SchemaType<TemperaturesDocument> temperatures_type();
 SchemaType<ScatteringDocument> scattering_type();
+/// Whether its model takes the material's reflectance as a factor alone, which may be left out.
+bool reflects_by_itself(const ScatteringDocument& scattering);
 SchemaType<std::vector<ObjectDocument>> objects_type();
 SchemaType<SceneDocument> scene_type();
 

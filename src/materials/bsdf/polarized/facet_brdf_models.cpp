@@ -41,8 +41,8 @@ double slope_of(const BsdfInputs& inputs, double width_by_slope) {
   const double slope = inputs.number("slope"), least = kLeastFoundSlope / width_by_slope;
   if (slope < least)
     throw InputError(format(
-        "a 'slope' of {:g} is below {:.3g}: what so narrow a lobe throws on other surfaces is not sought; a smooth surface is "
-        "\"scattering\": \"mirror\"",
+        "a 'slope' of {:g} is below {:.3g}: what so narrow a lobe throws on other surfaces is not sought; a smooth surface is 'smooth', by "
+        "its refractive index, or 'mirror'",
         slope, least));
   return slope;
 }

@@ -39,7 +39,7 @@ Sea::Surface surface_of(const BsdfInputs& inputs) {
   if (wind < kWeakest)
     throw InputError(format(
         "a wind of {:g} m/s is below {:g} m/s: the slopes that it leaves throw light on other surfaces that is not sought; calm water "
-        "is a \"mirror\", or a \"rough_conductor\" of \"index\": \"water\"",
+        "is {{\"smooth\": {{\"index\": \"water\", \"over\": \"absorber\"}}}}",
         wind, kWeakest));
   if (wind > kStrongest && inputs.say)
     inputs.say(format(
