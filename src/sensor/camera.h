@@ -66,6 +66,9 @@ class Camera {
 
   virtual CameraPose pose(double line_px) const = 0;
 
+  /// The camera where its platform reports it to be, by which places of its pixels are told; itself where its pose is known.
+  virtual const Camera& reported() const { return *this; }
+
   /// None where pixels are no squares of one size on the ground.
   virtual std::optional<GroundGrid> ground_grid() const = 0;
 

@@ -7,13 +7,6 @@
 #include "platform/trajectory.h"
 
 namespace ifov::sensor {
-namespace {
-
-/// Lines before the first and after the last in which the platform's own motion still counts, for what samplers look at beyond
-/// the image; further away it flies on straight, so that where a point lies there has one answer.
-constexpr double kBeyond_px = 64.0;
-
-}  // namespace
 
 struct PushbroomCamera::Line {
   math::Point3 position_m;
@@ -45,6 +38,10 @@ PushbroomCamera::PushbroomCamera(const Settings& settings) : settings_(settings)
         : early_s > rounding_s ? format("it begins {:g} s too late", early_s)
                                : format("it ends {:g} s too early", late_s)));
   hold_together();
+  if (!settings.reported) return;
+  Settings as_reported = settings;
+  as_reported.platform = settings.reported, as_reported.reported = nullptr;
+  reported_.reset(new PushbroomCamera(as_reported, Unjudged{}));
 }
 
 PushbroomCamera::Line PushbroomCamera::line_at(double y_px, double time_s) const {
@@ -145,10 +142,16 @@ void PushbroomCamera::hold_together() const {
            ray.direction *
                (ray.direction.z < 0.0 && ray.origin_m.z > 0.0 ? height_m / -ray.direction.z : height_m);
   };
+  // As finely as the platform turns: between two lines it may look back and ahead again.
+  constexpr double kMost = 2e6;
+  const double parts = std::clamp(std::ceil(settings_.line_period_s / settings_.platform->step_s()), 1.0,
+                                  std::max(1.0, kMost / settings_.height_px));
+  const auto steps = static_cast<std::int64_t>(parts);
   Line next = line_at(0.0);
-  for (int y = 0; y < settings_.height_px; ++y) {
+  for (std::int64_t step = 0; step < settings_.height_px * steps; ++step) {
     const Line line = next;
-    next = line_at(y + 1.0);
+    const double y = static_cast<double>(step) / parts;
+    next = line_at(static_cast<double>(step + 1) / parts);
     if (!(line.position_m.z > 0.0)) continue;  // of a satellite that has set
     for (const double x : {0.0, 0.5 * width, width}) {
       const double across = (x - 0.5 * width) * settings_.step;
@@ -158,9 +161,9 @@ void PushbroomCamera::hold_together() const {
       const double back_m = ahead_m(next, point_m);
       if (!(back_m < 0.0))
         throw InputError(format(
-            "line {} of the scanner looks {:.3g} m behind line {}: the platform stands still, flies backwards or turns back faster than "
+            "line {:g} of the scanner looks {:.3g} m behind line {:g}: the platform stands still, flies backwards or turns back faster than "
             "it flies, and the same ground would be seen more than once",
-            y + 1, back_m, y));
+            static_cast<double>(step + 1) / parts, back_m, y));
     }
   }
 }

@@ -25,13 +25,20 @@ class PushbroomCamera final : public Camera {
     double focal_length_m = 0.0;      ///< 0: only the step is known
     double start_s = 0.0;             ///< when the first line begins, after the document's instant
     double line_period_s = 0.0;
-    std::shared_ptr<const platform::Trajectory> platform;  ///< scene frame
+    std::shared_ptr<const platform::Trajectory>
+        platform;  ///< scene frame, with what is between it and the camera
+    /// The same as it is reported; null: as it is. What it does not cover or see in order is not judged.
+    std::shared_ptr<const platform::Trajectory> reported = nullptr;
   };
 
   /// ifov::InputError on sizes, step or period that are not positive; a trajectory that does not cover the image, with by how much; and
   /// a line that does not look ahead of the one before it where their rays meet z = 0, from above: the platform stands, or turns back faster
   /// than it flies.
   explicit PushbroomCamera(const Settings& settings);
+
+  /// Lines before the first and after the last in which the platform's own motion still counts, for what samplers look at beyond
+  /// the image; further away it flies on straight, so that where a point lies there has one answer.
+  static constexpr double kBeyond_px = 64.0;
 
   int width_px() const override { return settings_.width_px; }
   int height_px() const override { return settings_.height_px; }
@@ -48,10 +55,13 @@ class PushbroomCamera final : public Camera {
 
   CameraPose pose(double line_px) const override;
   std::optional<GroundGrid> ground_grid() const override { return std::nullopt; }
+  const Camera& reported() const override { return reported_ ? *reported_ : *this; }
 
   const Settings& settings() const { return settings_; }
 
  private:
+  struct Unjudged {};
+  PushbroomCamera(const Settings& settings, Unjudged) : settings_(settings) {}
   struct Line;  // where one is, and how it stands
   Line line_at(double y_px, double time_s = 0.0) const;
   static double ahead_m(const Line& line, math::Point3 point_m);
@@ -59,6 +69,7 @@ class PushbroomCamera final : public Camera {
   void hold_together() const;
 
   Settings settings_;
+  std::unique_ptr<const PushbroomCamera> reported_;
 };
 
 }  // namespace ifov::sensor

@@ -65,9 +65,9 @@ class Scanning(unittest.TestCase):
     def tearDown(self):
         self.scratch.cleanup()
 
-    def render(self, scene, name="scan"):
+    def render(self, scene, name="scan", *options):
         (self.folder / f"{name}.json").write_text(json.dumps(scene))
-        result = subprocess.run([PROGRAM, "render", f"{name}.json", "--output", name], cwd=self.folder, text=True,
+        result = subprocess.run([PROGRAM, "render", f"{name}.json", "--output", name, *options], cwd=self.folder, text=True,
                                 capture_output=True, timeout=200, check=False)
         self.assertIn(result.returncode, (0, 6), result.stdout + result.stderr)
         return self.folder / name
@@ -133,6 +133,54 @@ class Scanning(unittest.TestCase):
         self.assertLess(off.max(), 0.01)
         planted = np.hypot(places[0] + west, places[1] - 50.0 * (t[:, None] + 0.02 * PERIOD_S)) / pixel_m
         self.assertGreater(planted.max(), 0.01)
+
+    def test_places_follow_from_the_reported_pose_and_light_from_the_true_one(self):
+        platform = dict(document()["platform"], mount={"lever_arm": ["1 m", "0 m", "2 m"], "roll": "0.02 deg"})
+        told = dict(platform, reported={"position_bias": ["0.7 m", "0 m", "0 m"], "attitude_bias": {"roll": "0.002 deg"},
+                                        "mount": {"lever_arm": ["1 m", "0 m", "2 m"]}})
+        output = {"products": ["radiance", "location", "true_location"]}
+        known, reported = (self.render(document(platform=p, output=output), name) for p, name in ((platform, "known"), (told, "told")))
+        self.assertEqual((known / "image_radiance.img").read_bytes(), (reported / "image_radiance.img").read_bytes())
+        for quantity in ("location", "true_location"):
+            self.assertEqual((known / f"image_{quantity}.img").read_bytes(), (reported / "image_true_location.img").read_bytes())
+        t = (np.arange(LINES) + 0.5)[:, None] * PERIOD_S
+        at = np.arctan((np.arange(WIDTH) + 0.5 - WIDTH / 2) * STEP)[None, :]
+
+        def off(folder, quantity, roll_deg, east_m):
+            """Pixels between places and those of a flight to the north whose camera is 1 m ahead and 2 m below."""
+            places, roll = self.cube(folder, quantity, "f8", 3), math.radians(roll_deg)
+            west = (HEIGHT_M - 2 * math.cos(roll)) * np.tan(math.radians(roll_deg) + at) - east_m
+            return np.hypot(places[0] + west, places[1] - (50.0 * t + 1.0)).max() / 0.5
+
+        self.assertLess(off(known, "location", 0.02, 0.0), 0.01)
+        # The lever arm turns with the biased attitude, by 7 um here.
+        self.assertLess(off(reported, "location", 0.002, 0.7), 0.01)
+        self.assertGreater(off(reported, "location", 0.02, 0.0), 1.0)
+        self.assertGreater(off(reported, "location", 0.002, 0.72), 0.01)
+        line = json.loads((reported / "image_run.json").read_text())["acquisition"]["camera"]["lines"][3]
+        arm_m = 2 * (math.sin(math.radians(0.002)) - math.sin(0))  # turned with the reported attitude
+        self.assertAlmostEqual(line["position_m"][0] - line["true"]["position_m"][0], 0.7 - arm_m, places=9)
+        self.assertAlmostEqual(line["true"]["forward"][0], -math.sin(math.radians(0.02)), places=9)
+        self.assertNotIn("true", json.loads((known / "image_run.json").read_text())["acquisition"]["camera"]["lines"][3])
+
+    def test_jitter_is_the_same_for_all_tiles_and_threads(self):
+        jitter = {"white": {"roll": "0.2 mrad", "pitch": "0.005 mrad", "up_to": "30 Hz"}}
+        shaking = document(platform=dict(document()["platform"], jitter=jitter, reported={}),
+                           output={"products": ["radiance", "location", "true_location"]})
+        whole = self.render(shaking)
+        again = self.render(dict(shaking, seed=1), "again", "--threads", "1")
+        for quantity in ("radiance", "true_location"):
+            self.assertEqual((whole / f"image_{quantity}.img").read_bytes(), (again / f"image_{quantity}.img").read_bytes())
+        shift = (self.cube(whole, "true_location", "f8", 3) - self.cube(whole, "location", "f8", 3)) / 0.5
+        self.assertGreater(np.abs(shift[0]).max(), 0.5)  # 0.2 mrad are 2 pixels
+        self.assertLess(np.ptp(shift[0], axis=1).max(), 1e-3)  # a roll shifts a line as a whole
+        # Half of the lines, begun later: the same shake at the same times.
+        later = json.loads(json.dumps(shaking))
+        later["sensor"]["camera"]["pushbroom"].update(pixels=[WIDTH, LINES // 2], start=f"{LINES // 2 * PERIOD_S} s")
+        half = self.cube(self.render(later, "later"), "true_location", "f8", 3)
+        self.assertLess(np.abs(half - self.cube(whole, "true_location", "f8", 3)[:, LINES // 2:]).max(), 1e-6)
+        other = self.cube(self.render(dict(shaking, seed=2), "other"), "true_location", "f8", 3)
+        self.assertGreater(np.abs(other - self.cube(whole, "true_location", "f8", 3)).max(), 0.05)
 
     def test_the_record_tells_where_the_camera_was(self):
         record = json.loads((self.render(document()) / "image_run.json").read_text())

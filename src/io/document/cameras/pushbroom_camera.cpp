@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/format.h"
+#include "io/document/cameras/flight_motion.h"
 #include "io/document/cameras/flight_path.h"
 #include "io/document/platform_document.h"
 #include "io/document/schema/record.h"
@@ -59,8 +60,10 @@ std::unique_ptr<sensor::Camera> PushbroomCamera::build(const CameraSite& site) c
   settings.focal_length_m = focal_length_m.value_or(0.0);
   settings.start_s = start_s, settings.line_period_s = line_period_s;
   const double end_s = start_s + size.height_px * line_period_s;
-  settings.platform =
-      std::make_shared<const platform::Trajectory>(trajectory_of(*flight, site.offset_m, start_s, end_s));
+  const double beyond_s = sensor::PushbroomCamera::kBeyond_px * line_period_s;
+  const Motions motions = motions_of(*flight, trajectory_of(*flight, site.offset_m, start_s, end_s),
+                                     start_s - beyond_s, end_s + beyond_s);
+  settings.platform = motions.truth, settings.reported = motions.reported;
   auto camera = std::make_unique<sensor::PushbroomCamera>(settings);
   if (flies_about_earth(flight->platform)) check_flatness(*camera, flight->origin);
   return camera;
