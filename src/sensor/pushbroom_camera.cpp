@@ -23,21 +23,29 @@ PushbroomCamera::PushbroomCamera(const Settings& settings) : settings_(settings)
                             settings.step));
   if (!(settings.line_period_s > 0.0) || !std::isfinite(settings.line_period_s))
     throw InputError(format("a line period of {} s; expected a positive duration", settings.line_period_s));
-  const double end_s = settings.start_s + settings.height_px * settings.line_period_s;
+  if (!(settings.exposure_s >= 0.0) || !(settings.exposure_s <= settings.line_period_s))
+    throw InputError(format("an exposure of {:g} s in a line period of {:g} s; expected at most the period",
+                            settings.exposure_s, settings.line_period_s));
+  if (!(settings.element_px >= 0.0) || !std::isfinite(settings.element_px) || settings.stages < 1)
+    throw InputError(format("an element of {} pitches in {} stages; expected 0 or more, and 1 stage at least",
+                            settings.element_px, settings.stages));
+  // The first stages of a line are exposed before it, the last after it.
+  const double early_by_s = 0.5 * (settings.stages - 1) * settings.line_period_s;
+  const double start_s = settings.start_s - early_by_s,
+               end_s = settings.start_s + settings.height_px * settings.line_period_s + early_by_s;
   // A row may end where the last line does, but for its rounding.
-  const double rounding_s = 1e-9 * std::max(std::abs(settings.start_s), std::abs(end_s));
-  const double early_s = settings.platform->first_s() - settings.start_s,
-               late_s = end_s - settings.platform->last_s();
+  const double rounding_s = 1e-9 * std::max(std::abs(start_s), std::abs(end_s));
+  const double early_s = settings.platform->first_s() - start_s, late_s = end_s - settings.platform->last_s();
   if (early_s > rounding_s || late_s > rounding_s)
     throw InputError(format(
         "the platform's path covers {:g} to {:g} s, and the {} lines are exposed from {:g} to {:g} s: {}",
-        settings.platform->first_s(), settings.platform->last_s(), settings.height_px, settings.start_s,
-        end_s,
+        settings.platform->first_s(), settings.platform->last_s(), settings.height_px, start_s, end_s,
         early_s > rounding_s && late_s > rounding_s
             ? format("{:g} s too late and {:g} s too short", early_s, late_s)
         : early_s > rounding_s ? format("it begins {:g} s too late", early_s)
                                : format("it ends {:g} s too early", late_s)));
   hold_together();
+  if (settings.element_px > 0.0 || settings.stages > 1) find_lines_a_pitch();
   if (!settings.reported) return;
   Settings as_reported = settings;
   as_reported.platform = settings.reported, as_reported.reported = nullptr;
