@@ -37,6 +37,11 @@ _BANDS: dict[str, list[tuple[str, str, str]]] = {
         ("northing", "northing of what the middle of the pixel sees", "m"),
         ("height", "height of what the middle of the pixel sees", "m"),
     ],
+    "true_location": [
+        ("true_easting", "easting of what the middle of the pixel sees by the sensor's true pose", "m"),
+        ("true_northing", "northing of that", "m"),
+        ("true_height", "height of that", "m"),
+    ],
     "view_angles": [
         ("view_zenith", "zenith angle of the direction to the sensor", "degree"),
         ("view_azimuth", "azimuth of the direction to the sensor, clockwise from north", "degree"),

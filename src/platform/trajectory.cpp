@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/format.h"
+#include "platform/wander.h"
 
 namespace ifov::platform {
 namespace {
@@ -45,13 +46,30 @@ CubicSpline attitude_spline(std::span<const PathPoint> path, std::span<const Qua
   return {std::move(times), std::move(values)};
 }
 
+double shortest_step(std::span<const PathPoint> path) {
+  double step = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < path.size(); ++k) step = std::min(step, path[k].time_s - path[k - 1].time_s);
+  return step;
+}
+
+math::Vec3 vector_of(const Vec& v) { return {v[0], v[1], v[2]}; }
+
+geodesy::Attitude sum(const geodesy::Attitude& a, double yaw_rad, double pitch_rad, double roll_rad) {
+  return {a.yaw_rad + yaw_rad, a.pitch_rad + pitch_rad, a.roll_rad + roll_rad};
+}
+
+bool is_zero(const geodesy::Attitude& a) {
+  return a.yaw_rad == 0.0 && a.pitch_rad == 0.0 && a.roll_rad == 0.0;
+}
+
 }  // namespace
 
 Trajectory::Trajectory(std::span<const PathPoint> path, const HeldAttitude& attitude)
     : position_(position_spline(path)),
       attitude_(attitude),
       first_s_(path.front().time_s),
-      last_s_(path.back().time_s) {
+      last_s_(path.back().time_s),
+      step_s_(shortest_step(path)) {
   if (!attitude.from_track) return;
   for (const PathPoint& point : path) {
     Vec place{}, slope{};
@@ -63,37 +81,108 @@ Trajectory::Trajectory(std::span<const PathPoint> path, const HeldAttitude& atti
   }
 }
 
+Trajectory::Trajectory(std::span<const PathPoint> path, const Pointing& attitude)
+    : position_(position_spline(path)),
+      attitude_(attitude),
+      first_s_(path.front().time_s),
+      last_s_(path.back().time_s),
+      step_s_(shortest_step(path)) {
+  for (const PathPoint& point : path) {
+    const auto refuse = [&](const char* why) {
+      throw InputError(format("at {:g} s the platform {}", point.time_s, why));
+    };
+    Vec place{}, slope{};
+    position_.at(point.time_s, place, slope);
+    const math::Vec3 velocity = vector_of(slope),
+                     ahead = attitude.from_track ? velocity : math::Vec3{0.0, 1.0, 0.0};
+    const math::Vec3 towards =
+        attitude.target_m ? *attitude.target_m - point.position_m : math::Vec3{0.0, 0.0, -1.0};
+    if (!(math::length(towards) > 0.0)) refuse("is at the point that it looks at");
+    if (!(math::length(ahead) > 0.0))
+      refuse("stands still, so that its attitude, which follows its velocity, is none");
+    if (!(math::length(math::cross(towards, ahead)) > 1e-9 * math::length(towards) * math::length(ahead)))
+      refuse(!attitude.target_m
+                 ? "flies straight up or down along its nose, so that its wings have no direction"
+             : attitude.from_track
+                 ? "flies straight towards the point that it looks at, so that its nose has no direction"
+                 : "looks straight to the north or south, so that its nose has no direction");
+  }
+}
+
 Trajectory::Trajectory(std::span<const PathPoint> path, std::span<const Quaternion> scene_from_body)
     : position_(position_spline(path)),
       attitude_(attitude_spline(path, scene_from_body)),
       first_s_(path.front().time_s),
-      last_s_(path.back().time_s) {}
+      last_s_(path.back().time_s),
+      step_s_(shortest_step(path)) {}
 
 Trajectory Trajectory::straight(math::Point3 at_0_s_m, math::Vec3 velocity_m_s,
                                 const HeldAttitude& attitude) {
   const std::array<PathPoint, 2> path{{{0.0, at_0_s_m}, {1.0, at_0_s_m + velocity_m_s}}};
   Trajectory trajectory(path, attitude);
-  trajectory.last_s_ = std::numeric_limits<double>::infinity();
-  trajectory.first_s_ = -trajectory.last_s_;
+  trajectory.last_for_ever();
   return trajectory;
+}
+
+Trajectory Trajectory::straight_pointing(math::Point3 at_0_s_m, math::Vec3 velocity_m_s,
+                                         const Pointing& attitude) {
+  const std::array<PathPoint, 2> path{{{0.0, at_0_s_m}, {1.0, at_0_s_m + velocity_m_s}}};
+  Trajectory trajectory(path, attitude);
+  trajectory.last_for_ever();
+  return trajectory;
+}
+
+void Trajectory::last_for_ever() {
+  last_s_ = step_s_ = std::numeric_limits<double>::infinity();
+  first_s_ = -last_s_;
+}
+
+Trajectory Trajectory::carrying(Deviation deviation) const {
+  Trajectory other = *this;
+  if (deviation.motion) other.step_s_ = std::min(step_s_, deviation.motion->step_s());
+  other.deviation_ = std::move(deviation);
+  return other;
+}
+
+Stance Trajectory::stance(double time_s, math::Point3 position_m, math::Vec3 velocity_m_s) const {
+  if (const auto* held = std::get_if<HeldAttitude>(&attitude_)) {
+    geodesy::Attitude angles = held->angles;
+    if (held->from_track) angles.yaw_rad += std::atan2(velocity_m_s.x, velocity_m_s.y);
+    return geodesy::enu_from_body(angles);
+  }
+  if (const auto* pointing = std::get_if<Pointing>(&attitude_)) {
+    const math::Vec3 ahead = pointing->from_track ? velocity_m_s : math::Vec3{0.0, 1.0, 0.0};
+    return turned(pointing->target_m ? belly_along(*pointing->target_m - position_m, ahead)
+                                     : nose_along(velocity_m_s, {0.0, 0.0, -1.0}),
+                  pointing->angles);
+  }
+  const CubicSpline& spline = std::get<CubicSpline>(attitude_);
+  std::array<double, 4> q{};
+  spline.at(std::clamp(time_s, spline.first(), spline.last()), q);
+  return rotation_of({q[0], q[1], q[2], q[3]});
 }
 
 Pose Trajectory::pose(double time_s) const {
   Vec place{}, slope{};
   position_.at(time_s, place, slope);
-  const math::Vec3 velocity{slope[0], slope[1], slope[2]};
-  const auto stand = [&] {
-    if (const auto* held = std::get_if<HeldAttitude>(&attitude_)) {
-      geodesy::Attitude angles = held->angles;
-      if (held->from_track) angles.yaw_rad += std::atan2(velocity.x, velocity.y);
-      return geodesy::enu_from_body(angles);
-    }
-    const CubicSpline& spline = std::get<CubicSpline>(attitude_);
-    std::array<double, 4> q{};
-    spline.at(std::clamp(time_s, spline.first(), spline.last()), q);
-    return rotation_of({q[0], q[1], q[2], q[3]});
-  };
-  return {{place[0], place[1], place[2]}, velocity, stand()};
+  const math::Vec3 velocity = vector_of(slope);
+  const math::Point3 position{place[0], place[1], place[2]};
+  Pose pose{position, velocity, stance(time_s, position, velocity)};
+  if (!deviation_) return pose;
+  geodesy::Attitude turn = deviation_->turn;
+  pose.position_m = pose.position_m + deviation_->shift_m;
+  if (deviation_->motion) {
+    std::array<double, 6> moved{};
+    deviation_->motion->at(time_s, moved);
+    pose.position_m = pose.position_m + math::Vec3{moved[0], moved[1], moved[2]};
+    turn = sum(turn, moved[3], moved[4], moved[5]);
+  }
+  if (!is_zero(turn)) pose.enu_from_body = turned(pose.enu_from_body, turn);
+  pose.position_m =
+      pose.position_m + pose.enu_from_body(geodesy::BodyVector{deviation_->mount.lever_arm_m}).v;
+  if (!is_zero(deviation_->mount.boresight))
+    pose.enu_from_body = turned(pose.enu_from_body, deviation_->mount.boresight);
+  return pose;
 }
 
 }  // namespace ifov::platform

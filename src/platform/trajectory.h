@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <span>
 #include <variant>
 #include <vector>
@@ -7,6 +9,7 @@
 #include "geodesy/attitude.h"
 #include "platform/cubic_spline.h"
 #include "platform/quaternion.h"
+#include "platform/stance.h"
 
 namespace ifov::platform {
 
@@ -24,6 +27,31 @@ struct HeldAttitude {
   bool from_track = false;
 };
 
+/// Of a platform that turns by itself: the belly towards a point, or the nose along its velocity with the belly as far down as that leaves.
+struct Pointing {
+  std::optional<math::Point3> target_m = {};  ///< scene frame; none: the nose along the velocity
+  geodesy::Attitude angles = {};              ///< about the axes that follow from that (turned)
+  /// With a target: whether the nose is as near to the velocity as that leaves, instead of to north.
+  bool from_track = true;
+};
+
+/// How something is fixed to a body: where, along the body's nose, right wing and belly, and how it is turned against them.
+struct Mount {
+  math::Vec3 lever_arm_m;
+  geodesy::Attitude boresight;
+};
+
+class Wander;
+
+/// What lies between a path with its attitudes and what it carries, in this order.
+struct Deviation {
+  math::Vec3 shift_m = {};      ///< of the position: east, north, up
+  geodesy::Attitude turn = {};  ///< about the body's own axes
+  /// Added to both: east, north, up (m), yaw, pitch, roll (rad); null: nothing.
+  std::shared_ptr<const Wander> motion = nullptr;
+  Mount mount = {};
+};
+
 /// A point of a path: seconds after the document's instant, scene frame.
 struct PathPoint {
   double time_s = 0.0;
@@ -38,21 +66,36 @@ class Trajectory {
   /// Through points in the order of their times; a single one stands still. ifov::InputError where times do not increase, a number is not
   /// finite, or a yaw is counted from the track of what does not fly horizontally.
   Trajectory(std::span<const PathPoint> path, const HeldAttitude& attitude);
+  /// InputError, too, where at a point the direction that it turns to is none: without velocity, at the target, flying straight up or
+  /// towards the target.
+  Trajectory(std::span<const PathPoint> path, const Pointing& attitude);
   /// The same with an attitude for each point.
   Trajectory(std::span<const PathPoint> path, std::span<const Quaternion> scene_from_body);
 
   static Trajectory straight(math::Point3 at_0_s_m, math::Vec3 velocity_m_s, const HeldAttitude& attitude);
+  static Trajectory straight_pointing(math::Point3 at_0_s_m, math::Vec3 velocity_m_s,
+                                      const Pointing& attitude);
+
+  /// The same path, of what it carries; once at most. The velocity stays that of the path.
+  Trajectory carrying(Deviation deviation) const;
 
   Pose pose(double time_s) const;
+
+  /// The shortest time between the points that it passes smoothly; infinite where one velocity holds.
+  double step_s() const { return step_s_; }
 
   /// What its points cover; of what flies straight all times.
   double first_s() const { return first_s_; }
   double last_s() const { return last_s_; }
 
  private:
+  void last_for_ever();
+  Stance stance(double time_s, math::Point3 position_m, math::Vec3 velocity_m_s) const;
+
   CubicSpline position_;
-  std::variant<HeldAttitude, CubicSpline> attitude_;  // of quaternions
-  double first_s_ = 0.0, last_s_ = 0.0;
+  std::variant<HeldAttitude, Pointing, CubicSpline> attitude_;  // of quaternions
+  std::optional<Deviation> deviation_;
+  double first_s_ = 0.0, last_s_ = 0.0, step_s_ = 0.0;
 };
 
 }  // namespace ifov::platform

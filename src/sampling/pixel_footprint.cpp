@@ -46,8 +46,45 @@ PixelFootprint PixelFootprint::tabulated(double half_width_px, int cells_per_sid
   return footprint;
 }
 
+PixelFootprint PixelFootprint::striped(double side_px, std::vector<Piece> pieces) {
+  if (!(side_px > 0.0) || !std::isfinite(side_px) || pieces.empty())
+    throw std::invalid_argument("a striped footprint needs a positive side and a piece at least");
+  PixelFootprint footprint;
+  footprint.half_width_x_ = 0.5 * side_px;
+  footprint.half_width_ = footprint.half_width_x_;
+  double sum = 0.0, before = -INFINITY;
+  for (const Piece& piece : pieces) {
+    if (!(piece.y1 > piece.y0) || !(piece.y0 >= before) || !(piece.from >= 0.0) || !(piece.to >= 0.0) ||
+        !std::isfinite(piece.y0) || !std::isfinite(piece.y1) || !std::isfinite(piece.from + piece.to))
+      throw std::invalid_argument("a striped footprint's pieces must be finite, in order and not negative");
+    sum += 0.5 * (piece.from + piece.to) * (piece.y1 - piece.y0);
+    before = piece.y1;
+    footprint.half_width_ = std::max({footprint.half_width_, std::abs(piece.y0), std::abs(piece.y1)});
+  }
+  if (sum == 0.0) throw std::invalid_argument("a footprint's values must not all be zero");
+  for (Piece& piece : pieces) piece.from /= sum, piece.to /= sum;
+  footprint.pieces_ = std::move(pieces);
+  return footprint;
+}
+
+double PixelFootprint::striped_below(double y_px) const {
+  double sum = 0.0;
+  for (const Piece& piece : pieces_) {
+    if (!(y_px > piece.y0)) break;
+    const double end = std::min(y_px, piece.y1);
+    sum += 0.5 * (piece.from + piece.at(end)) * (end - piece.y0);
+  }
+  return sum;
+}
+
 double PixelFootprint::density(double dx_px, double dy_px) const {
   if (std::abs(dx_px) > half_width_ || std::abs(dy_px) > half_width_) return 0.0;
+  if (!pieces_.empty()) {
+    if (std::abs(dx_px) > half_width_x_) return 0.0;
+    for (const Piece& piece : pieces_)
+      if (dy_px >= piece.y0 && dy_px <= piece.y1) return 0.5 * piece.at(dy_px) / half_width_x_;
+    return 0.0;
+  }
   if (uniform()) return 0.25 / (half_width_ * half_width_);
   const double cells_per_px = cells_ / (2.0 * half_width_);
   // Beyond the outermost centres the outermost values hold, which keeps the integral at 1.
@@ -71,6 +108,10 @@ double PixelFootprint::integral(double x0_px, double y0_px, double x1_px, double
   const auto inside = [&](double d) { return std::clamp(d, -half_width_, half_width_); };
   const double x0 = inside(x0_px), x1 = inside(x1_px), y0 = inside(y0_px), y1 = inside(y1_px);
   if (x1 <= x0 || y1 <= y0) return 0.0;
+  if (!pieces_.empty()) {
+    const double across = std::min(x1, half_width_x_) - std::max(x0, -half_width_x_);
+    return across > 0.0 ? 0.5 * across / half_width_x_ * (striped_below(y1) - striped_below(y0)) : 0.0;
+  }
   if (uniform()) return (x1 - x0) * (y1 - y0) * 0.25 / (half_width_ * half_width_);
   // Of the bilinear density: up to a place, all cells before the last centre count whole, that one and the next in part.
   const double cells_per_px = cells_ / (2.0 * half_width_);

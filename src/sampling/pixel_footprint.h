@@ -15,8 +15,21 @@ class PixelFootprint {
   /// row by row, y downwards; normalised here. Negative values are an error.
   static PixelFootprint tabulated(double half_width_px, int cells_per_side, std::vector<double> values);
 
+  /// A stretch of a density along y, straight from `from` to `to`; nothing below y0 or above y1.
+  struct Piece {
+    double y0 = 0.0, y1 = 0.0, from = 0.0, to = 0.0;
+    double at(double y) const { return from + (to - from) * (y - y0) / (y1 - y0); }
+  };
+
+  /// Uniform over `side_px` along x times pieces along y, which follow each other upwards without overlap; normalised here.
+  static PixelFootprint striped(double side_px, std::vector<Piece> pieces);
+
   double half_width_px() const { return half_width_; }
-  bool uniform() const { return cells_ == 0; }
+  /// Along x; along y the half width holds.
+  double half_width_x_px() const { return pieces_.empty() ? half_width_ : half_width_x_; }
+  bool uniform() const { return cells_ == 0 && pieces_.empty(); }
+  /// Of striped(), the density along y; integrals over polygons are exact piece by piece. Else empty.
+  const std::vector<Piece>& pieces() const { return pieces_; }
   /// Uniform over the whole pixel and nothing else.
   bool whole_pixel() const { return uniform() && half_width_px() == 0.5; }
 
@@ -28,8 +41,11 @@ class PixelFootprint {
 
  private:
   PixelFootprint() = default;
-  double half_width_ = 0.5;
+  double striped_below(double y_px) const;  // integral along y up to there
+
+  double half_width_ = 0.5, half_width_x_ = 0.5;
   int cells_ = 0;                // cells per side; 0 for a box
+  std::vector<Piece> pieces_;    // along y, their integral 1; empty for others
   std::vector<double> density_;  // h at cell centres
   std::vector<double> summed_;   // summed-area table, (cells_ + 1)^2
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sampling/pixel_footprint.h"
+
 namespace ifov::sampling {
 namespace {
 

@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "sampling/pixel_footprint.h"
-
 namespace ifov::sampling {
+
+class PixelFootprint;
 
 /// What is needed beside pixels' intervals to know that of a mean over pixels (docs/theory/accuracy_sampler.md, "Means
 /// over regions").

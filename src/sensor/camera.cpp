@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "radiometry/polarization_frame.h"
+#include "sensor/along_track.h"
 
 namespace ifov::sensor {
 
@@ -18,6 +19,8 @@ math::Ray Camera::ray(const sampling::FocalPoint& point) const {
   rays({&point, 1}, {&ray, 1});
   return ray;
 }
+
+AlongTrack Camera::along_track() const { return {}; }
 
 Ifov Camera::ifov(double line_px) const {
   const double middle = 0.5 * width_px();

@@ -15,6 +15,8 @@ struct PolarizationFrame;
 
 namespace ifov::sensor {
 
+struct AlongTrack;
+
 /// How a camera stands in the scene while a line of its image is exposed.
 struct CameraPose {
   CameraAxes axes;  ///< of rays that diverge, unit vectors; of parallel ones `down` lies on the ground
@@ -65,6 +67,12 @@ class Camera {
   virtual double gsd_m(math::Point3 position_m) const = 0;
 
   virtual CameraPose pose(double line_px) const = 0;
+
+  /// What its pixels are spread over along image y beside the optics; of a camera that stands still nothing.
+  virtual AlongTrack along_track() const;
+
+  /// The camera where its platform reports it to be, by which places of its pixels are told; itself where its pose is known.
+  virtual const Camera& reported() const { return *this; }
 
   /// None where pixels are no squares of one size on the ground.
   virtual std::optional<GroundGrid> ground_grid() const = 0;

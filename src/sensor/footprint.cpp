@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "sensor/along_track.h"
 #include "sensor/psf.h"
 
 namespace ifov::sensor {
@@ -35,6 +36,41 @@ sampling::PixelFootprint make_footprint(const Psf* psf, double fill_factor) {
           psf->energy(x - 0.5 * side_px, y - 0.5 * side_px, x + 0.5 * side_px, y + 0.5 * side_px);
       density.push_back(std::max(0.0, energy) / fill_factor);
     }
+  return sampling::PixelFootprint::tabulated(half_width_px, cells, std::move(density));
+}
+
+sampling::PixelFootprint make_footprint(const Psf* psf, double fill_factor, const AlongTrack& along) {
+  if (along.plain()) return make_footprint(psf, fill_factor);
+  if (!(fill_factor > 0.0) || !(fill_factor <= 1.0))
+    throw InputError(format("a fill factor of {}; expected more than 0 and at most 1", fill_factor));
+  const double side_px = std::sqrt(fill_factor);
+  const auto striped = sampling::PixelFootprint::striped(side_px, along.pieces());
+  if (psf == nullptr) return striped;
+
+  const double half_width_px = psf->half_width_px() + striped.half_width_px();
+  const double cells_per_pixel =
+      std::max<double>(kFewestCellsPerPixel, kCellsOverDetail / std::min(psf->detail_px(), side_px));
+  const int cells = static_cast<int>(
+      std::clamp(std::ceil(2.0 * half_width_px * cells_per_pixel), 1.0, static_cast<double>(kMostCells)));
+  const double cell_px = 2.0 * half_width_px / cells;
+  const auto n = static_cast<std::size_t>(cells);
+  // Along y as the shares of rows, each spread by the PSF to rows 0, 1, 2, ... away, either way.
+  std::vector<double> share(n), spread(2 * n - 1), density(n * n, 0.0);
+  for (std::size_t k = 0; k < n; ++k) {
+    const double y = static_cast<double>(k) * cell_px - half_width_px;
+    share[k] = striped.integral(-half_width_px, y, half_width_px, y + cell_px);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = (static_cast<double>(i) + 0.5) * cell_px - half_width_px;
+    for (std::size_t m = 0; m < spread.size(); ++m) {
+      const double y = (static_cast<double>(m) - (cells - 1.0)) * cell_px;
+      spread[m] = std::max(
+          0.0, psf->energy(x - 0.5 * side_px, y - 0.5 * cell_px, x + 0.5 * side_px, y + 0.5 * cell_px));
+    }
+    for (std::size_t k = 0; k < n; ++k)
+      if (share[k] > 0.0)
+        for (std::size_t j = 0; j < n; ++j) density[j * n + i] += share[k] * spread[j + n - 1 - k];
+  }
   return sampling::PixelFootprint::tabulated(half_width_px, cells, std::move(density));
 }
 

@@ -8,6 +8,8 @@
 
 namespace ifov::sensor {
 
+struct AlongTrack;
+
 /// Point spread function of the optics: a density over the focal plane in 1/px^2, cut to a finite support and
 /// normalised to 1 within it. Coordinates are image offsets in pixels, x right, y down.
 class Psf {
@@ -61,5 +63,8 @@ std::unique_ptr<Psf> make_kernel_psf(int columns, int rows, std::vector<double> 
 /// Response of a pixel: the PSF convolved with the detector's sensitive square of side sqrt(fill_factor).
 /// A null PSF is perfect optics.
 sampling::PixelFootprint make_footprint(const Psf* psf, double fill_factor);
+
+/// The same of a line scanner, whose sensitive area is sqrt(fill_factor) across and what AlongTrack says along the track.
+sampling::PixelFootprint make_footprint(const Psf* psf, double fill_factor, const AlongTrack& along);
 
 }  // namespace ifov::sensor

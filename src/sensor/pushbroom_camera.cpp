@@ -7,13 +7,6 @@
 #include "platform/trajectory.h"
 
 namespace ifov::sensor {
-namespace {
-
-/// Lines before the first and after the last in which the platform's own motion still counts, for what samplers look at beyond
-/// the image; further away it flies on straight, so that where a point lies there has one answer.
-constexpr double kBeyond_px = 64.0;
-
-}  // namespace
 
 struct PushbroomCamera::Line {
   math::Point3 position_m;
@@ -30,21 +23,33 @@ PushbroomCamera::PushbroomCamera(const Settings& settings) : settings_(settings)
                             settings.step));
   if (!(settings.line_period_s > 0.0) || !std::isfinite(settings.line_period_s))
     throw InputError(format("a line period of {} s; expected a positive duration", settings.line_period_s));
-  const double end_s = settings.start_s + settings.height_px * settings.line_period_s;
+  if (!(settings.exposure_s >= 0.0) || !(settings.exposure_s <= settings.line_period_s))
+    throw InputError(format("an exposure of {:g} s in a line period of {:g} s; expected at most the period",
+                            settings.exposure_s, settings.line_period_s));
+  if (!(settings.element_px >= 0.0) || !std::isfinite(settings.element_px) || settings.stages < 1)
+    throw InputError(format("an element of {} pitches in {} stages; expected 0 or more, and 1 stage at least",
+                            settings.element_px, settings.stages));
+  // The first stages of a line are exposed before it, the last after it.
+  const double early_by_s = 0.5 * (settings.stages - 1) * settings.line_period_s;
+  const double start_s = settings.start_s - early_by_s,
+               end_s = settings.start_s + settings.height_px * settings.line_period_s + early_by_s;
   // A row may end where the last line does, but for its rounding.
-  const double rounding_s = 1e-9 * std::max(std::abs(settings.start_s), std::abs(end_s));
-  const double early_s = settings.platform->first_s() - settings.start_s,
-               late_s = end_s - settings.platform->last_s();
+  const double rounding_s = 1e-9 * std::max(std::abs(start_s), std::abs(end_s));
+  const double early_s = settings.platform->first_s() - start_s, late_s = end_s - settings.platform->last_s();
   if (early_s > rounding_s || late_s > rounding_s)
     throw InputError(format(
         "the platform's path covers {:g} to {:g} s, and the {} lines are exposed from {:g} to {:g} s: {}",
-        settings.platform->first_s(), settings.platform->last_s(), settings.height_px, settings.start_s,
-        end_s,
+        settings.platform->first_s(), settings.platform->last_s(), settings.height_px, start_s, end_s,
         early_s > rounding_s && late_s > rounding_s
             ? format("{:g} s too late and {:g} s too short", early_s, late_s)
         : early_s > rounding_s ? format("it begins {:g} s too late", early_s)
                                : format("it ends {:g} s too early", late_s)));
   hold_together();
+  if (settings.element_px > 0.0 || settings.stages > 1) find_lines_a_pitch();
+  if (!settings.reported) return;
+  Settings as_reported = settings;
+  as_reported.platform = settings.reported, as_reported.reported = nullptr;
+  reported_.reset(new PushbroomCamera(as_reported, Unjudged{}));
 }
 
 PushbroomCamera::Line PushbroomCamera::line_at(double y_px, double time_s) const {
@@ -145,10 +150,16 @@ void PushbroomCamera::hold_together() const {
            ray.direction *
                (ray.direction.z < 0.0 && ray.origin_m.z > 0.0 ? height_m / -ray.direction.z : height_m);
   };
+  // As finely as the platform turns: between two lines it may look back and ahead again.
+  constexpr double kMost = 2e6;
+  const double parts = std::clamp(std::ceil(settings_.line_period_s / settings_.platform->step_s()), 1.0,
+                                  std::max(1.0, kMost / settings_.height_px));
+  const auto steps = static_cast<std::int64_t>(parts);
   Line next = line_at(0.0);
-  for (int y = 0; y < settings_.height_px; ++y) {
+  for (std::int64_t step = 0; step < settings_.height_px * steps; ++step) {
     const Line line = next;
-    next = line_at(y + 1.0);
+    const double y = static_cast<double>(step) / parts;
+    next = line_at(static_cast<double>(step + 1) / parts);
     if (!(line.position_m.z > 0.0)) continue;  // of a satellite that has set
     for (const double x : {0.0, 0.5 * width, width}) {
       const double across = (x - 0.5 * width) * settings_.step;
@@ -158,9 +169,9 @@ void PushbroomCamera::hold_together() const {
       const double back_m = ahead_m(next, point_m);
       if (!(back_m < 0.0))
         throw InputError(format(
-            "line {} of the scanner looks {:.3g} m behind line {}: the platform stands still, flies backwards or turns back faster than "
+            "line {:g} of the scanner looks {:.3g} m behind line {:g}: the platform stands still, flies backwards or turns back faster than "
             "it flies, and the same ground would be seen more than once",
-            y + 1, back_m, y));
+            static_cast<double>(step + 1) / parts, back_m, y));
     }
   }
 }

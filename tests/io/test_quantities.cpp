@@ -118,20 +118,21 @@ TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
   image.materials.clear();
   image.stokes = false;
   const QuantitySet bare = possible_quantities(QuantitySet::all(), image, false);
-  EXPECT_TRUE(bare == QuantitySet({&quantities::kRadiance, &quantities::kSamples, &quantities::kQuality,
-                                   &quantities::kReasons, &quantities::kQualityClass, &quantities::kLocation,
-                                   &quantities::kViewAngles, &quantities::kTemperature, &quantities::kRange,
-                                   &quantities::kNormal, &quantities::kSlope, &quantities::kGsd,
-                                   &quantities::kTime, &quantities::kSunAngles, &quantities::kShadow,
-                                   &quantities::kObjectClass, &quantities::kInstance}));
+  EXPECT_TRUE(bare ==
+              QuantitySet({&quantities::kRadiance, &quantities::kSamples, &quantities::kQuality,
+                           &quantities::kReasons, &quantities::kQualityClass, &quantities::kLocation,
+                           &quantities::kTrueLocation, &quantities::kViewAngles, &quantities::kTemperature,
+                           &quantities::kRange, &quantities::kNormal, &quantities::kSlope, &quantities::kGsd,
+                           &quantities::kTime, &quantities::kSunAngles, &quantities::kShadow,
+                           &quantities::kObjectClass, &quantities::kInstance}));
   EXPECT_TRUE(possible_quantities({}, image).has(quantities::kRadiance));
 }
 
 TEST(QuantitySet, WhatTheyNeedIsNoted) {
   EXPECT_EQ(collectors_of(QuantitySet::all()),
-            (std::vector{&truth::kLocation, &truth::kViewAngles, &truth::kTemperature, &truth::kRange,
-                         &truth::kNormal, &truth::kSlope, &truth::kGsd, &truth::kTime, &truth::kSunAngles,
-                         &truth::kShadow, &truth::kMaterial, &truth::kInstance}))
+            (std::vector{&truth::kLocation, &truth::kTrueLocation, &truth::kViewAngles, &truth::kTemperature,
+                         &truth::kRange, &truth::kNormal, &truth::kSlope, &truth::kGsd, &truth::kTime,
+                         &truth::kSunAngles, &truth::kShadow, &truth::kMaterial, &truth::kInstance}))
       << "objects and instances come of one";
   EXPECT_TRUE(collectors_of({&quantities::kRadiance}).empty());
 }

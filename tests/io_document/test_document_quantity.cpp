@@ -71,7 +71,8 @@ TEST(DocumentQuantity, PatternsAgreeWithTheReader) {
 TEST(DocumentQuantity, EveryUnitIsMatchedByItsPattern) {
   for (const Dimension* dimension :
        {&kLength, &kWavelength, &kAngle, &kTemperature, &kTemperatureDifference, &kSunDistance, &kPixels,
-        &kPercent, &kReflectance, &kRadiance, &kIrradiance, &kDuration, &kElectrons, &kDarkCurrent, &kGain}) {
+        &kPercent, &kReflectance, &kRadiance, &kIrradiance, &kDuration, &kFrequency, &kElectrons,
+        &kDarkCurrent, &kGain}) {
     const std::regex pattern(quantity_pattern(*dimension, Sign::any));
     for (const Unit& unit : dimension->units) {
       const std::string text = "1.5 " + std::string(unit.spelling);

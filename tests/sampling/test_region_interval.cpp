@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "sampling/pixel_footprint.h"
 #include "sampling/region_interval.h"
 
 namespace ifov::sampling::test_region_interval {

@@ -22,6 +22,9 @@ TEST(Location, IsWhereTheRayMeetsTheSceneAndNoNumberElsewhere) {
   EXPECT_EQ(values[3], 1.0);
   EXPECT_EQ(values[4], 2.0);
   EXPECT_EQ(values[5], 5e5 + 1.0 / 1024);
+  std::vector<double> truth(6);
+  std::get<Collector::Collect<double>>(kTrueLocation.collect)({scene, rays, hits}, truth);
+  EXPECT_EQ(truth[5], values[5]) << "a sensor whose pose is known";
 }
 
 }  // namespace

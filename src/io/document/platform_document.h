@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -42,15 +43,55 @@ struct OrbitPath {
   double ut1_minus_utc_s = 0.0;
 };
 
+/// Where the belly (nadir: along the local vertical; geocentric: to the Earth's centre) or the nose (velocity) is without angles.
+enum class PlatformAxes { nadir, geocentric, velocity };
+
+/// What the nose is towards, as far as the axes let it: where the platform flies to over the ground, or among the stars, or north.
+enum class YawFrom { track, orbit, north };
+
 /// Of a platform that holds it.
 struct PlatformAttitude {
-  geodesy::Attitude angles;
-  bool from_track = true;  ///< yaw is counted from where the platform flies to; else from north
+  geodesy::Attitude angles;          ///< about what follows from the rest
+  std::optional<PlatformAxes> axes;  ///< none: nadir, or with the belly to `look_at_m`
+  std::optional<math::Point3> look_at_m;
+  YawFrom from = YawFrom::track;
+};
+
+/// Of what is carried: where it is along the body's nose, right wing and belly, and how it is turned against them.
+struct MountDocument {
+  math::Vec3 lever_arm_m;
+  geodesy::Attitude boresight;
+};
+
+/// Power spectra of the body's turns about its own axes, of these standard deviations.
+struct WhiteJitter {
+  geodesy::Attitude rms;
+  double up_to_hz = 0.0;
+};
+struct FallingJitter {
+  geodesy::Attitude rms;
+  double corner_hz = 0.0, slope = 0.0, up_to_hz = 0.0;
+};
+/// From a table (docs/formats/paths.md).
+struct TabulatedJitter {
+  DocumentFile file;
+};
+using JitterDocument = std::variant<WhiteJitter, FallingJitter, TabulatedJitter>;
+
+/// What the platform's receiver and inertial unit say: path and attitude without jitter, and their errors.
+struct ReportedPose {
+  math::Vec3 position_bias_m, position_noise_m;  ///< east, north, up; standard deviations
+  geodesy::Attitude attitude_bias, attitude_noise;
+  double noise_up_to_hz = 1.0;
+  std::optional<MountDocument> mount;  ///< as it is taken to be; none: as it is
 };
 
 struct PlatformDocument {
   std::variant<StraightPath, WayPointPath, TablePath, OrbitPath> path;
   std::optional<PlatformAttitude> attitude;  ///< none: what the path's table says, or level, the nose ahead
+  std::optional<MountDocument> mount;
+  std::optional<JitterDocument> jitter;
+  std::optional<ReportedPose> reported;  ///< none: the pose is known
   SourcePosition position;
 };
 
@@ -59,6 +100,7 @@ struct PlatformFlight {
   PlatformDocument platform;
   std::optional<geodesy::UtcTime> time;
   OriginDocument origin;
+  std::uint64_t seed = 1;
 };
 
 }  // namespace ifov::io

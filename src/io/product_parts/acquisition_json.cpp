@@ -24,6 +24,11 @@ std::optional<Acquisition::Position> position_of(const JsonView& view) {
   return Acquisition::Position{view["latitude_deg"].number(), view["longitude_deg"].number()};
 }
 
+Acquisition::Pose pose_of(const JsonView& view) {
+  return {vector_of<math::Point3>(view["position_m"]), vector_of<math::Vec3>(view["right"]),
+          vector_of<math::Vec3>(view["down"]), vector_of<math::Vec3>(view["forward"])};
+}
+
 void write_members(JsonWriter& json, const Acquisition::Camera& camera) {
   json.member("down", list(camera.down));
   if (camera.focal_length_m > 0.0) json.member("focal_length_m", camera.focal_length_m);
@@ -33,12 +38,19 @@ void write_members(JsonWriter& json, const Acquisition::Camera& camera) {
     json.list("lines", [&] {
       for (const Acquisition::Line& line : camera.lines)
         json.object([&] {
-          json.member("down", list(line.down));
-          json.member("forward", list(line.forward));
+          json.member("down", list(line.pose.down));
+          json.member("forward", list(line.pose.forward));
           json.member("line", line.line);
-          json.member("position_m", list(line.position_m));
-          json.member("right", list(line.right));
+          json.member("position_m", list(line.pose.position_m));
+          json.member("right", list(line.pose.right));
           json.member("time_s", line.time_s);
+          if (!line.truth) return;
+          json.object("true", [&] {
+            json.member("down", list(line.truth->down));
+            json.member("forward", list(line.truth->forward));
+            json.member("position_m", list(line.truth->position_m));
+            json.member("right", list(line.truth->right));
+          });
         });
     });
   json.member("model", camera.model);
@@ -58,9 +70,8 @@ Acquisition::Camera camera_of(const JsonView& view) {
   if (view["focal_length_m"].is_there()) camera.focal_length_m = view["focal_length_m"].number();
   if (view["pitch_m"].is_there()) camera.pitch_m = view["pitch_m"].number();
   for (const JsonView& line : view["lines"].items())
-    camera.lines.push_back({line["line"].number(), line["time_s"].number(),
-                            vector_of<math::Point3>(line["position_m"]), vector_of<math::Vec3>(line["right"]),
-                            vector_of<math::Vec3>(line["down"]), vector_of<math::Vec3>(line["forward"])});
+    camera.lines.push_back({line["line"].number(), line["time_s"].number(), pose_of(line),
+                            line["true"].is_there() ? std::optional(pose_of(line["true"])) : std::nullopt});
   return camera;
 }
 

@@ -18,13 +18,18 @@ struct Acquisition {
     double zenith_deg = 0.0, azimuth_deg = 0.0;  ///< of the direction towards it
     bool is_moon = false;
   };
-  /// How a camera that moves stood in a line of the image.
-  struct Line {
-    double line = 0.0;    ///< y of the image: 0.5 is the middle of the first line
-    double time_s = 0.0;  ///< after `time`
+  struct Pose {
     math::Point3 position_m;
     math::Vec3 right, down, forward;  ///< as of the camera
   };
+  /// How a camera that moves stood in a line of the image, as its platform reports it.
+  struct Line {
+    double line = 0.0;    ///< y of the image: 0.5 is the middle of the first line
+    double time_s = 0.0;  ///< after `time`
+    Pose pose;
+    std::optional<Pose> truth;  ///< where that is another
+  };
+  /// As it is reported.
   struct Camera {
     std::string model = "orthographic";          ///< its key in documents
     std::optional<math::Point3> position_m;      ///< none where rays are parallel

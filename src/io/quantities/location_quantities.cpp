@@ -11,8 +11,8 @@
 namespace ifov::io::quantities {
 namespace {
 
-std::vector<double> map_positions(const FinishedTile& of) {
-  const sampling::TileLayer* const layer = of.tile.layer(truth::kLocation.name);
+std::vector<double> map_positions(const FinishedTile& of, const truth::Collector& noted) {
+  const sampling::TileLayer* const layer = of.tile.layer(noted.name);
   if (layer == nullptr)
     return std::vector<double>(3 * of.tile.samples.size(), std::numeric_limits<double>::quiet_NaN());
   const std::span<const double> in_scene = layer->values<double>();
@@ -26,7 +26,10 @@ std::vector<double> map_positions(const FinishedTile& of) {
   return positions;
 }
 
-void put_locations(const FinishedTile& of, ValueSink& sink) { sink.put(map_positions(of)); }
+template <const truth::Collector& noted>
+void put_locations(const FinishedTile& of, ValueSink& sink) {
+  sink.put(map_positions(of, noted));
+}
 
 constexpr std::string_view kPositionBands[] = {"easting", "northing", "height"},
                            kAngleBands[] = {"view zenith", "view azimuth"};
@@ -43,7 +46,18 @@ constinit const Quantity kLocation{.name = "location",
                                    .band_names = kPositionBands,
                                    .usual = Quantity::Usual::where_no_map_tells,
                                    .collector = &truth::kLocation,
-                                   .values = put_locations};
+                                   .values = put_locations<truth::kLocation>};
+
+constinit const Quantity kTrueLocation{.name = "true_location",
+                                       .what = "place of what the middle of each pixel really sees",
+                                       .unit = "m",
+                                       .role = Quantity::Role::truth,
+                                       .statistic = Quantity::Statistic::middle,
+                                       .type = EnviType::float64,
+                                       .bands = Quantity::Bands::named,
+                                       .band_names = kPositionBands,
+                                       .collector = &truth::kTrueLocation,
+                                       .values = put_locations<truth::kTrueLocation>};
 
 constinit const Quantity kViewAngles{.name = "view_angles",
                                      .what = "direction from the place to the sensor",

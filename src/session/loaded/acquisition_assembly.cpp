@@ -27,8 +27,14 @@ std::optional<math::Point3> ground_position(const Parts& parts, const math::Ray&
   return hit.hit() ? std::optional(hit.position_m) : std::nullopt;
 }
 
+io::Acquisition::Pose pose_of(const sensor::CameraPose& pose, math::Vec3 map_offset_m) {
+  return {pose.position_m.value_or(math::Point3{}) + map_offset_m, pose.axes.right, pose.axes.down,
+          pose.axes.forward};
+}
+
 io::Acquisition::Camera camera_of(const Parts& parts) {
-  const sensor::CameraPose pose = parts.camera->pose(parts.camera->middle_line_px());
+  const sensor::Camera& reported = parts.camera->reported();
+  const sensor::CameraPose pose = reported.pose(parts.camera->middle_line_px());
   io::Acquisition::Camera camera;
   camera.model = parts.document.sensor.camera.model;
   camera.right = pose.axes.right, camera.down = pose.axes.down, camera.forward = pose.axes.forward;
@@ -40,9 +46,10 @@ io::Acquisition::Camera camera_of(const Parts& parts) {
     const int lines = std::min(height, io::Acquisition::Camera::kMostLines);
     for (int k = 0; k < lines; ++k) {
       const double line = 0.5 + std::round(static_cast<double>(k) * (height - 1) / (lines - 1));
-      const sensor::CameraPose at = parts.camera->pose(line);
-      camera.lines.push_back({line, at.time_s, at.position_m.value_or(math::Point3{}) + parts.map_offset_m,
-                              at.axes.right, at.axes.down, at.axes.forward});
+      const sensor::CameraPose at = reported.pose(line);
+      camera.lines.push_back({line, at.time_s, pose_of(at, parts.map_offset_m), std::nullopt});
+      if (&reported != parts.camera.get())
+        camera.lines.back().truth = pose_of(parts.camera->pose(line), parts.map_offset_m);
     }
   }
   if (const auto grid = parts.camera->ground_grid())
@@ -97,7 +104,7 @@ io::Acquisition assemble_acquisition(const Parts& parts) {
   const double corners[][2] = {{0.0, 0.0}, {width, 0.0}, {width, height}, {0.0, height}};
   for (const auto& [x, y] : corners) {
     result.footprint.emplace_back();
-    if (const auto position = ground_position(parts, parts.camera->ray({x, y}))) {
+    if (const auto position = ground_position(parts, parts.camera->reported().ray({x, y}))) {
       const math::Point3 on_map = *position + parts.map_offset_m;
       result.footprint.back() = {on_map, degrees(on_map)};
     }

@@ -9,7 +9,6 @@
 #include "render/image_info.h"
 #include "render/tolerance/atmosphere_half_width.h"
 #include "render/tolerance/node_half_width.h"
-#include "sampling/pixel_footprint.h"
 #include "scene/scene.h"
 #include "session/assembly/geometry/placed_objects.h"
 #include "session/assembly/whole/sampling_assembly.h"
@@ -33,6 +32,9 @@ class ChannelBrightness;
 struct Polarimetry;
 struct RenderJob;
 }  // namespace ifov::render
+namespace ifov::sampling {
+class PixelFootprint;
+}
 namespace ifov::sensor {
 class Camera;
 class PsfWings;

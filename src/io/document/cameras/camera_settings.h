@@ -21,6 +21,7 @@ struct PlatformFlight;
 struct CameraSite {
   math::Vec3 offset_m;     ///< of coordinates in the document; to be subtracted
   double highest_m = 0.0;  ///< z of the highest surface, scene frame
+  double lowest_m = 0.0;   ///< of the lowest
 };
 
 /// What a document says of a camera, and what is asked of it. Never changed; changes are copies.

@@ -7,13 +7,11 @@
 #include "core/error.h"
 #include "core/overloaded.h"
 #include "geodesy/geodetic.h"
-#include "geodesy/line_of_sight.h"
 #include "io/document/cameras/orbit_path.h"
 #include "io/document/cameras/path_table.h"
 #include "io/document/platform_document.h"
-#include "math/angle.h"
+#include "platform/stance.h"
 #include "platform/trajectory.h"
-#include "sensor/camera.h"
 
 namespace ifov::io {
 namespace {
@@ -31,16 +29,44 @@ geodesy::Geodetic place_of(const OriginDocument& origin) {
   return {origin.geographic->latitude_rad, origin.geographic->longitude_rad, origin.height_m};
 }
 
-platform::HeldAttitude held(const std::optional<PlatformAttitude>& attitude) {
-  const PlatformAttitude angles = attitude.value_or(PlatformAttitude{});
-  return {angles.angles, angles.from_track};
+platform::HeldAttitude held(const PlatformAttitude& attitude) {
+  return {attitude.angles, attitude.from == YawFrom::track};
 }
 
-/// Level axes at each point of a path about the Earth, the angles of its attitude in them, told in the scene.
+/// Of a platform that turns by itself; none where it holds angles.
+std::optional<platform::Pointing> pointing(const PlatformAttitude& attitude, math::Vec3 offset_m) {
+  if (attitude.look_at_m)
+    return platform::Pointing{*attitude.look_at_m - offset_m, attitude.angles,
+                              attitude.from == YawFrom::track};
+  if (attitude.axes == PlatformAxes::velocity) return platform::Pointing{std::nullopt, attitude.angles};
+  return std::nullopt;
+}
+
+/// How a body stands at a place (ECEF, m) with a velocity over the ground.
+platform::Stance stance_about_earth(const PlatformAttitude& attitude, EcefPoint place,
+                                    math::Vec3 velocity_m_s,
+                                    const FrameTransform<Enu, Ecef>& scene_from_ecef) {
+  constexpr double kEarthRotation_rad_s = 7.292115146706979e-5;  // Vallado et al. 2006
+  const auto ecef_from_level = geodesy::ecef_from_enu(geodesy::geodetic_from_ecef(place));
+  math::Vec3 ahead = velocity_m_s;
+  if (attitude.from == YawFrom::orbit)
+    ahead = ahead + kEarthRotation_rad_s * math::Vec3{-place.p.y, place.p.x, 0.0};
+  if (attitude.from == YawFrom::north) ahead = ecef_from_level.y().v;
+  const bool to_centre = attitude.axes == PlatformAxes::geocentric;
+  const auto told = [&](math::Vec3 v) { return scene_from_ecef(geodesy::EcefVector{v}).v; };
+  const math::Vec3 down = told(to_centre ? math::Point3{} - place.p : -ecef_from_level.z().v);
+  return platform::turned(attitude.axes == PlatformAxes::velocity ? platform::nose_along(told(ahead), down)
+                                                                  : platform::belly_along(down, told(ahead)),
+                          attitude.angles);
+}
+
+/// Level axes at each point of a path about the Earth, the angles of its attitude in them, told in the scene; or other axes.
 std::vector<Quaternion> attitudes_about_earth(std::span<const EcefPoint> places,
                                               std::span<const double> times_s,
-                                              const platform::HeldAttitude& attitude,
+                                              const PlatformAttitude& attitude,
                                               const FrameTransform<Enu, Ecef>& scene_from_ecef) {
+  const bool level =
+      attitude.axes.value_or(PlatformAxes::nadir) == PlatformAxes::nadir && attitude.from != YawFrom::orbit;
   std::vector<double> values;
   for (const EcefPoint& place : places) values.insert(values.end(), {place.p.x, place.p.y, place.p.z});
   const platform::CubicSpline path({times_s.begin(), times_s.end()}, std::move(values));
@@ -48,11 +74,20 @@ std::vector<Quaternion> attitudes_about_earth(std::span<const EcefPoint> places,
   for (std::size_t k = 0; k < places.size(); ++k) {
     double at[3] = {}, velocity[3] = {};
     path.at(times_s[k], at, velocity);
+    if (!level) {
+      attitudes.push_back(platform::quaternion_of(
+          stance_about_earth(attitude, places[k], {velocity[0], velocity[1], velocity[2]}, scene_from_ecef)));
+      if (!std::isfinite(attitudes.back().w))
+        throw InputError(format(
+            "at {:g} s the platform flies straight up or down, or stands still: its nose has no direction",
+            times_s[k]));
+      continue;
+    }
     const auto ecef_from_level = geodesy::ecef_from_enu(geodesy::geodetic_from_ecef(places[k]));
     const math::Vec3 flown =
         ecef_from_level.inverse()(geodesy::EcefVector{{velocity[0], velocity[1], velocity[2]}}).v;
     geodesy::Attitude angles = attitude.angles;
-    if (attitude.from_track) {
+    if (attitude.from == YawFrom::track) {
       if (!(std::hypot(flown.x, flown.y) > 0.0))
         throw InputError(
             format("yaw is counted from the track, and at {:g} s the platform does not fly horizontally",
@@ -68,17 +103,24 @@ std::vector<Quaternion> attitudes_about_earth(std::span<const EcefPoint> places,
 class Flight {
  public:
   Flight(const PlatformFlight& flight, math::Vec3 offset_m, double from_s, double to_s)
-      : flight_(flight), offset_m_(offset_m), from_s_(from_s), to_s_(to_s) {}
+      : flight_(flight),
+        attitude_(flight.platform.attitude.value_or(PlatformAttitude{})),
+        offset_m_(offset_m),
+        from_s_(from_s),
+        to_s_(to_s) {}
 
   Trajectory operator()(const StraightPath& path) const {
     const auto [x, y, z] = path.velocity_m_s;
-    return Trajectory::straight(path.position_m - offset_m_, {x, y, z}, held(flight_.platform.attitude));
+    const math::Point3 start_m = path.position_m - offset_m_;
+    if (const auto turning = pointing(attitude_, offset_m_))
+      return Trajectory::straight_pointing(start_m, {x, y, z}, *turning);
+    return Trajectory::straight(start_m, {x, y, z}, held(attitude_));
   }
 
   Trajectory operator()(const WayPointPath& path) const {
     std::vector<PathPoint> points;
     for (const WayPoint& point : path.points) points.push_back({point.time_s, point.position_m - offset_m_});
-    return {points, held(flight_.platform.attitude)};
+    return turning_or_held(points);
   }
 
   Trajectory operator()(const TablePath& path) const {
@@ -95,6 +137,11 @@ class Flight {
   }
 
  private:
+  Trajectory turning_or_held(std::span<const PathPoint> points) const {
+    if (const auto turning = pointing(attitude_, offset_m_)) return {points, *turning};
+    return {points, held(attitude_)};
+  }
+
   Trajectory in_scene(const PathRows& table) const {
     std::vector<PathPoint> points;
     std::vector<Quaternion> attitudes;
@@ -104,7 +151,7 @@ class Flight {
                               ? platform::quaternion_of(geodesy::enu_from_body(row.angles))
                               : row.rotation);
     }
-    if (table.attitude == PathRows::Attitude::none) return {points, held(flight_.platform.attitude)};
+    if (table.attitude == PathRows::Attitude::none) return turning_or_held(points);
     return {points, attitudes};
   }
 
@@ -126,9 +173,10 @@ class Flight {
     std::vector<PathPoint> points;
     for (std::size_t k = 0; k < places.size(); ++k)
       points.push_back({times_s[k], scene_from_ecef(places[k]).p});
-    if (table == nullptr || table->attitude == PathRows::Attitude::none)
-      return {points,
-              attitudes_about_earth(places, times_s, held(flight_.platform.attitude), scene_from_ecef)};
+    if (table == nullptr || table->attitude == PathRows::Attitude::none) {
+      if (attitude_.look_at_m) return turning_or_held(points);
+      return {points, attitudes_about_earth(places, times_s, attitude_, scene_from_ecef)};
+    }
     std::vector<Quaternion> attitudes;
     for (std::size_t k = 0; k < places.size(); ++k) {
       const PathRow& row = table->rows[k];
@@ -148,14 +196,10 @@ class Flight {
   }
 
   const PlatformFlight& flight_;
+  const PlatformAttitude attitude_;
   math::Vec3 offset_m_;
   double from_s_, to_s_;
 };
-
-std::string degrees_of(const geodesy::Geodetic& place) {
-  return format("latitude {:.4f}, longitude {:.4f} deg", place.latitude_rad / math::kDegree,
-                place.longitude_rad / math::kDegree);
-}
 
 }  // namespace
 
@@ -164,60 +208,8 @@ bool flies_about_earth(const PlatformDocument& platform) {
   return std::holds_alternative<OrbitPath>(platform.path);
 }
 
-void check_flight(const PlatformFlight& flight) {
-  if (!flies_about_earth(flight.platform)) return;
-  if (!flight.origin.geographic)
-    throw InputError(
-        "a path about the Earth needs the place of the scene: expected an 'origin' of the scene with 'latitude' and "
-        "'longitude'");
-  if (std::holds_alternative<OrbitPath>(flight.platform.path) && !flight.time)
-    throw InputError("an orbit needs the document's 'time'");
-}
-
 Trajectory trajectory_of(const PlatformFlight& flight, math::Vec3 offset_m, double from_s, double to_s) {
   return std::visit(Flight(flight, offset_m, from_s, to_s), flight.platform.path);
-}
-
-void check_flatness(const sensor::Camera& camera, const OriginDocument& origin) {
-  constexpr double kEarth_m = 6371008.8, kMost_m = 1.0;
-  const auto ecef_from_scene = geodesy::ecef_from_enu(place_of(origin));
-  const math::Ray middle = camera.middle_ray();
-  const double elevation = std::atan2(middle.origin_m.z, std::hypot(middle.origin_m.x, middle.origin_m.y));
-  if (!(elevation > 0.0))
-    throw InputError(format(
-        "the platform is {:.1f} degrees below the scene's horizon, over {}", -elevation / math::kDegree,
-        degrees_of(geodesy::geodetic_from_ecef(ecef_from_scene(geodesy::EnuPoint{middle.origin_m})))));
-  // Where a ray meets the Earth, and how far from the scene's origin that is.
-  struct Seen {
-    std::optional<geodesy::Geodetic> place;
-    double away_m = 0.0;
-  };
-  const auto seen = [&](const math::Ray& ray) -> Seen {
-    const auto at = geodesy::on_ellipsoid(ecef_from_scene(geodesy::EnuPoint{ray.origin_m}),
-                                          ecef_from_scene(geodesy::EnuVector{ray.direction}));
-    if (!at) return {};
-    return {geodesy::geodetic_from_ecef(*at), length(*at - ecef_from_scene.origin())};
-  };
-  const double widest_m = std::sqrt(2.0 * kEarth_m * kMost_m);
-  const Seen at_middle = seen(middle);
-  if (!at_middle.place)
-    throw InputError("the camera looks past the Earth: the middle of its image meets no ground");
-  if (at_middle.away_m > widest_m)
-    throw InputError(format(
-        "the camera looks past the scene: the middle of its image lies at {}, {:.4g} km from the scene's origin",
-        degrees_of(*at_middle.place), 1e-3 * at_middle.away_m));
-  for (const double y : {0.0, camera.middle_line_px(), 1.0 * camera.height_px()})
-    for (const double x : {0.0, 1.0 * camera.width_px()}) {
-      const Seen corner = seen(camera.ray({x, y}));
-      if (!corner.place)
-        throw InputError("the camera looks past the Earth: the rim of its image meets no ground");
-      if (corner.away_m <= widest_m) continue;
-      throw InputError(format(
-          "the image reaches {:.4g} km from the scene's origin (to {}), where the Earth's surface lies {:.3g} m below the flat scene; "
-          "expected at most {:g} m, which is {:.3g} km: look at less, or move the origin",
-          1e-3 * corner.away_m, degrees_of(*corner.place), corner.away_m * corner.away_m / (2.0 * kEarth_m),
-          kMost_m, 1e-3 * widest_m));
-    }
 }
 
 std::string path_description(const PlatformDocument& platform, math::Vec3 shift_m, std::string_view axes) {

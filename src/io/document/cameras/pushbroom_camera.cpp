@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/format.h"
+#include "io/document/cameras/flight_motion.h"
 #include "io/document/cameras/flight_path.h"
 #include "io/document/platform_document.h"
 #include "io/document/schema/record.h"
@@ -30,13 +31,27 @@ SchemaType<std::shared_ptr<const CameraSettings>> pushbroom_type() {
       .optional("pitch", &PushbroomCamera::pitch_m, length, "distance between elements")
       .needs("pitch", "focal_length")
       .required("line_period", &PushbroomCamera::line_period_s, quantity(kDuration, Range::above(0.0, "s")),
-                "from the beginning of a line to that of the next; it is exposed all the time")
+                "from the beginning of a line to that of the next")
+      .optional("exposure", &PushbroomCamera::exposure_s, quantity(kDuration, Range::above(0.0, "s")),
+                "for which a line is exposed, in the middle of its period; if not given all of it")
+      .optional(
+          "element_length", &PushbroomCamera::element_length_m, quantity(kLength, Range::at_least(0.0, "m")),
+          "sensitive length of a detector element along the track; if not given 0, so that at one time it sees a line")
+      .needs("element_length", "pitch")
+      .with_default(
+          "stages", &PushbroomCamera::stages, integer(1, 1024), "1",
+          "of time delay and integration: elements a `pitch` apart along the track, each exposed a line period after the one ahead "
+          "of it and added up")
       .with_default("start", &PushbroomCamera::start_s, quantity(kDuration), "\"0 s\"",
                     "when the first line begins, after the document's `time`")
       .check([](const PushbroomCamera& camera, const DocumentNode& node) {
         if (camera.focal_length_m && !camera.pitch_m)
           node.given("focal_length")
               .fail("'focal_length' needs 'pitch', the distance between detector elements");
+        if (camera.exposure_s && *camera.exposure_s > camera.line_period_s)
+          node.given("exposure")
+              .fail(format("'exposure' is longer than 'line_period', {:g} s; expected at most that",
+                           camera.line_period_s));
       });
   return settings_type(record.type());
 }
@@ -58,9 +73,15 @@ std::unique_ptr<sensor::Camera> PushbroomCamera::build(const CameraSite& site) c
   settings.step = step();
   settings.focal_length_m = focal_length_m.value_or(0.0);
   settings.start_s = start_s, settings.line_period_s = line_period_s;
+  settings.exposure_s = exposure_s.value_or(0.0);
+  if (element_length_m) settings.element_px = *element_length_m / *pitch_m;
+  settings.stages = stages;
+  settings.lowest_m = site.lowest_m, settings.highest_m = site.highest_m;
   const double end_s = start_s + size.height_px * line_period_s;
-  settings.platform =
-      std::make_shared<const platform::Trajectory>(trajectory_of(*flight, site.offset_m, start_s, end_s));
+  const double beyond_s = (sensor::PushbroomCamera::kBeyond_px + stages) * line_period_s;
+  const Motions motions = motions_of(*flight, trajectory_of(*flight, site.offset_m, start_s, end_s),
+                                     start_s - beyond_s, end_s + beyond_s);
+  settings.platform = motions.truth, settings.reported = motions.reported;
   auto camera = std::make_unique<sensor::PushbroomCamera>(settings);
   if (flies_about_earth(flight->platform)) check_flatness(*camera, flight->origin);
   return camera;
@@ -78,6 +99,8 @@ std::shared_ptr<const CameraSettings> PushbroomCamera::shrunk(int longest_px) co
   // The same time for all lines, so that the path covers them still.
   camera->line_period_s *= static_cast<double>(size.height_px) / camera->size.height_px;
   if (pitch_m) camera->pitch_m = *pitch_m * size.width_px / camera->size.width_px;
+  // Of pixels so large, those are small.
+  camera->exposure_s.reset(), camera->element_length_m.reset(), camera->stages = 1;
   return camera;
 }
 

@@ -13,6 +13,8 @@ struct PushbroomCamera final : CameraSettings {
   /// Either the first two or the third.
   std::optional<double> focal_length_m, pitch_m, field_of_view_rad;
   double start_s = 0.0, line_period_s = 0.0;
+  std::optional<double> exposure_s, element_length_m;
+  int stages = 1;
   std::shared_ptr<const PlatformFlight> flight;  ///< null before carried_by()
 
   std::unique_ptr<sensor::Camera> build(const CameraSite& site) const override;

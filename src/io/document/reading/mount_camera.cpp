@@ -10,7 +10,7 @@ void mount_camera(Document& document) {
   std::shared_ptr<const PlatformFlight> flight;
   if (document.platform)
     flight = std::make_shared<const PlatformFlight>(
-        PlatformFlight{*document.platform, document.time, document.scene.origin});
+        PlatformFlight{*document.platform, document.time, document.scene.origin, document.seed});
   CameraDocument& camera = document.sensor.camera;
   try {
     if (auto carried = camera.settings->carried_by(flight)) {

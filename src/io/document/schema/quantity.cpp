@@ -115,6 +115,7 @@ constexpr Unit kDurationUnits[] = {{"s"},
                                    {"h", 3600.0},
                                    {"d", 86400.0},
                                    {"\u00B5s", 1e-6, 0.0, kAlias}};
+constexpr Unit kFrequencyUnits[] = {{"Hz"}, {"kHz", 1e3}};
 constexpr double kElementaryCharge_c = 1.602176634e-19;  // exact
 constexpr Unit kElectronsUnits[] = {{"e-"}, {"ke-", 1e3}, {"Me-", 1e6}};
 constexpr Unit kDarkCurrentUnits[] = {{"e-/s"},
@@ -169,6 +170,7 @@ const Dimension kMixingRatioByVolume{"a mixing ratio by volume", "420 ppm", kMix
                                      1e9};
 
 const Dimension kDuration{"a duration", "10 ms", kDurationUnits, 1e-12, 1e12};
+const Dimension kFrequency{"a frequency", "50 Hz", kFrequencyUnits, 1e-9, 1e9};
 const Dimension kElectrons{"a number of electrons", "20 e-", kElectronsUnits, 1e-6, 1e15};
 const Dimension kDarkCurrent{"a dark current", "100 e-/s", kDarkCurrentUnits, 1e-9, 1e20};
 const Dimension kGain{"a gain", "16 e-/count", kGainUnits, 1e-6, 1e12};

@@ -52,6 +52,7 @@ extern const Dimension kOzoneColumn;            ///< DU
 extern const Dimension kMixingRatio;            ///< g kg-1
 extern const Dimension kMixingRatioByVolume;    ///< ppm
 extern const Dimension kDuration;               ///< s
+extern const Dimension kFrequency;              ///< Hz
 extern const Dimension kElectrons;              ///< electrons of a detector element
 extern const Dimension kDarkCurrent;            ///< electrons per second
 extern const Dimension kGain;                   ///< electrons a count

@@ -1,15 +1,10 @@
 #include "io/document/platform_document.h"
 #include "io/document/schema/record.h"
+#include "io/document/tables/platform_tables.h"
 #include "io/document/tables/tables.h"
 
 namespace ifov::io {
 namespace {
-
-/// A frame must be named, also where there is one alone.
-template <class T>
-void add_only_frame(Record<T>& record, const char* name, const char* doc) {
-  record.required("frame", via([](T&, int) {}, [](const T&) { return 0; }), choice<int>({{name, 0}}), doc);
-}
 
 SchemaType<StraightPath> straight_type() {
   Record<StraightPath> record("straight path", "The same velocity at all times.");
@@ -59,24 +54,6 @@ SchemaType<OrbitPath> orbit_type() {
   return record.type();
 }
 
-SchemaType<PlatformAttitude> attitude_type() {
-  const auto angle = [](auto member) { return path(&PlatformAttitude::angles, member); };
-  Record<PlatformAttitude> record(
-      "platform attitude",
-      "Held angles of the 3-2-1 sequence in north-east-down axes of the platform's place; a scanner looks along the body's down.");
-  record
-      .with_default("yaw", angle(&geodesy::Attitude::yaw_rad), quantity(kAngle), "\"0 deg\"",
-                    "clockwise from what `from` says")
-      .with_default("pitch", angle(&geodesy::Attitude::pitch_rad),
-                    quantity(kAngle, Range::between(-90.0, 90.0, "deg")), "\"0 deg\"", "nose up")
-      .with_default("roll", angle(&geodesy::Attitude::roll_rad), quantity(kAngle), "\"0 deg\"",
-                    "right wing down")
-      .with_default("from", &PlatformAttitude::from_track, choice<bool>({{"track", true}, {"north", false}}),
-                    "\"track\"",
-                    "what yaw is counted from: where the platform flies to over the ground, or north");
-  return record.type();
-}
-
 }  // namespace
 
 SchemaType<PlatformDocument> platform_type() {
@@ -87,8 +64,13 @@ SchemaType<PlatformDocument> platform_type() {
       .one("way_points", &PlatformDocument::path, way_points_type(), "a curve through points")
       .one("table", &PlatformDocument::path, path_table_type(), "a curve through the points of a file")
       .one("orbit", &PlatformDocument::path, orbit_type(), "of a satellite")
-      .optional("attitude", &PlatformDocument::attitude, attitude_type(),
-                "how it stands; if not given what the table says, or level, the nose ahead");
+      .optional("attitude", &PlatformDocument::attitude, platform_attitude_type(),
+                "how it stands; if not given what the table says, or level, the nose ahead")
+      .optional("mount", &PlatformDocument::mount, mount_type("How the camera is fixed to the body."),
+                "of the camera; if not given at the platform's position and along its axes")
+      .optional("jitter", &PlatformDocument::jitter, jitter_type(), "random turns besides")
+      .optional("reported", &PlatformDocument::reported, reported_type(),
+                "the pose that geolocation knows; if not given the true one");
   return record.type();
 }
 

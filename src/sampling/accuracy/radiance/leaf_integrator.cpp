@@ -79,6 +79,25 @@ double LeafIntegrator::whole_weight(int source, int output) const {
   return footprint_.integral(x, y, x + 1.0, y + 1.0);
 }
 
+namespace {
+
+/// A fan of triangles, each by the rule of its three edge midpoints, exact to the second degree.
+template <class Density>
+double over_fan(const Polygon& polygon, const Density& density) {
+  double sum = 0.0;
+  const Point2 o = polygon.vertex[0];
+  for (int i = 1; i + 1 < polygon.count; ++i) {
+    const Point2 p = polygon.vertex[i], q = polygon.vertex[i + 1];
+    const double twice_area = cross(p - o, q - o);
+    double h = 0.0;
+    for (const Point2 m : {0.5 * (o + p), 0.5 * (p + q), 0.5 * (q + o)}) h += density(m);
+    sum += twice_area * h;
+  }
+  return sum / 6.0;
+}
+
+}  // namespace
+
 double LeafIntegrator::over_polygon(const Polygon& polygon, Point2 c) const {
   if (footprint_.uniform()) {
     const double h = footprint_.half_width_px();
@@ -88,18 +107,20 @@ double LeafIntegrator::over_polygon(const Polygon& polygon, Point2 c) const {
                                .clipped(0.0, 1.0, c.y + h);
     return inside.signed_area() * 0.25 / (h * h);
   }
-  // A fan of triangles, each by the rule of its three edge midpoints, exact to the second degree.
-  double sum = 0.0;
-  const Point2 o = polygon.vertex[0];
-  for (int i = 1; i + 1 < polygon.count; ++i) {
-    const Point2 p = polygon.vertex[i], q = polygon.vertex[i + 1];
-    const double twice_area = cross(p - o, q - o);
-    double h = 0.0;
-    for (const Point2 m : {0.5 * (o + p), 0.5 * (p + q), 0.5 * (q + o)})
-      h += footprint_.density(m.x - c.x, m.y - c.y);
-    sum += twice_area * h;
+  if (!footprint_.pieces().empty()) {
+    const double h = footprint_.half_width_x_px();
+    const Polygon inside = polygon.clipped(-1.0, 0.0, -(c.x - h)).clipped(1.0, 0.0, c.x + h);
+    double low = INFINITY, high = -INFINITY, sum = 0.0;
+    for (int i = 0; i < inside.count; ++i)
+      low = std::min(low, inside.vertex[i].y - c.y), high = std::max(high, inside.vertex[i].y - c.y);
+    for (const PixelFootprint::Piece& piece : footprint_.pieces()) {
+      if (!(piece.y0 < high) || !(piece.y1 > low)) continue;
+      const Polygon strip = inside.clipped(0.0, -1.0, -(c.y + piece.y0)).clipped(0.0, 1.0, c.y + piece.y1);
+      sum += over_fan(strip, [&](Point2 m) { return piece.at(m.y - c.y); });
+    }
+    return 0.5 * sum / h;
   }
-  return sum / 6.0;
+  return over_fan(polygon, [&](Point2 m) { return footprint_.density(m.x - c.x, m.y - c.y); });
 }
 
 /// Integral of an output's footprint over a cell.

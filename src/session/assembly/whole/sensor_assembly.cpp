@@ -66,7 +66,7 @@ std::unique_ptr<sensor::Camera> assemble_camera(const io::DocumentSources& sourc
                                                 const io::OriginDocument& origin,
                                                 const geometry::World& world) {
   return with_position(sources, camera.position, [&] {
-    return camera.settings->build({origin.offset_m, world.heights().high_m});
+    return camera.settings->build({origin.offset_m, world.heights().high_m, world.heights().low_m});
   });
 }
 

@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/error.h"
+#include "geodesy/geodetic.h"
+#include "geodesy/line_of_sight.h"
+#include "io/document/cameras/flight_path.h"
+#include "io/document/platform_document.h"
+#include "math/angle.h"
+#include "sensor/camera.h"
+
+namespace ifov::io {
+namespace {
+
+geodesy::Geodetic scene_place(const OriginDocument& origin) {
+  return {origin.geographic->latitude_rad, origin.geographic->longitude_rad, origin.height_m};
+}
+
+std::string degrees_of(const geodesy::Geodetic& place) {
+  return format("latitude {:.4f}, longitude {:.4f} deg", place.latitude_rad / math::kDegree,
+                place.longitude_rad / math::kDegree);
+}
+
+}  // namespace
+
+void check_flight(const PlatformFlight& flight) {
+  if (const auto& attitude = flight.platform.attitude) {
+    const bool about_earth = flies_about_earth(flight.platform);
+    if (attitude->axes == PlatformAxes::geocentric && !about_earth)
+      throw InputError(
+          "'axes' that are \"geocentric\" need a path about the Earth: in the scene's frame the ground is flat, expected \"nadir\"");
+    if (attitude->from == YawFrom::orbit && (!about_earth || attitude->look_at_m))
+      throw InputError(
+          format("'from' \"orbit\" {}, expected \"track\" or \"north\"",
+                 about_earth ? "is of axes that turn to no point" : "needs a path about the Earth"));
+    if (attitude->from == YawFrom::north && attitude->axes == PlatformAxes::velocity)
+      throw InputError(
+          "'axes' along the velocity have their nose there, and 'from' says north; expected one of both");
+  }
+  if (!flies_about_earth(flight.platform)) return;
+  if (!flight.origin.geographic)
+    throw InputError(
+        "a path about the Earth needs the place of the scene: expected an 'origin' of the scene with 'latitude' and "
+        "'longitude'");
+  if (std::holds_alternative<OrbitPath>(flight.platform.path) && !flight.time)
+    throw InputError("an orbit needs the document's 'time'");
+}
+
+void check_flatness(const sensor::Camera& camera, const OriginDocument& origin) {
+  constexpr double kEarth_m = 6371008.8, kMost_m = 1.0;
+  const auto ecef_from_scene = geodesy::ecef_from_enu(scene_place(origin));
+  const math::Ray middle = camera.middle_ray();
+  const double elevation = std::atan2(middle.origin_m.z, std::hypot(middle.origin_m.x, middle.origin_m.y));
+  if (!(elevation > 0.0))
+    throw InputError(format(
+        "the platform is {:.1f} degrees below the scene's horizon, over {}", -elevation / math::kDegree,
+        degrees_of(geodesy::geodetic_from_ecef(ecef_from_scene(geodesy::EnuPoint{middle.origin_m})))));
+  // Where a ray meets the Earth, and how far from the scene's origin that is.
+  struct Seen {
+    std::optional<geodesy::Geodetic> place;
+    double away_m = 0.0;
+  };
+  const auto seen = [&](const math::Ray& ray) -> Seen {
+    const auto at = geodesy::on_ellipsoid(ecef_from_scene(geodesy::EnuPoint{ray.origin_m}),
+                                          ecef_from_scene(geodesy::EnuVector{ray.direction}));
+    if (!at) return {};
+    return {geodesy::geodetic_from_ecef(*at), length(*at - ecef_from_scene.origin())};
+  };
+  const double widest_m = std::sqrt(2.0 * kEarth_m * kMost_m);
+  const Seen at_middle = seen(middle);
+  if (!at_middle.place)
+    throw InputError("the camera looks past the Earth: the middle of its image meets no ground");
+  if (at_middle.away_m > widest_m)
+    throw InputError(format(
+        "the camera looks past the scene: the middle of its image lies at {}, {:.4g} km from the scene's origin",
+        degrees_of(*at_middle.place), 1e-3 * at_middle.away_m));
+  for (const double y : {0.0, camera.middle_line_px(), 1.0 * camera.height_px()})
+    for (const double x : {0.0, 1.0 * camera.width_px()}) {
+      const Seen corner = seen(camera.ray({x, y}));
+      if (!corner.place)
+        throw InputError("the camera looks past the Earth: the rim of its image meets no ground");
+      if (corner.away_m <= widest_m) continue;
+      throw InputError(format(
+          "the image reaches {:.4g} km from the scene's origin (to {}), where the Earth's surface lies {:.3g} m below the flat scene; "
+          "expected at most {:g} m, which is {:.3g} km: look at less, or move the origin",
+          1e-3 * corner.away_m, degrees_of(*corner.place), corner.away_m * corner.away_m / (2.0 * kEarth_m),
+          kMost_m, 1e-3 * widest_m));
+    }
+}
+
+}  // namespace ifov::io

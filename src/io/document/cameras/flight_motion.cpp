@@ -1,0 +1,95 @@
+#include "io/document/cameras/flight_motion.h"
+
+#include <array>
+
+#include "core/overloaded.h"
+#include "io/document/cameras/jitter_table.h"
+#include "io/document/platform_document.h"
+#include "platform/power_spectrum.h"
+#include "platform/trajectory.h"
+#include "platform/wander.h"
+
+namespace ifov::io {
+namespace {
+
+using platform::PowerSpectrum;
+using platform::Wander;
+
+/// East, north, up, yaw, pitch, roll, as of Deviation::motion.
+using Spectra = std::array<PowerSpectrum, 6>;
+
+/// Draws of one seed that are not to be alike.
+enum class Stream : std::uint64_t { jitter, reported };
+
+platform::Mount mount_of(const MountDocument& mount) { return {mount.lever_arm_m, mount.boresight}; }
+
+/// Of three deviations, from yaw, pitch and roll.
+template <class Make>
+Spectra turns(const geodesy::Attitude& rms, const Make& make) {
+  Spectra spectra;
+  const std::array<double, 3> each{rms.yaw_rad, rms.pitch_rad, rms.roll_rad};
+  for (std::size_t k = 0; k < 3; ++k)
+    if (each[k] > 0.0) spectra[3 + k] = make(each[k]);
+  return spectra;
+}
+
+Spectra spectra_of(const JitterDocument& jitter) {
+  return std::visit(
+      Overloaded{[](const WhiteJitter& white) {
+                   return turns(white.rms,
+                                [&](double rms) { return PowerSpectrum::flat(white.up_to_hz, rms); });
+                 },
+                 [](const FallingJitter& falling) {
+                   return turns(falling.rms, [&](double rms) {
+                     return PowerSpectrum::falling(falling.corner_hz, falling.slope, falling.up_to_hz, rms);
+                   });
+                 },
+                 [](const TabulatedJitter& tabulated) {
+                   JitterSpectra table = read_jitter_table(tabulated.file.path);
+                   Spectra spectra;
+                   spectra[3] = std::move(table.yaw), spectra[4] = std::move(table.pitch);
+                   spectra[5] = std::move(table.roll);
+                   return spectra;
+                 }},
+      jitter);
+}
+
+Spectra noise_of(const ReportedPose& reported) {
+  const auto flat = [&](double rms) { return PowerSpectrum::flat(reported.noise_up_to_hz, rms); };
+  Spectra spectra = turns(reported.attitude_noise, flat);
+  const math::Vec3 noise = reported.position_noise_m;
+  const std::array<double, 3> places{noise.x, noise.y, noise.z};
+  for (std::size_t k = 0; k < 3; ++k)
+    if (places[k] > 0.0) spectra[k] = flat(places[k]);
+  return spectra;
+}
+
+}  // namespace
+
+Motions motions_of(const PlatformFlight& flight, const platform::Trajectory& path, double from_s,
+                   double to_s) {
+  const PlatformDocument& of = flight.platform;
+  const auto drawn = [&](const Spectra& spectra, Stream stream) {
+    return std::make_shared<const Wander>(spectra, flight.seed, static_cast<std::uint64_t>(stream), from_s,
+                                          to_s);
+  };
+  const auto carrying = [&](platform::Deviation deviation) {
+    return std::make_shared<const platform::Trajectory>(path.carrying(std::move(deviation)));
+  };
+  const MountDocument mount = of.mount.value_or(MountDocument{});
+  Motions motions;
+  if (of.mount || of.jitter) {
+    platform::Deviation deviation{.mount = mount_of(mount)};
+    if (of.jitter) deviation.motion = drawn(spectra_of(*of.jitter), Stream::jitter);
+    motions.truth = carrying(std::move(deviation));
+  } else {
+    motions.truth = std::make_shared<const platform::Trajectory>(path);
+  }
+  if (of.reported)
+    motions.reported = carrying({of.reported->position_bias_m, of.reported->attitude_bias,
+                                 drawn(noise_of(*of.reported), Stream::reported),
+                                 mount_of(of.reported->mount.value_or(mount))});
+  return motions;
+}
+
+}  // namespace ifov::io

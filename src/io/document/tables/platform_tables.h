@@ -1,0 +1,20 @@
+#pragma once
+
+#include "io/document/platform_document.h"
+#include "io/document/schema/record.h"
+
+namespace ifov::io {
+
+/// Parts of the table of platforms.
+SchemaType<PlatformAttitude> platform_attitude_type();
+SchemaType<MountDocument> mount_type(const char* doc);
+SchemaType<JitterDocument> jitter_type();
+SchemaType<ReportedPose> reported_type();
+
+/// A frame must be named, also where there is one alone.
+template <class T>
+void add_only_frame(Record<T>& record, const char* name, const char* doc) {
+  record.required("frame", via([](T&, int) {}, [](const T&) { return 0; }), choice<int>({{name, 0}}), doc);
+}
+
+}  // namespace ifov::io
