@@ -225,7 +225,7 @@ class Materials(unittest.TestCase):
             (("field.json", "plastr"), "field.json: there is no material 'plastr'; did you mean 'plaster'? " + choices),
             (("field.json", "lawn"), "material 'lawn': its spectra reach from 0.35 to 14 um; say at which wavelength, such as --at 0.55um"),
             (("field.json", "lawn", "--at", "20um"), "material 'lawn': 20 um is outside its spectra, which reach from 0.35 to 14 um"),
-            (("field.json", "bright"), "of light that comes 78 deg from the normal it sends back 1.067 times as much"),
+            (("field.json", "bright"), "of light that comes 89 deg from the normal it sends back 1.638 times as much"),
             (("field.json", "lawn", "--at", "0.55"), "'0.55' is no wavelength; expected one with its unit, such as 0.55 um (units: um, nm)"),
             (("field.json", "lawn", "--at", "-1 um"), "'-1 um' is no wavelength"),
             (("field.json", "plaster", "--light", "30,95"), "--light is '30,95', expected zenith angles from 0 to 89 degrees, such as 0,30,60"),

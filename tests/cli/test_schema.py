@@ -77,6 +77,7 @@ READER_ONLY = re.compile(
     r"there is no (material|prototype|channel)|two channels are named|needs a 'frame' camera|has no direction"
     r"|outside the plane|enclose no area|is not above|where the camera itself is|has no length|has two channels"
     r"|values for \d+ wavelengths|does not rise|'time'|a temperature of at least 0 K|an angle between"
+    r"|has no reflectance of its own"
 )
 
 

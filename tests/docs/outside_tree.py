@@ -111,7 +111,8 @@ class Extended:
 
     def compile(self, source, like):
         """Compiles a file as the build makes the object `like`; the object's path."""
-        words = [word for word in shlex.split(command_for(like)) if not word.endswith("ccache")]
+        words = shlex.split(command_for(like))
+        words = words[1 + max((i for i, word in enumerate(words[:4]) if word.endswith("ccache")), default=-1):]
         target = self.folder / (str(source).strip("/").replace("/", "-") + ".o")
         for option, value in (("-o", str(target)), ("-c", str(source)), ("-MF", str(target) + ".d")):
             words[words.index(option) + 1] = value
