@@ -271,6 +271,13 @@ std::vector<Named> named_elsewhere() {
        "file",
        {.camera = kScanner, .more = R"(, "platform": {"table": {"frame": "scene", "file": "FILEa.csv"}})"},
        {{"a.csv", "time_s,x_m,y_m,z_m\n0,0,-4,1000\n0.1,0,4,1000\n"}}},
+      {"tabulated jitter",
+       "file",
+       {.camera = kScanner,
+        .more =
+            R"(, "platform": {"straight": {"frame": "scene", "position": ["0 m", "-4 m", "1 km"], "velocity": ["0 m/s", "80 m/s", "0 m/s"]},
+                               "jitter": {"table": {"file": "FILEa.csv"}}})"},
+       {{"a.csv", "frequency_hz,roll_rad2_hz\n0.5,1e-14\n60,1e-14\n"}}},
       {"orbit",
        "file",
        {.camera = kScanner,
