@@ -43,12 +43,11 @@ python: configure
 	@sh tools/make_python.sh $(BUILD)
 	@echo "Python with ifov: $(BUILD)/venv/bin/python"
 
-# Without PyPI there is no package, and its tests are skipped and say so. The longest tests wait for some of their time (for ranks, for
-# signals): one more runs than there are cores.
+# Without PyPI there is no package, and its tests are skipped and say so.
 test: configure
 	@$(TOOLS) --target all
 	@sh tools/make_python.sh $(BUILD) || true
-	@python3 tools/run_tests.py $(BUILD) --jobs $$(($(JOBS) + 1))
+	@python3 tools/run_tests.py $(BUILD) --jobs $(JOBS)
 
 bench: configure
 	@$(TOOLS) --target all benchmarks
