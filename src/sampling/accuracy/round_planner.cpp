@@ -25,6 +25,10 @@ namespace {
 constexpr double kPilot = 16.0, kFewest = 4.0;
 /// Planned rounds aim a little beyond the limit, because variances are estimates.
 constexpr double kMargin = 1.15;
+/// What the lattice tells too little of has so many values of its own at most before it may say that it is sure.
+constexpr double kMostUntold = 8.0;
+/// Grids on which those of a sliver are sought.
+constexpr std::uint32_t kSought = 3;
 /// After a pilot, a stratum grows at most this many times, until two rounds have told how its variance falls.
 constexpr double kFirstGrowth = 12.0;
 /// Later rounds grow at most this many times: the finer the grid, the faster texture gets exact.
@@ -127,6 +131,49 @@ bool RoundPlanner::begin_foretold(Radiance& radiance) {
   return any;
 }
 
+/// Neither do strata whose label is nowhere wide enough for the lattice to tell how its values differ, where they would matter
+/// if they were wrong by all that they are: the few vertices in line with a wire, a slit or the shadow of one agree, wrong as
+/// they may be, and of what lies between vertices one value is known. Of the sums of the steering columns.
+bool RoundPlanner::begin_untold(Radiance& radiance) {
+  bool any = false;
+  StratumMoments moments;
+  for (std::size_t p = 0; p < radiance.pixels().others().size(); ++p) {
+    const SourcePixel& pixel = radiance.pixels().others()[p];
+    const PixelModel& model = pixel.model;
+    if (pixel.cluttered || ledger_.spent(pixel.source) >= options_.max_samples_per_pixel) continue;
+    for (std::size_t s = 0; s < pixel.strata.size(); ++s) {
+      const Stratum& stratum = pixel.strata[s];
+      if (stratum.round >= kSought || stratum.nets.size > 0 || stratum.count() > 0) continue;
+      const double untold = 1.0 - radiance.estimates().told(stratum);
+      if (untold <= 0.0) continue;
+      radiance.estimates().moments(pixel, s, steering_, moments);
+      double weight = 0.0;  // in limits of what is asked for
+      for (std::size_t o = 0; o < model.outputs.size(); ++o) {
+        const int output = model.outputs[o];
+        if (outputs_[output].test >= outputs_[output].last_test) continue;
+        const OutputSums::Row sum = limits_of(output);
+        for (std::size_t d = 0; d < steering_.size(); ++d)
+          weight = std::max(weight, untold * model.weight_of(s, o) *
+                                        std::max(std::abs(moments.mean[d]), std::abs(sum.mean[d])) /
+                                        limit_[steering_[d]]);
+      }
+      if (weight <= 1.0) continue;
+      radiance.rounds().plan(p, s, std::clamp(weight, kFewest, kMostUntold));
+      for (int o : model.outputs) outputs_[o].test = std::max(outputs_[o].test, 1);
+      any = true;
+    }
+  }
+  return any;
+}
+
+/// Leaves in limit_ how wide the intervals of an output may be, in the steering columns.
+OutputSums::Row RoundPlanner::limits_of(int output) {
+  const OutputSums::Row sum = intervals_.sum(output);
+  for (std::size_t d = 0; d < steering_.size(); ++d) mean_[steering_[d]] = sum.mean[d];
+  intervals_.limits(output, mean_, limit_);
+  return sum;
+}
+
 /// Looks at the intervals so far and plans values where they are too wide; false when nothing is left to do.
 bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrator,
                               const std::vector<int>& outputs) {
@@ -135,19 +182,20 @@ bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrat
   begun = begin_foretold(radiance) || begun;
   if (begun) return true;
   intervals_.gather(radiance, integrator, steering_, outputs);
+  mean_.assign(all_columns_.size(), 0.0);
+  limit_.resize(mean_.size());
+  if (begin_untold(radiance)) return true;
 
-  std::vector<double> mean(all_columns_.size()), limit(mean.size());
   for (int o : outputs) {
     OutputState& output = outputs_[o];
     if (output.satisfied) continue;
     const OutputSums::Row sum = intervals_.sum(o);
     output.satisfied = true;
     if (!sum.paths_vary(n)) continue;  // no value would make it better
-    for (std::size_t d = 0; d < n; ++d) mean[steering_[d]] = sum.mean[d];
-    intervals_.limits(o, mean, limit);
+    limits_of(o);
     output.path_budget.assign(n, 0.0);
     for (std::size_t d = 0; d < n; ++d) {
-      const double limit_d = limit[steering_[d]];
+      const double limit_d = limit_[steering_[d]];
       const double from_borders =
           intervals_.stopping().normal() * intervals_.stopping().normal() * sum.geometry[d];
       const bool wide = intervals_.half_width(o, d) > limit_d && sum.path[d].variance() > 0.0;

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "sampling/accuracy/output_sums.h"
+
 namespace ifov::sampling {
 
 class ClutterChoice;
@@ -29,6 +31,8 @@ class RoundPlanner {
 
  private:
   bool begin_foretold(Radiance& radiance);
+  bool begin_untold(Radiance& radiance);
+  OutputSums::Row limits_of(int output);
   bool plan_round(Radiance& radiance, const LeafIntegrator& integrator, const std::vector<int>& outputs);
   bool steer_by_more(const Radiance& radiance, const LeafIntegrator& integrator,
                      const std::vector<int>& outputs);
@@ -41,7 +45,8 @@ class RoundPlanner {
   OutputIntervals& intervals_;
   std::vector<OutputState>& outputs_;
   std::vector<int> all_columns_;
-  std::vector<int> steering_;  // columns whose intervals decide how many values are drawn
+  std::vector<double> mean_, limit_;  // of an output, by column
+  std::vector<int> steering_;         // columns whose intervals decide how many values are drawn
 };
 
 }  // namespace ifov::sampling

@@ -28,6 +28,10 @@ constexpr double kElsewhere = 9.0;
 
 }  // namespace
 
+double StratumEstimates::told(const Stratum& stratum) const {
+  return spread_.constant(stratum.label) ? 1.0 : std::min(1.0, spread_.blocks(stratum.label) / kTelling);
+}
+
 bool StratumEstimates::paths_differ(const Stratum& stratum, std::span<const int> columns,
                                     const StratumMoments& moments) {
   constexpr double kMost = 0.5;
@@ -82,7 +86,7 @@ void StratumEstimates::of_values(const Stratum& stratum, std::span<const int> co
   const std::size_t n = columns.size();
   // Rounds of more values stand on finer grids, where texture makes less variance: they weigh by the squares of
   // their numbers of values, which is right for texture and costs little where paths make the variance.
-  double squares = 0.0, cubes = 0.0, blocks = 0.0;
+  double squares = 0.0, cubes = 0.0, blocks = 0.0, lent_freedom = 0.0;
   for (const BlockSums& round : stratum.rounds) {
     squares += round.count() * round.count();
     cubes += round.count() * round.count() * round.count();
@@ -96,6 +100,9 @@ void StratumEstimates::of_values(const Stratum& stratum, std::span<const int> co
     if (count == 0.0) continue;
     blocks += round.blocks();
     const double lent = borrowed(round.blocks());
+    // What values differ by among themselves is no better known than by so many.
+    const double sure = told * lent + (1.0 - told) * std::min(lent, count - 1.0);
+    lent_freedom += sure;
     for (std::size_t c = 0; c < n; ++c) {
       const int column = columns[c];
       out.mean[c] += count * count / squares * round.mean(column);
@@ -105,10 +112,10 @@ void StratumEstimates::of_values(const Stratum& stratum, std::span<const int> co
       const double one = (round.squares(column) + lent * lent_variance) / (round.blocks() + lent);
       const double part = count * count * count / cubes * one;
       out.variance[c] += part;
-      weighted[c] += part * part / (round.freedom(column) + lent);
+      weighted[c] += part * part / std::max(1.0, round.freedom(column) + sure);
     }
   }
-  out.freedom = blocks + borrowed(blocks);
+  out.freedom = std::max(1.0, blocks + std::min(borrowed(blocks), lent_freedom));
   for (std::size_t c = 0; c < n; ++c)
     if (weighted[c] > 0.0)
       out.freedom = std::min(out.freedom, out.variance[c] * out.variance[c] / weighted[c]);

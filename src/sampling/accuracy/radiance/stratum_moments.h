@@ -35,6 +35,10 @@ class StratumEstimates {
   virtual void moments(const SourcePixel& pixel, std::size_t stratum, std::span<const int> columns,
                        StratumMoments& out) const;
 
+  /// How much the lattice tells of how values of a stratum's label differ, 0 to 1. A label narrower than the lattice's spacing
+  /// has no block of it: vertices in line with it all stand at one place across it, and where none is, one value stands for all.
+  virtual double told(const Stratum& stratum) const;
+
   /// Whether most of the variance of a stratum's values comes from their paths rather than from where they are, in
   /// some of these columns; false before twins have told.
   static bool paths_differ(const Stratum& stratum, std::span<const int> columns,
