@@ -15,8 +15,7 @@ void PointQueries::ask(const std::vector<FocalPoint>& points, std::vector<std::u
   value_new_labels();
 }
 
-/// Values of each label that has none yet, where it was seen first. They may bring labels of their own, whose turn comes
-/// with the next question.
+/// Values of each label that has none yet, where it was seen first.
 void PointQueries::value_new_labels() {
   std::vector<FocalPoint> points;
   std::vector<std::uint32_t> wanted;
@@ -25,10 +24,8 @@ void PointQueries::value_new_labels() {
       points.push_back(first_seen_point_[l]);
       wanted.push_back(l);
     }
-  valued_ = table_.size();
-  if (wanted.empty()) return;
   LabelValues(ledger_, table_, contrast_, seed_).take(wanted, points);
-  first_seen_point_.resize(table_.size(), points.back());
+  valued_ = table_.size();
 }
 
 }  // namespace ifov::sampling
