@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,8 @@ class RoundPlanner {
 
  private:
   bool begin_foretold(Radiance& radiance);
+  template <class Visit>
+  void visit_untold(const Radiance& radiance, const Visit& visit);
   bool begin_untold(Radiance& radiance);
   OutputSums::Row limits_of(int output);
   bool plan_round(Radiance& radiance, const LeafIntegrator& integrator, const std::vector<int>& outputs);
@@ -45,6 +48,11 @@ class RoundPlanner {
   OutputIntervals& intervals_;
   std::vector<OutputState>& outputs_;
   std::vector<int> all_columns_;
+  /// Of values of a label, by steering column: their mean and standard deviation where they were drawn first.
+  struct Told {
+    std::vector<double> mean, deviation;
+  };
+  std::map<std::uint32_t, Told> told_;
   std::vector<double> mean_, limit_;  // of an output, by column
   std::vector<int> steering_;         // columns whose intervals decide how many values are drawn
 };

@@ -19,6 +19,9 @@ constexpr double kAgree = 0.05;
 /// So many more are then sought about the place, this far away at first and half as far from one to the next, this many times.
 constexpr std::uint32_t kAbout = 24, kDistances = 4;
 constexpr double kFarthest_px = 1.0 / 6.0;
+/// No more are sought on a material for which the Sun does not matter: so many labels of it have shown that they agree about, or
+/// have shown nothing else, as they are too small for many values to meet them.
+constexpr std::uint32_t kAgreed = 2, kSought = 8;
 
 /// A point of the same pixel not far from one.
 FocalPoint beside(FocalPoint point, std::uint64_t key, std::uint32_t k) {
@@ -47,6 +50,7 @@ class LabelValues::Spread {
       squares_[c] += difference * (static_cast<double>(value[c]) - mean_[c]);
     }
   }
+  double count() const { return count_; }
   bool agree() const {
     for (std::size_t c = 0; c < mean_.size(); ++c)
       if (squares_[c] > kAgree * kAgree * mean_[c] * mean_[c] * (count_ - 1.0)) return false;
@@ -62,6 +66,8 @@ class LabelValues::Spread {
   double count_ = 0.0;
   std::vector<double> mean_, squares_;
 };
+
+bool LabelValues::Agreement::done() const { return !differs && (agreed >= kAgreed || sought >= kSought); }
 
 void LabelValues::take(std::span<const std::uint32_t> labels, std::span<const FocalPoint> points) {
   std::vector<Wanted> wanted;
@@ -91,8 +97,14 @@ void LabelValues::take(const std::vector<Wanted>& wanted, std::vector<Wanted>& n
   owners_.clear();
   // Paths from one place agree where nearly all of the Sun is seen from it, or nearly nothing, and tell little of what the label
   // is farther across it.
+  std::vector<std::uint8_t> sought(wanted.size(), 0);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    if (!uneven[i] || !spread[i].agree()) continue;
+    if (!uneven[i]) continue;
+    Agreement& known = agreement_[ledger_.field().material_of(table_.label(wanted[i].label))];
+    if (!spread[i].agree()) known.differs = true;
+    if (known.done() || !spread[i].agree()) continue;
+    sought[i] = 1;
+    ++known.sought;
     const std::uint64_t key = hash(seed_, table_.label(wanted[i].label), 0x61626f7574);
     for (std::uint32_t k = 0; k < kAbout; ++k) {
       requests_.push_back({beside(wanted[i].point, key, k), key, k});
@@ -100,6 +112,14 @@ void LabelValues::take(const std::vector<Wanted>& wanted, std::vector<Wanted>& n
     }
   }
   ask(wanted, false, spread, next);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (!sought[i]) continue;
+    Agreement& known = agreement_[ledger_.field().material_of(table_.label(wanted[i].label))];
+    if (!spread[i].agree())
+      known.differs = true;
+    else if (spread[i].count() >= 2.0 * kOfUneven)
+      ++known.agreed;
+  }
   for (std::size_t i = 0; i < wanted.size(); ++i)
     if (uneven[i]) contrast_.widen_spread(wanted[i].label, spread[i].variance());
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,12 @@ class LabelValues {
 
  private:
   class Spread;
+  /// What uneven labels of a material have shown.
+  struct Agreement {
+    std::uint32_t sought = 0, agreed = 0;
+    bool differs = false;
+    bool done() const;
+  };
   struct Wanted {
     std::uint32_t label;
     FocalPoint point;
@@ -40,6 +47,7 @@ class LabelValues {
   LabelTable& table_;
   Contrast& contrast_;
   std::uint64_t seed_;
+  std::map<std::uint32_t, Agreement> agreement_;  // by material
   std::vector<PathRequest> requests_;
   std::vector<std::size_t> owners_;  // of each request, in the list of those wanted
   std::vector<std::uint32_t> met_;

@@ -1,7 +1,6 @@
 #include "sampling/accuracy/borders/point_queries.h"
 
 #include "sampling/accuracy/basis/label_table.h"
-#include "sampling/accuracy/borders/label_values.h"
 
 namespace ifov::sampling {
 
@@ -24,7 +23,7 @@ void PointQueries::value_new_labels() {
       points.push_back(first_seen_point_[l]);
       wanted.push_back(l);
     }
-  LabelValues(ledger_, table_, contrast_, seed_).take(wanted, points);
+  first_values_.take(wanted, points);
   valued_ = table_.size();
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sampling/accuracy/basis/ray_ledger.h"
+#include "sampling/accuracy/borders/label_values.h"
 
 namespace ifov::sampling {
 
@@ -14,7 +15,7 @@ class Contrast;
 class PointQueries {
  public:
   PointQueries(RayLedger& ledger, LabelTable& table, Contrast& contrast, std::uint64_t seed)
-      : ledger_(ledger), table_(table), contrast_(contrast), seed_(seed) {}
+      : ledger_(ledger), table_(table), first_values_(ledger, table, contrast, seed) {}
 
   /// The next batch, to be filled; empty after each question.
   std::vector<FocalPoint>& points() { return points_; }
@@ -33,8 +34,7 @@ class PointQueries {
 
   RayLedger& ledger_;
   LabelTable& table_;
-  Contrast& contrast_;
-  std::uint64_t seed_;
+  LabelValues first_values_;
   std::vector<FocalPoint> points_;
   std::vector<std::uint32_t> labels_;
   std::vector<FocalPoint> first_seen_point_;  // by label
