@@ -55,6 +55,7 @@ struct EstimatesOfSingles final : sampling::StratumEstimates {
     if (out.sampled ? blocks == 0.0 : vertices(pixel, stratum.label) < 2)
       std::fill(out.variance.begin(), out.variance.end(), 0.0);
   }
+  double told(const sampling::Stratum&) const override { return 1.0; }
 
  private:
   int vertices(const sampling::SourcePixel& pixel, std::uint32_t label) const {

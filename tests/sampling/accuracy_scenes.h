@@ -204,7 +204,9 @@ class Percent final : public sampling::Tolerance {
 
 /// A tile of `side` pixels from (0, 0), at that accuracy, plain pixels; the picture goes on around it.
 inline sampling::TileResult sampled_at_a_percent(sampling::Field& field, int side, std::uint64_t seed,
-                                                 const sampling::PixelSampler& sampler) {
+                                                 const sampling::PixelSampler& sampler,
+                                                 std::span<const sampling::FocalPoint> pilot_points = {},
+                                                 std::span<const std::uint32_t> pilot_objects = {}) {
   const Percent tolerance;
   const sampling::PixelFootprint box = sampling::PixelFootprint::box(1.0);
   const int steering_channels[] = {0};
@@ -215,6 +217,8 @@ inline sampling::TileResult sampled_at_a_percent(sampling::Field& field, int sid
   problem.footprint = &box;
   problem.tolerance = &tolerance;
   problem.steering_channels = steering_channels;
+  problem.pilot_points = pilot_points;
+  problem.pilot_objects = pilot_objects;
   sampling::TileResult result;
   sampler.sample(problem, field, result);
   return result;

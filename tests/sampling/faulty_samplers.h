@@ -59,6 +59,7 @@ struct EstimatesOfSingles final : sampling::StratumEstimates {
     if (out.sampled ? blocks == 0.0 : vertices(pixel, stratum.label) < 2)
       std::fill(out.variance.begin(), out.variance.end(), 0.0);
   }
+  double told(const sampling::Stratum&) const override { return 1.0; }
 
  private:
   int vertices(const sampling::SourcePixel& pixel, std::uint32_t label) const {
@@ -95,6 +96,21 @@ class CertainSingles final : public sampling::AccuracyParts {
                                                  const sampling::LabelTable& table,
                                                  const sampling::Field& field) const override {
     return std::make_unique<NothingUnseenBySingles>(spread, prober, standouts, table, field);
+  }
+};
+
+/// Labels that are narrower than the lattice's spacing are taken to be told of by what vertices happen to lie in them.
+struct ThinLabelsTold final : sampling::StratumEstimates {
+  using StratumEstimates::StratumEstimates;
+  double told(const sampling::Stratum&) const override { return 1.0; }
+};
+class FewVerticesTell final : public sampling::AccuracyParts {
+ public:
+  std::unique_ptr<sampling::StratumEstimates> estimates(const sampling::Lattice& lattice,
+                                                        const sampling::LatticeValues& values,
+                                                        const sampling::LabelTable& table,
+                                                        const sampling::LabelSpread& spread) const override {
+    return std::make_unique<ThinLabelsTold>(lattice, values, table, spread);
   }
 };
 

@@ -31,6 +31,8 @@ class RoundPlanner {
            std::span<const int> steering_channels, int columns);
 
  private:
+  static constexpr double kFewest = 4.0;  ///< values of a stratum's first round, at least
+
   bool begin_foretold(Radiance& radiance);
   template <class Visit>
   void visit_untold(const Radiance& radiance, const Visit& visit);

@@ -101,7 +101,7 @@ void StratumEstimates::of_values(const Stratum& stratum, std::span<const int> co
     blocks += round.blocks();
     const double lent = borrowed(round.blocks());
     // What values differ by among themselves is no better known than by so many.
-    const double sure = told * lent + (1.0 - told) * std::min(lent, count - 1.0);
+    const double sure = told * lent + (1.0 - told) * std::clamp(count - 1.0 - round.blocks(), 0.0, lent);
     lent_freedom += sure;
     for (std::size_t c = 0; c < n; ++c) {
       const int column = columns[c];
