@@ -13,7 +13,7 @@
 #include "sampling/accuracy/basis/small_vector.h"
 #include "sampling/accuracy/borders/bracket.h"
 #include "sampling/accuracy/borders/chord.h"
-#include "sampling/accuracy/clutter.h"
+#include "sampling/accuracy/borders/clutter.h"
 #include "sampling/accuracy/radiance/pixel_model.h"
 #include "sampling/accuracy/radiance/spread.h"
 

@@ -6,10 +6,10 @@
 
 #include "sampling/accuracy/allowed_errors.h"
 #include "sampling/accuracy/basis/lattice.h"
+#include "sampling/accuracy/borders/clutter.h"
 #include "sampling/accuracy/borders/contrast.h"
 #include "sampling/accuracy/borders/steering_columns.h"
 #include "sampling/accuracy/borders/traced_pixels.h"
-#include "sampling/accuracy/clutter.h"
 #include "sampling/accuracy/output_state.h"
 #include "sampling/accuracy/radiance/lattice_values.h"
 #include "sampling/accuracy/radiance/radiance.h"

@@ -1,4 +1,3 @@
-// Strata of which the lattice tells too little to be sure without values of their own.
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -129,15 +129,14 @@ void LabelValues::take(const std::vector<Wanted>& wanted, std::vector<Wanted>& n
 void LabelValues::ask(const std::vector<Wanted>& wanted, bool all, std::vector<Spread>& spread,
                       std::vector<Wanted>& next) {
   if (requests_.empty()) return;
-  auto known = static_cast<std::uint32_t>(table_.size());
+  const std::size_t known = table_.size();
   const std::size_t stride = static_cast<std::size_t>(ledger_.field().stride());
   values_.resize(requests_.size() * stride);
   ledger_.first_values(requests_, met_, values_);
   for (std::size_t k = 0; k < requests_.size(); ++k) {
-    if (met_[k] == known) {
+    if (met_[k] >= known &&
+        std::none_of(next.begin(), next.end(), [&](const Wanted& w) { return w.label == met_[k]; }))
       next.push_back({met_[k], requests_[k].point});
-      ++known;
-    }
     const std::uint32_t label = wanted[owners_[k]].label;
     if (!all && met_[k] != label) continue;
     table_.add(label, &values_[k * stride]);
