@@ -126,8 +126,8 @@ io::BrdfReport survey_brdf(const io::Document& document, const std::string& name
   report.model = source.scattering.model;
   report.wavelength_um = question.wavelength_um;
   const std::optional<double> asked_um = question.wavelength_um ? question.wavelength_um : usual_um;
-  const radiometry::CommonWavelengths known = with_position(
-      document.sources, source.position, [&] { return wavelengths_of(material, asked_um); });
+  const radiometry::CommonWavelengths known =
+      with_position(document.sources, source.position, [&] { return wavelengths_of(material, asked_um); });
   if (!known.um.empty()) report.wavelength_um = asked_um;
   const double wavelength_um = asked_um.value_or(1.0);
   report.description = description_of(source, material, question.curve);
