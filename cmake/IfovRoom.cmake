@@ -2,10 +2,12 @@
 # rooms below it that it may include (ROOMS) and the outside libraries it uses (LIBRARIES, private to it).
 # Include paths start at src/, so that an include names the room it reaches into, and at include/ for the public headers.
 # The code can stand in a shared library, and of it nothing is visible but what IFOV_API says (include/ifov/api.h).
+# Release builds compile it with -O3, or with less where OPTIMIZE says so (1 or 2): a room that has others do the work is not worth
+# what -O3 takes to compile.
 function(ifov_room name)
-  cmake_parse_arguments(ROOM "" "" "ROOMS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ROOM "" "OPTIMIZE" "ROOMS;LIBRARIES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-  ifov_library(ifov_${name} "${sources}" "${ROOM_ROOMS}" "${ROOM_LIBRARIES}")
+  ifov_library(ifov_${name} "${sources}" "${ROOM_ROOMS}" "${ROOM_LIBRARIES}" "${ROOM_OPTIMIZE}")
 endfunction()
 
 # A room that others want in part is several libraries ifov_<room>_<part>, each made of some of its folders (FOLDERS; "."
@@ -13,7 +15,7 @@ endfunction()
 # PARTS are those of the same room that it may include. ROOMS of whoever wants no more than a part names <room>_<part>;
 # ifov_<room> is all parts that have been declared before ifov_whole_room.
 function(ifov_part room part)
-  cmake_parse_arguments(PART "" "" "FOLDERS;PARTS;ROOMS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(PART "" "OPTIMIZE" "FOLDERS;PARTS;ROOMS;LIBRARIES" ${ARGN})
   set(sources)
   foreach(folder ${PART_FOLDERS})
     if(folder STREQUAL ".")
@@ -24,7 +26,7 @@ function(ifov_part room part)
     list(APPEND sources ${found})
   endforeach()
   list(TRANSFORM PART_PARTS PREPEND ${room}_)
-  ifov_library(ifov_${room}_${part} "${sources}" "${PART_PARTS};${PART_ROOMS}" "${PART_LIBRARIES}")
+  ifov_library(ifov_${room}_${part} "${sources}" "${PART_PARTS};${PART_ROOMS}" "${PART_LIBRARIES}" "${PART_OPTIMIZE}")
   set_property(GLOBAL APPEND PROPERTY IFOV_PARTS_OF_${room} ifov_${room}_${part})
 endfunction()
 
@@ -34,18 +36,21 @@ function(ifov_whole_room room)
   target_link_libraries(ifov_${room} INTERFACE ${parts})
 endfunction()
 
-function(ifov_library target sources rooms libraries)
+function(ifov_library target sources rooms libraries level)
   if(sources)
     add_library(${target} STATIC ${sources})
     set(scope PUBLIC)
-    ifov_compile_options(${target})
+    ifov_room_options(${target} "${level}")
     ifov_join_sources(${target} "${sources}")
     if(IFOV_JOIN_SOURCES)
-      ifov_precompile(${target} FIRST ifov_core HEADERS <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map>
-                      <memory> <numbers> <optional> <span> <string> <string_view> <variant> <vector>)
+      set(headers ifov_standard_headers${level})
+      if(NOT TARGET ${headers})
+        ifov_precompiled(${headers} <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <numbers> <optional>
+                         <span> <string> <string_view> <variant> <vector>)
+        ifov_room_options(${headers} "${level}")
+      endif()
+      ifov_precompile(${target} ${headers})
     endif()
-    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
-                                               VISIBILITY_INLINES_HIDDEN ON)
     foreach(library ${libraries})
       string(MAKE_C_IDENTIFIER ifov_late_${library} late)
       if(TARGET ${late})
@@ -61,6 +66,14 @@ function(ifov_library target sources rooms libraries)
   foreach(room ${rooms})
     target_link_libraries(${target} ${scope} ifov_${room})
   endforeach()
+endfunction()
+
+function(ifov_room_options target level)
+  ifov_compile_options(${target})
+  if(level AND CMAKE_BUILD_TYPE STREQUAL "Release")
+    target_compile_options(${target} PRIVATE -O${level})
+  endif()
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
 endfunction()
 
 # The sources of a folder are compiled some at a time, which takes a fifth of the time: most of it went into the same headers.

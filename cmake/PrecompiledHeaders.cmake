@@ -1,6 +1,6 @@
-# The standard library is most of what a source compiles: it is compiled once for all targets whose flags are the same, with the
-# target FIRST, and taken by the others as it is. Where each source is compiled alone (IFOV_JOIN_SOURCES) nothing is, so that the
-# build shows that it includes what it needs.
+# The standard library is most of what a source compiles: it is compiled once for all targets whose flags are the same. GCC takes the
+# level of optimization from what was compiled before, whatever the source is told, and so there is one for each level. Where each
+# source is compiled alone (IFOV_JOIN_SOURCES) nothing is, so that the build shows that it includes what it needs.
 if(CCACHE)
   # ccache takes such objects only if it need not look for __TIME__ and #define in what was compiled before.
   execute_process(COMMAND ${CCACHE} --get-config sloppiness OUTPUT_VARIABLE CCACHE_SLOPPINESS OUTPUT_STRIP_TRAILING_WHITESPACE)
@@ -8,13 +8,23 @@ if(CCACHE)
   string(REGEX REPLACE ",$" "" CCACHE_SLOPPINESS "${CCACHE_SLOPPINESS}")
 endif()
 
-function(ifov_precompile target)
-  cmake_parse_arguments(PRECOMPILE "" "FIRST" "HEADERS" ${ARGN})
-  if(target STREQUAL PRECOMPILE_FIRST)
-    target_precompile_headers(${target} PRIVATE ${PRECOMPILE_HEADERS})
-  else()
-    target_precompile_headers(${target} REUSE_FROM ${PRECOMPILE_FIRST})
+# A target of headers alone, for ifov_precompile of others; its flags must be theirs.
+function(ifov_precompiled name)
+  set(source ${CMAKE_BINARY_DIR}/precompiled/${name}.cpp)
+  if(NOT EXISTS ${source})
+    file(WRITE ${source} "")
   endif()
+  add_library(${name} OBJECT ${source})
+  target_precompile_headers(${name} PRIVATE ${ARGN})
+  ifov_precompiled_options(${name})
+endfunction()
+
+function(ifov_precompile target headers)
+  target_precompile_headers(${target} REUSE_FROM ${headers})
+  ifov_precompiled_options(${target})
+endfunction()
+
+function(ifov_precompiled_options target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # In what was compiled before, GCC no longer knows the standard library's own lines, whose warnings it keeps to itself.
     target_compile_options(${target} PRIVATE -fpch-preprocess -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow

@@ -86,7 +86,7 @@ IFOV_API BrdfReport survey_brdf(const Document& document, const std::string& mat
                                 const BrdfQuestion& question = {});
 
 /// Of a model by itself. `set`: its parameters as documents write them, "slope=25 deg"; `reflectance`: likewise, a number
-/// or a spectrum in JSON; empty: the model's usual one. Throws InputError as above, and as documents do for what they write.
+/// or a spectrum in JSON; empty: the model's usual one. Where it depends on wavelength and the question names none, at 0.55 um. Throws InputError as above, and as documents do for what they write.
 IFOV_API BrdfReport survey_model(const std::string& model, const std::vector<std::string>& set,
                                  const std::string& reflectance = {}, const BrdfQuestion& question = {});
 

@@ -101,7 +101,10 @@ Command add_brdf_command(CLI::App& app) {
       ->add_option("--reflectance", arguments->reflectance,
                    "Of a model: a number, or a spectrum in JSON (default: 0.3, or 1 where it is a factor)")
       ->type_name("VALUE");
-  parser->add_option("--at", arguments->at, "At which wavelength, where spectra differ: 0.55um, \"550 nm\"")
+  parser
+      ->add_option(
+          "--at", arguments->at,
+          "At which wavelength, where spectra differ: 0.55um, \"550 nm\" (default: of a model 0.55um)")
       ->type_name("WAVELENGTH");
   parser->add_option("--light", arguments->light, "Zenith angles of the light, in degrees (default: 0,30,60)")
       ->type_name("ANGLES");

@@ -163,19 +163,30 @@ void NodeRule::choose_planck_points() {
 
 void NodeRule::project_factor(std::span<const double> at_points, std::span<double> at_nodes) const {
   for (const Part& part : parts_) {
-    const std::vector<double> values = gathered(at_points, part.points);
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    double low = at_points[part.points.front()], high = low;
+    // One or two nodes; sums of both side by side, since each waits for its last addition.
+    const double* first = nodes_[part.first_node].factor_kernel.data();
+    const double* second = nodes_[part.last_node - 1].factor_kernel.data();
+    double at_first = 0.0, at_second = 0.0;
+    for (std::size_t q = 0; q < part.points.size(); ++q) {
+      const double value = at_points[part.points[q]];
+      low = std::min(low, value);
+      high = std::max(high, value);
+      at_first += first[q] * value;
+      at_second += second[q] * value;
+    }
+    at_nodes[part.first_node] = at_first;
+    at_nodes[part.last_node - 1] = at_second;
     double mean = 0.0, total = 0.0, share = 1.0;
     for (std::size_t i = part.first_node; i < part.last_node; ++i) {
-      at_nodes[i] = sum_of_products(nodes_[i].factor_kernel, values);
       mean += nodes_[i].measure * at_nodes[i];
       total += nodes_[i].measure;
     }
     mean /= total;
     for (std::size_t i = part.first_node; i < part.last_node; ++i)
-      share = std::min(share, allowed_share(at_nodes[i], mean, *low, *high));
+      share = std::min(share, allowed_share(at_nodes[i], mean, low, high));
     for (std::size_t i = part.first_node; i < part.last_node; ++i)
-      at_nodes[i] = std::clamp(mean + share * (at_nodes[i] - mean), *low, *high);
+      at_nodes[i] = std::clamp(mean + share * (at_nodes[i] - mean), low, high);
   }
 }
 

@@ -77,6 +77,16 @@ class Models(unittest.TestCase):
         self.assertAlmostEqual(soiled[0], 0.3 * reflectance, 4)
         self.assertIn("\n  reflectance 0.3", run("brdf", "lambertian").stdout)
 
+    def test_a_model_alone_is_shown_at_a_usual_wavelength(self):
+        with Folder() as folder:
+            sea = ("brdf", "sea", "--set", "wind=5")
+            self.assertEqual(run(*sea).stdout, run(*sea, "--at", "0.55um").stdout)
+            self.assertTrue(run(*sea).stdout.startswith("sea, 0.55 um\n"))
+            self.assertNotEqual(run(*sea).stdout, run(*sea, "--at", "2um").stdout)
+            self.assertEqual(run(*sea, "--plot", "sea.png", cwd=folder).returncode, 0)
+            beyond = run("brdf", "lambertian", "--reflectance", '{"table": {"wavelength": ["8 um", "12 um"], "values": [0.1, 0.2]}}')
+            self.assertIn("0.55 um is outside its spectra, which reach from 8 to 12 um", beyond.stderr)
+
     def test_lists_them_with_their_parameters(self):
         done = run("brdf", "--list")
         self.assertEqual((done.returncode, done.stderr), (0, ""))

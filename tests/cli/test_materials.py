@@ -1,5 +1,6 @@
 """`ifov materials`: the list, searches, one material, its figure and its table, and names that are not known."""
 
+import json
 import os
 import re
 import struct
@@ -42,6 +43,31 @@ class Materials(unittest.TestCase):
         ):
             self.assertIn(words, done.stdout)
         self.assertLessEqual(max(map(len, done.stdout.splitlines())), 110)
+
+    def test_says_how_each_is_best_scattered(self):
+        """And one document of all that is proposed is good; nothing narrow outshines it but for warnings."""
+        names = re.findall(r"^  (\S.*?)  +\d+ curves?", run("materials").stdout, re.MULTILINE)
+        models = set(re.findall(r"^(\w+) ", run("brdf", "--list").stdout, re.MULTILINE))
+        materials = {}
+        for name in names:
+            text = run("materials", name, "--curve", 1).stdout
+            self.assertIn(re.search(r"best with '(\w+)': ", text).group(1), models)
+            proposed = re.search(r'such as "scattering": (.*?)(, and no reflectance)?$', text, re.MULTILINE)
+            if proposed is None:
+                self.assertRegex(text, "best with '(ross_li|sea)'", name)
+                continue
+            material = {"scattering": json.loads(proposed.group(1))}
+            materials[name] = material if proposed.group(2) else {**material, "reflectance": {"library": name}}
+        boxes = [{"box": {"low": [f"{3 * k} m", "0 m", "0 m"], "high": [f"{3 * k + 1} m", "1 m", "1 m"]}, "material": name}
+                 for k, name in enumerate(materials)]
+        document = {"ifov": 1, "scene": {"materials": materials, "objects": boxes}, "light": {"sky": {"radiance": "20 W m-2 sr-1 um-1"}},
+                    "sensor": {"camera": {"orthographic": {"gsd": "50 m", "pixels": [8, 2], "center": ["120 m", "0 m"]}},
+                               "channels": [{"name": "green", "monochromatic": {"at": "0.55 um"}}]}}
+        with Folder() as folder:
+            (folder / "all.json").write_text(json.dumps(document))
+            done = run("check", "all.json", cwd=folder)
+        self.assertIn(done.returncode, (0, 6), done.stderr)
+        self.assertNotIn("error", done.stderr)
 
     def test_says_what_was_not_measured(self):
         done = run("materials", "asphalt, street", "--curve", 3)

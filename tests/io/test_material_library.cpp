@@ -9,6 +9,7 @@
 #include "io/library/library_table.h"
 #include "io/library/material_library.h"
 #include "io/library/material_text.h"
+#include "io/library/usual_scattering.h"
 #include "io/spectra/csv_spectrum.h"
 #include "io/spectra/usgs.h"
 #include "io/spectra_files.h"
@@ -67,6 +68,17 @@ TEST(MaterialLibrary, HoldsWhatScenesNeed) {
 }
 
 /// Every wavelength of every curve is either within what was measured or modelled, or flagged.
+TEST(MaterialLibrary, EveryMaterialHasAUsualWayToScatter) {
+  std::set<const UsualScattering*> used;
+  for (const LibraryMaterial& material : material_library().materials()) {
+    const UsualScattering* usual = usual_scattering_of(material.name);
+    ASSERT_NE(usual, nullptr) << material.name;
+    used.insert(usual);
+  }
+  for (const UsualScattering& row : usual_scattering()) EXPECT_TRUE(used.contains(&row)) << row.names;
+  EXPECT_EQ(usual_scattering_of("wool"), nullptr);
+}
+
 TEST(MaterialLibrary, NothingUnmeasuredIsUnflagged) {
   for (const LibraryMaterial& material : material_library().materials())
     for (const LibraryCurve& one : material.curves)

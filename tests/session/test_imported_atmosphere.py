@@ -244,6 +244,24 @@ class Tables(unittest.TestCase):
         del document["light"]["sun"]
         self.assertIn("holds direct sunlight, and the document has no Sun", self.messages(document))
 
+    def test_polarizers_are_told_that_runs_know_no_polarization(self):
+        """A note, not an error: half of the light passes whichever way the polarizer stands."""
+        note = "polarization: sky and path of imported runs are taken to be unpolarized"
+        document = self.document(self.HEADING + ",diffuse_irradiance,solar_irradiance",
+                                 "0.6,0.8,10,0.05,0.7,150,1700\n0.7,0.8,8,0.05,0.7,150,1700\n")
+        self.assertNotIn(note, self.scene.run("check", document).stdout)
+        radiance = self.scene.radiance(document)[0]
+        document["sensor"]["channels"] = [{**self.RED[0], "name": angle, "polarizer": {"angle": f"{angle} deg", "extinction": 1000}}
+                                          for angle in ("0", "30")]
+        checked = self.scene.run("check", document)
+        self.assertIn(checked.returncode, (0, 6), checked.stderr)  # what the table leaves out is warned of
+        self.assertIn(note, checked.stdout)
+        for behind in self.scene.radiance(document):
+            self.assertAlmostEqual(behind / radiance, 0.5 * (1.0 + 1e-3), delta=1e-5)
+        self.assertIn(note, json.loads((self.scene.folder / "out" / "image_run.json").read_text())["notes"])
+        document["sensor"].update(channels=self.RED, stokes=True)
+        self.assertIn(note, self.scene.run("check", document).stdout)
+
     def test_sky_and_spectrum_are_the_runs_own(self):
         document = self.document(self.HEADING + ",diffuse_irradiance,solar_irradiance",
                                  "0.6,0.8,10,0.05,0.7,150,1700\n0.7,0.8,8,0.05,0.7,150,1700\n")

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/format.h"
+#include "io/library/usual_scattering.h"
 
 namespace ifov::io {
 namespace {
@@ -112,8 +113,15 @@ std::string describe_material(const LibraryMaterial& material, std::span<const s
   }
   text += "\n";
   for (const std::string& origin : origins) text += wrapped(origin, "  source: ", "    ");
-  return text + format("\n  in a document: \"reflectance\": {{\"library\": \"{}\"{}}}\n", material.name,
-                       curves.front() > 0 ? format(", \"curve\": {}", curves.front() + 1) : "");
+  text += format("\n  in a document: \"reflectance\": {{\"library\": \"{}\"{}}}\n", material.name,
+                 curves.front() > 0 ? format(", \"curve\": {}", curves.front() + 1) : "");
+  if (const UsualScattering* usual = usual_scattering_of(material.name)) {
+    text += wrapped(format("'{}': {}", usual->model, usual->why), "  best with", "    ");
+    if (!usual->parameters.empty())
+      text += format("    such as \"scattering\": {}{}\n", usual->parameters,
+                     usual->has_own_reflectance ? ", and no reflectance" : "");
+  }
+  return text;
 }
 
 std::string material_csv(const LibraryMaterial& material, std::span<const std::size_t> curves) {

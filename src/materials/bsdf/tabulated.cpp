@@ -130,6 +130,8 @@ void Tabulated::evaluate(const BsdfEvent& event, ParameterSpectra parameters, st
     in.azimuth_rad = through ? -turn : turn;
     out.azimuth_rad = std::atan2(view.y, view.x) - direction_rad_;
   }
+  // Added up in one order both ways: reciprocal to the last bit.
+  if (in.zenith_rad > out.zenith_rad) std::swap(in, out);
   const BsdfTable::Corners corners = side.table->corners(in, out, between);
   std::fill_n(bsdf, count, 0.0f);
   for (std::size_t k = 0; k < corners.count; ++k) {

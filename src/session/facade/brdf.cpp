@@ -69,8 +69,9 @@ BrdfReport survey_brdf(const Document& document, const std::string& material, co
 
 BrdfReport survey_model(const std::string& model, const std::vector<std::string>& set,
                         const std::string& reflectance, const BrdfQuestion& question) {
+  constexpr double kUsual_um = 0.55;
   return report_of(
-      session::survey_brdf(session::document_of_model(model, set, reflectance), model, question));
+      session::survey_brdf(session::document_of_model(model, set, reflectance), model, question, kUsual_um));
 }
 
 double wavelength_um_of(const std::string& text) {

@@ -110,7 +110,7 @@ void add_by_angle(const SurfaceAt& surface, io::BrdfReport& report) {
 }  // namespace
 
 io::BrdfReport survey_brdf(const io::Document& document, const std::string& name,
-                           const BrdfQuestion& question) {
+                           const BrdfQuestion& question, std::optional<double> usual_um) {
   for (const double light : question.light_rad)
     if (!(light >= 0.0 && light <= kLastView_deg * kDegree))
       throw InputError(format("light from {:g} deg: expected 0 to {:g} deg from the normal", light / kDegree,
@@ -125,9 +125,11 @@ io::BrdfReport survey_brdf(const io::Document& document, const std::string& name
   report.name = name;
   report.model = source.scattering.model;
   report.wavelength_um = question.wavelength_um;
-  const radiometry::CommonWavelengths known = with_position(
-      document.sources, source.position, [&] { return wavelengths_of(material, question.wavelength_um); });
-  const double wavelength_um = question.wavelength_um.value_or(1.0);
+  const std::optional<double> asked_um = question.wavelength_um ? question.wavelength_um : usual_um;
+  const radiometry::CommonWavelengths known =
+      with_position(document.sources, source.position, [&] { return wavelengths_of(material, asked_um); });
+  if (!known.um.empty()) report.wavelength_um = asked_um;
+  const double wavelength_um = asked_um.value_or(1.0);
   report.description = description_of(source, material, question.curve);
   report.description.insert(report.description.begin(),
                             parameter_line(document, source, question.curve, wavelength_um));

@@ -133,7 +133,7 @@ ReportSection furnace_section(const StudyOptions& options) {
   write_furnace_table(options.output_folder);
   double least_sure = 0.0;
   for (const StudySurface& surface : furnace_surfaces(options.is_quick())) {
-    const FurnaceRoom room = render_furnace(surface, options, options.is_quick() ? 10 : 30);
+    const FurnaceRoom room = render_furnace(surface, options, options.is_quick() ? 12 : 30);
     least_sure = std::max(least_sure, room.standard_error);
     section.figures.at_most(
         "furnace_" + surface.label, std::max(0.0, std::abs(room.mean - 1.0) - 3.0 * room.standard_error),

@@ -91,9 +91,9 @@ std::shared_ptr<const RecordRows> RecordRows::shared() const {
   return std::make_shared<const RecordRows>(*this);
 }
 
-void RecordRows::add(FieldDescription field, Read read, Write write, Written unwritten) {
+void RecordRows::add(FieldDescription field, Access access, Written unwritten) {
   description_.fields.push_back(std::move(field));
-  rows_.push_back({std::move(read), std::move(write), std::move(unwritten)});
+  rows_.push_back({std::move(access), std::move(unwritten)});
 }
 
 void RecordRows::add_former_name(std::string name) {
@@ -109,7 +109,9 @@ void RecordRows::read(void* record, const DocumentNode& node) const {
   for (const SetDefault& set_default : defaults_) set_default(record);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const DocumentNode* member = node.find(description_.fields[i].key);
-    if (member != nullptr) rows_[i].read(record, *member);
+    if (member == nullptr) continue;
+    const Access& access = rows_[i].access;
+    access.read(access.row.get(), record, *member);
   }
   for (const Check& check : checks_) check(record, node);
 }
@@ -117,7 +119,8 @@ void RecordRows::read(void* record, const DocumentNode& node) const {
 WrittenMember RecordRows::written_member(std::size_t row, const void* record, Writing& writing) const {
   const FieldDescription& field = description_.fields[row];
   const bool has_default = !field.default_json.empty();
-  WrittenMember member = rows_[row].write(record, !field.required && !has_default, writing);
+  const Access& access = rows_[row].access;
+  WrittenMember member = access.write(access.row.get(), record, !field.required && !has_default, writing);
   if (member.is_given)
     member.is_given =
         !member.value || member.value != rows_[row].unwritten || (has_default && writing.all_keys);

@@ -31,9 +31,13 @@ struct WrittenMember {
 /// not for each record.
 class RecordRows {
  public:
-  using Read = SharedFunction<void(void* record, const DocumentNode& member)>;
-  /// Nothing for a value that is absent, or that is empty where `only_if_any`.
-  using Write = SharedFunction<WrittenMember(const void* record, bool only_if_any, Writing&)>;
+  /// What a row knows of its values' type: `row` says where a value goes and how it is read and written.
+  struct Access {
+    std::shared_ptr<const void> row;
+    void (*read)(const void* row, void* record, const DocumentNode& member);
+    /// Nothing for a value that is absent, or that is empty where `only_if_any`.
+    WrittenMember (*write)(const void* row, const void* record, bool only_if_any, Writing&);
+  };
   using SetDefault = SharedFunction<void(void* record)>;
   using Check = SharedFunction<void(const void* record, const DocumentNode&)>;
 
@@ -42,7 +46,7 @@ class RecordRows {
   std::shared_ptr<const RecordRows> shared() const;
 
   /// `unwritten` is what the row writes for what a record holds without its key.
-  void add(FieldDescription field, Read read, Write write, Written unwritten);
+  void add(FieldDescription field, Access access, Written unwritten);
   void add_default(SetDefault set) { defaults_.push_back(std::move(set)); }
   void add_check(Check check) { checks_.push_back(std::move(check)); }
   void add_group(bool is_required) { description_.group_required.push_back(is_required); }
@@ -58,8 +62,7 @@ class RecordRows {
 
  private:
   struct Row {
-    Read read;
-    Write write;
+    Access access;
     Written unwritten;
   };
 
@@ -171,18 +174,32 @@ class Record {
   }
 
   template <class Target, class V>
+  struct Row {
+    Target target;
+    typename SchemaType<V>::Read read;
+    typename SchemaType<V>::Write write;
+
+    static void destroy(const void* row) { delete static_cast<const Row*>(row); }
+    static void read_member(const void* row, void* record, const DocumentNode& node) {
+      const Row& self = *static_cast<const Row*>(row);
+      store(*static_cast<T*>(record), self.target, self.read(node));
+    }
+    static WrittenMember written_member(const void* row, const void* record, bool only_if_any,
+                                        Writing& writing) {
+      const Row& self = *static_cast<const Row*>(row);
+      const std::optional<V> value = load<V>(*static_cast<const T*>(record), self.target);
+      if (!value || (only_if_any && is_nothing(*value))) return WrittenMember{};
+      return WrittenMember{true, self.write(*value, writing)};
+    }
+  };
+
+  template <class Target, class V>
   Record& add(FieldDescription field, Target target, const SchemaType<V>& type, Written unwritten) {
-    rows_.add(
-        std::move(field),
-        [target, read = type.read](void* record, const DocumentNode& node) {
-          store(*static_cast<T*>(record), target, read(node));
-        },
-        [target, write = type.write](const void* record, bool only_if_any, Writing& writing) {
-          const std::optional<V> value = load<V>(*static_cast<const T*>(record), target);
-          if (!value || (only_if_any && is_nothing(*value))) return WrittenMember{};
-          return WrittenMember{true, write(*value, writing)};
-        },
-        std::move(unwritten));
+    using Held = Row<Target, V>;
+    const void* row = new Held{std::move(target), type.read, type.write};
+    rows_.add(std::move(field),
+              {std::shared_ptr<const void>(row, &Held::destroy), &Held::read_member, &Held::written_member},
+              std::move(unwritten));
     return *this;
   }
 

@@ -80,7 +80,7 @@ void WaxCoat::spread(double cosine_out, double cosine_in, ParameterSpectra param
   std::array<float, 4> a{}, b{};
   for (std::size_t i = 0; i < 4; ++i) {
     a[i] = static_cast<float>(there.weight[i]);
-    b[i] = static_cast<float>(back.weight[i] * inv_pi);
+    b[i] = static_cast<float>(back.weight[i]);
   }
   const float* const* p = &parameters[kPassed + there.first];
   const float* const* q = &parameters[kPassed + back.first];
@@ -88,7 +88,8 @@ void WaxCoat::spread(double cosine_out, double cosine_in, ParameterSpectra param
   for (std::size_t n = 0; n < count; ++n) {
     const float out = a[0] * p[0][n] + a[1] * p[1][n] + a[2] * p[2][n] + a[3] * p[3][n];
     const float in = b[0] * q[0][n] + b[1] * q[1][n] + b[2] * q[2][n] + b[3] * q[3][n];
-    bsdf[n] = out * in * inner[n];
+    bsdf[n] = out * in *
+              (inner[n] * static_cast<float>(inv_pi));  // the same with directions exchanged, to the last bit
   }
 }
 
