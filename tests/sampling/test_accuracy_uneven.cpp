@@ -237,5 +237,48 @@ TEST(AccuracyUneven, PlantedFaultVerticesInLineTellOfAWire) {
   EXPECT_GT(sum.far_off, 0.2 * sum.converged);
 }
 
+/// A strip of penumbra in which some paths meet what no label of a point tells of; it remembers how far from a tile's middle it was
+/// asked.
+class MetByPathsAlone final : public Field {
+ public:
+  explicit MetByPathsAlone(FocalPoint middle) : middle_(middle) {}
+  int columns() const override { return 1; }
+  void labels(std::span<const FocalPoint> points, std::span<Label> labels) override {
+    for (std::size_t k = 0; k < points.size(); ++k) labels[k] = label(points[k]);
+  }
+  void values(std::span<const PathRequest> requests, std::span<Label> labels,
+              std::span<float> values) override {
+    for (std::size_t k = 0; k < requests.size(); ++k) {
+      const PathRequest& r = requests[k];
+      farthest_ =
+          std::max({farthest_, std::abs(r.point.x_px - middle_.x_px), std::abs(r.point.y_px - middle_.y_px)});
+      const std::uint64_t drawn = hash(r.sequence, r.index, static_cast<std::uint64_t>(r.point.x_px * 1e9));
+      labels[k] = label(r.point) == 2 && drawn % 3 == 0 ? 10 + drawn % 7 : label(r.point);
+      values[k * static_cast<std::size_t>(stride())] =
+          labels[k] == 1 ? 100.0f : 20.0f + 80.0f * static_cast<float>(unit_double(drawn));
+    }
+  }
+  std::uint32_t material_of(Label) const override { return 0; }
+  bool uneven(Label label) const override { return label != 1; }
+  RayCounts counts() const override { return {}; }
+  double farthest_px() const { return farthest_; }
+
+ private:
+  static Label label(FocalPoint p) { return std::abs(p.y_px - 0.3 * p.x_px - 20.0) < 0.2 ? 2 : 1; }
+  FocalPoint middle_;
+  double farthest_ = 0.0;
+};
+
+TEST(AccuracyUneven, WhatPathsAloneMeetIsNotLookedUpElsewhere) {
+  MetByPathsAlone field({44.0, 34.0});
+  Rendering render;
+  render.tile = {40, 30, 48, 38};
+  render.image = {0, 0, 100, 100};
+  render.half_width = 1.0;
+  const TileResult result = render(field);
+  EXPECT_GT(result.mean[0], 20.0f);
+  EXPECT_LE(field.farthest_px(), 6.0);
+}
+
 }  // namespace
 }  // namespace ifov::test::test_accuracy_uneven

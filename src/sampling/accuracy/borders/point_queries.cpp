@@ -6,25 +6,22 @@ namespace ifov::sampling {
 
 void PointQueries::ask(const std::vector<FocalPoint>& points, std::vector<std::uint32_t>& labels,
                        Purpose purpose) {
-  first_seen_point_.resize(table_.size());
   ledger_.labels(points, labels, purpose);
-  if (table_.size() <= valued_) return;
-  for (std::size_t i = 0; i < labels.size() && first_seen_point_.size() < table_.size(); ++i)
-    if (labels[i] == first_seen_point_.size()) first_seen_point_.push_back(points[i]);
-  value_new_labels();
-}
-
-/// Values of each label that has none yet, where it was seen first.
-void PointQueries::value_new_labels() {
-  std::vector<FocalPoint> points;
+  unseen_ += table_.size() - seen_.size();
+  seen_.resize(table_.size(), 0);
+  if (unseen_ == 0) return;
+  std::vector<FocalPoint> at;
   std::vector<std::uint32_t> wanted;
-  for (auto l = static_cast<std::uint32_t>(valued_); l < table_.size(); ++l)
-    if (table_.count(l) == 0 && table_.merged(l) == l) {
-      points.push_back(first_seen_point_[l]);
-      wanted.push_back(l);
-    }
-  first_values_.take(wanted, points);
-  valued_ = table_.size();
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const std::uint32_t label = labels[i];
+    if (seen_[label] != 0) continue;
+    seen_[label] = 1;
+    --unseen_;
+    if (table_.count(label) > 0 || table_.merged(label) != label) continue;
+    at.push_back(points[i]);
+    wanted.push_back(label);
+  }
+  first_values_.take(wanted, at);
 }
 
 }  // namespace ifov::sampling

@@ -30,15 +30,13 @@ class PointQueries {
   void ask(const std::vector<FocalPoint>& points, std::vector<std::uint32_t>& labels, Purpose purpose);
 
  private:
-  void value_new_labels();
-
   RayLedger& ledger_;
   LabelTable& table_;
   LabelValues first_values_;
   std::vector<FocalPoint> points_;
   std::vector<std::uint32_t> labels_;
-  std::vector<FocalPoint> first_seen_point_;  // by label
-  std::size_t valued_ = 0;                    // labels below this number have a value
+  std::vector<std::uint8_t> seen_;  // by label: whether a question has met it; values meet labels too
+  std::size_t unseen_ = 0;
 };
 
 }  // namespace ifov::sampling

@@ -217,7 +217,8 @@ void ControlVariates::take_rests(LatticeValues& values) const {
 /// How rests differ, as LabelSpread has it of values.
 void ControlVariates::take_spread(const LatticeValues& values, LabelSpread& spread) const {
   LabelTable table(static_cast<int>(columns_));
-  for (std::uint32_t label = 0; label < table_.size(); ++label) table.index(table_.label(label));
+  // Labels that first values met since are no better known than all together.
+  for (std::uint32_t label = 0; label < values.constant.size(); ++label) table.index(table_.label(label));
   LatticeValues rests = values;
   rests.values.swap(rests.rest);
   std::vector<float> row(stride_);
