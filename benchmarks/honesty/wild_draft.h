@@ -10,6 +10,8 @@
 
 namespace ifov::benchmarks {
 
+inline constexpr double kReach_px = 22.0;  ///< beyond all that the image and its halo see
+
 /// A document in the making: a camera that looks down on a plane, straight or aslant, light, channels, a PSF and what is asked,
 /// all by chance; makers add materials and objects. Lengths of the makers are in pixels.
 struct WildDraft {

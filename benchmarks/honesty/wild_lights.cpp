@@ -126,11 +126,11 @@ void make_night(WildDraft& draft) {
   draft.channels = R"({"name": "1.6 um", "top_hat": {"from": "1.55 um", "to": "1.65 um"}},
       {"name": "11 um", "top_hat": {"from": "10.5 um", "to": "11.5 um"}})";
   const double pitch = draft.in_step(random.magnitude(0.5, 4.0)), width = pitch * random.between(0.1, 0.5);
-  const int each_side = static_cast<int>(std::min(30.0, 22.0 / pitch));
+  const int each_side = static_cast<int>(std::min(30.0, kReach_px / pitch));
   const double start = random.uniform();
   for (int k = -each_side; k <= each_side; ++k)
-    draft.box({start + k * pitch, -22.0, 0.0}, {start + k * pitch + width, 22.0, random.magnitude(0.02, 0.3)},
-              "slab");
+    draft.box({start + k * pitch, -kReach_px, 0.0},
+              {start + k * pitch + width, kReach_px, random.magnitude(0.02, 0.3)}, "slab");
   const double radius = random.magnitude(0.01, 0.1), height = random.magnitude(1.0, 8.0) + radius;
   const double x = random.between(-4.0, 4.0), y = random.between(-4.0, 4.0);
   draft.sphere({x, y, height}, radius, "lamp");

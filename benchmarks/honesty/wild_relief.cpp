@@ -10,8 +10,6 @@ namespace ifov::benchmarks {
 
 namespace {
 
-constexpr double kReach_px = 22.0;  // beyond all that the image and its halo see
-
 /// Sums of waves of falling height, with cliffs in some.
 std::vector<float> heights(WildDraft& draft, int cells, double relief_m) {
   RandomStream& random = draft.random;

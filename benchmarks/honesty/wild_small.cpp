@@ -11,8 +11,6 @@ namespace ifov::benchmarks {
 
 namespace {
 
-constexpr double kReach_px = 22.0;  // beyond all that the image and its halo see
-
 /// Dark all over with something bright on it, or cool with something hot: `most`, `few`.
 void contrast(WildDraft& draft, const char* most, const char* few) {
   RandomStream& random = draft.random;

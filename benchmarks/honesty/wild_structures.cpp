@@ -10,8 +10,6 @@ namespace ifov::benchmarks {
 
 namespace {
 
-constexpr double kReach_px = 22.0;  // beyond all that the image and its halo see
-
 /// Along the axis across what repeats, and along it, turned to east and north by chance.
 struct Axes {
   bool east;
