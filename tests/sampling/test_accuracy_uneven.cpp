@@ -137,8 +137,7 @@ class WireShadow final : public Field {
   bool knows_uneven_;
 };
 
-/// Of 40 strips 0.04 to 0.06 px wide, to which pilot rays are sent: pixels that are sure, and
-/// of them those that are off.
+/// Of 40 strips 0.04 to 0.06 px wide, to which pilot rays are sent: pixels that are sure, and of them those that are off.
 Judged wire_shadows(WireShadow::Chance chance, bool knows_uneven) {
   constexpr int kSide = 3;
   Judged sum;
@@ -184,7 +183,8 @@ TEST(AccuracyUneven, PlantedFaultOnePlaceTellsOfAPenumbra) {
 }
 
 TEST(AccuracyUneven, PlantedFaultOneValueTellsOfAPenumbra) {
-  EXPECT_GT(wire_shadows(WireShadow::Chance::even, false).off, 0.15 * 3 * 40);
+  EXPECT_GT(wire_shadows(WireShadow::Chance::even, false).off,
+            0.18 * 3 * 40);  // 23; values that meet what looks alike count
 }
 
 /// A cable along the columns, darker on one side and lighter on the other than the ground: 1 + 0.8 sin(2 pi t), t from -1 to 1 across
