@@ -11,7 +11,7 @@ from __future__ import annotations
 import sys
 from typing import Any
 
-from . import materials, radiometry
+from . import materials, radiometry, sensors
 from ._assets import Copies, Mesh, Raster, Spectrum
 from ._atmosphere import atmosphere
 from ._document import Document, read
@@ -67,6 +67,7 @@ __all__ = [
     "render",
     "run",
     "schema",
+    "sensors",
     "status",
     "version",
 ]

@@ -12,5 +12,6 @@ void add_simulation(nanobind::module_& module);
 void add_runs(nanobind::module_& module);
 void add_atmosphere(nanobind::module_& module);
 void add_materials(nanobind::module_& module);
+void add_sensors(nanobind::module_& module);
 
 }  // namespace ifov::python
