@@ -11,7 +11,7 @@ from __future__ import annotations
 import sys
 from typing import Any
 
-from . import materials, radiometry, sensors
+from . import materials, radiometry, sampling, sensors
 from ._assets import Copies, Mesh, Raster, Spectrum
 from ._atmosphere import atmosphere
 from ._document import Document, read
@@ -66,6 +66,7 @@ __all__ = [
     "read",
     "render",
     "run",
+    "sampling",
     "schema",
     "sensors",
     "status",

@@ -38,4 +38,5 @@ NB_MODULE(_ifov, module) {
   ifov::python::add_atmosphere(module);
   ifov::python::add_materials(module);
   ifov::python::add_sensors(module);
+  ifov::python::add_sampling(module);
 }
