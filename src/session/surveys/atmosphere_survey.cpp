@@ -150,6 +150,9 @@ io::AtmosphereReport survey_atmosphere(const io::Document& original, const Atmos
   if (!original.atmosphere.modelled)
     throw io::document_error(original.sources, original.atmosphere.position,
                              "there is no modelled atmosphere to look at: 'atmosphere' has no 'profile'");
+  if (!(question.ground_reflectance >= 0.0 && question.ground_reflectance <= 1.0))
+    throw InputError(
+        format("a ground of reflectance {:g} was asked for; expected 0 to 1", question.ground_reflectance));
   const io::Document document = asked(original, question);
   return with_position(document.sources, document.atmosphere.position, [&] {
     const SurveyStage stage(document);
@@ -189,6 +192,7 @@ io::AtmosphereReport survey_atmosphere(const io::Document& original, const Atmos
     Meter meter(question, stage.channels.size() + steps.size());
     atmosphere::SurveyControl control;
     control.threads = question.threads;
+    control.ground_reflectance = report.ground_reflectance = question.ground_reflectance;
     control.progress = meter.from(0);
     const std::vector<atmosphere::AtmosphereEffects> light =
         atmosphere::survey_effects(column, stage.channels, sunlight, report.geometry, control);
