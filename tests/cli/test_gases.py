@@ -15,9 +15,9 @@ def looked_at(air):
 
 class Told(unittest.TestCase):
     def test_what_is_asked_for_is_there(self):
-        done = looked_at(GASES % '"h2o": {"column": "1.4 g/cm2"}, "o3": {"column": "280 DU"}, "co2": {"mixing_ratio": "560 ppm"}')
+        done = looked_at(GASES % '"h2o": {"column": "1.4 g/cm2"}, "o3": {"column": "280 DU"}, "co2": {"mixing_ratio": "560 ppm"}, "no2": "off", "n2": "off"')
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertIn("Water vapour 1.4 g/cm2, ozone 280 DU, CO2 560 ppm.", done.stdout)
+        self.assertIn("Water vapour 1.4 g/cm2, ozone 280 DU, CO2 560 ppm.\nGases of the document's own: H2O, CO2, O3; left out: NO2, N2.\n", done.stdout)
 
     def test_without_ozone_red_is_brighter(self):
         with_ozone = rows(looked_at(GASES % '"o3": {"column": "0.3 atm-cm"}').stdout)["red"]
