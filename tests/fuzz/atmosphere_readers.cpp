@@ -1,5 +1,4 @@
 // Readers of paths through the atmosphere and of weather.
-#include "core/error.h"
 #include "fuzz/fuzzed_readers.h"
 #include "io/atmosphere/aeronet_inversion.h"
 #include "io/atmosphere/import_paths.h"
@@ -114,7 +113,11 @@ std::vector<std::string> aeronet_seeds() {
   return {
       "AERONET Version 3;\nSGP\nSite,Date(dd:mm:yyyy),Time(hh:mm:ss),AOD_Extinction-Total[440nm],AOD_Extinction-Total[675nm],"
       "Single_Scattering_Albedo[440nm],Single_Scattering_Albedo[675nm],Asymmetry_Factor-Total[440nm],Asymmetry_Factor-Total[675nm]\n"
-      "SGP,15:08:2019,21:46:45,0.3,0.2,0.95,0.94,0.7,0.65\n",
+      "SGP,15:08:2019,21:46:45,0.3,0.2,0.95,0.94,0.7,0.65\n"};
+}
+
+std::vector<std::string> aeronet_phase_function_seeds() {
+  return {
       "Site,Date(dd:mm:yyyy),Time(hh:mm:ss),180.000000[440nm],120.000000[440nm],60.000000[440nm],0.000000[440nm]\n"
       "SGP,15:08:2019,21:46:45,1,1,1,1\n"};
 }
@@ -200,14 +203,13 @@ std::vector<FuzzedReader> atmosphere_readers() {
       {"aeronet",
        "a.all",
        aeronet_seeds(),
-       {",", "-999", "[440nm]", "\n\n", "nan", "Site,", "15:08:2019", "1e300", "0.000000[440nm]"},
-       [](const auto& path) {
-         try {
-           io::read_aeronet_inversion(path, "");
-         } catch (const InputError&) {
-         }
-         io::read_aeronet_phase_functions(path, "");
-       }},
+       {",", "-999", "[440nm]", "\n\n", "nan", "Site,", "15:08:2019", "1e300"},
+       [](const auto& path) { io::read_aeronet_inversion(path, ""); }},
+      {"aeronet_phase_functions",
+       "a.pfn",
+       aeronet_phase_function_seeds(),
+       {",", "-999", "[440nm]", "\n\n", "nan", "Site,", "0.000000[440nm]", "1e300", "180.0"},
+       [](const auto& path) { io::read_aeronet_phase_functions(path, ""); }},
       {"weather",
        "a.txt",
        weather_seeds(),

@@ -45,6 +45,7 @@ TEST(AeronetInversion, OneRetrieval) {
   EXPECT_EQ(found.optical_depth, (std::vector<double>{0.3, 0.16, 0.08}));
   EXPECT_EQ(found.single_scattering_albedo, (std::vector<double>{0.9512, 0.9433, 0.9301}));
   EXPECT_EQ(found.asymmetry, (std::vector<double>{0.70, 0.64, 0.61}));
+  EXPECT_EQ(read(kHead + kMorning.substr(0, kMorning.size() - 1) + ",\n").asymmetry, found.asymmetry);
 }
 
 TEST(AeronetInversion, ATimeChoosesAndWhatIsMissingIsLeftOut) {

@@ -58,6 +58,8 @@ struct Retrieval {
     for (int number = heading_line + 1; number <= file.line_count(); ++number) {
       if (is_blank(file.line(number))) continue;
       std::vector<Field> fields = split(file.line(number), ',');
+      // Some files end rows with a comma, and their headings without.
+      if (fields.size() == heading.size() + 1 && fields.back().text.empty()) fields.pop_back();
       if (fields.size() != heading.size())
         file.fail(number, 0,
                   format("found {} columns; expected {} as in the heading", fields.size(), heading.size()));
