@@ -12,7 +12,7 @@ namespace {
 
 using namespace sampling;
 
-constexpr int kDomes = 300;
+constexpr int kDomes = 1200;
 constexpr double kSky = 24.0, kMiddle_px = 0.283, kRim_px = 0.4, kHalfWidth = 0.38;
 
 struct DomeShape {

@@ -98,7 +98,7 @@ TEST(AccuracyUneven, NarrowPenumbraeBesideLevelGroundAreRight) {
 
 TEST(AccuracyUneven, PlantedFaultOtherLabelsTellHowTheyVary) {
   const Judged sum = judge(SamplerOf<OtherLabelsTell>(), false);
-  EXPECT_GT(sum.off, 0.12 * sum.converged);
+  EXPECT_GT(sum.off, 0.09 * sum.converged);
   EXPECT_GT(sum.far_off, 0.03 * sum.converged);
 }
 
@@ -196,7 +196,7 @@ Judged wires_in_step(const PixelSampler& sampler) {
     return unit_double(hash(3, static_cast<std::int64_t>(1e6 * x), static_cast<std::int64_t>(1e6 * y))) - 0.5;
   };
   Judged sum;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 160; ++seed) {
     const double width = 0.03 + 0.05 * unit_double(hash(seed, 1));
     // The vertices' column, or the pilot rays, at t from -0.35 to -0.15.
     const double t = -0.35 + 0.2 * unit_double(hash(seed, 2));

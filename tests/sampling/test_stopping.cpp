@@ -32,9 +32,13 @@ class Normal {
 
 using Quantile = std::function<double(int test, double freedom)>;
 
+/// How many values there are to be: at least twice as many each time, or as the sampler plans them, from the variance that those
+/// there show, with a margin.
+enum class Growth { kDoubling, kPlanned };
+
 /// Share of the intervals that hold 0, the mean of replicates of variance 1 per value; `needed` independent values
 /// would do for an interval at exactly known variance.
-double coverage(const Quantile& quantile, int replicates, double needed) {
+double coverage(const Quantile& quantile, int replicates, double needed, Growth growth = Growth::kDoubling) {
   constexpr int kTrials = 4000;
   const double limit = 1.96 / std::sqrt(needed);
   int covered = 0;
@@ -43,7 +47,10 @@ double coverage(const Quantile& quantile, int replicates, double needed) {
     std::vector<double> sum(static_cast<std::size_t>(replicates), 0.0);
     double drawn = 0.0, mean = 0.0, half_width = 0.0;
     for (int test = 2; test < Stopping::kTests; ++test) {
-      const double grown = drawn == 0.0 ? 2.0 : 2.0 * drawn;
+      const double planned = 1.08 * drawn * (half_width / limit) * (half_width / limit);
+      const double grown = drawn == 0.0                  ? 2.0
+                           : growth == Growth::kDoubling ? 2.0 * drawn
+                                                         : std::max(1.2 * drawn, planned);
       mean = 0.0;
       for (double& s : sum) mean += (s += std::sqrt(grown - drawn) * normal()) / grown / replicates;
       drawn = grown;
@@ -63,6 +70,17 @@ TEST(Stopping, IntervalsHoldWhereverTheSamplingEnds) {
   for (int replicates : {5, 12, 24, 48})
     for (double needed : {60.0, 100.0, 300.0}) {
       const double held = coverage(quantile, replicates, needed);
+      EXPECT_GE(held, 0.945) << replicates << " replicates, " << needed << " values";
+      EXPECT_LE(held, 0.985) << replicates << " replicates, " << needed << " values";
+    }
+}
+
+TEST(Stopping, IntervalsHoldWhereRoundsReachTheLimitAndDoNotPassIt) {
+  const Stopping stopping(0.95);
+  const Quantile quantile = [&](int test, double freedom) { return stopping.student(test, freedom); };
+  for (int replicates : {5, 12, 24, 48})
+    for (double needed : {60.0, 100.0, 300.0}) {
+      const double held = coverage(quantile, replicates, needed, Growth::kPlanned);
       EXPECT_GE(held, 0.945) << replicates << " replicates, " << needed << " values";
       EXPECT_LE(held, 0.985) << replicates << " replicates, " << needed << " values";
     }

@@ -58,7 +58,9 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
           const double missed = radiance.unseen().variance(pixel, 0, columns[c]);
           sum.add_path(c, w * w * clutter[c].variance, clutter[c].freedom);
           sum.add_path(c, w * w * missed, INFINITY);
-          sum.deviation[c] += w * std::sqrt((clutter[c].variance + missed) * count);
+          sum.unmet[c] += w * w * missed;
+          sum.deviation[c] += w * std::sqrt(clutter[c].variance * count);
+          sum.deviation_unmet[c] += w * std::sqrt((clutter[c].variance + missed) * count);
         }
       }
       continue;
@@ -95,7 +97,9 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
           const double count = static_cast<double>(pixel.strata[r].count());
           const double missed = radiance.unseen().variance(pixel, r, columns[c]);
           sum.add_path(c, w * w * missed, INFINITY);
-          sum.deviation[c] += w * std::sqrt(moments[r].variance[c] + missed * std::max(1.0, count));
+          sum.unmet[c] += w * w * missed;
+          sum.deviation[c] += w * std::sqrt(moments[r].variance[c]);
+          sum.deviation_unmet[c] += w * std::sqrt(moments[r].variance[c] + missed * std::max(1.0, count));
         }
       }
       for (std::size_t b = 0; b < model.borders.size(); ++b) {

@@ -10,7 +10,8 @@ struct OutputState {
   int test = 0;  ///< those of an earlier run included
   int last_test = Stopping::kTests;
   bool satisfied = false;
-  SmallVector<double, 2> path_budget;  ///< per steering column: variance that paths may leave
+  /// Per steering column: variance that paths may leave, and how many times the values there are it asks for.
+  SmallVector<double, 2> path_budget, growth;
 };
 
 }  // namespace ifov::sampling

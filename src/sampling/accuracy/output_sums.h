@@ -18,9 +18,12 @@ class OutputSums {
     Satterthwaite* path;  ///< as if all paths were drawn apart
     /// As replicates of paths differ, else as `path`; null where nothing has replicates.
     Satterthwaite* replicated;
-    double* deviation;  ///< sum of weight * standard deviation of one value, for Neyman's allocation
-    double* gain;       ///< variance of paths over what it would be if all were drawn apart
-    double* foretold;   ///< the part of `path` that more values leave as it is: of means taken from maps
+    /// Sum of weight * standard deviation of one value, for Neyman's allocation; with what values have not met, as if n values
+    /// left 1 / n of it as well.
+    double *deviation, *deviation_unmet;
+    double* gain;      ///< variance of paths over what it would be if all were drawn apart
+    double* foretold;  ///< the part of `path` that more values leave as it is: of means taken from maps
+    double* unmet;  ///< the part of `path` that falls with the square of their number: what they have not met
 
     void add_path(std::size_t column, double variance, double freedom) const {
       path[column].add(variance, freedom);
@@ -54,13 +57,16 @@ class OutputSums {
       path_.resize(outputs_ * columns);
       if (replicates_) replicated_.resize(outputs_ * columns);
       deviation_.resize(outputs_ * columns);
+      deviation_unmet_.resize(outputs_ * columns);
+      unmet_.resize(outputs_ * columns);
       gain_.resize(outputs_ * columns);
       foretold_.resize(outputs_ * columns);
     }
     for (const int output : outputs) {
       const Row row = (*this)[output];
       for (std::size_t c = 0; c < columns; ++c) {
-        row.mean[c] = row.geometry[c] = row.deviation[c] = row.foretold[c] = 0.0;
+        row.mean[c] = row.geometry[c] = row.foretold[c] = row.unmet[c] = 0.0;
+        row.deviation[c] = row.deviation_unmet[c] = 0.0;
         row.path[c] = {};
         if (replicates_) row.replicated[c] = {};
         row.gain[c] = 1.0;
@@ -70,9 +76,11 @@ class OutputSums {
 
   Row operator[](int output) {
     const std::size_t first = static_cast<std::size_t>(output) * columns_;
-    return {
-        &mean_[first],      &geometry_[first], &path_[first],    replicates_ ? &replicated_[first] : nullptr,
-        &deviation_[first], &gain_[first],     &foretold_[first]};
+    return {&mean_[first],      &geometry_[first],
+            &path_[first],      replicates_ ? &replicated_[first] : nullptr,
+            &deviation_[first], &deviation_unmet_[first],
+            &gain_[first],      &foretold_[first],
+            &unmet_[first]};
   }
   std::span<const double> means(int output) const {
     return {&mean_[static_cast<std::size_t>(output) * columns_], columns_};
@@ -81,7 +89,8 @@ class OutputSums {
  private:
   std::size_t outputs_, columns_ = 0;
   bool replicates_;
-  std::vector<double> mean_, geometry_, deviation_, gain_, foretold_;  // [output][column]
+  std::vector<double> mean_, geometry_, deviation_, deviation_unmet_, gain_, foretold_,
+      unmet_;  // [output][column]
   std::vector<Satterthwaite> path_, replicated_;
 };
 

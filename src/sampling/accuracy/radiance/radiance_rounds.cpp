@@ -54,15 +54,18 @@ void RadianceRounds::request_round(const PlannedRound& round) {
   const PixelRect& domain = model_.tree().lattice().domain();
   const int px = domain.x0 + pixel.source % domain.width(), py = domain.y0 + pixel.source / domain.width();
   const double area = std::max(pixel.model.area[s], 1e-9);
-  int side = static_cast<int>(std::ceil(std::sqrt(count / area)));
-  side = std::clamp(side + side % 2, 2, kFinestGrid);
+  // Both sides are even; where a square has too few cells and the next one many more, one of them is longer.
+  int columns = static_cast<int>(std::ceil(std::sqrt(count / area)));
+  columns = std::clamp(columns + columns % 2, 2, kFinestGrid);
+  int rows = columns;
+  if (columns > 2 && columns * (columns - 2) >= count / area) (stratum.round % 2 == 0 ? columns : rows) -= 2;
   const std::uint64_t key = hash(seed_, kStratumKey, px, py, table_.label(stratum.label), stratum.round - 1);
   std::uint64_t sequences[kReplicates];
   for (std::uint32_t r = 0; r < kReplicates; ++r) sequences[r] = hash(key, kPathsKey, r);
   const std::size_t first = requests_.size();
-  for (int j = 0; j < side; j += 2)
-    for (int i = 0; i < side; i += 2) {
-      const auto block = static_cast<std::uint32_t>((j / 2) * (side / 2) + i / 2);
+  for (int j = 0; j < rows; j += 2)
+    for (int i = 0; i < columns; i += 2) {
+      const auto block = static_cast<std::uint32_t>((j / 2) * (columns / 2) + i / 2);
       // Which value of a block belongs to which sequence is drawn for four blocks, in which every sequence has every
       // quarter once: no gradient tells the sequences apart.
       const std::uint32_t turn = static_cast<std::uint32_t>(
@@ -70,7 +73,7 @@ void RadianceRounds::request_round(const PlannedRound& round) {
       for (std::uint32_t quarter = 0; quarter < kReplicates; ++quarter) {
         const int a = i + static_cast<int>(quarter % 2), b = j + static_cast<int>(quarter / 2);
         const std::uint64_t cell = hash(key, a, b);
-        const Point2 at{px + (a + unit_double(cell)) / side, py + (b + unit_double(mix(cell))) / side};
+        const Point2 at{px + (a + unit_double(cell)) / columns, py + (b + unit_double(mix(cell))) / rows};
         const std::uint32_t model = model_.label_at({at.x, at.y});
         if (model != stratum.label && model != kNoLabel) continue;
         const std::uint32_t replicate = quarter ^ turn;

@@ -14,12 +14,15 @@ namespace {
 
 /// What n values have not met is rarer than x / n but for a share exp(-x) of cases. As a standard error, in units of
 /// 1 / n, with room for what lies farther off than one deviation.
-constexpr double kUnseen = 2.5;
+constexpr double kUnseen = 3.0;
 /// The same where rays have met something in the pixel on a material that no value has met yet: that it is there is known.
 constexpr double kKnownUnseen = 6.0;
 /// Values far from the rest are taken to be one more than were met: else those strata would stop soonest that
 /// happened to meet few of them, and would be wrong all the same way.
 constexpr double kRareValues = 1.0, kManyValues = 8.0;
+/// A far value that one of the vertices in a pixel and those around it has met makes the square of what they differ by at least this
+/// part of its own.
+constexpr double kThereabouts = 256.0;
 /// What is known to be there, and farther from the mean than any of n values: its 95 % interval is that of the 3 / n at which n
 /// values meet none.
 constexpr double kKnownFar = 1.5;
@@ -64,8 +67,9 @@ double UnseenValues::variance(const SourcePixel& pixel, std::size_t s, int colum
   double seen = 0.0, count = pixel.cluttered ? pixel.clutter_count() : static_cast<double>(stratum.count());
   if (pixel.cluttered && !pixel.rounds.empty()) seen = pixel.rounds.back().spread(column);
   if (!pixel.cluttered && !stratum.rounds.empty()) seen = stratum.rounds.back().spread(column);
-  double nearby =
+  const double deviation2 =
       static_cast<double>(stratum.deviation[column]) * static_cast<double>(stratum.deviation[column]);
+  double nearby = deviation2;
   const LabelSpread& spread = spread_.rest_if(stratum.foretold());
   // Strata of few values have borrowed from the tile in moments(); what many agree on may still not be all.
   const bool many = !pixel.cluttered && count >= kManyValues && spread.blocks(stratum.label) >= kManyValues;
@@ -73,6 +77,9 @@ double UnseenValues::variance(const SourcePixel& pixel, std::size_t s, int colum
   const double hidden = std::max(0.0, nearby - seen);
   count = std::max(1.0, count);
   double rare = many ? kRareValues * spread.rare(stratum.label, column) : 0.0;
+  // Where none of the many vertices thereabouts has met any, the pixel is like the rest of the tile, in which n values differ
+  // from their label's mean by as much.
+  if (rare > kThereabouts * deviation2) rare = std::min(rare, count * spread.local(stratum.label, column));
   if (pixel.cluttered) rare = kKnownFar * kKnownFar * known_farther(pixel, column);
   double squared = std::min(kUnseen * kUnseen, 1.0 + count);
   if (pixel.cluttered) {

@@ -32,12 +32,31 @@ class RoundPlanner {
 
  private:
   static constexpr double kFewest = 4.0;  ///< values of a stratum's first round, at least
+  /// Values of a pixel's pilot round, about; of each stratum kFewest at least.
+  static constexpr double kPilot = 16.0;
+  static constexpr double kSure = 40.0;  ///< so many degrees of freedom tell a variance well
 
   bool begin_foretold(Radiance& radiance);
   template <class Visit>
   void visit_untold(const Radiance& radiance, const Visit& visit);
   bool begin_untold(Radiance& radiance);
   OutputSums::Row limits_of(int output);
+  /// Values that a stratum of a pixel is to have in all, as outputs whose intervals are too wide want it.
+  struct Want {
+    std::size_t pixel, stratum;
+    double have;
+    double wanted = 0.0, freedom = 0.0;  ///< degrees of freedom by which it is known
+    double share = 1.0;
+    bool hope = false, paths_differ = false;
+  };
+
+  bool open(int output) const;
+  void find_budget(int output);
+  void find_wants(const Radiance& radiance, const LeafIntegrator& integrator);
+  void ease_wants(const Radiance& radiance, const LeafIntegrator& integrator);
+  bool plan_wants(Radiance& radiance, const LeafIntegrator& integrator);
+  bool plan_stratum(Radiance& radiance, const LeafIntegrator& integrator, const Want& want,
+                    std::span<const double> own, std::span<const double> unmet, double room);
   bool plan_round(Radiance& radiance, const LeafIntegrator& integrator, const std::vector<int>& outputs);
   bool steer_by_more(const Radiance& radiance, const LeafIntegrator& integrator,
                      const std::vector<int>& outputs);
@@ -56,7 +75,11 @@ class RoundPlanner {
   };
   std::map<std::uint32_t, Told> told_;
   std::vector<double> mean_, limit_;  // of an output, by column
-  std::vector<int> steering_;         // columns whose intervals decide how many values are drawn
+  std::vector<Want> wants_;
+  /// [want][steering column]: variance of one value, and what values have not met as if it were of one.
+  std::vector<double> own_, unmet_;
+  std::vector<double> now_, then_;  // [output][steering column]
+  std::vector<int> steering_;       // columns whose intervals decide how many values are drawn
 };
 
 }  // namespace ifov::sampling
