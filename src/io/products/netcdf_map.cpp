@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 #include "io/product_parts/map_info.h"
-#include "io/products/netcdf_functions.h"
+#include "io/product_parts/netcdf_functions.h"
 #include "io/raster/gdal_reference.h"
 
 namespace ifov::io {
