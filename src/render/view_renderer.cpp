@@ -4,12 +4,14 @@
 
 #include "core/error.h"
 #include "render/image_renderer.h"
+#include "render/seen_through.h"
 #include "render/tile_loop.h"
 #include "render/tile_sink.h"
 #include "render/views/point_irradiance.h"
 #include "sampling/hash.h"
 #include "sampling/tile.h"
 #include "sensor/view_list.h"
+#include "sensor/view_list_camera.h"
 
 namespace ifov::render {
 namespace {
@@ -74,7 +76,15 @@ Progress render_views(const RenderJob& job, const sensor::ViewListCamera& views,
     alone.threads = 1;
     alone.cancel = control.cancel;
     render_image(one, alone, result);
-    if (points) to_irradiance(job.scene, views.view(k), job.tolerance, one.seed, result.tile);
+    if (points) {
+      SeenThrough through(job.scene);
+      ThroughPanes through_panes;
+      if (through.any())
+        through_panes = [&](const math::Ray& ray, sampling::RayCounts& counts) {
+          return through.passed(ray, counts) != 0;
+        };
+      to_irradiance(job.scene, views.view(k), job.tolerance, through_panes, one.seed, result.tile);
+    }
     const int column = static_cast<int>(k);
     result.tile.tile = {column, 0, column + 1, 1};
     sink.write(result.tile);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sampling/field.h"
-#include "sampling/replicated_mean.h"
+#include "sampling/means/replicated_mean.h"
 #include "sampling/warp.h"
 #include "sensor/single_views.h"
 #include "truth/side_seen.h"

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "render/views/sun_share.h"
+
 namespace ifov::sampling {
 struct TileResult;
 }
@@ -21,6 +23,7 @@ class AccuracyTolerance;
 /// (sampling::replicated_mean). Sunlight that comes through panes is not told: its most widens the half-widths and marks the pixel
 /// with Reason::unseen_light. `tolerance` may be null; it judges the radiance of a white Lambertian there, irradiance over pi.
 void to_irradiance(const transport::SpectralScene& scene, const sensor::SingleView& view,
-                   const AccuracyTolerance* tolerance, std::uint64_t seed, sampling::TileResult& tile);
+                   const AccuracyTolerance* tolerance, const ThroughPanes& through_panes, std::uint64_t seed,
+                   sampling::TileResult& tile);
 
 }  // namespace ifov::render

@@ -5,9 +5,6 @@
 #include "core/version.h"
 #include "io/document/document.h"
 #include "io/files/inputs.h"
-#include "io/quantities/quality_quantities.h"
-#include "io/quantities/radiance_quantities.h"
-#include "io/quantities/sunlight_quantities.h"
 #include "io/run_state/run_plan.h"
 #include "io/run_state/scene_files.h"
 #include "io/scene_cache/file_stamp.h"
@@ -33,14 +30,6 @@ const char* name_of(render::ErrorUnit unit) {
     case render::ErrorUnit::noise: break;
   }
   return "noise";
-}
-
-/// What the tables of single views hold; what only the middle of a picture's pixel has is not there unasked.
-void add_view_cubes(const sensor::ViewList& views, io::QuantitySet& cubes) {
-  for (const io::Quantity* quantity : {&io::quantities::kHalfWidth, &io::quantities::kStandardError,
-                                       &io::quantities::kSamples, &io::quantities::kReasons})
-    cubes.add(*quantity);
-  if (views.kind == sensor::ViewList::Kind::points) cubes.add(io::quantities::kSkyView);
 }
 
 }  // namespace
@@ -82,7 +71,8 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
   plan.name = document.output.name;
   const bool map_tells = parts.camera->ground_grid().has_value() || plan.image.views != nullptr;
   plan.cubes = document.output.products.value_or(io::usual_quantities(map_tells, document.sensor.stokes));
-  if (plan.image.views) add_view_cubes(*plan.image.views, plan.cubes);
+  if (plan.image.views)
+    io::add_view_quantities(plan.image.views->kind == sensor::ViewList::Kind::points, plan.cubes);
   for (const io::DocumentName& channel : document.output.quicklook_channels)
     for (std::size_t c = 0; c < document.sensor.channels.size(); ++c)
       if (document.sensor.channels[c].name == channel.name)

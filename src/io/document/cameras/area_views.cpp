@@ -4,36 +4,19 @@
 #include "core/error.h"
 #include "io/document/cameras/view_settings.h"
 #include "io/document/cameras/view_table.h"
-#include "io/document/schema/record.h"
 #include "math/angle.h"
 #include "sampling/hash.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
 #include "sensor/view_list.h"
+#include "sensor/view_list_camera.h"
 
 namespace ifov::io {
 namespace {
 
 using sensor::ViewList;
 
-constexpr double kMostZenith_deg = 89.0;
-constexpr int kMostCells = 100;
 constexpr std::uint64_t kDirections = 0x68656d697370ull;  // purpose, in hash(seed, kDirections, cell, which)
-
-/// The keys of an area, in a record of what looks at it.
-template <class T>
-Record<T>& add_area(Record<T>& record) {
-  return record
-      .optional("center", path(&T::area, &ViewedArea::centre_m), tuple<double, 2>(quantity(kLength)),
-                "middle of the area; the scene's origin if not given")
-      .optional(
-          "size", path(&T::area, &ViewedArea::size_m),
-          tuple<double, 2>(quantity(kLength, Range::above(0.0, "m"))),
-          "of the area, from west to east and from south to north; if not given that of a `periodic` scene, all of "
-          "which it then is")
-      .with_default("height", path(&T::area, &ViewedArea::height_m), quantity(kLength), "\"0 m\"",
-                    "of the horizontal plane that the area lies in");
-}
 
 sensor::AreaView::Settings area_of(const ViewedArea& area, const CameraSite& site) {
   sensor::AreaView::Settings settings;
@@ -79,36 +62,6 @@ std::vector<ViewedDirection> read_directions(const std::string& path) {
 }
 
 }  // namespace
-
-SchemaType<DistantSensor> distant_type() {
-  Record<ViewedDirection> direction("direction", "From the area towards the sensor.");
-  direction
-      .required("zenith", &ViewedDirection::zenith_rad,
-                quantity(kAngle, Range::between(-kMostZenith_deg, kMostZenith_deg, "deg")),
-                "its angle to the vertical; a negative one lies on the other side of that")
-      .with_default("azimuth", &ViewedDirection::azimuth_rad, quantity(kAngle), "\"0 deg\"",
-                    "clockwise from north");
-  Record<DistantSensor> record(
-      "distant sensor",
-      "No picture: what leaves an area towards each of a list of directions, as radiance and as reflectance factor.");
-  record.exactly_one()
-      .one("directions", &DistantSensor::directions, list(direction.type(), 1, kMostViews),
-           "towards each of which the area's radiance is told")
-      .one("file", &DistantSensor::file, file(),
-           "instead: a table with the columns `view_zenith_deg` and `view_azimuth_deg`");
-  return add_area(record).type();
-}
-
-SchemaType<HemisphereSensor> hemisphere_type() {
-  Record<HemisphereSensor> record(
-      "hemisphere sensor",
-      "No picture: what leaves an area towards directions by chance all over the hemisphere, and its albedo from them.");
-  record.with_default(
-      "cells", &HemisphereSensor::cells, integer(1, kMostCells), "6",
-      "along a side of the square that the hemisphere is turned into, as it is seen from far above; two directions are drawn in each "
-      "of the cells, which have the same projected solid angle");
-  return add_area(record).type();
-}
 
 std::unique_ptr<sensor::Camera> DistantSensor::build(const CameraSite& site) const {
   return camera_of(ViewList::Kind::directions, area, site, file ? read_directions(file->path) : directions);

@@ -4,8 +4,8 @@
 #include "core/error.h"
 #include "io/document/cameras/view_settings.h"
 #include "io/document/cameras/view_table.h"
-#include "io/document/schema/record.h"
 #include "sensor/view_list.h"
+#include "sensor/view_list_camera.h"
 
 namespace ifov::io {
 namespace {
@@ -58,35 +58,6 @@ void add(ViewList& list, math::Point3 position, math::Vec3 direction) {
 }
 
 }  // namespace
-
-SchemaType<PointsSensor> points_type() {
-  Record<ViewedPoint> point_record("point", "A plane at a point.");
-  point_record.required("position", &ViewedPoint::position_m, point(), "where it is; it may lie on a surface")
-      .with_default("normal", &ViewedPoint::normal, direction(), "[0, 0, 1]",
-                    "of the plane, towards the side that is lit");
-  Record<PointsSensor> record(
-      "points",
-      "No picture: the irradiance on planes at points, by the Sun, the sky and all that stands around, and the share of the sky that "
-      "they see.");
-  record.exactly_one()
-      .one("at", &PointsSensor::points, list(point_record.type(), 1, kMostViews), "the points")
-      .one(
-          "file", &PointsSensor::file, file(),
-          "instead: a table with the columns `x_m`, `y_m`, `z_m` and, where normals are not all up, `nx`, `ny`, `nz`");
-  return record.type();
-}
-
-SchemaType<RaysSensor> rays_type() {
-  Record<ViewedRay> ray("ray", "A line of sight.");
-  ray.required("from", &ViewedRay::from_m, point(), "where it begins")
-      .required("direction", &ViewedRay::direction, direction(), "where it goes, against the light");
-  Record<RaysSensor> record("rays", "No picture: the radiance that comes along each of a list of rays.");
-  record.exactly_one()
-      .one("along", &RaysSensor::rays, list(ray.type(), 1, kMostViews), "the rays")
-      .one("file", &RaysSensor::file, file(),
-           "instead: a table with the columns `x_m`, `y_m`, `z_m`, `dx`, `dy`, `dz`");
-  return record.type();
-}
 
 std::unique_ptr<sensor::Camera> PointsSensor::build(const CameraSite& site) const {
   auto list = list_of(ViewList::Kind::points, "nx", "ny", "nz");

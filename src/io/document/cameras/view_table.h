@@ -21,6 +21,9 @@ struct ViewColumn {
 /// where it cannot be read.
 std::vector<double> read_view_table(const std::filesystem::path& path, std::span<const ViewColumn> columns);
 
+/// Nearest to the horizon that an area is looked at from.
+inline constexpr double kMostZenith_deg = 89.0;
+
 /// No more rows than this, in tables and in documents.
 inline constexpr std::size_t kMostViews = 100000;
 

@@ -15,6 +15,7 @@
 #include "sensor/camera.h"
 #include "sensor/psf.h"
 #include "sensor/view_list.h"
+#include "sensor/view_list_camera.h"
 #include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/with_position.h"
 

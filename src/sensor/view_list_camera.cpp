@@ -1,4 +1,4 @@
-#include "sensor/view_list.h"
+#include "sensor/view_list_camera.h"
 
 #include <algorithm>
 #include <cmath>
