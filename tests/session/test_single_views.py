@@ -137,6 +137,23 @@ class SingleViews(unittest.TestCase):
             free = 0.5 + (math.asin(s) + s * math.sqrt(1.0 - s * s)) / math.pi
             self.assertLess(abs(row["irradiance"] / (1000.0 * math.cos(SUN_ZENITH)) - free), 0.01)
 
+    def test_sunlight_by_mirrors_and_panes_is_in_the_interval(self):
+        def screen(material):
+            described = document({"points": {"at": [point(0, 0, 0), point(-50, 0, 0, (-1, 0, 0))]}}, [rectangle((2, -3, 0), (0, 6, 0), (0, 0, 4), "screen")],
+                                 ground=0.0)
+            described["scene"]["materials"]["screen"] = material
+            return described
+
+        mirror = screen({"reflectance": 0.8, "scattering": "mirror"})
+        mirror["light"]["sun"]["point"]["azimuth"] = "270 deg"
+        both = 1000.0 * math.cos(SUN_ZENITH) * 1.8
+        before, away = self.rows(mirror)
+        self.assertLess(abs(before["irradiance"] - both), before["half_width"])
+        self.assertEqual((before["converged"], away["converged"]), (0, 1))
+        pane = self.rows(screen({"reflectance": 1.0, "scattering": {"slab": {"n": 1.5, "k": 0, "thickness": "5 mm"}}}))[0]
+        self.assertGreater(pane["irradiance"] + pane["half_width"], 1000.0 * math.cos(SUN_ZENITH) * 0.95)
+        self.assertEqual(pane["converged"], 0)
+
     def test_rays(self):
         (self.folder / "rays.csv").write_text("# lines of sight\nx_m,y_m,z_m,dx,dy,dz\n0,0,5,0,0,-2\n1,2,5,1,0,-1\n0,0,5,1,0,1\n")
         rows = self.rows(document({"rays": {"file": "rays.csv"}}, sky=7))

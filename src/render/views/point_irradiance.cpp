@@ -76,8 +76,8 @@ void to_irradiance(const transport::SpectralScene& scene, const sensor::SingleVi
           static_cast<float>(kPi * kPi * static_cast<double>(tile.variance_geometry[c]) + sun * sun);
       tile.variance_path[c] = static_cast<float>(kPi * kPi * static_cast<double>(tile.variance_path[c]));
     }
-    const double half_width = kPi * static_cast<double>(tile.half_width[c]) +
-                              (share.half_width + share.through_panes) * sunlight[c];
+    const double half_width =
+        kPi * static_cast<double>(tile.half_width[c]) + (share.half_width + share.unfound) * sunlight[c];
     tile.half_width[c] = static_cast<float>(half_width);
     if (tolerance != nullptr) worst = std::max(worst, half_width / (kPi * white.limit[c]));
   }
@@ -85,7 +85,7 @@ void to_irradiance(const transport::SpectralScene& scene, const sensor::SingleVi
   constexpr double kRounding = 1e-5;
   tile.worst_ratio[0] = static_cast<float>(worst);
   if (worst > 1.0 + kRounding)
-    tile.set(0, share.through_panes > 0.0 ? sampling::Reason::unseen_light : sampling::Reason::error);
+    tile.set(0, share.unfound > 0.0 ? sampling::Reason::unseen_light : sampling::Reason::error);
 }
 
 }  // namespace ifov::render

@@ -9,6 +9,8 @@
 #include "sampling/means/replicated_mean.h"
 #include "sampling/warp.h"
 #include "scene/scene.h"
+#include "transport/mirrors/sun_images.h"
+#include "transport/mirrors/sun_mirrors.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {
@@ -16,6 +18,19 @@ namespace {
 
 constexpr std::uint64_t kSunPoints = 0x73756e706f696e74ull;  // purpose, in hash(seed, kSunPoints)
 constexpr std::uint64_t kMostRays = 1u << 20;
+
+/// Of the Sun's images in flat mirrors that may stand before the plane, all cosines together: whether something hides them is not asked.
+double mirrored_cosine(const transport::SpectralScene& scene, const math::Ray& along) {
+  constexpr int kReflections = 2;
+  constexpr double kSlope = 0.01;  // twice the Sun's half-angle
+  if (scene.sun_mirrors() == nullptr) return 0.0;
+  double sum = 0.0;
+  const transport::SunImages images(*scene.sun_mirrors(), scene.scene().sun->direction, kReflections);
+  for (const transport::SunImages::Image& image : images.images())
+    if (transport::may_meet(image.bounds, along.origin_m, image.direction, kSlope))
+      sum += std::max(0.0, math::dot(image.direction, along.direction));
+  return sum;
+}
 
 }  // namespace
 
@@ -25,8 +40,8 @@ SunShare share_of_sun(const transport::SpectralScene& scene, const math::Ray& al
   if (!scene.scene().sun || !scene.scene().sun->is_up()) return {};
   const scene::Sun& sun = *scene.scene().sun;
   const math::Vec3 normal = along.direction;
-  const double facing = math::dot(sun.direction, normal);
-  if (facing <= -std::sin(sun.half_angle_rad)) return {};
+  const double facing = math::dot(sun.direction, normal), mirrored = mirrored_cosine(scene, along);
+  if (facing <= -std::sin(sun.half_angle_rad)) return {.unfound = mirrored};
   const sampling::UniformCone cone(sun.half_angle_rad);
   // Irradiance on what faces the disc is radiance times pi sin^2 of its half-angle; directions are uniform in solid angle.
   const double sine = std::sin(sun.half_angle_rad);
@@ -52,7 +67,7 @@ SunShare share_of_sun(const transport::SpectralScene& scene, const math::Ray& al
   const sampling::ReplicatedMean mean =
       sampling::replicated_mean(sampling::hash(seed, kSunPoints), confidence, limit, kMostRays, free);
   return {mean.mean, mean.standard_error, mean.half_width,
-          std::max(0.0, facing + sine) * static_cast<double>(passed) / static_cast<double>(all)};
+          mirrored + std::max(0.0, facing + sine) * static_cast<double>(passed) / static_cast<double>(all)};
 }
 
 std::vector<double> sunlight_by_channel(const transport::SpectralScene& scene) {

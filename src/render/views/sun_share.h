@@ -23,7 +23,7 @@ using ThroughPanes = std::function<bool(const math::Ray& blocked, sampling::RayC
 struct SunShare {
   double cosine = 0.0;  ///< mean over the free part of the disc times its share
   double standard_error = 0.0, half_width = 0.0;
-  double through_panes = 0.0;  ///< the most that comes through panes besides
+  double unfound = 0.0;  ///< the most that comes through panes and by flat mirrors besides
 };
 
 /// At the plane whose origin and normal `along` is; to about `limit`, by sampling::replicated_mean.
