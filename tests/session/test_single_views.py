@@ -5,6 +5,7 @@ import csv
 import json
 import math
 import os
+import struct
 import subprocess
 import tempfile
 import unittest
@@ -109,6 +110,20 @@ class SingleViews(unittest.TestCase):
             lit = sum(w * (1.0 - row["irradiance"] / (100.0 * math.pi)) for row, (_, w) in zip(rows, points))
             self.assertAlmostEqual(seen, published[name], delta=5e-4, msg=name)
             self.assertAlmostEqual(lit, published[name], delta=1e-3, msg=name)
+
+    def test_sky_view_of_an_image(self):
+        """Below a disc, of which a point on its axis sees r^2 / (r^2 + h^2), and far from it."""
+        disk = {"disk": {"center": ["0 m", "0 m", "0.5 m"], "normal": [0, 0, 1], "radius": "0.25 m"}, "material": "black"}
+        camera = {"camera": {"orthographic": {"gsd": "0.01 m", "pixels": [1, 1], "height": "0.4 m"}}}
+        for center, expected in (("0 m", 0.8), ("400 m", 1.0)):
+            camera["camera"]["orthographic"]["center"] = [center, "0 m"]
+            described = document(camera, [disk], sky=10)
+            described["output"]["products"] = ["sky_view"]
+            done = self.run_program(described, "--restart")
+            self.assertIn(done.returncode, (0, 5, 6), done.stderr)
+            value, half_width = struct.unpack("<2f", (self.folder / "out" / "image_sky_view.img").read_bytes())
+            self.assertLess(abs(value - expected), half_width + 1e-6)
+            self.assertLess(half_width, 0.0031)
 
     def test_points_in_the_sun_and_out_of_it(self):
         roof = rectangle((9, -1, 1), (2, 0, 0), (0, 2, 0), "black")
