@@ -46,11 +46,12 @@ Albedo albedo_of(const ViewValues& v, std::size_t channel, double scale, double 
     return scale * static_cast<double>(v.value[view * v.channels + channel]);
   };
   const std::size_t cells = v.views / 2;
-  double sum = 0.0, variance = 0.0, common = 0.0;
+  double sum = 0.0, variance = 0.0, squares = 0.0, common = 0.0;
   for (std::size_t k = 0; k < cells; ++k) {
     const double difference = at(2 * k) - at(2 * k + 1);
     sum += at(2 * k) + at(2 * k + 1);
-    variance += 0.25 * difference * difference;
+    const double own = 0.25 * difference * difference;
+    variance += own, squares += own * own;
   }
   for (std::size_t k = 0; k < v.half_width.size() / std::max<std::size_t>(v.channels, 1); ++k) {
     const std::size_t i = k * v.channels + channel;
@@ -60,9 +61,12 @@ Albedo albedo_of(const ViewValues& v, std::size_t channel, double scale, double 
   Albedo albedo;
   albedo.value = sum / static_cast<double>(v.views);
   albedo.standard_error = std::sqrt(variance) / static_cast<double>(cells);
-  albedo.half_width =
-      sampling::two_sided_student(confidence, static_cast<double>(cells)) * albedo.standard_error +
-      common / static_cast<double>(v.views);
+  // Satterthwaite's degrees of freedom: a few cells may have most of the variance.
+  const double degrees =
+      squares > 0.0 ? std::clamp(3.0 * variance * variance / squares - 2.0, 1.0, static_cast<double>(cells))
+                    : static_cast<double>(cells);
+  albedo.half_width = sampling::two_sided_student(confidence, degrees) * albedo.standard_error +
+                      common / static_cast<double>(v.views);
   return albedo;
 }
 
