@@ -169,6 +169,10 @@ class SingleViews(unittest.TestCase):
         self.assertGreater(pane["irradiance"] + pane["half_width"], 1000.0 * math.cos(SUN_ZENITH) * 0.95)
         self.assertEqual(pane["converged"], 0)
 
+    def test_looking_at_the_sky_alone_is_no_warning(self):
+        done = self.run_program(document({"points": {"at": [point(0, 0, 1)]}}, sky=10))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
     def test_rays(self):
         (self.folder / "rays.csv").write_text("# lines of sight\nx_m,y_m,z_m,dx,dy,dz\n0,0,5,0,0,-2\n1,2,5,1,0,-1\n0,0,5,1,0,1\n")
         rows = self.rows(document({"rays": {"file": "rays.csv"}}, sky=7))

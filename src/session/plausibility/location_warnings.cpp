@@ -68,6 +68,7 @@ void warn_of_camera(const Parts& parts, const SceneSurvey& survey, LogSink& log)
                       above.distance_m));
   }
   if (survey.sky_share < 1.0) return;
+  if (position && parts.camera->view_list() != nullptr) return;  // points and rays may well look at the sky
   if (world.object_count() == 0)
     return log.warn("the scene holds no objects: the picture shows nothing but sky");
   const geometry::World::Bounds b = world.bounds();
