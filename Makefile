@@ -4,6 +4,7 @@
 #   make demo     the same, render examples/demo.json, say where its pictures and report are
 #   make test     build and run every test
 #   make python   build the Python package into build/venv (build/venv/bin/python has it)
+#   make deb      build a Debian package of program, library, headers, manual pages and the Python package
 #   make bench    build and run the benchmarks (BENCH="speed honesty": only these; BENCH_FLAGS=--long: the long versions)
 #   make sanitize build and run the C++ tests under sanitizers (SANITIZE=thread: for data races)
 #   make tidy     look for mistakes with clang-tidy (SINCE=main: only in what changed since then)
@@ -43,6 +44,9 @@ python: configure
 	@sh tools/make_python.sh $(BUILD)
 	@echo "Python with ifov: $(BUILD)/venv/bin/python"
 
+deb: program python
+	@python3 tools/make_deb.py $(BUILD)
+
 # Without PyPI there is no package, and its tests are skipped and say so.
 test: configure
 	@$(TOOLS) --target all
@@ -64,4 +68,4 @@ tidy: packages
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all packages configure program demo python test bench sanitize tidy clean
+.PHONY: all packages configure program demo python deb test bench sanitize tidy clean

@@ -10,10 +10,10 @@ export class Refusal extends Error {
   constructor(status, message) { super(message); this.status = status; }
 }
 
-export async function ask(name, query = {}, signal) {
+export async function ask(name, query = {}, signal, method = "GET") {
   let response;
   try {
-    response = await fetch(`/api/${name}?${new URLSearchParams(query)}`, {headers: {"X-Ifov-Token": token}, signal});
+    response = await fetch(`/api/${name}?${new URLSearchParams(query)}`, {method, headers: {"X-Ifov-Token": token}, signal});
   } catch (error) {
     if (error.name === "AbortError") throw error;
     throw new Refusal(0, "ifov view does not answer: it has ended");

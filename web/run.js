@@ -11,6 +11,7 @@ const watched = () => app.sources.findIndex(s => s.watch);
 function show() {
   const k = watched(), figures = $("figures");
   figures.replaceChildren();
+  offerStop(k < 0 ? "" : app.sources[k].watch.atWork);
   const put = (value, name) => figures.append(make("div", {}, make("b", {}, value), make("span", {}, name)));
   if (k < 0) {
     const run = app.run();
@@ -38,6 +39,23 @@ function show() {
   known = w.done;
   take();
 }
+
+// Who is asked to stop; a process that comes later may be asked again.
+let stopping = "";
+function offerStop(atWork) {
+  const button = $("stop-run");
+  button.hidden = !atWork;
+  if (atWork !== stopping) stopping = "";
+  button.disabled = stopping !== "";
+  button.textContent = stopping ? "Stopping \u2026" : "Stop the run";
+}
+$("stop-run").addEventListener("click", () => {
+  const k = watched();
+  if (k < 0) return;
+  stopping = app.sources[k].watch.atWork;
+  offerStop(stopping);
+  ask("stop", {source: k}, undefined, "POST").catch(error => { stopping = ""; offerStop(app.sources[k].watch.atWork); complain(error); });
+});
 
 let busy = 0;
 async function take() {

@@ -21,9 +21,10 @@ struct AtmosphereQuestion {
   std::optional<Direction> sun = {}, view = {};
   bool night = false;  ///< no Sun
   std::optional<double> sensor_altitude_km = {};
-  bool spectrum = false;         ///< at the band model's resolution over the range of the sensor
-  bool sky = false;              ///< the whole sky in one channel
-  std::string sky_channel = {};  ///< empty: the one next to 0.45 um by day, to 10 um without a Sun
+  double ground_reflectance = 0.0;  ///< of AtmosphereEffects::OverGround, 0 to 1
+  bool spectrum = false;            ///< at the band model's resolution over the range of the sensor
+  bool sky = false;                 ///< the whole sky in one channel
+  std::string sky_channel = {};     ///< empty: the one next to 0.45 um by day, to 10 um without a Sun
   int threads = 0;
   const CancelToken* cancel = nullptr;
   ProgressSink* progress = nullptr;
@@ -31,7 +32,7 @@ struct AtmosphereQuestion {
 };
 
 /// What the air does to the light of one channel: means over the response. Radiances in W m-2 sr-1 um-1, irradiances in
-/// W m-2 um-1 on a level surface, both over black ground. Without a Sun, what is sunlight is 0.
+/// W m-2 um-1 on a level surface, both over black ground but for `over_ground`. Without a Sun, what is sunlight is 0.
 struct AtmosphereEffects {
   double wavelength_um = 0.0;
   double solar_irradiance = 0.0;       ///< above the air, across the beam
@@ -42,6 +43,18 @@ struct AtmosphereEffects {
   double direct_irradiance = 0.0;
   double solar_sky = 0.0, thermal_sky = 0.0;  ///< irradiance of the sky
   double spherical_albedo = 0.0;  ///< of the air for light from below, 0 where it was not computed
+  /// Q and U of solar_path, about the vertical plane of the line of sight: Q > 0 where light swings in it, U > 0 where it swings
+  /// 45 degrees counterclockwise of that as the sensor sees it.
+  double path_q = 0.0, path_u = 0.0;
+
+  /// The same air over level, uniform Lambertian ground of the question's reflectance, which emits nothing. Irradiances of level
+  /// surfaces, sunlight and emission of the air together.
+  struct OverGround {
+    double ground_diffuse = 0.0, ground_up = 0.0;  ///< beside direct_irradiance
+    double sensor_direct = 0.0, sensor_diffuse = 0.0,
+           sensor_up = 0.0;                   ///< through the level at the sensor's altitude
+    double radiance = 0.0, q = 0.0, u = 0.0;  ///< that the sensor receives
+  } over_ground = {};
 };
 
 /// The sky over black ground, without the Sun's disc.
@@ -85,6 +98,9 @@ class IFOV_API AtmosphereReport {
   std::string csv() const;
   /// The sky by direction, with its polarization. The report has a sky.
   std::string sky_csv() const;
+  /// What correction codes ask for, a row for each channel, or with `steps` for each step of the spectrum, which the report has:
+  /// CSV or NetCDF, as the name ends (.csv, .nc). Throws InputError for other endings, SystemError where it cannot be written.
+  void write_summary(const std::filesystem::path& path, bool steps = false) const;
   /// Spectra and sky as PNG; the report has both. Throws SystemError where it cannot be drawn.
   std::string figure() const;
 

@@ -22,6 +22,7 @@
 #include "ifov/radiometry.h"
 #include "ifov/run_control.h"
 #include "ifov/runs.h"
+#include "ifov/sampling.h"
 #include "ifov/sensor.h"
 #include "ifov/simulation.h"
 #include "ifov/temperature.h"

@@ -11,7 +11,7 @@ from __future__ import annotations
 import sys
 from typing import Any
 
-from . import materials, radiometry
+from . import materials, radiometry, sampling, sensors
 from ._assets import Copies, Mesh, Raster, Spectrum
 from ._atmosphere import atmosphere
 from ._document import Document, read
@@ -66,7 +66,9 @@ __all__ = [
     "read",
     "render",
     "run",
+    "sampling",
     "schema",
+    "sensors",
     "status",
     "version",
 ]

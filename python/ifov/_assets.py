@@ -60,7 +60,8 @@ class Copies:
     scale: npt.ArrayLike | None = None
 
 
-#: An array of two or three axes stands for a Raster, ``bytes`` for the contents of a file of any format.
+#: An array of two or three axes stands for a Raster, a DataArray along ``wavelength`` for a Spectrum, ``bytes`` for the contents of a file
+#: of any format.
 Asset = Mesh | Raster | Spectrum | Copies | bytes | npt.NDArray[Any]
 
 
@@ -68,6 +69,10 @@ def assets_of(given: Mapping[str, Any]) -> Any:
     """The library's. Throws ``DocumentError``, with the name, on arrays that do not fit."""
     made = library().Assets()
     for name, asset in given.items():
+        if not isinstance(asset, (bytes, bytearray, memoryview)):
+            _check_shapes(name, asset)
+        if getattr(asset, "dims", ()) == ("wavelength",):
+            asset = Spectrum(asset["wavelength"].values, asset.values)
         if isinstance(asset, Mesh):
             made.add_mesh(
                 name,
@@ -87,6 +92,24 @@ def assets_of(given: Mapping[str, Any]) -> Any:
         else:
             _add_raster(made, name, asset)
     return made
+
+
+#: Of the arrays of a kind: the length of their second axis, 0 where they have one axis alone.
+_SHAPES: dict[type, dict[str, int]] = {
+    Mesh: {"vertices": 3, "triangles": 3, "normals": 3, "uv": 2, "materials": 0},
+    Spectrum: {"wavelength": 0, "values": 0},
+    Copies: {"positions": 3, "yaw": 0, "scale": 0},
+}
+
+
+def _check_shapes(name: str, asset: Any) -> None:
+    for field, columns in _SHAPES.get(type(asset), {}).items():
+        if (values := getattr(asset, field)) is None:
+            continue
+        shape = np.shape(values)
+        if len(shape) != (2 if columns else 1) or (columns and shape[1] != columns):
+            wanted = f"(n, {columns})" if columns else "(n,)"
+            raise TypeError(f"assets[{name!r}]: {field}: found shape {shape}; expected {wanted}")
 
 
 def _add_raster(made: Any, name: str, asset: Any) -> None:

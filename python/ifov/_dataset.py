@@ -98,6 +98,16 @@ class Quantity:
     unit: str
 
 
+@dataclasses.dataclass
+class _Held:
+    """An array that is there, called for as one that is read would be. (Datasets go to other processes: no lambda.)"""
+
+    array: Any
+
+    def __call__(self) -> Any:
+        return self.array
+
+
 class _Lazy(BackendArray):
     """Bands of a quantity, read where they are indexed."""
 
@@ -159,7 +169,7 @@ def dataset(image: Image, quantities: Mapping[str, Quantity], attributes: Mappin
 
 def in_memory(values: np.ndarray[Any, Any], band_names: Sequence[str], what: str, unit: str) -> Quantity:
     """Of an array [band, row, column]."""
-    return Quantity(lambda: values, values.shape[0], values.dtype, band_names, what, unit)
+    return Quantity(_Held(values), values.shape[0], values.dtype, band_names, what, unit)
 
 
 def _variable(dims: tuple[str, ...], array: _Lazy, what: str, unit: str) -> xarray.Variable:

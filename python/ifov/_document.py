@@ -103,6 +103,8 @@ def plain(value: Any, path: str) -> Any:
         return os.fspath(value)
     if isinstance(value, (datetime.datetime, np.datetime64)):
         return _instant(value, path)
+    if isinstance(value, datetime.date):
+        raise _refused(path, f"found the date {value} without a time of day; expected a datetime")
     if isinstance(value, Mapping):
         for key in value:
             if not isinstance(key, str):

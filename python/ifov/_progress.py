@@ -20,6 +20,8 @@ class Reporter:
         self.bar: Any = None
         if show == "auto":
             show = _is_watched()
+        elif not isinstance(show, bool):
+            raise ValueError(f"progress: found {show!r}; expected 'auto', True or False")
         if show:
             try:
                 from tqdm.auto import tqdm

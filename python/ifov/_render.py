@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 import dataclasses
 import logging
-import os
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
@@ -166,6 +165,7 @@ class Scene:
     ) -> xarray.Dataset:
         from ._dataset import Image, dataset, in_memory
 
+        checked_limit(time_limit)
         other, text = None, self._written.text
         if sampling is not None or seed is not None:
             changed = with_values(self._document, sampling=sampling, seed=seed)
@@ -219,9 +219,14 @@ class Scene:
         """
         import xarray
 
-        start, way = np.broadcast_arrays(
-            np.atleast_2d(np.asarray(origins, float)), np.atleast_2d(np.asarray(directions, float))
-        )
+        points = {"origins": np.atleast_2d(np.asarray(origins, float)), "directions": np.atleast_2d(np.asarray(directions, float))}
+        for name, array in points.items():
+            if array.ndim != 2 or array.shape[1] != 3:
+                raise ValueError(f"{name}: found shape {np.shape(origins if name == 'origins' else directions)}; expected (ray, 3) or (3,)")
+        counts = [len(array) for array in points.values()]
+        if 1 not in counts and counts[0] != counts[1]:
+            raise ValueError(f"found {counts[0]} origins and {counts[1]} directions; expected as many, or one of either")
+        start, way = np.broadcast_arrays(points["origins"], points["directions"])
         told = self._simulation.cast(np.ascontiguousarray(start), np.ascontiguousarray(way), self._threads)
         hit = told["hit"].astype(bool)
 
@@ -314,8 +319,9 @@ def _said(message: str, is_warning: bool) -> None:
         _LOG.info(message)
 
 
-def folder_of(path: str | os.PathLike[str] | None) -> str:
-    return "" if path is None else os.fspath(path)
+def checked_limit(time_limit: float | None) -> None:
+    if time_limit is not None and not time_limit >= 0:
+        raise ValueError(f"time_limit: found {time_limit}; expected seconds, 0 or more")
 
 
 __all__ = ["Check", "Document", "DocumentError", "Message", "Scene", "SceneWarning", "Tile", "check", "render"]

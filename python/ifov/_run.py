@@ -14,7 +14,7 @@ from . import _load
 from ._document import Written
 from ._library import library
 from ._progress import Callback, Reporter, Show
-from ._render import _said, parsed
+from ._render import _said, checked_limit, parsed
 
 if TYPE_CHECKING:
     import xarray
@@ -157,6 +157,7 @@ class Run:
         callback: Callback | None,
     ) -> Run:
         begun = time.monotonic()
+        checked_limit(time_limit)
         with Reporter(progress, callback) as reporter, Written(document) as written:
             told = reporter.function()
             simulation = library().load(parsed(written, self.assets), False, self.threads, told, _said)

@@ -51,6 +51,13 @@ class Accessor:
             place[axis] = index
         return self._dataset.isel(place)
 
+    def channel(self, name: str) -> xarray.Dataset:
+        """What is told of one channel, by its name: as ``isel`` of its place. Throws ``KeyError`` with the names that there are."""
+        names = [str(one) for one in np.atleast_1d(self._dataset["channel"].values)]
+        if name not in names:
+            raise KeyError(f"channel: found {name!r}; expected one of " + ", ".join(repr(one) for one in names))
+        return self._dataset.isel({self._spectral: names.index(name)})
+
     def brightness_temperature(self) -> xarray.DataArray:
         """K, (wavelength, y, x): of a black body that has the radiance at the channel's centre; 0 where there is no light."""
         array = self._of_radiance(radiometry.brightness_temperature, self._radiance, self._dataset["wavelength"])
@@ -59,12 +66,19 @@ class Accessor:
         array.attrs["standard_name"] = "brightness_temperature"
         return array
 
+    def brightness_temperature_half_width(self) -> xarray.DataArray:
+        """K, (wavelength, y, x): the half-width of the radiance over the slope of Planck's law, dB/dT, at the brightness temperature. Not
+        a number where there is no light."""
+        slope = self._of_radiance(radiometry.planck_slope, self.brightness_temperature(), self._dataset["wavelength"])
+        array: xarray.DataArray = self._half_width / slope.where(slope > 0)
+        array.name = "brightness_temperature_half_width"
+        array.attrs = {"units": "K", "long_name": "half-width of the brightness temperature's interval"}
+        return array
+
     def relative_error(self) -> xarray.DataArray:
         """Half-width of the interval over the radiance, (wavelength, y, x), 1. Not a number where there is no light."""
-        if "half_width" not in self._dataset:
-            raise KeyError("half_width: this dataset knows no errors")
         radiance = self._radiance
-        array: xarray.DataArray = self._dataset["half_width"] / np.abs(radiance.where(radiance != 0))
+        array: xarray.DataArray = self._half_width / np.abs(radiance.where(radiance != 0))
         array.name = "relative_error"
         array.attrs = {"units": "1", "long_name": "half-width of the interval over the radiance"}
         return array
@@ -97,7 +111,15 @@ class Accessor:
         return self._dataset["radiance"]
 
     @property
+    def _half_width(self) -> xarray.DataArray:
+        if "half_width" not in self._dataset:
+            raise KeyError("half_width: this dataset knows no errors")
+        return self._dataset["half_width"]
+
+    @property
     def _spectral(self) -> str:
+        if self._dataset["wavelength"].ndim == 0:
+            raise ValueError("the dataset is of one channel alone; take what needs several from the whole one")
         return str(self._dataset["wavelength"].dims[0])
 
     def _of_radiance(self, function: Any, radiance: xarray.DataArray, wavelength: xarray.DataArray) -> xarray.DataArray:

@@ -35,3 +35,18 @@ def brightness_temperature(um: npt.ArrayLike, radiance: npt.ArrayLike) -> Any:
         kelvin = _SECOND / (um * np.log1p(_FIRST / um**5 / radiance))
     result = np.where(radiance > 0, kelvin, np.where(np.isnan(radiance), np.nan, 0.0))
     return result[()]
+
+
+def planck_slope(um: npt.ArrayLike, kelvin: npt.ArrayLike) -> Any:
+    """dB/dT, the derivative of :func:`planck` by temperature, W m-2 sr-1 um-1 K-1: errors of radiance over it are errors of brightness
+    temperature. 0 at and below 0 K.
+
+    um: wavelength, micrometres; kelvin: temperature, K. Any shapes that NumPy broadcasts; the result has that shape.
+    """
+    um, kelvin = np.asarray(um, float), np.asarray(kelvin, float)
+    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+        x = _SECOND / (um * kelvin)
+        # x e^x / (e^x - 1) = x / (1 - e^-x)
+        slope = planck(um, kelvin) / kelvin * x / -np.expm1(-x)
+    result = np.where(kelvin > 0, np.where(np.isfinite(slope), slope, 0.0), np.where(np.isnan(kelvin), np.nan, 0.0))
+    return result[()]

@@ -23,24 +23,34 @@ std::optional<Direction> direction(const std::optional<std::pair<double, double>
 nb::dict columns(const std::vector<AtmosphereEffects>& effects) {
   struct Column {
     const char* name;
-    double AtmosphereEffects::*value;
+    double (*value)(const AtmosphereEffects&);
   };
-  using E = AtmosphereEffects;
-  constexpr Column kColumns[] = {{"wavelength", &E::wavelength_um},
-                                 {"solar_irradiance", &E::solar_irradiance},
-                                 {"sun_transmittance", &E::sun_transmittance},
-                                 {"view_transmittance", &E::view_transmittance},
-                                 {"diffuse_transmittance", &E::diffuse_transmittance},
-                                 {"solar_path", &E::solar_path},
-                                 {"thermal_path", &E::thermal_path},
-                                 {"direct_irradiance", &E::direct_irradiance},
-                                 {"solar_sky", &E::solar_sky},
-                                 {"thermal_sky", &E::thermal_sky},
-                                 {"spherical_albedo", &E::spherical_albedo}};
+  using E = const AtmosphereEffects&;
+  constexpr Column kColumns[] = {{"wavelength", [](E e) { return e.wavelength_um; }},
+                                 {"solar_irradiance", [](E e) { return e.solar_irradiance; }},
+                                 {"sun_transmittance", [](E e) { return e.sun_transmittance; }},
+                                 {"view_transmittance", [](E e) { return e.view_transmittance; }},
+                                 {"diffuse_transmittance", [](E e) { return e.diffuse_transmittance; }},
+                                 {"solar_path", [](E e) { return e.solar_path; }},
+                                 {"thermal_path", [](E e) { return e.thermal_path; }},
+                                 {"direct_irradiance", [](E e) { return e.direct_irradiance; }},
+                                 {"solar_sky", [](E e) { return e.solar_sky; }},
+                                 {"thermal_sky", [](E e) { return e.thermal_sky; }},
+                                 {"spherical_albedo", [](E e) { return e.spherical_albedo; }},
+                                 {"path_q", [](E e) { return e.path_q; }},
+                                 {"path_u", [](E e) { return e.path_u; }},
+                                 {"ground_diffuse", [](E e) { return e.over_ground.ground_diffuse; }},
+                                 {"ground_up", [](E e) { return e.over_ground.ground_up; }},
+                                 {"sensor_direct", [](E e) { return e.over_ground.sensor_direct; }},
+                                 {"sensor_diffuse", [](E e) { return e.over_ground.sensor_diffuse; }},
+                                 {"sensor_up", [](E e) { return e.over_ground.sensor_up; }},
+                                 {"radiance", [](E e) { return e.over_ground.radiance; }},
+                                 {"q", [](E e) { return e.over_ground.q; }},
+                                 {"u", [](E e) { return e.over_ground.u; }}};
   nb::dict all;
   for (const Column& column : kColumns) {
     std::vector<double> values;
-    for (const AtmosphereEffects& one : effects) values.push_back(one.*column.value);
+    for (const AtmosphereEffects& one : effects) values.push_back(column.value(one));
     all[column.name] = values;
   }
   return all;
@@ -91,14 +101,15 @@ void add_atmosphere(nb::module_& module) {
       "atmosphere",
       [](const Document& document, const std::optional<std::pair<double, double>>& sun_rad,
          const std::optional<std::pair<double, double>>& view_rad, bool night,
-         std::optional<double> altitude_km, bool spectrum, bool sky, const std::string& sky_channel,
-         int threads, nb::object progress) {
+         std::optional<double> altitude_km, double ground, bool spectrum, bool sky,
+         const std::string& sky_channel, int threads, nb::object progress) {
         Call call(std::move(progress));
         const AtmosphereReport report = call.run([&] {
           return survey_atmosphere(document, {.sun = direction(sun_rad),
                                               .view = direction(view_rad),
                                               .night = night,
                                               .sensor_altitude_km = altitude_km,
+                                              .ground_reflectance = ground,
                                               .spectrum = spectrum,
                                               .sky = sky,
                                               .sky_channel = sky_channel,
@@ -109,8 +120,8 @@ void add_atmosphere(nb::module_& module) {
         return told(report);
       },
       nb::arg("document"), nb::arg("sun").none(), nb::arg("view").none(), nb::arg("night"),
-      nb::arg("altitude").none(), nb::arg("spectrum"), nb::arg("sky"), nb::arg("sky_channel"),
-      nb::arg("threads"), nb::arg("progress").none());
+      nb::arg("altitude").none(), nb::arg("ground"), nb::arg("spectrum"), nb::arg("sky"),
+      nb::arg("sky_channel"), nb::arg("threads"), nb::arg("progress").none());
   module.def("planck_radiance", &planck_radiance, nb::arg("wavelength"), nb::arg("temperature"));
   module.def("brightness_temperature", &brightness_temperature, nb::arg("wavelength"), nb::arg("radiance"));
 }

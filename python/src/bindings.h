@@ -12,5 +12,7 @@ void add_simulation(nanobind::module_& module);
 void add_runs(nanobind::module_& module);
 void add_atmosphere(nanobind::module_& module);
 void add_materials(nanobind::module_& module);
+void add_sensors(nanobind::module_& module);
+void add_sampling(nanobind::module_& module);
 
 }  // namespace ifov::python

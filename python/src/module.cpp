@@ -27,6 +27,8 @@ NB_MODULE(_ifov, module) {
       raise("DocumentError", nb::make_tuple(error.what(), at.file, at.line, at.column));
     } catch (const ifov::SystemError& error) {
       raise("SystemError", nb::make_tuple(error.what()));
+    } catch (const ifov::Cancelled& stopped) {  // from elsewhere: run.part/stop
+      PyErr_SetString(PyExc_KeyboardInterrupt, stopped.what());
     }
   });
   module.def("version", &ifov::version);
@@ -37,4 +39,6 @@ NB_MODULE(_ifov, module) {
   ifov::python::add_runs(module);
   ifov::python::add_atmosphere(module);
   ifov::python::add_materials(module);
+  ifov::python::add_sensors(module);
+  ifov::python::add_sampling(module);
 }

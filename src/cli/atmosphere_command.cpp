@@ -21,10 +21,10 @@ constexpr double kLowestSun_deg = 96.0, kLowestView_deg = 80.0;
 
 struct AtmosphereArguments {
   DocumentArguments input;
-  std::string document, plot, csv, sky, sun, view, channel, invert, stem;
-  std::optional<double> altitude_km;
+  std::string document, plot, csv, sky, sun, view, channel, invert, stem, summary;
+  std::optional<double> altitude_km, ground;
   int threads = 0;
-  bool quiet = false, wants_plot = false;
+  bool quiet = false, wants_plot = false, resolved = false;
 };
 
 /// "30,135": zenith angle and azimuth in degrees.
@@ -90,9 +90,20 @@ ExitCode survey(const AtmosphereArguments& arguments) {
     question.sun = direction("--sun", arguments.sun, kLowestSun_deg);
   if (!arguments.view.empty()) question.view = direction("--view", arguments.view, kLowestView_deg);
   question.sensor_altitude_km = arguments.altitude_km;
+  if (arguments.ground) {
+    if (!(*arguments.ground >= 0.0 && *arguments.ground <= 1.0))
+      throw InputError(format("ifov: --ground is {:g}, expected a reflectance of 0 to 1", *arguments.ground));
+    question.ground_reflectance = *arguments.ground;
+  }
+  if (!arguments.summary.empty()) {
+    const std::string ending = std::filesystem::path(arguments.summary).extension().string();
+    if (ending != ".csv" && ending != ".nc")
+      throw InputError(
+          format("ifov: --summary is '{}', expected a name that ends in .csv or .nc", arguments.summary));
+  }
   question.sky_channel = arguments.channel;
   question.sky = arguments.wants_plot || !arguments.sky.empty();
-  question.spectrum = arguments.wants_plot || !arguments.csv.empty();
+  question.spectrum = arguments.wants_plot || !arguments.csv.empty() || arguments.resolved;
   question.threads = arguments.threads;
   question.cancel = &cancel_on_interrupt();
   console.phase("atmosphere");
@@ -114,6 +125,14 @@ ExitCode survey(const AtmosphereArguments& arguments) {
     if (!arguments.quiet)
       complain(format("{}  (spectrum, {} steps of {:g} cm-1)", arguments.csv, report.spectrum.size(),
                       report.step_cm1));
+  }
+  if (!arguments.summary.empty()) {
+    report.write_summary(arguments.summary, arguments.resolved);
+    if (!arguments.quiet)
+      complain(format("{}  (summary, {})", arguments.summary,
+                      arguments.resolved
+                          ? format("{} steps of {:g} cm-1", report.spectrum.size(), report.step_cm1)
+                          : format("{} channels", report.channels.size())));
   }
   if (!arguments.sky.empty()) {
     write_file(arguments.sky, report.sky_csv());
@@ -140,6 +159,16 @@ Command add_atmosphere_command(CLI::App& app) {
   parser->add_option("--csv", arguments->csv, "Write the spectrum as a table of paths")->type_name("OUT");
   parser->add_option("--sky", arguments->sky, "Write the sky's radiance and polarization by direction as CSV")
       ->type_name("OUT");
+  CLI::Option* summary = parser->add_option(
+      "--summary", arguments->summary,
+      "Write what correction codes ask for, a row for each channel: CSV or NetCDF by the name (.csv, .nc)");
+  summary->type_name("OUT");
+  parser->add_flag("--resolved", arguments->resolved, "Let --summary have the steps of the spectrum as rows")
+      ->needs(summary);
+  parser
+      ->add_option("--ground", arguments->ground,
+                   "Reflectance of the ground in fluxes and light at the sensor (default: 0)")
+      ->type_name("REFLECTANCE");
   parser
       ->add_option("--sun", arguments->sun,
                    "Where the Sun stands instead, in degrees (azimuth from north over east); 'none': night")
@@ -165,7 +194,8 @@ Command add_atmosphere_command(CLI::App& app) {
                    "NAME of the NAME_reflectance.img that --invert writes (default: beside the cube)")
       ->type_name("NAME")
       ->needs(invert_option);
-  for (const char* other : {"--plot", "--csv", "--sky", "--sun", "--view", "--altitude", "--channel"})
+  for (const char* other :
+       {"--plot", "--csv", "--sky", "--sun", "--view", "--altitude", "--channel", "--summary", "--ground"})
     invert_option->excludes(parser->get_option(other));
   add_inputs_below(*parser);
   parser->add_option("-j,--threads", arguments->threads, "Threads; 0 takes all cores")
@@ -179,7 +209,8 @@ Command add_atmosphere_command(CLI::App& app) {
       "level\n"
       "ground from Sun and sky, the air's albedo for light from below, and in the thermal infrared the "
       "sky's\n"
-      "temperature. All over black ground. Meshes and maps of the scene are not read.\n\n"
+      "temperature, over black ground; what correction codes ask for; and over ground of --ground fluxes at the\n"
+      "ground and at the sensor, and Q and U there. Meshes and maps of the scene are not read.\n\n"
       "The figure and the table of --csv have the spectrum over the sensor's range at the 20 cm-1 that the "
       "band\n"
       "model resolves. The sky is drawn as seen lying on the back: north up, east on the left;\n"
@@ -188,6 +219,7 @@ Command add_atmosphere_command(CLI::App& app) {
       "  ifov atmosphere scene.json\n"
       "  ifov atmosphere scene.json --plot air.png --channel blue\n"
       "  ifov atmosphere scene.json --sun 70,120 --view 30,300 --altitude 3 --csv air.csv\n"
+      "  ifov atmosphere scene.json --ground 0.3 --summary air.nc\n"
       "  ifov atmosphere scene.json --sky sky.csv --channel blue\n"
       "  ifov atmosphere scene.json --sun none\n"
       "  ifov atmosphere scene.json --invert scene.out");

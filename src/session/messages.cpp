@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "geometry/world.h"
-#include "io/document/aerosol_document.h"
 #include "io/document/document.h"
 #include "io/run_state/run_plan.h"
 #include "radiometry/spectral_nodes.h"
@@ -122,14 +121,16 @@ std::vector<std::string> notes(const Parts& parts) {
     lines.push_back(atmosphere_error_note(parts.air));
     const auto& modelled = parts.document.atmosphere.modelled;
     lines.push_back(model_error_note(parts.air, parts.channels, modelled && !modelled->clouds.empty()));
-    if (modelled && modelled->aerosol && modelled->aerosol->own)
+    const std::string haze =
+        modelled && modelled->aerosol ? haze_statement(*modelled->aerosol) : std::string();
+    if (!haze.empty())
       lines.push_back(
           format("haze: the document's own, {}; {}, and the error of the model "
                  "of the air is that of gases and of haze of the tables: how far this haze is from the "
                  "air it does not know",
-                 haze_statement(*modelled->aerosol->own),
-                 modelled->aerosol->own->mie ? "it polarizes light as spheres do"
-                                             : "light that it scatters is not polarized"));
+                 haze,
+                 is_of_spheres(*modelled->aerosol) ? "it polarizes light as spheres do"
+                                                   : "light that it scatters is not polarized"));
   }
   if (parts.document.atmosphere.modelled && !parts.document.atmosphere.modelled->clouds.empty()) {
     for (const io::CloudDocument& cloud : parts.document.atmosphere.modelled->clouds)

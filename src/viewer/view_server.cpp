@@ -102,7 +102,8 @@ struct ViewServer::Inside {
   Reply reply(const BoundedServer::Request& request) {
     const CallScope scope(call);
     const PageFile* file = page_file(request.path);
-    const Guard::Verdict verdict = guard.judge(request.origin, file == nullptr);
+    const bool changes = request.path.starts_with(kApi) && Answers::changes(request.path.substr(kApi.size()));
+    const Guard::Verdict verdict = guard.judge(request.origin, file == nullptr, changes ? "POST" : "GET");
     if (verdict.status != 0) return refusal(verdict.status, verdict.why);
     if (file != nullptr) return {200, std::string(file->type), std::string(file->content), {}};
     try {

@@ -138,6 +138,84 @@ class Table(unittest.TestCase):
             self.assertLess(oxygen, 0.6 * beside)
 
 
+def summary(path):
+    """{channel: {column: value}} of a table of --summary."""
+    lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
+    head = lines[0].split(",")
+    return {row[0]: dict(zip(head[1:], map(float, row[1:]))) for row in (line.split(",") for line in lines[1:])}
+
+
+class Summary(unittest.TestCase):
+    def test_light_over_other_ground_follows_from_the_columns(self):
+        with Folder(yard=YARD % AIR) as folder:
+            found = {}
+            for ground in ("0", "0.2", "0.7"):
+                done = run("atmosphere", "yard.json", "--view", "30,60", "--ground", ground, "--summary", "air.csv", cwd=folder)
+                self.assertEqual((done.returncode, done.stderr), (0, "air.csv  (summary, 3 channels)\n"))
+                self.assertIn(f"Over ground of reflectance {ground}:\n", done.stdout)
+                self.assertLessEqual(max(map(len, done.stdout.splitlines())), 110)
+                found[float(ground)] = summary(folder / "air.csv")
+            comments = (folder / "air.csv").read_text()
+            self.assertIn("# path_reflectance [1]: of the path's sunlight over black ground, pi L / (E cos)\n", comments)
+            self.assertIn("over level, uniform ground of reflectance 0.7 that emits nothing\n", comments)
+        for name in ("blue", "red"):
+            dark = found[0.0][name]
+            above = dark["solar_irradiance"] * math.cos(math.radians(30))
+            down = dark["direct_transmittance_down"] + dark["diffuse_transmittance_down"]
+            up = dark["direct_transmittance_up"] + dark["diffuse_transmittance_up"]
+            self.assertEqual(dark["ground_up"], 0)
+            self.assertAlmostEqual(dark["ground_direct"] / above, dark["direct_transmittance_down"], delta=1e-5)
+            # All sunlight that does not go up again is absorbed, by the ground and on the way.
+            self.assertLess(dark["sensor_up"] + dark["ground_direct"] + dark["ground_diffuse"], above)
+            for ground in (0.2, 0.7):
+                there = found[ground][name]
+                seen = dark["path_reflectance"] + down * up * ground / (1 - ground * dark["spherical_albedo"])
+                # One number for each channel knows nothing of what absorbs within it: 6S's equation is off by that.
+                self.assertAlmostEqual(math.pi * there["radiance"] / above, seen, delta=0.005)
+                self.assertAlmostEqual(there["ground_up"], ground * (there["ground_direct"] + there["ground_diffuse"]), delta=1e-3 * above)
+                self.assertAlmostEqual(there["u"], dark["path_u"], delta=1e-6 * above)
+                self.assertGreater(there["sensor_up"], dark["sensor_up"])
+            self.assertGreater(abs(dark["path_u"]), 1e-3 * dark["solar_path_radiance"])
+
+    def test_netcdf_holds_the_same(self):
+        try:
+            import scipy.io
+        except ImportError:
+            self.skipTest("scipy, which reads NetCDF, is not there")
+        with Folder(yard=NEAR % AIR) as folder:
+            run("atmosphere", "yard.json", "--summary", "air.csv", cwd=folder)
+            done = run("atmosphere", "yard.json", "--summary", "air.nc", "--quiet", cwd=folder)
+            self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+            table = summary(folder / "air.csv")
+            file = scipy.io.netcdf_file(folder / "air.nc", mmap=False)
+            names = [row.tobytes().rstrip(b"\0").decode() for row in file.variables["name"][:]]
+            self.assertEqual(names, list(table))
+            for column in table["red"]:
+                for name, value in zip(names, file.variables[column][:]):
+                    self.assertAlmostEqual(value, table[name][column], delta=1e-6 * abs(value))
+            self.assertEqual(file.variables["sensor_up"].units, b"W m-2 um-1")
+            self.assertIn(b"of reflectance 0 that emits nothing", file.comment)
+            steps = run("atmosphere", "yard.json", "--summary", "steps.csv", "--resolved", cwd=folder)
+            self.assertRegex(steps.stderr, r"^steps.csv  \(summary, \d+ steps of 20 cm-1\)\n$")
+            self.assertGreater(len(summary(folder / "steps.csv")), 100)
+
+    def test_by_night_shares_of_sunlight_are_left_out(self):
+        with Folder(yard=YARD % AIR) as folder:
+            run("atmosphere", "yard.json", "--sun", "none", "--summary", "air.csv", cwd=folder)
+            table = summary(folder / "air.csv")
+        self.assertNotIn("path_reflectance", table["thermal"])
+        self.assertGreater(table["thermal"]["sensor_up"], table["thermal"]["ground_diffuse"] * 0.5)
+
+    def test_mistakes(self):
+        with Folder(yard=YARD % AIR) as folder:
+            for arguments, message in (
+                (("--ground", "1.2"), "ifov: --ground is 1.2, expected a reflectance of 0 to 1\n"),
+                (("--summary", "air.txt"), "ifov: --summary is 'air.txt', expected a name that ends in .csv or .nc\n"),
+            ):
+                done = run("atmosphere", "yard.json", *arguments, cwd=folder)
+                self.assertEqual((done.returncode, done.stderr), (1, message))
+
+
 class Sky(unittest.TestCase):
     """--sky: the sky by direction with its polarization."""
 

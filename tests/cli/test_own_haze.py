@@ -11,6 +11,67 @@ OWN = '"optical_depth": 0.3, "angstrom": 1.3, "single_scattering_albedo": 0.9'
 HAZE = AIR + ', "aerosol": {%s}'
 
 
+RETRIEVAL = (
+    "AERONET Version 3;\nSite,Date(dd:mm:yyyy),Time(hh:mm:ss),AOD_Extinction-Total[440nm],AOD_Extinction-Total[675nm],AOD_Extinction-Total[870nm],"
+    "Single_Scattering_Albedo[440nm],Single_Scattering_Albedo[675nm],Single_Scattering_Albedo[870nm],Asymmetry_Factor-Total[440nm],"
+    "Asymmetry_Factor-Total[675nm],Asymmetry_Factor-Total[870nm]\n"
+    "ARM_SGP,15:08:2019,13:02:10,{0[0]},{0[1]},{0[2]},0.9,0.9,0.9,0.65,0.65,0.65\n"
+).format([0.3 * (nm / 550) ** -1.3 for nm in (440, 675, 870)])
+
+
+class MoreThanNumbers(unittest.TestCase):
+    def looked_at(self, haze, **files):
+        with Folder(yard=YARD % (HAZE % haze)) as folder:
+            for name, text in files.items():
+                (folder / f"{name}.all").write_text(text)
+            return run("atmosphere", "yard.json", cwd=folder)
+
+    def same(self, one, other):
+        self.assertEqual((one.returncode, other.returncode), (0, 0), one.stderr + other.stderr)
+        for channel in ("blue", "red"):
+            for a, b in zip(rows(one.stdout)[channel], rows(other.stdout)[channel]):
+                if a:
+                    self.assertAlmostEqual(b / a, 1.0, delta=1e-3)
+
+    def test_a_retrieval_is_the_haze_of_its_numbers(self):
+        numbers = self.looked_at(OWN + ', "asymmetry": 0.65')
+        retrieval = self.looked_at('"aeronet": {"file": "sgp.all"}', sgp=RETRIEVAL)
+        self.same(numbers, retrieval)
+        self.assertIn("Haze of the document's own: a retrieval of AERONET, from the ground to the end of the air, falling to 1/e over 2 km. "
+                      "Aerosol in all: 0.307 at 0.55 um.", retrieval.stdout)
+
+    def test_halves_are_a_whole(self):
+        whole = self.looked_at(OWN + ', "asymmetry": 0.65, "top": "2 km"')
+        half = "{%s}" % (OWN.replace("0.3", "0.15") + ', "asymmetry": 0.65, "top": "2 km"')
+        mixed = self.looked_at(f'"mixture": [{half}, {half}]')
+        self.same(whole, mixed)
+        self.assertIn("optical depth 0.15 at 0.55 um, from the ground to 2 km; optical depth 0.15 at 0.55 um, from the ground to 2 km.", mixed.stdout)
+        table = self.looked_at(OWN + ', "asymmetry": 0.65, "heights": [{"altitude": "0 m", "density": 5}, {"altitude": "2 km", "density": 5}]')
+        self.same(whole, table)
+
+    def test_what_is_said_where_it_is_wrong(self):
+        height = '{"altitude": "%s", "density": 1}'
+        two = OWN + ', "asymmetry": 0.65, "heights": [%s, %s]'
+        for haze, message in (
+            ('"aeronet": {"file": "sgp.all"}, "angstrom": 1', "'angstrom' needs the key 'optical_depth' beside it"),
+            ('"mixture": [{"aeronet": {"file": "sgp.all"}, "angstrom": 1}]', "'angstrom' follows from the file of 'aeronet': leave one out"),
+            ('"aeronet": {"file": "sgp.all", "time": "2019-08-16T00:00:00Z"}', "sgp.all:2: found no retrieval of 2019-08-16T00:00:00Z; the file has 1 from 2019-08-15T13:02:10Z"),
+            ('"aeronet": {"file": "sgp.all"}, "type": "urban"', "'type' is of the tables' haze, and 'aeronet' of haze of one's own: leave one out"),
+            ('"top": "2 km"', "'top' needs 'optical_depth' or 'aeronet' beside it"),
+            ('"mixture": [{%s, "asymmetry": 0.6}], "top": "2 km"' % OWN, "'top' is of one part of the 'mixture': say it there"),
+            ('"mixture": [{"optical_depth": 0.2}]', "'optical_depth' needs 'angstrom'"),
+            ('"mixture": [{"asymmetry": 0.2}]', "needs exactly one of 'optical_depth'"),
+            (two % (height % "2 km", height % "1 km"), "the altitudes of haze must rise: 1 km follows 2 km"),
+            (two % (height % "2 km", height % "120 km"), "the haze reaches to 120 km, above the air, which ends at 100 km"),
+            (two % (height % "-1 km", height % "2 km"), "the haze begins at -1 km, inside the ground, which is at 0 km"),
+            (two % (height % "0 km", height % "2 km") + ', "base": "0 km"', "'base' and 'heights' both say where the haze is: leave one out"),
+        ):
+            done = self.looked_at(haze, sgp=RETRIEVAL)
+            self.assertEqual((done.returncode, done.stdout), (1, ""), haze)
+            self.assertIn(message, done.stderr)
+            self.assertIn("yard.json:", done.stderr + "yard.json:" * haze.startswith('"aeronet": {"file": "sgp.all", "time"'))
+
+
 class Told(unittest.TestCase):
     def test_by_the_table(self):
         with Folder(yard=YARD % (HAZE % (OWN + ', "asymmetry": 0.65, "top": "2 km"'))) as folder:

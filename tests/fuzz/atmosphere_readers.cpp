@@ -1,5 +1,6 @@
 // Readers of paths through the atmosphere and of weather.
 #include "fuzz/fuzzed_readers.h"
+#include "io/atmosphere/aeronet_inversion.h"
 #include "io/atmosphere/import_paths.h"
 #include "io/atmosphere/modtran_channels.h"
 #include "io/atmosphere/modtran_csv.h"
@@ -108,6 +109,19 @@ std::vector<std::string> phase_function_seeds() {
           "angle 0.55\n0 1.6\n60 1.3\n120 0.7\n180 0.4\n"};
 }
 
+std::vector<std::string> aeronet_seeds() {
+  return {
+      "AERONET Version 3;\nSGP\nSite,Date(dd:mm:yyyy),Time(hh:mm:ss),AOD_Extinction-Total[440nm],AOD_Extinction-Total[675nm],"
+      "Single_Scattering_Albedo[440nm],Single_Scattering_Albedo[675nm],Asymmetry_Factor-Total[440nm],Asymmetry_Factor-Total[675nm]\n"
+      "SGP,15:08:2019,21:46:45,0.3,0.2,0.95,0.94,0.7,0.65\n"};
+}
+
+std::vector<std::string> aeronet_phase_function_seeds() {
+  return {
+      "Site,Date(dd:mm:yyyy),Time(hh:mm:ss),180.000000[440nm],120.000000[440nm],60.000000[440nm],0.000000[440nm]\n"
+      "SGP,15:08:2019,21:46:45,1,1,1,1\n"};
+}
+
 std::vector<std::string> weather_seeds() {
   std::string surfrad = " Alamosa, CO\n  37.70  105.92 2317 m version 1\n";
   for (const char* minute : {"1", "2"}) {
@@ -186,6 +200,16 @@ std::vector<FuzzedReader> atmosphere_readers() {
        phase_function_seeds(),
        {",", "180", "angle", "\n\n", "nan", "#", "1e300", "1e-300", " -1"},
        [](const auto& path) { io::read_phase_functions(path); }},
+      {"aeronet",
+       "a.all",
+       aeronet_seeds(),
+       {",", "-999", "[440nm]", "\n\n", "nan", "Site,", "15:08:2019", "1e300"},
+       [](const auto& path) { io::read_aeronet_inversion(path, ""); }},
+      {"aeronet_phase_functions",
+       "a.pfn",
+       aeronet_phase_function_seeds(),
+       {",", "-999", "[440nm]", "\n\n", "nan", "Site,", "0.000000[440nm]", "1e300", "180.0"},
+       [](const auto& path) { io::read_aeronet_phase_functions(path, ""); }},
       {"weather",
        "a.txt",
        weather_seeds(),

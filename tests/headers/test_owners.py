@@ -11,6 +11,7 @@ THROUGH_THE_PROGRAM = {
     "cli/": "tests/cli",
     "cluster/tile_client.h": "tests/cli/test_mpi.py",
     "landscape/": "tests/landscape/test_make.py",
+    "session/surveys/atmosphere_summary.h": "tests/cli/test_atmosphere.py",
     "session/surveys/atmosphere_survey.h": "tests/cli/test_atmosphere.py",
     "session/preview.h": "tests/cli/test_preview.py",
     "viewer/": "tests/viewer/test_answers.py",

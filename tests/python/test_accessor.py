@@ -42,6 +42,30 @@ class Values(unittest.TestCase):
         wanted = ifov.radiometry.brightness_temperature(10.5, 0.7 * ifov.radiometry.planck(10.5, 293.15))
         self.assertAlmostEqual(float(kelvin[1].where(pure).median()), float(wanted), delta=2.5)
 
+    def test_half_width_of_a_temperature(self):
+        """Where radiance is a half-width higher or lower, the temperature is by the half-width in kelvin, to the curvature of Planck's law."""
+        thermal = self.image.ifov.channel("T")
+        kelvin, half = thermal.ifov.brightness_temperature(), thermal.ifov.brightness_temperature_half_width()
+        self.assertEqual((half.dims, half.attrs["units"]), (("y", "x"), "K"))
+        for sign in (-1, 1):
+            moved = thermal.assign(radiance=thermal["radiance"] + sign * thermal["half_width"]).ifov.brightness_temperature()
+            np.testing.assert_allclose(moved - kelvin, sign * half, rtol=0.05, atol=1e-4)
+        np.testing.assert_allclose(
+            ifov.radiometry.planck_slope(10.5, 290.0),
+            (ifov.radiometry.planck(10.5, 290.01) - ifov.radiometry.planck(10.5, 289.99)) / 0.02,
+            rtol=1e-7,
+        )
+        np.testing.assert_array_equal(ifov.radiometry.planck_slope(0.4, [-1.0, 0.0, 1.0, np.nan]), [0, 0, 0, np.nan])
+
+    def test_one_channel(self):
+        red = self.image.ifov.channel("red")
+        np.testing.assert_array_equal(red["radiance"], self.image["radiance"][0])
+        self.assertEqual(float(red["wavelength"]), float(self.image["wavelength"][0]))
+        with self.assertRaisesRegex(KeyError, "found 'rde'; expected one of 'red', 'T'"):
+            self.image.ifov.channel("rde")
+        with self.assertRaisesRegex(ValueError, "of one channel alone"):
+            red.ifov.rgb()
+
     def test_relative_error(self):
         error = self.image.ifov.relative_error()
         self.assertLessEqual(float(error.sel(wavelength=10.5, method="nearest").max()), 0.041)

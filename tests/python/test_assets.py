@@ -63,6 +63,22 @@ class Assets(scenes.InFolder):
         document["scene"]["materials"]["ball"]["reflectance"] = {"csv": "paint.csv", "wavelength_unit": "um"}
         self.both(document, {"paint.csv": ifov.Spectrum(um, reflectance)})
 
+        along = xarray.DataArray(reflectance, {"wavelength": um}, ("wavelength",))
+        self.both(document, {"paint.csv": along})
+
+    def test_a_channel_by_a_table(self):
+        rows = "0.60,0\n0.64,1\n0.66,0.7\n0.70,0\n"
+        pathlib.Path("response.csv").write_text(rows, encoding="utf-8")
+        document = scenes.small()
+        document["sensor"]["channels"][0] = {"name": "red", "tabulated": {"file": "response.csv", "wavelength_unit": "um"}}
+        self.both(document, {"response.csv": ifov.Spectrum([0.6, 0.64, 0.66, 0.7], [0, 1, 0.7, 0])})
+
+    def test_copies(self):
+        pathlib.Path("trees.csv").write_text("-1,0.5,0.4,0,1\n1.2,-0.7,0.4,0,1.5\n", encoding="utf-8")
+        document = self.with_object({"instances": {"of": "tree", "csv": "trees.csv"}})
+        document["scene"]["prototypes"] = {"tree": [{"sphere": {"center": ["0 m"] * 3, "radius": "0.4 m"}, "material": "ball"}]}
+        self.both(document, {"trees.csv": ifov.Copies([[-1, 0.5, 0.4], [1.2, -0.7, 0.4]], scale=[1, 1.5])})
+
     def test_errors_name_the_asset(self):
         document = self.with_object({"mesh": {"file": "asset:roof"}, "material": "ball"})
         for asset, words, kind in (
@@ -70,6 +86,9 @@ class Assets(scenes.InFolder):
             (ifov.Mesh(VERTICES, [[0, 1, -1]]), "whole numbers from 0", TypeError),
             ("roof.obj", "expected ifov.Mesh", TypeError),
             (np.zeros(4), "expected ifov.Mesh", TypeError),
+            (ifov.Mesh([[0, 0], [1, 1]], TRIANGLES), r"assets\['roof'\]: vertices: found shape \(2, 2\); expected \(n, 3\)", TypeError),
+            (ifov.Spectrum([[0.4, 0.5]], [1, 2]), r"'roof'\]: wavelength: found shape \(1, 2\); expected \(n,\)", TypeError),
+            (ifov.Copies([0, 0, 0]), r"'roof'\]: positions: found shape \(3,\); expected \(n, 3\)", TypeError),
         ):
             with self.assertRaisesRegex(kind, words):
                 self.render(document, {"roof": asset})

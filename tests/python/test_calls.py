@@ -8,6 +8,7 @@ import threading
 import time
 import unittest
 
+import numpy as np
 import scenes
 
 import ifov
@@ -143,6 +144,20 @@ class Calls(unittest.TestCase):
         gc.collect()
         self.assertEqual(Held.alive, 0)
         self.assertLess(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before, 60_000)
+
+
+class Arguments(unittest.TestCase):
+    def test_texts(self):
+        scene = ifov.Scene(scenes.small())
+        for call, words in (
+            (lambda: scene.render(time_limit=-1), "time_limit: found -1; expected seconds, 0 or more"),
+            (lambda: ifov.run(scenes.small(), "nowhere", time_limit=float("nan")), "time_limit: found nan; expected seconds"),
+            (lambda: scene.render(progress="maybe"), "progress: found 'maybe'; expected 'auto', True or False"),
+            (lambda: scene.cast([0, 0], [0, 0, -1]), r"origins: found shape \(2,\); expected \(ray, 3\) or \(3,\)"),
+            (lambda: scene.cast(np.zeros((2, 3)), np.ones((3, 3))), "found 2 origins and 3 directions; expected as many, or one of either"),
+        ):
+            with self.assertRaisesRegex(ValueError, words):
+                call()
 
 
 class Processes(unittest.TestCase):

@@ -69,6 +69,7 @@ class Written(scenes.InFolder):
             (np.inf, "found inf; expected a finite number"),
             (1j, "found complex"),
             (np.datetime64("NaT"), "found NaT"),
+            (datetime.date(2026, 6, 21), "found the date 2026-06-21 without a time of day; expected a datetime"),
         ):
             document = scenes.small()
             document["sensor"]["channels"][1]["top_hat"]["to"] = value

@@ -1,6 +1,5 @@
-"""The examples of docs/guide/python.md and the cells of docs/notebooks run as written, one after another."""
+"""The examples of docs/guide/python.md run as written, one after another."""
 
-import json
 import pathlib
 import re
 import unittest
@@ -8,7 +7,6 @@ import unittest
 import scenes
 
 GUIDE = scenes.ROOT / "docs" / "guide" / "python.md"
-NOTEBOOKS = sorted((scenes.ROOT / "docs" / "notebooks").glob("*.ipynb"))
 
 
 class Guide(scenes.InFolder):
@@ -27,16 +25,6 @@ class Guide(scenes.InFolder):
         names = self.run_parts("python.md", parts)
         self.assertEqual(names["picture"].dims, ("y", "x", "rgb"))
         self.assertTrue(pathlib.Path("out/image_run.json").exists())
-
-    def test_notebooks(self):
-        self.assertTrue(NOTEBOOKS)
-        for file in NOTEBOOKS:
-            with self.subTest(file.name):
-                notebook = json.loads(file.read_text(encoding="utf-8"))
-                cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
-                # Outputs are of the reader's own run.
-                self.assertTrue(all(not cell["outputs"] and cell["execution_count"] is None for cell in cells))
-                self.run_parts(file.name, ["".join(cell["source"]) for cell in cells])
 
 
 if __name__ == "__main__":

@@ -19,6 +19,16 @@ class Images(scenes.InFolder):
             self.assertEqual(those[name].dtype, these[name].dtype, name)
             self.assertEqual(those[name].values.tobytes(), these[name].values.tobytes(), name)
 
+    def test_they_go_to_other_processes(self):
+        import pickle
+
+        ifov.run(scenes.small(), "out", progress=False)
+        for dataset in (ifov.render(scenes.small(), progress=False), ifov.load("out")):
+            sent = pickle.dumps(dataset)
+            self.assertTrue(pickle.loads(sent).identical(dataset))
+        # What is read when it is asked for is sent as where it lies.
+        self.assertLess(len(sent), 40_000)
+
     def test_ten_lines_are_the_programs_products(self):
         document = scenes.ten_lines()
         pathlib.Path("dome.json").write_text(json.dumps(document), encoding="utf-8")

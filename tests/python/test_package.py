@@ -1,5 +1,6 @@
 """The package as it is installed: what importing it brings, its types, and its neighbours in one process."""
 
+import ast
 import importlib.metadata
 import importlib.util
 import os
@@ -84,6 +85,36 @@ class Typed(unittest.TestCase):
             check=False,
         )
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+
+    def test_the_stub_names_what_there_is(self):
+        """Else tools/make_stub.sh has to be run again. (stubtest takes nanobind's functions for none.)"""
+        stub = {}
+        for item in ast.parse((PACKAGE / "_ifov.pyi").read_text(encoding="utf-8")).body:
+            if isinstance(item, ast.ClassDef):
+                stub[item.name] = _names_of(item.body)
+            elif isinstance(item, ast.FunctionDef):
+                stub[item.name] = None
+        module = ifov._library()
+        there = {
+            name: {own for own in vars(value) if not own.startswith("_")} if isinstance(value, type) else None
+            for name, value in vars(module).items()
+            if not name.startswith("_")
+        }
+        self.assertEqual(there, stub)
+
+
+def _names_of(body):
+    """What a class of the stub declares and does not begin with an underscore."""
+    names = set()
+    for item in body:
+        if isinstance(item, ast.FunctionDef):
+            names.add(item.name)
+        elif isinstance(item, ast.AnnAssign):
+            names.add(item.target.id)
+        elif isinstance(item, ast.Assign):
+            names |= {target.id for target in item.targets}
+    return {name for name in names if not name.startswith("_")}
 
 
 class WithoutTheExtension(scenes.InFolder):

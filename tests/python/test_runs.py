@@ -25,6 +25,18 @@ class Runs(scenes.InFolder):
         with self.assertRaises(Stop):
             ifov.run(document, folder, callback=stop, progress=False, threads=1, **options)
 
+    def test_a_run_is_stopped_from_elsewhere(self):
+        stop = pathlib.Path("out/run.part/stop")
+
+        def ask(progress):
+            if progress.pixels_done:
+                stop.touch()
+
+        with self.assertRaisesRegex(KeyboardInterrupt, "stopped on request"):
+            ifov.run(scenes.endless(), "out", callback=ask, progress=False)
+        self.assertFalse(stop.exists())
+        self.assertFalse(ifov.status("out").complete)
+
     def test_products_are_the_programs(self):
         run = ifov.run(scenes.small(), "out", progress=False)
         self.assertEqual(run.outcome.exit_code, 0)

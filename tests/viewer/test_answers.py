@@ -188,6 +188,30 @@ class Changes(unittest.TestCase):
                 _, whole = viewer.ask("band", **self.here, cube="radiance", band=0, step=1, **about)
                 self.assertEqual(whole, values[: 64 * 64])
 
+    def test_a_run_is_stopped_as_by_ctrl_c(self):
+        with Scratch() as folder:
+            (folder / "scene.json").write_text(LONG)
+            (folder / "out").mkdir()
+            with Viewer(folder / "out", "--no-browser") as viewer:
+                with self.assertRaises(Refused) as refused:
+                    viewer.ask("stop", method="POST", source=0)
+                self.assertEqual((refused.exception.status, refused.exception.why), (409, "there is no unfinished run to be stopped"))
+                # What an earlier request has left stops no later run.
+                (folder / "out/run.part").mkdir()
+                (folder / "out/run.part/stop").touch()
+                render = subprocess.Popen([PROGRAM, "render", "scene.json", "-o", "out", "-j", "1", "--resume"], cwd=folder,
+                                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                self.wait_for(lambda: (w := viewer.ask("sources")["sources"][0].get("watch")) and w["tilesDone"] > 0 and w["atWork"])
+                self.assertIsNone(render.poll())
+                self.assertEqual(viewer.ask("stop", method="POST", source=0), {"stopping": True})
+                begun = time.monotonic()
+                _, said = render.communicate(timeout=30)
+                self.assertLess(time.monotonic() - begun, 5)
+                self.assertEqual(render.returncode, 130, said)
+                self.assertIn("--resume", said)
+                self.assertFalse((folder / "out/run.part/stop").exists())
+                self.assertTrue((folder / "out/run.part/state.json").exists())
+
 
 class Documents(unittest.TestCase):
     def state(self, folder, text):

@@ -103,6 +103,15 @@ class Attacks(unittest.TestCase):
             status, _, _ = self.viewer.request("/api/sources", method=method, body=b"x" if method in ("POST", "PUT", "PATCH") else None)
             self.assertEqual(status, 405, method)
 
+    def test_8_what_stops_a_run_is_posted_by_the_page_alone(self):
+        state = self.folder / "out/run.part"
+        for expected, named in ((405, {"method": "GET"}), (403, {"method": "POST", "token": False}),
+                                (403, {"method": "POST", "headers": {"Origin": "http://attacker.example"}}),
+                                (403, {"method": "POST", "headers": {"Sec-Fetch-Site": "cross-site"}}),
+                                (409, {"method": "POST"})):
+            self.refused(expected, "/api/stop?source=0", **named)
+            self.assertFalse(state.exists())
+
     def test_9_replies_forbid_what_is_not_from_here(self):
         for path in ("/", "/main.js", "/api/sources", "/nothing"):
             _, headers, _ = self.viewer.request(path)

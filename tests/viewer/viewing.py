@@ -63,9 +63,9 @@ class Viewer:
         connection.close()
         return answer.status, dict(answer.getheaders()), content
 
-    def ask(self, name, **query):
+    def ask(self, name, method="GET", **query):
         """What the page gets: JSON, or (about, floats)."""
-        status, headers, body = self.request(f"/api/{name}?{urllib.parse.urlencode(query)}")
+        status, headers, body = self.request(f"/api/{name}?{urllib.parse.urlencode(query)}", method=method)
         if status != 200:
             raise Refused(status, json.loads(body)["error"])
         if "X-Ifov-About" in headers:

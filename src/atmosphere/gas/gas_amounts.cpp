@@ -39,7 +39,7 @@ Densities densities_of(const Profile& profile) {
     const double water = kVapourPerKm * vapour / kLoschmidtPerKm;
     d.water_self.push_back(kLoschmidtPerKm * water * water / kContinuumDensity);
     d.water_foreign.push_back(kLoschmidtPerKm * water * std::max(p * t - water, 0.0) / kContinuumDensity);
-    d.nitrogen.push_back(0.781 * p * p * t * std::sqrt(t));
+    d.nitrogen.push_back(profile.nitrogen * p * p * t * std::sqrt(t));
     d.oxygen.push_back(per_ppmv * profile.of(Gas::o2)[i] * p);
     const double oxygen_amagat = 1e-5 * per_ppmv * profile.of(Gas::o2)[i];
     d.oxygen_pairs.push_back(oxygen_amagat * oxygen_amagat);

@@ -179,6 +179,8 @@ void AerosolColumn::add_haze(const AerosolDescription& description, const Profil
   }
   constexpr double kThickest = 10.0;
   if (description.own) add(*description.own, kThickest, profile.ground_km());
+  for (const std::shared_ptr<const ParticleLayer>& layer : description.more)
+    add(*layer, kThickest, profile.ground_km());
 }
 
 std::shared_ptr<const LayerHeights> AerosolColumn::add(const ParticleLayer& layer, double thickest,
@@ -190,7 +192,8 @@ std::shared_ptr<const LayerHeights> AerosolColumn::add(const ParticleLayer& laye
   const double thickness_550 =
       layer.optical_depth / layer.particles->properties(layer.wavelength_um).extinction;
   regions_.push_back({{}, {}, layer.particles, heights, thickness_550});
-  boundaries_km_.insert(boundaries_km_.end(), {heights->base_km(), heights->top_km()});
+  const std::vector<double> boundaries = heights->boundaries_km();
+  boundaries_km_.insert(boundaries_km_.end(), boundaries.begin(), boundaries.end());
   return heights;
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ifov::atmosphere {
 
@@ -10,6 +11,10 @@ class Particles;
 
 /// Particles between two altitudes, as somebody asks for them.
 struct ParticleLayer {
+  struct Height {
+    double altitude_km = 0.0;  ///< above mean sea level
+    double density = 0.0;      ///< in any unit, 0 or more
+  };
   std::string name = "haze";    ///< in messages
   double optical_depth = 0.0;   ///< vertical, of extinction ...
   double wavelength_um = 0.55;  ///< ... at this wavelength
@@ -18,6 +23,9 @@ struct ParticleLayer {
   std::optional<double> top_km;   ///< none: the end of the air
   std::optional<double>
       scale_height_km;  ///< of a density that falls exponentially; none: uniform, or 2 km without a top
+  /// A density of one's own at rising altitudes, two or more, linear between and none beyond; base, top and scale height are then
+  /// none. Empty: as these say.
+  std::vector<Height> heights = {};
 };
 
 inline constexpr double kThickestCloud = 100.0;  ///< optical depth at 550 nm
@@ -34,11 +42,15 @@ class LayerHeights {
   double density(double altitude_km) const;
   double base_km() const { return base_km_; }
   double top_km() const { return top_km_; }
+  /// Where the density begins, ends and bends.
+  std::vector<double> boundaries_km() const;
 
  private:
   double above(double altitude_km) const;
+  double above_in_table(double altitude_km) const;
   double base_km_, top_km_;
   std::optional<double> scale_km_;
+  std::vector<ParticleLayer::Height> table_;
 };
 
 }  // namespace ifov::atmosphere

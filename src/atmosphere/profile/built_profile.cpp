@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atmosphere/profile/gas_requests.h"
 #include "atmosphere/profile/profile_description.h"
 #include "core/error.h"
 
@@ -145,14 +146,26 @@ double ground_of(const ProfileDescription& description, const Profile& source) {
 
 BuiltProfile build_profile(const ProfileDescription& description) {
   const Profile& model = model_atmosphere(description.model);
-  const Profile source = description.levels.empty() ? model : with_user_levels(model, description.levels);
+  const GasRequests none, &gases = description.gases ? *description.gases : none;
+  const auto request = [&](Gas gas) -> const std::optional<GasRequest>& {
+    return gases.of[static_cast<std::size_t>(gas)];
+  };
+  std::vector<std::string> remarks;
+  Profile source = description.levels.empty() ? model : with_user_levels(model, description.levels);
+  const double ground_km = ground_of(description, source);
+  for (std::size_t g = 0; g < kGasCount; ++g)
+    if (gases.of[g] && !gases.of[g]->levels.empty())
+      source = with_gas_levels(source, static_cast<Gas>(g), *gases.of[g], ground_km, remarks);
   require_positive("water vapour", description.water_vapour_g_cm2, "g/cm2");
   require_positive("ozone", description.ozone_DU, "DU");
-  BuiltProfile built{source.between(ground_of(description, source), kTopOfAtmosphereKm), {}};
+  BuiltProfile built{source.between(ground_km, kTopOfAtmosphereKm), std::move(remarks)};
   Profile& profile = built.profile;
+  if (!gases.nitrogen) profile.nitrogen = 0.0;
+  for (std::size_t g = 0; g < kGasCount; ++g)
+    if (gases.of[g]) scale_gas(profile, static_cast<Gas>(g), *gases.of[g]);
   const auto set_at_ground = [&](Gas gas, std::string_view name, const std::optional<double>& ppm) {
     require_positive(name, ppm, "ppm");
-    if (ppm) scale(profile.of(gas), *ppm / profile.of(gas).front());
+    if (ppm && !request(gas)) scale(profile.of(gas), *ppm / profile.of(gas).front());
   };
   set_at_ground(Gas::co2, "carbon dioxide", description.co2_ppm);
   set_at_ground(Gas::ch4, "methane", description.ch4_ppm);
@@ -161,7 +174,7 @@ BuiltProfile build_profile(const ProfileDescription& description) {
     if (!(profile.column_atm_cm(gas) > 0.0))
       throw InputError(format("the profile has no {} that a column could be scaled from", name));
   };
-  if (description.ozone_DU) {
+  if (description.ozone_DU && !request(Gas::o3)) {
     require_some(Gas::o3, "ozone");
     scale(profile.of(Gas::o3), 1e-3 * *description.ozone_DU / profile.column_atm_cm(Gas::o3));
   }
@@ -171,9 +184,15 @@ BuiltProfile build_profile(const ProfileDescription& description) {
       built.remarks.push_back("relative humidity above 100 % in the profile is taken as 100 %");
     profile.of(Gas::h2o) = limited;
   }
-  if (description.water_vapour_g_cm2) {
+  std::optional<double> water_g_cm2 = description.water_vapour_g_cm2;
+  if (const auto& asked = request(Gas::h2o)) {
+    require_positive("H2O", asked->column_atm_cm, "atm-cm");
+    water_g_cm2 =
+        asked->column_atm_cm ? std::optional(*asked->column_atm_cm / kVapourAtmCmPerGram) : std::nullopt;
+  }
+  if (water_g_cm2) {
     require_some(Gas::h2o, "water vapour");
-    set_water(profile, *description.water_vapour_g_cm2, description.limit_humidity, built.remarks);
+    set_water(profile, *water_g_cm2, description.limit_humidity, built.remarks);
   }
   return built;
 }

@@ -63,6 +63,7 @@ double Profile::temperature_at(double altitude) const {
 
 Profile Profile::between(double ground, double top) const {
   Profile part;
+  part.nitrogen = nitrogen;
   const auto add = [&](double altitude) {
     const std::size_t i = interval_of(altitude_km, altitude);
     const double f = fraction(altitude_km, i, altitude);

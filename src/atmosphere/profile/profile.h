@@ -26,6 +26,8 @@ struct Profile {
   std::vector<double> temperature_K;
   std::array<std::vector<double>, kGasCount> mixing_ratio_ppmv;  ///< by volume, of the moist air
 
+  double nitrogen = 0.781;  ///< by volume, of dry air
+
   std::size_t levels() const { return altitude_km.size(); }
   double ground_km() const { return altitude_km.front(); }
   const std::vector<double>& of(Gas gas) const { return mixing_ratio_ppmv[static_cast<std::size_t>(gas)]; }

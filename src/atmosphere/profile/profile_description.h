@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,8 @@ struct ProfileDescription {
   std::optional<double> co2_ppm = 420.0;
   std::optional<double> ch4_ppm = 1.9;
   std::optional<double> n2o_ppm = 0.335;
+  /// Of any gas, in place of what is said of it above; null: nothing.
+  std::shared_ptr<const struct GasRequests> gases = {};
   bool limit_humidity = true;  ///< relative humidity stays at or below 100 %
 };
 

@@ -143,6 +143,25 @@ StokesVector ColumnSolution::diffuse_transmittance(double mu, double observer_km
   return scattered;
 }
 
+ColumnSolution::GroundFlux ColumnSolution::ground_flux(double altitude_km) const {
+  const ScatteringColumn& column = groundlit_.solved().column;
+  double depth = 0.0;  // scaled: what goes on in the forward peak has not been scattered
+  for (std::size_t s = column.sublayers(); s-- > 0;) {
+    const double low = column.altitude_km[s + 1], high = column.altitude_km[s];
+    depth += column.depth[s] * std::clamp((altitude_km - low) / (high - low), 0.0, 1.0);
+  }
+  const FluxProfile::Fluxes scattered = groundlit_.fluxes().at(altitude_km);
+  return {straight_flux(depth) + scattered.up / std::numbers::pi, scattered.diffuse_down / std::numbers::pi};
+}
+
+double straight_flux(double depth) {
+  static const GaussNodes nodes = gauss_nodes(48);
+  double sum = 0.0;
+  for (std::size_t j = 0; j < nodes.position.size(); ++j)
+    sum += 2.0 * nodes.weight[j] * nodes.position[j] * std::exp(-depth / nodes.position[j]);
+  return sum;
+}
+
 double ColumnSolution::sun_transmittance(double altitude_km) const {
   const ScatteringColumn& column = sunlit_.solved().column;
   const auto& altitude = column.altitude_km;

@@ -33,12 +33,21 @@ class ColumnSolution {
   /// light that propagates with mu > 0. Light straight from the ground is not in it.
   /// `surface_km`: where the line of sight begins, and has this zenith angle; not below the ground.
   StokesVector diffuse_transmittance(double mu, double observer_km, double surface_km = -kEndless_km) const;
+  /// Of all light that leaves level ground alike in every direction, what goes up through a level, straight and scattered, and
+  /// what comes down through it again.
+  struct GroundFlux {
+    double up = 1.0, down = 0.0;
+  };
+  GroundFlux ground_flux(double altitude_km) const;
   /// Transmittance of the sunbeam down to an altitude.
   double sun_transmittance(double altitude_km) const;
 
  private:
   ScatteredField sunlit_, groundlit_;
 };
+
+/// What comes straight through a vertical optical depth of the light that goes up alike in every direction, 2 E_3(depth).
+double straight_flux(double depth);
 
 /// Solves columns. Constant after construction: one solver serves any number of threads.
 class ColumnSolver {

@@ -103,6 +103,13 @@ ChannelEmission::ChannelEmission(const AtmosphereColumn& column, const ChannelPo
     sky_irradiance[p] = irradiance(ground_km);
     for (std::size_t h = 0; h < sky_at_height.size(); ++h)
       sky_at_height[h][p] = irradiance(ground_km + geometry.heights_km[h]);
+    if (geometry.level_fluxes) {
+      double up = 0.0;
+      for (std::size_t j = 0; j < hemisphere.position.size(); ++j)
+        up += 2.0 * std::numbers::pi * hemisphere.weight[j] * hemisphere.position[j] *
+              air.line_of_sight(geometry.sensor_altitude_km, hemisphere.position[j], ground_km);
+      level_up.push_back(up);
+    }
     for (std::size_t s = 0; s < line_of_sight_path.size(); ++s) {
       const LineOfSight& line = geometry.lines_of_sight[s];
       line_of_sight_path[s][p] =

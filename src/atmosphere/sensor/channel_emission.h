@@ -17,6 +17,7 @@ struct ChannelEmission {
   std::vector<std::vector<double>> sky;  ///< [zenith][point]
   /// [line][point] as path, [height][point] as sky_irradiance.
   std::vector<std::vector<double>> line_of_sight_path, sky_at_height;
+  std::vector<double> level_up;  ///< by point: up through the sensor's level, where the geometry wants it
 
   /// Solutions, all solved, with their shares, [solution][point].
   struct Scattered {

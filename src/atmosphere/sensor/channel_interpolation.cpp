@@ -1,4 +1,4 @@
-// The part of ChannelScattering that goes from solutions to points.
+// The part of ChannelScattering that goes from solutions to points, and what goes through the level at the sensor's altitude.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -141,6 +141,8 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
     result.diffuse_transmittance[p] =
         points_.view_base()[p] * ratio([](const Node& n) { return n.diffuse_transmittance; });
     result.spherical_albedo[p] = ratio([](const Node& n) { return n.spherical_albedo; });
+    if (geometry_.level_fluxes)
+      add_fluxes(p, parts, points_.is_under_cloud(geometry_.sensor_altitude_km) ? sun_base : own.i, result);
     if (polarized_) polarize(0, p, parts, own, result.path[p], result.diffuse_transmittance[p], result);
     for (std::size_t s = 0; s < lines_of_sight; ++s) {
       const StokesVector along = once(sights[1 + s]);
@@ -159,6 +161,39 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
                                            : 0.0;
   }
   return result;
+}
+
+double ChannelScattering::depth_to_sensor(const LayerOptics& layers) const {
+  const std::vector<double>& altitude_km = column_.levels().altitude_km;
+  double depth = 0.0;
+  for (std::size_t i = 0; i < layers.layers(); ++i) {
+    const double below = std::clamp(
+        (geometry_.sensor_altitude_km - altitude_km[i]) / (altitude_km[i + 1] - altitude_km[i]), 0.0, 1.0);
+    depth += below * (layers.gas_absorption[i] + layers.rayleigh_scattering[i] +
+                      layers.aerosol_scattering[i] + layers.aerosol_absorption[i]);
+  }
+  return depth;
+}
+
+void ChannelScattering::solve_fluxes(const ColumnSolution& solved, double once, Node& node) const {
+  const ColumnSolution::GroundFlux ground = solved.ground_flux(geometry_.sensor_altitude_km);
+  node.level_up = log_ratio(solved.sunlit().fluxes().at(geometry_.sensor_altitude_km).up, once);
+  node.ground_up = log_ratio(ground.up, straight_flux(depth_to_sensor(node.optics)));
+  node.ground_down = log_ratio(ground.down, 1.0);
+}
+
+void ChannelScattering::add_fluxes(std::size_t point, const std::vector<Part>& parts, double once,
+                                   AtPoints& at) const {
+  double level_up = 0.0, ground_up = 0.0, ground_down = 0.0;
+  for (const Part& part : parts) {
+    level_up += part.scaled * part.node->level_up;
+    ground_up += part.plain * part.node->ground_up;
+    ground_down += part.plain * part.node->ground_down;
+  }
+  at.level_up.push_back(sunlit_ ? once * std::exp(level_up) : 0.0);
+  at.ground_up.push_back(straight_flux(depth_to_sensor(points_.points[point].layers())) *
+                         std::exp(ground_up));
+  at.ground_down.push_back(std::exp(ground_down));
 }
 
 }  // namespace ifov::atmosphere

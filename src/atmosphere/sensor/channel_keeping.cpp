@@ -54,6 +54,7 @@ std::vector<double> ChannelScattering::question(const ColumnSolver& solver, cons
   for (const LineOfSight& line : geometry_.lines_of_sight)
     all.insert(all.end(), {line.zenith_rad, line.azimuth_rad, line.height_km, line.sensor_km});
   if (polarized_) all.push_back(1.0);
+  if (geometry_.level_fluxes) all.push_back(2.0);
   return all;
 }
 
@@ -65,19 +66,21 @@ void ChannelScattering::solve(const ColumnSolver& solver, std::size_t solution, 
   std::size_t count = 4 + 2 * geometry_.lines_of_sight.size() + geometry_.heights_km.size() + rings;
   if (polarized_)
     count += 3 * (1 + geometry_.lines_of_sight.size()) + 2 * rings - directions_.zenith_rad.size();
+  if (geometry_.level_fluxes) count += 3;
   std::vector<double> answer(count);
   if (kept->find(asked, answer)) return node.unpack(answer, geometry_, directions_, polarized_);
   solve(solver, node);
-  kept->keep(asked, node.packed());
+  kept->keep(asked, node.packed(geometry_.level_fluxes));
 }
 
-std::vector<double> ChannelScattering::Node::packed() const {
+std::vector<double> ChannelScattering::Node::packed(bool level_fluxes) const {
   std::vector<double> answer{path, sky_irradiance, diffuse_transmittance, spherical_albedo};
   for (const std::vector<double>* list :
        {&line_of_sight_path, &line_of_sight_diffuse, &sky_at_height, &sky, &groundlit, &sky_polarization.q,
         &sky_polarization.u, &sky_polarization.groundlit_q})
     answer.insert(answer.end(), list->begin(), list->end());
   for (const LinePolarization& line : lines) answer.insert(answer.end(), {line.q, line.u, line.diffuse_q});
+  if (level_fluxes) answer.insert(answer.end(), {level_up, ground_up, ground_down});
   return answer;
 }
 
@@ -99,6 +102,12 @@ void ChannelScattering::Node::unpack(std::span<const double> answer, const Senso
   take(sky_at_height, geometry.heights_km.size());
   take(sky, zeniths * azimuths);
   take(groundlit, zeniths);
+  if (geometry.level_fluxes) {
+    level_up = answer[answer.size() - 3];
+    ground_up = answer[answer.size() - 2];
+    ground_down = answer[answer.size() - 1];
+    answer = answer.first(answer.size() - 3);
+  }
   if (!polarized) return;
   take(sky_polarization.q, zeniths * azimuths);
   take(sky_polarization.u, zeniths * azimuths);

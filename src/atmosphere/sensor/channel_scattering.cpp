@@ -22,9 +22,12 @@ constexpr std::size_t kMostWavelengths = 6;
 /// Points that hold less of the channel do not decide how deep the solutions reach.
 constexpr double kLeastShare = 1e-5;
 constexpr double kDark = 1e-300;
-double log_ratio(double a, double b) { return std::log(std::max(a, kDark) / std::max(b, kDark)); }
 
 }  // namespace
+
+double ChannelScattering::log_ratio(double a, double b) {
+  return std::log(std::max(a, kDark) / std::max(b, kDark));
+}
 
 double ChannelScattering::scaled_depth(double gas_depth) { return std::log1p(10.0 * gas_depth); }
 
@@ -169,6 +172,8 @@ void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
   node.spherical_albedo = std::log(std::max(albedo, kDark));
 
   solve_lines_of_sight(solved, base, node);
+  if (geometry_.level_fluxes)
+    solve_fluxes(solved, points_.is_under_cloud(sensor_km) ? base.value().sun[0] : path.single.i, node);
 
   const std::vector<double> weights = directions_.level_weights();
   const std::size_t zeniths = directions_.zenith_rad.size(), azimuths = directions_.azimuth_rad.size();

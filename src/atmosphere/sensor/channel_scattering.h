@@ -57,6 +57,9 @@ class ChannelScattering {
     /// own line of sight, then of its sights, [line][point], with azimuths read as counterclockwise. Empty
     /// unless asked for.
     std::vector<std::vector<double>> path_q, path_u, diffuse_q;
+    /// Where the geometry wants level fluxes: sunlight that goes up through the sensor's level; of all light that leaves level
+    /// ground alike in every direction, what goes up there, and what comes down.
+    std::vector<double> level_up, ground_up, ground_down;
   };
   AtPoints at_points() const;
 
@@ -91,7 +94,10 @@ class ChannelScattering {
     std::vector<double> sky, groundlit;
     std::vector<LinePolarization> lines;  // the geometry's own, then its lines of sight
     SkyPolarization sky_polarization;
-    std::vector<double> packed() const;
+    // The flux up through the sensor's level over light scattered once towards it, of ground's light what goes up there over what
+    // does so straight, and what comes down.
+    double level_up = 0.0, ground_up = 0.0, ground_down = 0.0;
+    std::vector<double> packed(bool level_fluxes) const;
     void unpack(std::span<const double> answer, const SensorGeometry& geometry,
                 const SkyDirections& directions, bool polarized);
   };
@@ -108,6 +114,12 @@ class ChannelScattering {
   LayerOptics optics_at(double log_wavelength, double depth) const;
   void solve_lines_of_sight(const ColumnSolution& solved, const std::optional<ChannelPoints::Beams>& base,
                             Node& node) const;
+  /// `once`: sunlight scattered once into the sensor's line of sight.
+  void solve_fluxes(const ColumnSolution& solved, double once, Node& node) const;
+  /// Of the points, by what solutions count there.
+  void add_fluxes(std::size_t point, const std::vector<Part>& parts, double once, AtPoints& at) const;
+  /// Vertical extinction depth between the ground and the sensor.
+  double depth_to_sensor(const LayerOptics& layers) const;
   /// `scale` and `groundlit_scale`: of the shapes of the sky.
   void solve_polarization(const ColumnSolution& solved, double scale, double groundlit_scale,
                           Node& node) const;
@@ -118,6 +130,8 @@ class ChannelScattering {
   /// The geometry's own line of sight, then its lines of sight.
   std::vector<LineOfSight> lines() const;
   Propagation towards_sensor() const;
+  /// Of light that may be none.
+  static double log_ratio(double a, double b);
   /// Depth as the ratio of all light to light scattered once varies with it.
   static double scaled_depth(double gas_depth);
   /// The same as light varies that gas emits: to what is an opaque body, and from the more distant air the less.

@@ -45,6 +45,10 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
     geometry_.heights_km.assign(lines_of_sight_.height().known().begin() + 1,
                                 lines_of_sight_.height().known().end());
   }
+  if (geometry_.level_fluxes)
+    geometry_.heights_km.push_back(
+        std::min(geometry_.sensor_altitude_km, column.levels().altitude_km.back()) -
+        column.levels().altitude_km.front());
   std::vector<std::vector<ChannelBin>> bins;
   for (std::size_t c = 0; c < inputs.channels.size(); ++c) {
     bins.push_back(channel_bins(inputs.channels[c], inputs.solar_irradiance));
@@ -114,6 +118,10 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
     for (auto* rows : {&sun_at_height_, &sky_at_height_})
       rows->assign(lines_of_sight_.height().known().size() * nodes, 0.0);
   }
+  if (geometry_.level_fluxes)
+    for (auto* row : {&level_fluxes_.sun, &level_fluxes_.down, &level_fluxes_.up, &level_fluxes_.ground_up,
+                      &level_fluxes_.ground_down})
+      row->assign(nodes, 0.0);
   sky_.assign(zeniths * directions_.azimuth_rad.size() * nodes, 0.0);
   groundlit_.assign(zeniths * nodes, 0.0);
   if (inputs.polarized) {
@@ -127,6 +135,7 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
     const std::size_t channel = static_cast<std::size_t>(k);
     if (channels[channel].scattering) add_scattering(channel, channels[channel]);
     if (channels[channel].emitted) add_emission(channel, channels[channel]);
+    if (geometry_.level_fluxes) add_fluxes(channel, channels[channel]);
     if (!lines_of_sight_.trivial()) add_lines_of_sight(channel, channels[channel]);
     if (polarization_ && channels[channel].scattering) add_polarization(channel, channels[channel]);
   });

@@ -103,6 +103,16 @@ class SensorAtmosphere {
   };
   LineOfSightPolarization line_of_sight_polarization(std::size_t line) const;
 
+  /// Irradiances of the level at the sensor's altitude by node, where the geometry wants them.
+  struct LevelFluxes {
+    std::vector<double> sun;       ///< direct, on a surface that faces the Sun
+    std::vector<double> down, up;  ///< of all else, over black and cold ground
+    /// Of the light that leaves level ground alike in every direction, the share that goes up through the level and that comes
+    /// down through it.
+    std::vector<double> ground_up, ground_down;
+  };
+  const LevelFluxes& level_fluxes() const { return level_fluxes_; }
+
   /// How far each channel may be off because of how all this is computed; empty where it was not asked for.
   const std::vector<AtmosphereErrors>& errors() const { return errors_; }
 
@@ -119,6 +129,7 @@ class SensorAtmosphere {
   AtmosphereError line_of_sight_error(std::size_t channel, const ChannelLights& lights,
                                       const radiometry::Spectrum& ground) const;
   void normalise_sky();
+  void add_fluxes(std::size_t channel, const ChannelLights& lights);
   void add_polarization(std::size_t channel, const ChannelLights& lights);
   /// Makes light that interpolation left too polarized wholly polarized.
   void bound_polarization();
@@ -142,6 +153,7 @@ class SensorAtmosphere {
       line_of_sight_diffuse_;                          // [line][node]
   std::vector<double> sun_at_height_, sky_at_height_;  // [height][node]
   std::optional<Polarization> polarization_;
+  LevelFluxes level_fluxes_;
 };
 
 }  // namespace ifov::atmosphere

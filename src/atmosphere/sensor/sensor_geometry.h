@@ -24,6 +24,7 @@ struct SensorGeometry {
   /// the ground.
   std::vector<LineOfSight> lines_of_sight = {};
   std::vector<double> heights_km = {};
+  bool level_fluxes = false;    ///< light through the level at the sensor's altitude is wanted, up and down
   bool spherical_earth = true;  ///< of sunlight, as ScatteringOptions of the same inputs have it
 
   /// The Sun for a solution of which only what comes from the ground is wanted.
@@ -37,6 +38,7 @@ struct SensorGeometry {
     SensorGeometry geometry = *this;
     geometry.lines_of_sight.clear();
     geometry.heights_km.clear();
+    geometry.level_fluxes = false;
     return geometry;
   }
 };

@@ -43,6 +43,24 @@ void SensorAtmosphere::add_lines_of_sight(std::size_t channel, const ChannelLigh
   }
 }
 
+/// The level is the last of the geometry's heights.
+void SensorAtmosphere::add_fluxes(std::size_t channel, const ChannelLights& lights) {
+  const std::size_t first = nodes_.first_node(channel), count = nodes_.first_node(channel + 1) - first;
+  LevelFluxes& to = level_fluxes_;
+  add_source(channel, lights.points.sun_at_height.back(), to.sun.data());
+  if (lights.scattering) {
+    add_source(channel, lights.scattered.sky_at_height.back(), to.down.data());
+    add_source(channel, lights.scattered.level_up, to.up.data());
+    nodes_.average_seen(channel, lights.scattered.ground_up, std::span(to.ground_up).subspan(first, count));
+    nodes_.average_seen(channel, lights.scattered.ground_down,
+                        std::span(to.ground_down).subspan(first, count));
+  }
+  if (lights.emitted) {
+    add_source(channel, lights.emitted->sky_at_height.back(), to.down.data());
+    add_source(channel, lights.emitted->level_up, to.up.data());
+  }
+}
+
 /// At lines of sight between those of the table, from nodes and by interpolation against all points as they
 /// are there.
 AtmosphereError SensorAtmosphere::line_of_sight_error(std::size_t channel, const ChannelLights& lights,

@@ -23,16 +23,44 @@ struct Part {
   const AtmosphereColumn& column;
   std::span<const radiometry::Channel> channels;
   SensorAtmosphere::Inputs inputs;
+  double ground_reflectance;
 
   SensorAtmosphere solve(bool sunlit) const {
     SensorAtmosphere::Inputs asked = inputs;
     if (!sunlit) asked.geometry.sun_zenith_rad.reset();
+    asked.polarized = sunlit;
+    asked.geometry.level_fluxes = sunlit || !inputs.geometry.sun_zenith_rad;
     return SensorAtmosphere(column, asked);
   }
 };
 
 /// What is left of all light without the part; 0 where that is rounding.
 double rest(double all, double part) { return all > part * (1.0 + 1e-12) ? all - part : 0.0; }
+
+/// U of the line of sight, which azimuths clockwise from the Sun's are told of, where tables have that of the other side.
+double own_side(const SensorGeometry& geometry, double u) {
+  return std::sin(geometry.view_azimuth_rad) > 0.0 ? -u : u;
+}
+
+/// The same light over ground that reflects. Node by node: ground and air pass light back and forth in each as they absorb there.
+void add_over_ground(const SensorAtmosphere& air, double reflectance, std::size_t n, double weight,
+                     AtmosphereEffects::OverGround& to) {
+  const SensorAtmosphere::LevelFluxes& level = air.level_fluxes();
+  const double sine = air.geometry().sun_sine(), albedo = air.spherical_albedo()[n];
+  const double down = air.sun_irradiance()[n] * sine + air.sky_irradiance()[n];
+  const double up = reflectance * down / (1.0 - reflectance * albedo), leaving = up / std::numbers::pi;
+  to.ground_diffuse += weight * (air.sky_irradiance()[n] + albedo * up);
+  to.ground_up += weight * up;
+  to.sensor_direct += weight * level.sun[n] * sine;
+  to.sensor_diffuse += weight * (level.down[n] + level.ground_down[n] * up);
+  to.sensor_up += weight * (level.up[n] + level.ground_up[n] * up);
+  to.radiance += weight * (air.view_radiance()[n] +
+                           leaving * (air.view_transmittance()[n] + air.diffuse_transmittance()[n]));
+  if (!air.polarized()) return;
+  const SensorAtmosphere::LineOfSightPolarization path = air.line_of_sight_polarization(0);
+  to.q += weight * (path.q[n] + leaving * path.diffuse_q[n]);
+  to.u += weight * own_side(air.geometry(), path.u[n]);
+}
 
 void survey_part(const Part& part, AtmosphereEffects* light) {
   std::vector<std::vector<ChannelBin>> bins;
@@ -60,6 +88,7 @@ void survey_part(const Part& part, AtmosphereEffects* light) {
   add(night, [&](AtmosphereEffects& to, std::size_t n, double weight) {
     to.thermal_path += weight * night.view_radiance()[n];
     to.thermal_sky += weight * night.sky_irradiance()[n];
+    if (!geometry.sun_zenith_rad) add_over_ground(night, part.ground_reflectance, n, weight, to.over_ground);
   });
   if (!geometry.sun_zenith_rad) return;
   const double sine = geometry.sun_sine();
@@ -70,9 +99,14 @@ void survey_part(const Part& part, AtmosphereEffects* light) {
     to.direct_irradiance += weight * day.sun_irradiance()[n] * sine;
     to.diffuse_transmittance += weight * day.diffuse_transmittance()[n];
     to.spherical_albedo += weight * day.spherical_albedo()[n];
+    to.path_q += weight * day.line_of_sight_polarization(0).q[n];
+    to.path_u += weight * own_side(geometry, day.line_of_sight_polarization(0).u[n]);
+    add_over_ground(day, part.ground_reflectance, n, weight, to.over_ground);
   });
   for (std::size_t c = 0; c < part.channels.size(); ++c) {
     AtmosphereEffects& of = light[c];
+    constexpr double kNothing = 1e-100;  // what tables of logarithms have for 0
+    if (of.over_ground.sensor_diffuse < kNothing * of.solar_irradiance) of.over_ground.sensor_diffuse = 0.0;
     of.solar_path = rest(of.solar_path, of.thermal_path);
     of.solar_sky = rest(of.solar_sky, of.thermal_sky);
     of.sun_transmittance =
@@ -90,7 +124,7 @@ std::vector<AtmosphereEffects> survey_effects(const AtmosphereColumn& column,
   for (std::size_t first = 0; first < channels.size(); first += kPart) {
     if (control.progress) control.progress(first);
     const auto some = channels.subspan(first, std::min(kPart, channels.size() - first));
-    Part part{column, some, {}};
+    Part part{column, some, {}, control.ground_reflectance};
     part.inputs.channels = some;
     part.inputs.solar_irradiance = solar_irradiance;
     part.inputs.demands.most_nodes = control.most_nodes;

@@ -14,8 +14,9 @@ class AtmosphereColumn;
 struct SensorGeometry;
 
 struct SurveyControl {
-  std::size_t most_nodes = 8;  ///< of a channel; 1 for narrow steps
-  int threads = 0;             ///< 0: all cores
+  std::size_t most_nodes = 8;       ///< of a channel; 1 for narrow steps
+  double ground_reflectance = 0.0;  ///< of AtmosphereEffects::OverGround, 0 to 1
+  int threads = 0;                  ///< 0: all cores
   /// Told between parts of the work how many channels are done; may throw to end it.
   std::function<void(std::size_t)> progress = {};
 };

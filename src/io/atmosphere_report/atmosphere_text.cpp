@@ -22,6 +22,9 @@ std::string figure(double value) {
                           : format("{:.2e}", value);
 }
 
+/// The same of what may be less than 0.
+std::string signed_figure(double value) { return value < 0.0 ? "-" + figure(-value) : figure(value); }
+
 std::string fitted(const std::string& name) {
   return name.size() <= kLongestName ? name : name.substr(0, kLongestName - 3) + "...";
 }
@@ -42,6 +45,24 @@ std::string correction_text(const AtmosphereReport& report, std::size_t widest) 
                    (of.direct_irradiance + of.solar_sky) / above, of.solar_sky / above,
                    of.view_transmittance + of.diffuse_transmittance, of.diffuse_transmittance,
                    of.spherical_albedo);
+  }
+  return text;
+}
+
+/// Light of level surfaces, and what the sensor receives.
+std::string flux_text(const AtmosphereReport& report, std::size_t widest) {
+  const bool day = report.geometry.sun_zenith_rad.has_value();
+  std::string text = format("\nOver ground of reflectance {:g}:\n{:<{}}  {:^17}  {:^26}  {:^26}\n",
+                            report.ground_reflectance, "", widest, "at the ground",
+                            "through the sensor's level", "at the sensor");
+  text += format("{:<{}}  {:>8} {:>8}  {:>8} {:>8} {:>8}  {:>8} {:>8} {:>8}\n", "channel", widest, "diffuse",
+                 "up", "direct", "diffuse", "up", "radiance", "Q", "U");
+  for (const AtmosphereReport::Channel& channel : report.channels) {
+    const atmosphere::AtmosphereEffects::OverGround& of = channel.light.over_ground;
+    text += format("{:<{}}  {:>8} {:>8}  {:>8} {:>8} {:>8}  {:>8} {:>8} {:>8}\n", fitted(channel.name),
+                   widest, figure(of.ground_diffuse), figure(of.ground_up),
+                   day ? figure(of.sensor_direct) : "-", figure(of.sensor_diffuse), figure(of.sensor_up),
+                   figure(of.radiance), day ? signed_figure(of.q) : "-", day ? signed_figure(of.u) : "-");
   }
   return text;
 }
@@ -73,6 +94,7 @@ std::string atmosphere_report_text(const AtmosphereReport& report) {
         figure(sky), of.spherical_albedo > 0.0 ? format("{:.4f}", of.spherical_albedo) : "-", kelvin);
   }
   text += correction_text(report, widest);
+  text += flux_text(report, widest);
   if (!report.neutral_points.empty()) {
     text +=
         format("\nThe sky at {:.4g} um ({}) is unpolarized", report.sky->wavelength_um, report.sky_channel);
@@ -88,11 +110,11 @@ std::string atmosphere_report_text(const AtmosphereReport& report) {
     text += ".\n";
   }
   return text +
-         "\nOver black ground. Direct transmittances; radiances in W m-2 sr-1 um-1, irradiances of level "
-         "ground in\n"
-         "W m-2 um-1; albedo and S: of the air for light from below; sky K: temperature of a black sky as "
-         "bright;\n"
-         "down, up: shares of sunlight that reach the ground, of uniform ground's light that reach the sensor.\n";
+         "\nOver black ground, but where another is named. Direct transmittances; radiances in W m-2 sr-1 um-1,\n"
+         "irradiances of levels in W m-2 um-1; albedo and S: of the air for light from below; sky K: temperature of a\n"
+         "black sky as bright; down, up: shares of sunlight that reach the ground, of uniform ground's light that reach\n"
+         "the sensor; Q, U: of light about the vertical plane of the line of sight (north where it is upright), as the\n"
+         "sensor sees it. Ground emits nothing here.\n";
 }
 
 std::string atmosphere_report_csv(const AtmosphereReport& report) {

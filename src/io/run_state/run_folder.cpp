@@ -7,4 +7,6 @@ std::filesystem::path plan_file(const std::filesystem::path& folder) {
   return state_folder(folder) / "state.json";
 }
 
+std::filesystem::path stop_file(const std::filesystem::path& folder) { return state_folder(folder) / "stop"; }
+
 }  // namespace ifov::io

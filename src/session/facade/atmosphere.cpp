@@ -11,6 +11,7 @@
 #include "session/loaded/parts.h"
 #include "session/reflectance_cube.h"
 #include "session/session.h"
+#include "session/surveys/atmosphere_summary.h"
 #include "session/surveys/atmosphere_survey.h"
 
 namespace ifov {
@@ -27,7 +28,17 @@ AtmosphereEffects light_of(const atmosphere::AtmosphereEffects& light) {
           .direct_irradiance = light.direct_irradiance,
           .solar_sky = light.solar_sky,
           .thermal_sky = light.thermal_sky,
-          .spherical_albedo = light.spherical_albedo};
+          .spherical_albedo = light.spherical_albedo,
+          .path_q = light.path_q,
+          .path_u = light.path_u,
+          .over_ground = {.ground_diffuse = light.over_ground.ground_diffuse,
+                          .ground_up = light.over_ground.ground_up,
+                          .sensor_direct = light.over_ground.sensor_direct,
+                          .sensor_diffuse = light.over_ground.sensor_diffuse,
+                          .sensor_up = light.over_ground.sensor_up,
+                          .radiance = light.over_ground.radiance,
+                          .q = light.over_ground.q,
+                          .u = light.over_ground.u}};
 }
 
 SkyLight sky_of(const io::AtmosphereReport& report) {
@@ -112,6 +123,10 @@ AtmosphereReport survey_atmosphere(const Document& document, const AtmosphereQue
 std::string AtmosphereReport::table() const { return io::atmosphere_report_text(inside_->report); }
 
 std::string AtmosphereReport::csv() const { return io::atmosphere_report_csv(inside_->report); }
+
+void AtmosphereReport::write_summary(const std::filesystem::path& path, bool steps) const {
+  session::write_summary(inside_->report, path, steps);
+}
 
 std::string AtmosphereReport::sky_csv() const { return io::sky_csv(inside_->report); }
 

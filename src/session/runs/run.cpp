@@ -9,6 +9,7 @@
 #include "core/machine_memory.h"
 #include "io/products/part_file.h"
 #include "io/run_state/kept_run.h"
+#include "io/run_state/run_folder.h"
 #include "io/run_state/run_state.h"
 #include "render/image_renderer.h"
 #include "session/loaded/parts.h"
@@ -19,6 +20,7 @@
 #include "session/runs/refinement.h"
 #include "session/runs/resource_check.h"
 #include "session/runs/run_products.h"
+#include "session/runs/stop_request.h"
 #include "session/runs/tile_assembly.h"
 #include "session/runs/time_limit.h"
 #include "session/session.h"
@@ -209,9 +211,10 @@ class Run {
           kAssembly_s + static_cast<double>(bytes.cached) / kCached_bytes_per_s +
           static_cast<double>(bytes.direct) / kDirect_bytes_per_s));
     }
+    const StopRequest stop(state_ ? io::stop_file(folder_) : std::filesystem::path(), options_.cancel);
     const std::unique_ptr<cluster::TileServer> server =
-        coordinator_ != nullptr ? begin_workers(left, end) : nullptr;
-    const TimeLimit limit(end, server ? server->token() : options_.cancel);
+        coordinator_ != nullptr ? begin_workers(left, end, stop.token()) : nullptr;
+    const TimeLimit limit(end, server ? server->token() : stop.token());
     LastProgress progress(totals_, options_.progress, server.get());
     // What other ranks trace comes out of their packs at the end, and then all comes line by line.
     KeepingSink sink(plan_, server ? nullptr : &*assembly_, state_ ? &*state_ : nullptr, tiles_);
@@ -246,10 +249,11 @@ class Run {
   }
 
   std::unique_ptr<cluster::TileServer> begin_workers(const std::vector<int>& left,
-                                                     const std::optional<TimeLimit::Clock::time_point>& end) {
+                                                     const std::optional<TimeLimit::Clock::time_point>& end,
+                                                     const CancelToken* stop) {
     SharedRun run{plan_, folder_, state_->store_start(), std::nullopt};
     if (end) run.seconds_left = std::chrono::duration<double>(*end - TimeLimit::Clock::now()).count();
-    return coordinator_->begin(run, left, options_.cancel);
+    return coordinator_->begin(run, left, stop);
   }
 
   /// What another rank has written.

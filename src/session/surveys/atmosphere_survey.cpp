@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "atmosphere/column/atmosphere_column.h"
+#include "atmosphere/profile/gas_requests.h"
 #include "atmosphere/sensor/channel_bins.h"
 #include "atmosphere/survey/survey_effects.h"
 #include "core/names.h"
@@ -58,6 +59,20 @@ std::pair<double, double> half_width(const radiometry::Channel& channel) {
   return {wavelength[first], wavelength[last]};
 }
 
+/// "Gases of the document's own: H2O, O3; left out: CH4."
+std::string gases_told(const atmosphere::GasRequests& gases) {
+  std::string own, out;
+  const auto add = [](std::string& list, std::string_view name) {
+    list += format("{}{}", list.empty() ? "" : ", ", name);
+  };
+  for (std::size_t g = 0; g < atmosphere::kGasCount; ++g)
+    if (gases.of[g]) add(gases.of[g]->off ? out : own, atmosphere::kGasNames[g]);
+  if (!gases.nitrogen) add(out, "N2");
+  if (own.empty() && out.empty()) return {};
+  if (own.empty()) return format("Gases left out: {}.", out);
+  return format("Gases of the document's own: {}{}.", own, out.empty() ? "" : "; left out: " + out);
+}
+
 std::vector<std::string> describe(const atmosphere::AtmosphereColumn& column,
                                   const atmosphere::SensorGeometry& geometry, const scene::Scene& scene,
                                   const io::ModelledAtmosphere& written) {
@@ -73,12 +88,14 @@ std::vector<std::string> describe(const atmosphere::AtmosphereColumn& column,
              profile.ground_km(), profile.temperature_K.front(), profile.pressure_hPa.front(),
              profile.relative_humidity_percent(0), profile.precipitable_water_g_cm2(),
              1e3 * profile.column_atm_cm(atmosphere::Gas::o3), profile.of(atmosphere::Gas::co2).front()));
+  if (const std::string gases = said.air.gases ? gases_told(*said.air.gases) : std::string(); !gases.empty())
+    lines.push_back(gases);
   if (!column.aerosol().hazy())
     lines.push_back("No aerosol.");
-  else if (aerosol != nullptr && aerosol->own)
-    lines.push_back(format(
-        "Haze of the document's own: {}. Aerosol in all: {:.3f} at 0.55 um.", haze_statement(*aerosol->own),
-        column.aerosol().thickness_550(profile.ground_km(), atmosphere::kTopOfAtmosphereKm)));
+  else if (aerosol != nullptr && aerosol->has_own())
+    lines.push_back(
+        format("Haze of the document's own: {}. Aerosol in all: {:.3f} at 0.55 um.", haze_statement(*aerosol),
+               column.aerosol().thickness_550(profile.ground_km(), atmosphere::kTopOfAtmosphereKm)));
   else
     lines.push_back(
         format("Aerosol: {}, visibility {:.3g} km, optical thickness {:.3f} at 0.55 um.", said.aerosol.type,
@@ -150,6 +167,9 @@ io::AtmosphereReport survey_atmosphere(const io::Document& original, const Atmos
   if (!original.atmosphere.modelled)
     throw io::document_error(original.sources, original.atmosphere.position,
                              "there is no modelled atmosphere to look at: 'atmosphere' has no 'profile'");
+  if (!(question.ground_reflectance >= 0.0 && question.ground_reflectance <= 1.0))
+    throw InputError(
+        format("a ground of reflectance {:g} was asked for; expected 0 to 1", question.ground_reflectance));
   const io::Document document = asked(original, question);
   return with_position(document.sources, document.atmosphere.position, [&] {
     const SurveyStage stage(document);
@@ -189,6 +209,7 @@ io::AtmosphereReport survey_atmosphere(const io::Document& original, const Atmos
     Meter meter(question, stage.channels.size() + steps.size());
     atmosphere::SurveyControl control;
     control.threads = question.threads;
+    control.ground_reflectance = report.ground_reflectance = question.ground_reflectance;
     control.progress = meter.from(0);
     const std::vector<atmosphere::AtmosphereEffects> light =
         atmosphere::survey_effects(column, stage.channels, sunlight, report.geometry, control);

@@ -4,6 +4,7 @@
 #include "io/envi/colour_map.h"
 #include "io/json/json_writer.h"
 #include "viewer/sources/open_run.h"
+#include "viewer/sources/run_watch.h"
 
 namespace ifov::viewer {
 namespace {
@@ -19,7 +20,7 @@ constexpr Row kRows[] = {
     {"pixel", &Answers::pixel, false},          {"region", &Answers::region, true},
     {"projection", &Answers::projection, true}, {"tile", &Answers::tile, true},
     {"document", &Answers::document, false},    {"materials", &Answers::materials, false},
-    {"colours", &Answers::colours, false},
+    {"colours", &Answers::colours, false},      {"stop", &Answers::stop, false},
 };
 
 const Row* row_of(std::string_view name) {
@@ -59,6 +60,8 @@ Answer Answers::answer(std::string_view name, const Query& query) {
   return (this->*row->answer)(query);
 }
 
+bool Answers::changes(std::string_view name) { return name == "stop"; }
+
 Source& Answers::source(const Query& query) {
   if (sources_.empty()) throw Refused(404, "no folder is shown");
   return *sources_[static_cast<std::size_t>(
@@ -72,6 +75,13 @@ std::shared_ptr<const OpenRun> Answers::run(const Query& query) {
   if (static_cast<std::uint64_t>(generation) != now.generation)
     throw Refused(409, format("{}: the products were made anew", now.run->folder.string()));
   return now.run;
+}
+
+Answer Answers::stop(const Query& query) {
+  Source& asked = source(query);
+  if (!asked.now().watch) throw Refused(409, "there is no unfinished run to be stopped");
+  request_stop(asked.folder());
+  return {.body = "{\"stopping\":true}"};
 }
 
 Answer Answers::colours(const Query&) {

@@ -21,6 +21,9 @@ class Answers {
   /// Throws Refused; InputError and SystemError as readers do.
   Answer answer(std::string_view name, const Query& query);
 
+  /// Whether what has this name changes something beside what it answers: it is to be posted.
+  static bool changes(std::string_view name);
+
   // Each name's own, for the table.
   Answer sources(const Query& query);
   Answer band(const Query& query);
@@ -28,6 +31,8 @@ class Answers {
   Answer region(const Query& query);
   Answer projection(const Query& query);
   Answer tile(const Query& query);
+  /// The one that changes something: it asks the run that a folder holds to stop.
+  Answer stop(const Query& query);
   Answer document(const Query& query);
   Answer materials(const Query& query);
   Answer colours(const Query& query);

@@ -74,8 +74,8 @@ bool Guard::is_own_host(std::string_view host) const {
          name == "[" + address_ + "]";
 }
 
-Guard::Verdict Guard::judge(const Origin& request, bool needs_token) const {
-  if (request.method != "GET") return {405, "only GET is answered"};
+Guard::Verdict Guard::judge(const Origin& request, bool needs_token, std::string_view method) const {
+  if (request.method != method) return {405, "only " + std::string(method) + " is answered"};
   if (request.hosts != 1 || !is_own_host(request.host))
     return {421, "the request is meant for another host than this server's"};
   if (!request.origin.empty() && request.origin != "http://" + request.host)

@@ -33,7 +33,8 @@ class Guard {
     int status = 0;
     std::string why;
   };
-  Verdict judge(const Origin& request, bool needs_token) const;
+  /// `method`: the one that what is asked for takes.
+  Verdict judge(const Origin& request, bool needs_token, std::string_view method) const;
 
  private:
   bool is_own_host(std::string_view host) const;

@@ -1,5 +1,7 @@
 #include "viewer/sources/run_watch.h"
 
+#include <fstream>
+
 #include "core/error.h"
 #include "io/files/own_files.h"
 #include "io/products/bil_cube.h"
@@ -60,6 +62,13 @@ RunWatch::Tile RunWatch::tile(std::size_t index, std::size_t channel) const {
   Tile tile{{}, result.worst_ratio};
   for (std::size_t at = channel; at < result.mean.size(); at += columns) tile.mean.push_back(result.mean[at]);
   return tile;
+}
+
+void request_stop(const std::filesystem::path& folder) {
+  const std::filesystem::path file = io::stop_file(folder);
+  std::ofstream stream(file);
+  stream << "stop\n";
+  if (!stream.flush()) throw SystemError(format("{}: cannot be written", file.string()));
 }
 
 bool holds_unfinished_run(const std::filesystem::path& folder) {

@@ -51,6 +51,9 @@ class RunWatch {
   std::vector<bool> done_;
 };
 
+/// Asks the run in a folder, whatever process is at work on it, to stop as Ctrl-C does. Throws SystemError where that cannot be left there.
+void request_stop(const std::filesystem::path& folder);
+
 /// Whether a folder holds the state of an unfinished run.
 bool holds_unfinished_run(const std::filesystem::path& folder);
 

@@ -105,6 +105,7 @@ constexpr Unit kCloudWaterUnits[] = {
     {"g/m^2", 1.0, 0.0, kAlias},
 };
 constexpr Unit kOzoneColumnUnits[] = {{"DU"}, {"atm-cm", 1e3}};
+constexpr Unit kGasColumnUnits[] = {{"atm-cm"}, {"DU", 1e-3}, {"molecules/cm2", 1.0 / 2.6868e19}};
 constexpr Unit kMixingRatioUnits[] = {{"g/kg"}, {"g kg-1", 1.0, 0.0, kAlias}};
 constexpr Unit kMixingRatioByVolumeUnits[] = {{"ppm"}, {"ppb", 1e-3}, {"ppmv", 1.0, 0.0, kAlias}};
 
@@ -165,6 +166,7 @@ const Dimension kPressure{"a pressure", "1013 hPa", kPressureUnits, 1e-12, 1e6};
 const Dimension kWaterColumn{"a column of water vapour", "2.1 g/cm2", kWaterColumnUnits, 1e-12, 1e6};
 const Dimension kCloudWater{"a column of cloud water", "100 g/m2", kCloudWaterUnits, 1e-12, 1e6};
 const Dimension kOzoneColumn{"a column of ozone", "320 DU", kOzoneColumnUnits, 1e-12, 1e6};
+const Dimension kGasColumn{"a column of a gas", "0.3 atm-cm", kGasColumnUnits, 1e-12, 1e9};
 const Dimension kMixingRatio{"a mixing ratio", "8 g/kg", kMixingRatioUnits, 1e-12, 1e6};
 const Dimension kMixingRatioByVolume{"a mixing ratio by volume", "420 ppm", kMixingRatioByVolumeUnits, 1e-12,
                                      1e9};

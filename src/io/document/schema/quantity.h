@@ -49,6 +49,7 @@ extern const Dimension kPressure;               ///< hPa
 extern const Dimension kWaterColumn;            ///< g cm-2
 extern const Dimension kCloudWater;             ///< g m-2
 extern const Dimension kOzoneColumn;            ///< DU
+extern const Dimension kGasColumn;              ///< atm-cm
 extern const Dimension kMixingRatio;            ///< g kg-1
 extern const Dimension kMixingRatioByVolume;    ///< ppm
 extern const Dimension kDuration;               ///< s

@@ -94,16 +94,43 @@ SchemaType<MieDocument> mie_type() {
   return record.type();
 }
 
-/// What haze of the document's own has to be.
-void check_own(const AerosolDocument& aerosol, const DocumentNode& node) {
-  if (!aerosol.own) return;
-  const OwnHazeDocument& haze = *aerosol.own;
-  for (const char* key : {"type", "season"})
-    if (const DocumentNode* other = node.find(key))
-      other->fail_at_key(
-          format("'{}' is of the tables' haze, and 'optical_depth' of haze of one's own: leave "
-                 "one out",
-                 key));
+SchemaType<AeronetDocument> aeronet_type() {
+  Record<AeronetDocument> record("AERONET retrieval",
+                                 "Haze as an inversion of a Sun photometer's sky radiances tells it.");
+  record
+      .required("file", &AeronetDocument::file, file(),
+                "[inversions](phase_functions.md#aeronet-inversions) of version 3, all products (.all)")
+      .optional(
+          "phase_functions", &AeronetDocument::phase_functions, file(),
+          "phase functions (.pfn); without them the asymmetry scatters by Henyey and Greenstein's function")
+      .optional(
+          "time", &AeronetDocument::time,
+          text_like(
+              "^[0-9]{4}-[0-9]{2}-[0-9]{2}(T[0-9]{2}:[0-9]{2}:[0-9]{2}(\\.[0-9]+)?(Z|[+-][0-9]{2}:[0-9]{2}))?$",
+              "a time such as \"2019-08-15T21:46:45Z\"", "time of a retrieval"),
+          "of the retrieval, \"2019-08-15T21:46:45Z\"; where the file has more than one");
+  return record.type();
+}
+
+SchemaType<atmosphere::ParticleLayer::Height> height_type() {
+  using Height = atmosphere::ParticleLayer::Height;
+  Record<Height> record("density at a height", "How dense haze is at one altitude.");
+  record.required("altitude", &Height::altitude_km, quantity(kLength, {}, 1e-3), "above mean sea level")
+      .required("density", &Height::density, number(Range::at_least(0.0)),
+                "in any unit: the optical depth scales it");
+  return record.type();
+}
+
+/// What haze of the document's own has to be, told at `key`, its depth or its file.
+void check_optics(const OwnHazeDocument& haze, const DocumentNode& node) {
+  if (haze.aeronet) {
+    for (const char* key :
+         {"wavelength", "angstrom", "single_scattering_albedo", "asymmetry", "phase_function", "mie"})
+      if (const DocumentNode* other = node.find(key))
+        other->fail_at_key(format("'{}' follows from the file of 'aeronet': leave one out", key));
+    return;
+  }
+  if (!haze.optical_depth) return;
   if (haze.mie) {
     for (const char* key : {"angstrom", "single_scattering_albedo"})
       if (const DocumentNode* other = node.find(key))
@@ -117,6 +144,23 @@ void check_own(const AerosolDocument& aerosol, const DocumentNode& node) {
   if (!haze.asymmetry && !haze.phase_function && !haze.mie)
     node.given(kDepth).fail(
         "'optical_depth' needs 'asymmetry', 'phase_function' or 'mie', by which light is scattered");
+}
+
+void check_heights(const OwnHazeDocument& haze, const DocumentNode& node) {
+  if (!haze.heights.empty())
+    for (const char* key : {"base", "top", "scale_height"})
+      if (const DocumentNode* other = node.find(key))
+        other->fail_at_key(format("'{}' and 'heights' both say where the haze is: leave one out", key));
+  for (std::size_t k = 0; k < haze.heights.size(); ++k) {
+    const double here = haze.heights[k].altitude_km;
+    const DocumentNode& altitude = node.given("heights").items()[k].given("altitude");
+    if (k > 0 && !(here > haze.heights[k - 1].altitude_km))
+      altitude.fail(format("the altitudes of haze must rise: {:g} km follows {:g} km", here,
+                           haze.heights[k - 1].altitude_km));
+    if (here > atmosphere::kTopOfAtmosphereKm)
+      altitude.fail(format("the haze reaches to {:g} km, above the air, which ends at {:g} km", here,
+                           atmosphere::kTopOfAtmosphereKm));
+  }
   if (haze.top_km && *haze.top_km > atmosphere::kTopOfAtmosphereKm)
     node.given("top").fail(format("the haze reaches to {:g} km, above the air, which ends at {:g} km",
                                   *haze.top_km, atmosphere::kTopOfAtmosphereKm));
@@ -125,28 +169,37 @@ void check_own(const AerosolDocument& aerosol, const DocumentNode& node) {
                                    haze.top_km.value_or(atmosphere::kTopOfAtmosphereKm)));
 }
 
-}  // namespace
+constexpr const char* kHeightKeys[] = {"base", "top", "scale_height", "heights"};
 
-SchemaType<AerosolDocument> aerosol_type() {
-  Record<AerosolDocument> record(
-      "aerosol",
-      "Haze and dust: of the tables (Shettle and Fenn 1979), or with 'optical_depth' of one's own below 10 km.");
+void check_own(const AerosolDocument& aerosol, const DocumentNode& node) {
+  const bool file = aerosol.own && aerosol.own->aeronet, mixed = !aerosol.mixture.empty();
+  const bool depth = aerosol.own && aerosol.own->optical_depth;
+  for (const char* key : {"type", "season"})
+    if (const DocumentNode* other = node.find(key); other != nullptr && (depth || file || mixed))
+      other->fail_at_key(
+          format("'{}' is of the tables' haze, and '{}' of haze of one's own: leave "
+                 "one out",
+                 key,
+                 depth  ? kDepth
+                 : file ? "aeronet"
+                        : "mixture"));
+  for (const char* key : kHeightKeys)
+    if (const DocumentNode* other = node.find(key); other != nullptr && !depth && !file)
+      other->fail_at_key(
+          mixed
+              ? format("'{}' is of one part of the 'mixture': say it there", key)
+              : format(
+                    "'{}' needs 'optical_depth' or 'aeronet' beside it: where haze of the tables is, they say",
+                    key));
+  if (!aerosol.own) return;
+  check_optics(*aerosol.own, node);
+  check_heights(*aerosol.own, node);
+}
+
+/// The keys of haze of one's own but for its depth. `own`: the target of a member.
+template <class T, class Own>
+void add_optics_and_heights(Record<T>& record, Own own) {
   record
-      .with_default("type", tables(&AerosolDescription::type), word_type(atmosphere::aerosol_types()),
-                    "\"rural\"", "of the lowest 2 km; \"none\": clear air at all heights")
-      .at_most_one()
-      .one("visibility", tables(&AerosolDescription::visibility_km),
-           quantity(kLength, Range::above(0.0, "m"), 1e-3),
-           "meteorological range at the ground; 23 km if nothing is said")
-      .one("aot550", tables(&AerosolDescription::aot550), number(Range::at_least(0.0)),
-           "vertical optical thickness of all aerosol at 550 nm")
-      .one(kDepth, own(&OwnHazeDocument::optical_depth), number(Range::between(0.0, 10.0)),
-           "vertical, of haze of one's own, at 'wavelength'; the stratosphere's aerosol is beside it")
-      .optional("season", tables(&AerosolDescription::season), word_type({"spring-summer", "autumn-winter"}),
-                "of the air above 2 km; without it that of the profile")
-      .with_default("stratosphere", tables(&AerosolDescription::stratosphere),
-                    word_type(atmosphere::stratosphere_states()), "\"background\"",
-                    "aerosol from 10 to 30 km; \"none\": none above 10 km")
       .optional("wavelength", own(&OwnHazeDocument::wavelength_um),
                 quantity(kWavelength, Range::above(0.0, "um")),
                 "of the optical depth; 0.55 um if nothing is said")
@@ -172,9 +225,56 @@ SchemaType<AerosolDocument> aerosol_type() {
           quantity(kLength, Range::above(0.0, "m"), 1e-3),
           "over which its density falls to 1/e; without it the haze is uniform up to 'top', and without "
           "that too 2 km")
-      .check(check_own);
-  for (const char* key : {"wavelength", "angstrom", "single_scattering_albedo", "asymmetry", "phase_function",
-                          "mie", "base", "top", "scale_height"})
+      .optional("heights", own(&OwnHazeDocument::heights), list(height_type(), 2, 60),
+                "in place of these three its density at rising altitudes, linear between and 0 beyond");
+}
+
+SchemaType<OwnHazeDocument> part_type() {
+  Record<OwnHazeDocument> record("part of a mixture",
+                                 "Haze of one kind, with its own depth, optics and heights.");
+  record.exactly_one()
+      .one(kDepth, &OwnHazeDocument::optical_depth, number(Range::between(0.0, 10.0)),
+           "vertical, at 'wavelength'")
+      .one("aeronet", &OwnHazeDocument::aeronet, aeronet_type(),
+           "a retrieval: depth and all optics from its file");
+  add_optics_and_heights(record, [](auto member) { return member; });
+  record.check([](const OwnHazeDocument& haze, const DocumentNode& node) {
+    check_optics(haze, node);
+    check_heights(haze, node);
+  });
+  return record.type();
+}
+
+}  // namespace
+
+SchemaType<AerosolDocument> aerosol_type() {
+  Record<AerosolDocument> record(
+      "aerosol",
+      "Haze and dust: of the tables (Shettle and Fenn 1979), or with 'optical_depth', 'aeronet' or 'mixture' of one's own below 10 km.");
+  record
+      .with_default("type", tables(&AerosolDescription::type), word_type(atmosphere::aerosol_types()),
+                    "\"rural\"", "of the lowest 2 km; \"none\": clear air at all heights")
+      .at_most_one()
+      .one("visibility", tables(&AerosolDescription::visibility_km),
+           quantity(kLength, Range::above(0.0, "m"), 1e-3),
+           "meteorological range at the ground; 23 km if nothing is said")
+      .one("aot550", tables(&AerosolDescription::aot550), number(Range::at_least(0.0)),
+           "vertical optical thickness of all aerosol at 550 nm")
+      .one(kDepth, own(&OwnHazeDocument::optical_depth), number(Range::between(0.0, 10.0)),
+           "vertical, of haze of one's own, at 'wavelength'; the stratosphere's aerosol is beside it")
+      .one("aeronet", own(&OwnHazeDocument::aeronet), aeronet_type(),
+           "haze of one's own, by a retrieval: depth and all optics from its file")
+      .one("mixture", &AerosolDocument::mixture, list(part_type(), 1, 10),
+           "haze of one's own of several kinds, each with its depth, optics and heights")
+      .optional("season", tables(&AerosolDescription::season), word_type({"spring-summer", "autumn-winter"}),
+                "of the air above 2 km; without it that of the profile")
+      .with_default("stratosphere", tables(&AerosolDescription::stratosphere),
+                    word_type(atmosphere::stratosphere_states()), "\"background\"",
+                    "aerosol from 10 to 30 km; \"none\": none above 10 km");
+  add_optics_and_heights(record, [](auto member) { return own(member); });
+  record.check(check_own);
+  for (const char* key :
+       {"wavelength", "angstrom", "single_scattering_albedo", "asymmetry", "phase_function", "mie"})
     record.needs(key, kDepth);
   return record.type();
 }

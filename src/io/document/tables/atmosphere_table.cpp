@@ -1,4 +1,4 @@
-#include "atmosphere/profile/profile.h"
+#include "atmosphere/profile/gas_requests.h"
 #include "core/format.h"
 #include "io/document/aerosol_document.h"
 #include "io/document/atmosphere_document.h"
@@ -97,6 +97,17 @@ void check_levels(const DocumentNode& atmosphere, const std::vector<UserLevel>& 
   }
 }
 
+/// Gases that have a key of their own and are told of under 'gases', too.
+void check_told_once(const DocumentNode& atmosphere) {
+  const DocumentNode* gases = atmosphere.find("gases");
+  if (gases == nullptr) return;
+  for (const auto& [key, gas] : {std::pair{"water_vapour", "h2o"}, std::pair{"ozone", "o3"},
+                                 std::pair{"co2", "co2"}, std::pair{"ch4", "ch4"}, std::pair{"n2o", "n2o"}})
+    if (const DocumentNode* other = gases->find(gas); other != nullptr && atmosphere.find(key) != nullptr)
+      other->fail_at_key(
+          format("'{}' of 'gases' and the atmosphere's '{}' are of the same gas: leave one out", gas, key));
+}
+
 /// A value of the modelled atmosphere.
 template <class... Members>
 auto modelled(Members... members) {
@@ -149,6 +160,19 @@ SchemaType<AtmosphereDocument> atmosphere_type() {
       .with_default("n2o", profile(&ProfileDescription::n2o_ppm),
                     quantity(kMixingRatioByVolume, Range::at_least(0.0, "ppm")), "\"0.335 ppm\"",
                     "nitrous oxide at the ground")
+      .optional(
+          "gases",
+          via(
+              [](AtmosphereDocument& document, const atmosphere::GasRequests& gases) {
+                if (!document.modelled) document.modelled.emplace();
+                document.modelled->description.air.gases =
+                    std::make_shared<const atmosphere::GasRequests>(gases);
+              },
+              [](const AtmosphereDocument& document) {
+                return document.modelled ? document.modelled->description.air.gases.get() : nullptr;
+              }),
+          gases_type(),
+          "amounts of any gas: switched off, scaled to a column or a mixing ratio, or by a profile of your own")
       .optional("aerosol",
                 via(
                     [](AtmosphereDocument& document, const AerosolDocument& aerosol) {
@@ -174,7 +198,7 @@ SchemaType<AtmosphereDocument> atmosphere_type() {
           "\"numerical\"",
           "what intervals hold of the air: how exactly this model is computed, or how far the model is from the "
           "air besides; what is asked for is judged by what they hold");
-  for (const char* key : {"levels", "ground_altitude", "water_vapour", "ozone", "co2", "ch4", "n2o",
+  for (const char* key : {"levels", "ground_altitude", "water_vapour", "ozone", "co2", "ch4", "n2o", "gases",
                           "aerosol", "clouds", "sensor_altitude", "adjacency", "interval"})
     record.needs(key, "profile");
   SchemaType<AtmosphereDocument> type = record.type();
@@ -186,6 +210,7 @@ SchemaType<AtmosphereDocument> atmosphere_type() {
             if (document.modelled) {
               const ProfileDescription& profile = document.modelled->description.air;
               check_levels(node, profile.levels);
+              check_told_once(node);
               const std::optional<double>& sensor_km = document.modelled->sensor_altitude_km;
               if (sensor_km && profile.ground_altitude_km && *sensor_km <= *profile.ground_altitude_km)
                 node.find("sensor_altitude")

@@ -6,6 +6,10 @@
 
 #include "io/document/schema/schema_type.h"
 
+namespace ifov::atmosphere {
+struct GasRequests;
+}
+
 namespace ifov::io {
 
 struct AerosolDocument;
@@ -56,6 +60,7 @@ SchemaType<std::vector<LampDocument>> lamps_type();
 SchemaType<AtmosphereDocument> atmosphere_type();
 SchemaType<AerosolDocument> aerosol_type();
 SchemaType<std::vector<CloudDocument>> clouds_type();
+SchemaType<atmosphere::GasRequests> gases_type();
 SchemaType<ImportedDocument> imported_type();
 SchemaType<WeatherDocument> weather_type();
 SchemaType<PlatformDocument> platform_type();

@@ -1,9 +1,15 @@
 #include "session/assembly/atmosphere/aerosol_assembly.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "atmosphere/particles/aerosol_description.h"
 #include "atmosphere/particles/given_particles.h"
+#include "atmosphere/particles/measured_particles.h"
 #include "atmosphere/particles/mie_particles.h"
 #include "atmosphere/particles/particle_layer.h"
 #include "core/format.h"
+#include "io/atmosphere/aeronet_inversion.h"
 #include "io/atmosphere/phase_function_file.h"
 #include "io/document/aerosol_document.h"
 #include "radiometry/refractive_index.h"
@@ -59,34 +65,87 @@ std::shared_ptr<const atmosphere::Particles> particles(const io::DocumentSources
               assemble_spectrum(sources, *haze.asymmetry, "asymmetry of the haze"));
 }
 
+std::shared_ptr<const atmosphere::MeasuredParticles> measured(const io::DocumentSources& sources,
+                                                              const io::AeronetDocument& written) {
+  io::AeronetInversion found = with_position(sources, written.file.position, [&] {
+    return io::read_aeronet_inversion(written.file.path, written.time);
+  });
+  atmosphere::MeasuredParticles::Optics optics{std::move(found.wavelength_um), std::move(found.optical_depth),
+                                               std::move(found.single_scattering_albedo),
+                                               std::move(found.asymmetry)};
+  if (written.phase_functions)
+    optics.scatters = with_position(sources, written.phase_functions->position, [&] {
+      return io::read_aeronet_phase_functions(written.phase_functions->path, found.time);
+    });
+  return with_position(sources, written.file.position, [&] {
+    return std::make_shared<const atmosphere::MeasuredParticles>(std::move(optics));
+  });
+}
+
+std::shared_ptr<const atmosphere::ParticleLayer> layer_of(const io::DocumentSources& sources,
+                                                          const io::OwnHazeDocument& haze) {
+  atmosphere::ParticleLayer layer;
+  if (haze.aeronet) {
+    const auto particles = measured(sources, *haze.aeronet);
+    layer.optical_depth = particles->optical_depth(layer.wavelength_um);
+    layer.particles = particles;
+  } else {
+    layer.optical_depth = haze.optical_depth.value();
+    layer.wavelength_um = haze.wavelength_um;
+    layer.particles = particles(sources, haze);
+  }
+  layer.base_km = haze.base_km;
+  layer.top_km = haze.top_km;
+  layer.scale_height_km = haze.scale_height_km;
+  layer.heights = haze.heights;
+  return std::make_shared<const atmosphere::ParticleLayer>(std::move(layer));
+}
+
+std::string statement_of(const io::OwnHazeDocument& haze) {
+  const auto altitude = [](const std::optional<double>& km, const char* otherwise) {
+    return km ? format("{:.4g} km", *km) : std::string(otherwise);
+  };
+  std::string what = haze.aeronet ? "a retrieval of AERONET"
+                                  : format("{}optical depth {:.4g} at {:.4g} um", haze.mie ? "spheres, " : "",
+                                           haze.optical_depth.value(), haze.wavelength_um);
+  if (!haze.heights.empty())
+    return what + format(", from {:.4g} to {:.4g} km by a table", haze.heights.front().altitude_km,
+                         haze.heights.back().altitude_km);
+  const double scale_km =
+      haze.scale_height_km.value_or(haze.top_km ? 0.0 : atmosphere::LayerHeights::kUsualScale_km);
+  return what + format(", from {} to {}{}", altitude(haze.base_km, "the ground"),
+                       altitude(haze.top_km, "the end of the air"),
+                       scale_km > 0.0 ? format(", falling to 1/e over {:.4g} km", scale_km) : std::string());
+}
+
 }  // namespace
 
 atmosphere::AerosolDescription assemble_aerosol(const io::DocumentSources& sources,
                                                 const io::AerosolDocument& written) {
   atmosphere::AerosolDescription description = written.tables;
-  if (!written.own) return description;
-  const io::OwnHazeDocument& haze = *written.own;
-  atmosphere::ParticleLayer layer;
-  layer.optical_depth = haze.optical_depth;
-  layer.wavelength_um = haze.wavelength_um;
-  layer.particles = particles(sources, haze);
-  layer.base_km = haze.base_km;
-  layer.top_km = haze.top_km;
-  layer.scale_height_km = haze.scale_height_km;
-  description.own = std::make_shared<const atmosphere::ParticleLayer>(layer);
+  if (written.own) description.own = layer_of(sources, *written.own);
+  for (const io::OwnHazeDocument& part : written.mixture) {
+    const auto layer = layer_of(sources, part);
+    if (description.own)
+      description.more.push_back(layer);
+    else
+      description.own = layer;
+  }
   return description;
 }
 
-std::string haze_statement(const io::OwnHazeDocument& haze) {
-  const auto altitude = [](const std::optional<double>& km, const char* otherwise) {
-    return km ? format("{:.4g} km", *km) : std::string(otherwise);
-  };
-  const double scale_km =
-      haze.scale_height_km.value_or(haze.top_km ? 0.0 : atmosphere::LayerHeights::kUsualScale_km);
-  return format("{}optical depth {:.4g} at {:.4g} um, from {} to {}{}", haze.mie ? "spheres, " : "",
-                haze.optical_depth, haze.wavelength_um, altitude(haze.base_km, "the ground"),
-                altitude(haze.top_km, "the end of the air"),
-                scale_km > 0.0 ? format(", falling to 1/e over {:.4g} km", scale_km) : std::string());
+std::string haze_statement(const io::AerosolDocument& written) {
+  if (written.own) return statement_of(*written.own);
+  std::string text;
+  for (const io::OwnHazeDocument& part : written.mixture)
+    text += (text.empty() ? "" : "; ") + statement_of(part);
+  return text;
+}
+
+bool is_of_spheres(const io::AerosolDocument& written) {
+  if (written.own) return written.own->mie.has_value();
+  return std::all_of(written.mixture.begin(), written.mixture.end(),
+                     [](const io::OwnHazeDocument& part) { return part.mie.has_value(); });
 }
 
 }  // namespace ifov::session

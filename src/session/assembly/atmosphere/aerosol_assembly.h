@@ -8,7 +8,6 @@ struct AerosolDescription;
 namespace ifov::io {
 struct AerosolDocument;
 struct DocumentSources;
-struct OwnHazeDocument;
 }  // namespace ifov::io
 
 namespace ifov::session {
@@ -17,7 +16,9 @@ namespace ifov::session {
 atmosphere::AerosolDescription assemble_aerosol(const io::DocumentSources& sources,
                                                 const io::AerosolDocument& written);
 
-/// What a document says of its own haze, for people: "depth 0.3 at 0.55 um, ..., from the ground up over 2 km".
-std::string haze_statement(const io::OwnHazeDocument& haze);
+/// What a document says of its own haze, for people (empty: it has none): "depth 0.3 at 0.55 um, ..., from the ground up over 2 km".
+std::string haze_statement(const io::AerosolDocument& written);
+/// Whether all of it polarizes the light that it scatters, by Mie's theory.
+bool is_of_spheres(const io::AerosolDocument& written);
 
 }  // namespace ifov::session

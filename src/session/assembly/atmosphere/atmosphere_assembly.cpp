@@ -82,7 +82,8 @@ atmosphere::AtmosphereColumn assemble_column(const io::DocumentSources& sources,
     description.aerosol.clouds =
         assemble_clouds(sources, air.clouds, atmosphere::build_profile(description.air).profile.ground_km());
   const auto column = [&] { return atmosphere::AtmosphereColumn(description); };
-  return air.aerosol && air.aerosol->own ? with_position(sources, air.aerosol->position, column) : column();
+  return air.aerosol && air.aerosol->has_own() ? with_position(sources, air.aerosol->position, column)
+                                               : column();
 }
 
 atmosphere::SensorGeometry sensor_geometry(const io::DocumentSources& sources,

@@ -1,0 +1,90 @@
+"""Instruments whose channels are known, and what follows of a document's sensor before a ray is cast."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._document import Written
+from ._key_path import without_comments
+from ._library import library
+from ._render import parsed
+
+if TYPE_CHECKING:
+    import xarray
+
+#: (name in the library, variable, unit, what)
+_OF_CHANNELS = (
+    ("pixel_mtf", "pixel_mtf", "1", "modulation at half a cycle a pixel, of the sensitive square"),
+    ("psf_mtf", "psf_mtf", "1", "the same of the document's point spread function"),
+    ("diffraction_mtf", "diffraction_mtf", "1", "the same of the optics' aperture"),
+    ("radiance", "radiance", "W m-2 sr-1 um-1", "the detector's reference, of which the next are told"),
+    ("photons", "photons", "1", "photons that meet the element in one exposure"),
+    ("electrons", "electrons", "1", "electrons of the reference"),
+    ("background", "background", "1", "electrons of the optics' own emission"),
+    ("dark", "dark", "1", "electrons of the dark current"),
+    ("well_share", "well_share", "1", "share of the full well that all electrons fill"),
+    ("snr", "snr", "1", "signal over the noise's standard deviation"),
+    ("nedl", "nedl", "W m-2 sr-1 um-1", "standard deviation of the noise as a radiance (NEdL)"),
+    ("nedt", "nedt", "K", "the same as a temperature difference (NEdT)"),
+    ("nedt_at_k", "nedt_at", "K", "temperature at which NEdT is told"),
+)
+
+
+@dataclasses.dataclass(frozen=True)
+class Preset:
+    """name: as documents name it (``"sensor": {"preset": name}``); sources: publications with their licences; channels: as a document's
+    ``sensor.channels``, to be changed"""
+
+    name: str
+    about: str
+    sources: list[str]
+    channels: list[dict[str, Any]]
+
+
+def presets() -> list[Preset]:
+    """All instruments that are known."""
+    return [_preset(found) for found in library().sensor_preset_list()]
+
+
+def find(name: str) -> Preset:
+    """An instrument by its name, letters compared without case. Throws ``DocumentError``, which names near misses."""
+    return _preset(library().find_sensor_preset(name))
+
+
+def describe(document: Mapping[str, Any]) -> xarray.Dataset:
+    """What ``ifov sensor`` tells of a document's sensor: MTF, and with a detector electrons, SNR, NEdL and NEdT, along ``channel``; what is
+    not known is not a number. Attributes: width_px, height_px, gsd_m, swath_m, ifov_rad, f_number, where they are known. No scene is loaded."""
+    import xarray
+
+    with Written(document) as written:
+        told = library().describe_sensor(parsed(written))
+    um = {"units": "um"}
+    made = xarray.Dataset(
+        coords={
+            "channel": [channel.name for channel in told.channels],
+            "wavelength": ("channel", [channel.centre_um for channel in told.channels], um),
+            "fwhm": ("channel", [channel.fwhm_um for channel in told.channels], um),
+        }
+    )
+    needs_detector = {"radiance", "photons", "electrons", "background", "dark"}
+    for name, variable, unit, what in _OF_CHANNELS:
+        values = [
+            np.nan if name in needs_detector and not channel.has_detector else getattr(channel, name) for channel in told.channels
+        ]
+        if name == "nedl":  # 0: no noise is told
+            values = [value or np.nan for value in values]
+        made[variable] = ("channel", np.array(values, float), {"units": unit, "long_name": what})
+    for name in ("width_px", "height_px", "gsd_m", "swath_m", "ifov_rad", "f_number"):
+        if (value := getattr(told, name)) is not None:
+            made.attrs[name] = value
+    return made
+
+
+def _preset(found: Any) -> Preset:
+    part = json.loads(without_comments(found.document))
+    return Preset(found.name, found.about, list(found.sources), part.get("sensor", part)["channels"])
