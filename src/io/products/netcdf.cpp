@@ -8,8 +8,8 @@
 
 #include "core/error.h"
 #include "io/product_parts/netcdf_functions.h"
+#include "io/product_parts/netcdf_map.h"
 #include "io/product_parts/product_headers.h"
-#include "io/products/netcdf_map.h"
 #include "io/quantities/quantity.h"
 #include "io/quantities/quantity_set.h"
 #include "io/raster/netcdf_lock.h"

@@ -1,4 +1,4 @@
-#include "io/products/netcdf_map.h"
+#include "io/product_parts/netcdf_map.h"
 
 #include <string>
 #include <utility>
