@@ -1,11 +1,13 @@
 #!/usr/bin/python3
-"""Documents of RAMI's HET01 (Pinty et al. 2001, 2004), one for each view angle: make_scene.py DATA FOLDER [ANGLE ...]
+"""Documents of RAMI's HET01 (Pinty et al. 2001, 2004), one for each view angle, or, with --one, one for all of them:
+make_scene.py DATA FOLDER [--one] [ANGLE ...]
 
 DATA holds the files of the intercomparison: `het01_UNI_sphere.def` (radius, centre and normal of each of 49,999 leaf
 discs of a ball), `het01_UNI_instances.def` (centres of the 15 balls) and, where no angles are named,
 `expected_brf.csv`. An angle is the view zenith in degrees in the principal plane, negative on the Sun's side.
 
-The 8 x 8 pixels of an image hold the 100 m x 100 m that repeat without end; the mean L of their radiances is the
+With --one, `het01.json` tells the reflectance factors of the 100 m x 100 m that repeat without end towards each angle of
+`angles.csv`. Without, the 8 x 8 pixels of an image hold them; the mean L of their radiances is the
 reflectance factor pi L / (E cos 20 degrees), with E = 1 W m-2 um-1.
 """
 
@@ -45,6 +47,17 @@ def write_leaves(discs, path):
     path.write_bytes(header.tobytes() + leaves.tobytes())
 
 
+def document_of_all(balls, angles, folder):
+    """The views' own error is asked for: 0.5 % at 95 %. Angles lie in the principal plane, negative on the Sun's side."""
+    lines = [f"{angle:g},270\n" for angle in angles]
+    (folder / "angles.csv").write_text("view_zenith_deg,view_azimuth_deg\n" + "".join(lines))
+    described = document(balls, 0.0)
+    described["sensor"] = {"distant": {"file": "angles.csv"}, "channels": described["sensor"]["channels"]}
+    described["sampling"] = {"accuracy": {"error": "0.5 %"}}
+    described["output"] = {"formats": ["envi"]}
+    return described
+
+
 def document(balls, angle):
     return {
         "ifov": 1,
@@ -77,12 +90,17 @@ def document(balls, angle):
 
 def main():
     data, folder = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-    angles = [float(word) for word in sys.argv[3:]]
+    words = sys.argv[3:]
+    one = words[:1] == ["--one"]
+    angles = [float(word) for word in words[one:]]
     if not angles:
         angles = np.loadtxt(data / "expected_brf.csv", delimiter=",", skiprows=1)[:, 0].tolist()
     folder.mkdir(parents=True, exist_ok=True)
     write_leaves(np.loadtxt(data / "het01_UNI_sphere.def"), folder / "leaves.ifovinst")
     balls = np.loadtxt(data / "het01_UNI_instances.def")
+    if one:
+        (folder / "het01.json").write_text(json.dumps(document_of_all(balls, angles, folder), indent=1) + "\n")
+        return
     for angle in angles:
         (folder / f"het01_{angle:+03.0f}.json").write_text(json.dumps(document(balls, angle), indent=1) + "\n")
 

@@ -10,7 +10,8 @@
 
 namespace ifov::sensor {
 struct Detector;
-}
+struct ViewList;
+}  // namespace ifov::sensor
 
 namespace ifov::render {
 
@@ -22,6 +23,8 @@ struct ChannelInfo {
   std::optional<AtmosphereHalfWidth> air = {};  ///< where the atmosphere knows its error
   double noise = 0.0;  ///< standard deviation of the sensor's noise as a radiance; 0: none is told
   std::shared_ptr<const sensor::Detector> detector = {};  ///< of which that is the noise; null: none
+  /// By Sun and sky on a level surface, W m-2 um-1, for reflectance factors of single views; 0: none is told.
+  double irradiance = 0.0;
 };
 
 /// What every product says of itself.
@@ -37,7 +40,8 @@ struct ImageInfo {
   double map_x_m = 0.0, map_y_m = 0.0, gsd_m = 0.0;
   double map_rotation_rad = 0.0;  ///< azimuth of the upward direction of the image, clockwise from north
   std::string map_projection;     ///< "Arbitrary" for a local ENU frame, else well-known text
-  double footprint_px = 1.0;      ///< sampling::response_area_px(): pixels that share what one of them sees
+  std::shared_ptr<const sensor::ViewList> views;  ///< null: the pixels are those of a picture
+  double footprint_px = 1.0;  ///< sampling::response_area_px(): pixels that share what one of them sees
 };
 
 /// What intervals hold of a modelled atmosphere's error.

@@ -1,27 +1,23 @@
 #include "render/image_renderer.h"
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <functional>
-#include <mutex>
 #include <optional>
 
 #include "core/error.h"
-#include "core/parallel.h"
 #include "geometry/world.h"
 #include "render/open_sky.h"
 #include "render/pilot_rays.h"
 #include "render/polarized/steering.h"
 #include "render/scene_field.h"
 #include "render/tile_grid.h"
+#include "render/tile_loop.h"
 #include "render/tile_sink.h"
-#include "render/tile_source.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/atmosphere_budget.h"
 #include "render/tolerance/node_budget.h"
 #include "render/truth_layers.h"
 #include "render/unsampled_light.h"
+#include "render/view_renderer.h"
 #include "render/wing_light.h"
 #include "sampling/image/survey.h"
 #include "sampling/pixel_sampler.h"
@@ -34,70 +30,6 @@
 namespace ifov::render {
 
 namespace {
-
-/// Adds up finished tiles for the progress display and the totals.
-class Tally {
- public:
-  Tally(std::int64_t pixels, ProgressSink* sink) : sink_(sink), start_(std::chrono::steady_clock::now()) {
-    total_.pixels_total = pixels;
-  }
-
-  void add(const sampling::TileResult& tile) {
-    const std::scoped_lock lock(mutex_);
-    total_.pixels_done += tile.tile.count();
-    total_.pixels_converged += tile.converged_count();
-    total_.rays += static_cast<std::int64_t>(tile.rays.total());
-    for (float ratio : tile.worst_ratio)
-      total_.worst_error_ratio = std::max(total_.worst_error_ratio, static_cast<double>(ratio));
-    total_.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    if (sink_ != nullptr) sink_->report(total_);
-  }
-
-  void add(const sampling::RayCounts& rays) { total_.rays += static_cast<std::int64_t>(rays.total()); }
-  const Progress& total() const { return total_; }
-
- private:
-  ProgressSink* sink_;
-  std::chrono::steady_clock::time_point start_;
-  std::mutex mutex_;
-  Progress total_;
-};
-
-/// One after the other, so that lines of the image become whole in the order of the file.
-class TilesInOrder final : public TileSource {
- public:
-  /// `order` may be empty: all `count` tiles.
-  TilesInOrder(std::span<const int> order, std::size_t count)
-      : order_(order), count_(order.empty() ? count : order.size()) {}
-  std::optional<int> next() override {
-    const std::size_t index = taken_++;
-    if (index >= count_) return std::nullopt;
-    return order_.empty() ? static_cast<int>(index) : order_[index];
-  }
-
- private:
-  std::span<const int> order_;
-  std::size_t count_;
-  std::atomic<std::size_t> taken_{0};
-};
-
-/// Each thread takes tiles until there are no more; what one of them throws ends them all.
-void render_from(TileSource& source, int threads, const std::function<void(std::size_t)>& render_tile) {
-  const int workers = threads > 0 ? threads : usual_threads();
-  std::atomic<bool> failed{false};
-  parallel_for(workers, threads, [&](std::int64_t) {
-    try {
-      while (!failed)
-        if (const std::optional<int> tile = source.next())
-          render_tile(static_cast<std::size_t>(*tile));
-        else
-          return;
-    } catch (...) {
-      failed = true;
-      throw;
-    }
-  });
-}
 
 /// Where the image is judged as a whole, no pixel is too wide of its own: what the sampler said of it stands, and light that is not
 /// found or not described.
@@ -112,6 +44,8 @@ void judge_as_image(const std::vector<sampling::Reasons>& sampled, sampling::Til
 }  // namespace
 
 Progress render_image(const RenderJob& job, const RenderControl& control, TileSink& sink) {
+  if (const sensor::ViewListCamera* const views = job.camera.view_list())
+    return render_views(job, *views, control, sink);
   const int width = job.camera.width_px(), height = job.camera.height_px();
   const std::vector<sampling::PixelRect> tiles = tile_grid(width, height, job.tile_px);
   const double margin_px = PilotRays::margin_px(job);

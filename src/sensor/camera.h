@@ -16,6 +16,7 @@ struct PolarizationFrame;
 namespace ifov::sensor {
 
 struct AlongTrack;
+class ViewListCamera;
 
 /// How a camera stands in the scene while a line of its image is exposed.
 struct CameraPose {
@@ -73,6 +74,9 @@ class Camera {
 
   /// The camera where its platform reports it to be, by which places of its pixels are told; itself where its pose is known.
   virtual const Camera& reported() const { return *this; }
+
+  /// Single views side by side, each to be sampled by itself; null: a picture.
+  virtual const ViewListCamera* view_list() const { return nullptr; }
 
   /// None where pixels are no squares of one size on the ground.
   virtual std::optional<GroundGrid> ground_grid() const = 0;

@@ -23,6 +23,7 @@
 #include "session/assembly/whole/surroundings_assembly.h"
 #include "session/atmosphere_messages.h"
 #include "session/loaded/parts.h"
+#include "session/loaded/single_views.h"
 #include "session/messages.h"
 #include "session/node_assembly.h"
 #include "session/plausibility/light_warnings.h"
@@ -107,7 +108,9 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   p.channels = assemble_channels(document.sources, document.sensor.channels);
   p.polarimetry = assemble_polarimetry(document.sensor);
   if (p.polarimetry) check_polarized(document.sources, document.scene, p.scene);
-  p.camera = assemble_camera(document.sources, document.sensor.camera, document.scene.origin, *p.scene.world);
+  p.camera = assemble_camera(document.sources, document.sensor.camera, document.scene.origin, *p.scene.world,
+                             document.seed);
+  check_single_views(p);
   p.plan = assemble_sampling(document.sources, document.sampling, document.sensor, p.channels);
   check_image_size(document.sources, document.sampling,
                    static_cast<std::int64_t>(p.camera->width_px()) * p.camera->height_px());
@@ -148,6 +151,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   p.make_tolerance();
   warn_of_atmosphere_errors(p, *log);
   p.info = image_info(document.scene.origin, *p.camera, p.channels, p.scene, p.map_offset_m);
+  tell_irradiance(p);
   tell_noise(document.sources, document.sensor, p.channels, p.info.channels);
   p.info.stokes = document.sensor.stokes;
   p.info.footprint_px = sampling::response_area_px(*p.footprint);

@@ -23,6 +23,7 @@
 #include "truth/location.h"
 #include "truth/orientation.h"
 #include "truth/range.h"
+#include "truth/sky_view.h"
 #include "truth/sunlight.h"
 #include "truth/temperature.h"
 #include "truth/time.h"
@@ -124,7 +125,7 @@ TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
                            &quantities::kTrueLocation, &quantities::kViewAngles, &quantities::kTemperature,
                            &quantities::kRange, &quantities::kNormal, &quantities::kSlope, &quantities::kGsd,
                            &quantities::kTime, &quantities::kSunAngles, &quantities::kShadow,
-                           &quantities::kObjectClass, &quantities::kInstance}));
+                           &quantities::kSkyView, &quantities::kObjectClass, &quantities::kInstance}));
   EXPECT_TRUE(possible_quantities({}, image).has(quantities::kRadiance));
 }
 
@@ -132,7 +133,8 @@ TEST(QuantitySet, WhatTheyNeedIsNoted) {
   EXPECT_EQ(collectors_of(QuantitySet::all()),
             (std::vector{&truth::kLocation, &truth::kTrueLocation, &truth::kViewAngles, &truth::kTemperature,
                          &truth::kRange, &truth::kNormal, &truth::kSlope, &truth::kGsd, &truth::kTime,
-                         &truth::kSunAngles, &truth::kShadow, &truth::kMaterial, &truth::kInstance}))
+                         &truth::kSunAngles, &truth::kShadow, &truth::kSkyView, &truth::kMaterial,
+                         &truth::kInstance}))
       << "objects and instances come of one";
   EXPECT_TRUE(collectors_of({&quantities::kRadiance}).empty());
 }

@@ -105,7 +105,7 @@ TEST(DocumentText, SaysWhatCannotBeWritten) {
             "the document cannot be written as 'a.json': 'sensor.fill_factor' is missing or cannot be told");
   document = parse_document(kDocument, "a.json");
   document.sensor.camera.settings = nullptr;
-  EXPECT_NE(message(document).find("'sensor.camera"), std::string::npos) << message(document);
+  EXPECT_NE(message(document).find("'sensor.'camera', 'distant'"), std::string::npos) << message(document);
 }
 
 TEST(QuantityText, IsShortAndExact) {

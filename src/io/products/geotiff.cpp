@@ -129,6 +129,7 @@ constinit const ProductFormat formats::kGeotiff{
         [](PartFile& file, const FormatInput& input) {
           write_geotiff(file, input.values_of(quantities::kRadiance), input.record);
         },
+    .suits = is_picture,
     .bytes = [](const render::ImageInfo& image, const QuantitySet&) { return geotiff_bytes(image); }};
 
 }  // namespace ifov::io

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/error.h"
+#include "io/product_parts/netcdf_functions.h"
+#include "io/product_parts/netcdf_map.h"
 #include "io/product_parts/product_headers.h"
-#include "io/products/netcdf_functions.h"
-#include "io/products/netcdf_map.h"
 #include "io/quantities/quantity.h"
 #include "io/quantities/quantity_set.h"
 #include "io/raster/netcdf_lock.h"
@@ -200,6 +200,7 @@ constinit const ProductFormat formats::kNetcdf{
               by_channel.push_back({quantity, view});
           write_netcdf(file, by_channel, input.record);
         },
+    .suits = is_picture,
     .bytes = netcdf_bytes};
 
 }  // namespace ifov::io

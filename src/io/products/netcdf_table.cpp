@@ -4,8 +4,8 @@
 #include "core/error.h"
 #include "core/version.h"
 #include "io/atmosphere_report/summary_table.h"
+#include "io/product_parts/netcdf_functions.h"
 #include "io/products/netcdf.h"
-#include "io/products/netcdf_functions.h"
 #include "io/raster/netcdf_lock.h"
 
 namespace ifov::io {

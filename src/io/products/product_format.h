@@ -35,9 +35,15 @@ struct ProductFormat {
   /// Throws SystemError on full disks; then the run keeps its other products. Null: no file of its own.
   void (*write)(PartFile& file, const FormatInput& input) = nullptr;
 
+  /// Whether there is such a product of an image; null: of every one.
+  bool (*suits)(const render::ImageInfo& image) = nullptr;
+
   /// Disk space that this takes at most while it is made, of cubes of these quantities; null where it is small.
   std::uint64_t (*bytes)(const render::ImageInfo& image, const QuantitySet& cubes) = nullptr;
 };
+
+/// ProductFormat::suits of what makes a picture: not of single views.
+bool is_picture(const render::ImageInfo& image);
 
 /// All there are, in the order of documents and in that in which they are made.
 std::span<const ProductFormat* const> all_product_formats();

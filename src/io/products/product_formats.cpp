@@ -11,6 +11,8 @@
 #include "io/products/qgis_style.h"
 #include "io/products/quicklook.h"
 #include "io/products/report_format.h"
+#include "io/products/view_formats.h"
+#include "render/image_info.h"
 
 namespace ifov::io {
 namespace {
@@ -18,10 +20,18 @@ namespace {
 /// The cubes, which are written while the run is at work.
 constexpr ProductFormat kEnvi{.name = "envi"};
 
-constexpr std::array kFormats{&kEnvi,         &formats::kGeotiff, &formats::kNetcdf, &formats::kQgisStyle,
-                              &formats::kPng, &formats::kHtml};
+constexpr std::array kFormats{&kEnvi,
+                              &formats::kGeotiff,
+                              &formats::kNetcdf,
+                              &formats::kQgisStyle,
+                              &formats::kViewCsv,
+                              &formats::kViewNetcdf,
+                              &formats::kPng,
+                              &formats::kHtml};
 
 }  // namespace
+
+bool is_picture(const render::ImageInfo& image) { return image.views == nullptr; }
 
 std::span<const ProductFormat* const> all_product_formats() { return kFormats; }
 
@@ -45,7 +55,8 @@ std::vector<const ProductFormat*> ProductFormats::list() const {
 std::uint64_t ProductFormats::bytes(const render::ImageInfo& image, const QuantitySet& cubes) const {
   std::uint64_t bytes = 0;
   for (const ProductFormat* format : list())
-    if (format->bytes != nullptr) bytes += format->bytes(image, cubes);
+    if (format->bytes != nullptr && (format->suits == nullptr || format->suits(image)))
+      bytes += format->bytes(image, cubes);
   return bytes;
 }
 

@@ -10,6 +10,7 @@
 #include "io/product_parts/map_info.h"
 #include "io/product_parts/run_json.h"
 #include "io/product_parts/run_record.h"
+#include "io/product_parts/view_values.h"
 #include "io/products/cube_set.h"
 #include "io/products/product_format.h"
 
@@ -83,7 +84,7 @@ std::vector<std::unique_ptr<PartFile>> ProductWriter::State::derive(
   const FormatInput input{record, options.quicklook_channels,
                           [&](const Quantity& quantity) { return cubes->view(quantity); }};
   for (const ProductFormat* format : options.formats.list())
-    if (format->write != nullptr) make(*format, input);
+    if (format->write != nullptr && (format->suits == nullptr || format->suits(info))) make(*format, input);
   return files;
 }
 
@@ -160,6 +161,10 @@ RunRecord ProductWriter::finish(const RunOutcome& outcome) {
   s.cubes->complete(record);
   s.cubes->write_headers(s.identity, outcome.accuracy_statement);
 
+  if (s.info.views)
+    for (std::string& line : albedo_lines(
+             record, view_values(record, [&](const Quantity& quantity) { return s.cubes->view(quantity); })))
+      record.outcome.notes.push_back(std::move(line));
   std::optional<SystemError> failure;
   auto derived = s.derive(record, failure);
   if (failure) record.outcome.notes.push_back(failure->what());

@@ -45,9 +45,11 @@ constinit const ProductFormat formats::kQgisStyle{
     .name = "",
     .ending = "_radiance.qml",
     .what = "layer style for QGIS",
-    .write = [](PartFile& file, const FormatInput& input) {
-      write_part(file,
-                 qgis_style(input.values_of(quantities::kRadiance), input.record, input.picture_channels));
-    }};
+    .write =
+        [](PartFile& file, const FormatInput& input) {
+          write_part(
+              file, qgis_style(input.values_of(quantities::kRadiance), input.record, input.picture_channels));
+        },
+    .suits = is_picture};
 
 }  // namespace ifov::io

@@ -102,9 +102,11 @@ constinit const ProductFormat formats::kPng{
     .name = "png",
     .ending = "_quicklook.png",
     .what = "picture",
-    .write = [](PartFile& file, const FormatInput& input) {
-      write_part(
-          file, make_quicklook(input.values_of(quantities::kRadiance), input.record, input.picture_channels));
-    }};
+    .write =
+        [](PartFile& file, const FormatInput& input) {
+          write_part(file, make_quicklook(input.values_of(quantities::kRadiance), input.record,
+                                          input.picture_channels));
+        },
+    .suits = is_picture};
 
 }  // namespace ifov::io

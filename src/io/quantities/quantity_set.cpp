@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "io/quantities/quality_quantities.h"
 #include "io/quantities/radiance_quantities.h"
+#include "io/quantities/sunlight_quantities.h"
 #include "render/tile_sink.h"
 #include "truth/collector.h"
 
@@ -64,6 +66,13 @@ QuantitySet possible_quantities(const QuantitySet& choice, const render::ImageIn
       possible.add(*quantity);
   }
   return possible;
+}
+
+void add_view_quantities(bool points, QuantitySet& choice) {
+  for (const Quantity* quantity :
+       {&quantities::kHalfWidth, &quantities::kStandardError, &quantities::kSamples, &quantities::kReasons})
+    choice.add(*quantity);
+  if (points) choice.add(quantities::kSkyView);
 }
 
 std::vector<const truth::Collector*> collectors_of(const QuantitySet& quantities) {

@@ -53,6 +53,9 @@ QuantitySet usual_quantities(bool map_tells, bool stokes = false);
 QuantitySet possible_quantities(const QuantitySet& choice, const render::ImageInfo& image,
                                 bool knows_errors = true);
 
+/// Adds what the tables of single views hold (product_parts/view_values.h); of points more.
+void add_view_quantities(bool points, QuantitySet& choice);
+
 /// What tiles must note for them, each once.
 std::vector<const truth::Collector*> collectors_of(const QuantitySet& quantities);
 

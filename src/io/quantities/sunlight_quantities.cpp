@@ -1,13 +1,14 @@
 #include "io/quantities/sunlight_quantities.h"
 
 #include "io/quantities/layer_values.h"
+#include "truth/sky_view.h"
 #include "truth/sunlight.h"
 
 namespace ifov::io::quantities {
 namespace {
 
 constexpr std::string_view kAngleBands[] = {"sun zenith", "sun azimuth", "incidence"},
-                           kShadowBands[] = {"shadow"};
+                           kShadowBands[] = {"shadow"}, kSkyViewBands[] = {"sky view", "half-width"};
 
 }  // namespace
 
@@ -33,5 +34,18 @@ constinit const Quantity kShadow{.name = "shadow",
                                  .band_names = kShadowBands,
                                  .collector = &truth::kShadow,
                                  .values = put_layer<truth::kShadow, float>};
+
+constinit const Quantity kSkyView{
+    .name = "sky_view",
+    .what =
+        "share of the sky that what the middle of each pixel sees has before it, weighed by cosines, and the half-width of its 95 % interval",
+    .unit = "1",
+    .role = Quantity::Role::truth,
+    .statistic = Quantity::Statistic::middle,
+    .type = EnviType::float32,
+    .bands = Quantity::Bands::named,
+    .band_names = kSkyViewBands,
+    .collector = &truth::kSkyView,
+    .values = put_layer<truth::kSkyView, float>};
 
 }  // namespace ifov::io::quantities

@@ -8,5 +8,7 @@ namespace ifov::io::quantities {
 extern const Quantity kSunAngles;
 /// Whether the Sun is hidden from what the middle of the pixel sees.
 extern const Quantity kShadow;
+/// How much of the sky it has before it.
+extern const Quantity kSkyView;
 
 }  // namespace ifov::io::quantities

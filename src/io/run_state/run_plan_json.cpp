@@ -10,6 +10,7 @@
 #include "io/products/product_format.h"
 #include "io/quantities/identity_quantities.h"
 #include "io/run_state/run_plan.h"
+#include "sensor/view_list.h"
 
 namespace ifov::io {
 namespace {
@@ -43,6 +44,29 @@ constexpr std::pair<const char*, double render::AtmosphereHalfWidth::*> kAtmosph
     {"model_sky", &render::AtmosphereHalfWidth::model_sky},
     {"model_counted", &render::AtmosphereHalfWidth::model_counted}};
 
+void write_views(JsonWriter& json, const sensor::ViewList& list) {
+  json.object("views", [&] {
+    json.member("kind", static_cast<int>(list.kind));
+    json.list("columns", [&] {
+      for (const sensor::ViewList::Column& column : list.columns)
+        json.object([&] {
+          json.member("name", column.name);
+          json.member("unit", column.unit);
+        });
+    });
+    json.member("values", list.values);
+  });
+}
+
+std::shared_ptr<const sensor::ViewList> views_of(const JsonView& v) {
+  auto list = std::make_shared<sensor::ViewList>();
+  list->kind = static_cast<sensor::ViewList::Kind>(v["kind"].small_integer());
+  for (const JsonView& column : v["columns"].items())
+    list->columns.push_back({column["name"].text(), column["unit"].text()});
+  for (const JsonView& value : v["values"].items()) list->values.push_back(value.number());
+  return list;
+}
+
 void write_members(JsonWriter& json, const render::ImageInfo& image, bool with_objects) {
   json.member("width_px", image.width_px);
   json.member("height_px", image.height_px);
@@ -54,6 +78,7 @@ void write_members(JsonWriter& json, const render::ImageInfo& image, bool with_o
         json.member("name", channel.name);
         json.member("centre_um", channel.centre_um);
         json.member("fwhm_um", channel.fwhm_um);
+        if (channel.irradiance > 0.0) json.member("irradiance", channel.irradiance);
         if (channel.air)
           json.object("air", [&] {
             for (const auto& [key, member] : kAtmosphereKeys) json.member(key, (*channel.air).*member);
@@ -78,6 +103,7 @@ void write_members(JsonWriter& json, const render::ImageInfo& image, bool with_o
       json.member("rotation_rad", image.map_rotation_rad);
     });
   json.member("map_system", image.map_projection);
+  if (image.views) write_views(json, *image.views);
 }
 
 render::ImageInfo image_of(const JsonView& v) {
@@ -88,6 +114,7 @@ render::ImageInfo image_of(const JsonView& v) {
   image.footprint_px = v["footprint_px"].number();
   for (const JsonView& c : v["channels"].items()) {
     image.channels.push_back({c["name"].text(), c["centre_um"].number(), c["fwhm_um"].number()});
+    if (c["irradiance"].is_there()) image.channels.back().irradiance = c["irradiance"].number();
     if (!c["air"].is_there()) continue;
     render::AtmosphereHalfWidth& air = image.channels.back().air.emplace();
     for (const auto& [key, member] : kAtmosphereKeys) air.*member = c["air"][key].number();
@@ -107,6 +134,7 @@ render::ImageInfo image_of(const JsonView& v) {
     image.map_rotation_rad = map["rotation_rad"].number();
   }
   image.map_projection = v["map_system"].text();
+  if (v["views"].is_there()) image.views = views_of(v["views"]);
   return image;
 }
 

@@ -122,7 +122,7 @@ RunResult render_tiles(const Session& session, const TileOptions& options, const
   result.summary.accuracy_statement = accuracy_statement(plan, progress.last(), program.reasons(),
                                                          "the time limit came first", image_errors.errors());
   result.summary.judged = plan.judged;
-  result.summary.one_value = one_value.holds();
+  result.summary.one_value = one_value.holds() && !plan.image.views;
   result.tiles_done = program.count();
   result.tiles_left = plan.grid().size() - program.count();
   return result;

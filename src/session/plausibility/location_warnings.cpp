@@ -51,7 +51,7 @@ void warn_of_camera(const Parts& parts, const SceneSurvey& survey, LogSink& log)
         "Leave 'height' out, and rays start above everything",
         *height_m, top_m + offset_m.z));
   const std::optional<math::Point3> position = parts.camera->pose(parts.camera->middle_line_px()).position_m;
-  if (position && world.object_count() > 0) {
+  if (position && world.object_count() > 0 && parts.camera->view_list() == nullptr) {
     constexpr double kInside = 0.9;
     const math::Ray up{*position, {0.0, 0.0, 1.0}};
     geometry::SurfacePoint above;
@@ -68,6 +68,7 @@ void warn_of_camera(const Parts& parts, const SceneSurvey& survey, LogSink& log)
                       above.distance_m));
   }
   if (survey.sky_share < 1.0) return;
+  if (position && parts.camera->view_list() != nullptr) return;  // points and rays may well look at the sky
   if (world.object_count() == 0)
     return log.warn("the scene holds no objects: the picture shows nothing but sky");
   const geometry::World::Bounds b = world.bounds();

@@ -29,6 +29,8 @@ void include(SceneSurvey::Range& range, double value) {
 }
 
 std::vector<sampling::FocalPoint> grid_of(const sensor::Camera& camera, int across) {
+  if (camera.view_list() != nullptr)  // each pixel may hold a scene
+    return sensor::grid_over(camera, across, across);
   return sensor::grid_over(camera, std::min(across, camera.width_px()), std::min(across, camera.height_px()));
 }
 
@@ -117,7 +119,8 @@ void count(const Parts& parts, SceneSurvey& survey) {
     const std::size_t step = copies / kMostSurveyed + 1;
     std::size_t inside = 0, surveyed = 0;
     for (std::size_t k = 0; k < copies; k += step, ++surveyed)
-      inside += world.period() || in_frame(*parts.camera, world.object(parts.placed.first(d) + k));
+      inside += world.period() || parts.camera->view_list() != nullptr ||
+                in_frame(*parts.camera, world.object(parts.placed.first(d) + k));
     survey.in_frame.push_back(inside), survey.surveyed.push_back(surveyed);
   }
 }

@@ -11,6 +11,7 @@
 #include "render/image_renderer.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "sensor/camera.h"
+#include "sensor/view_list.h"
 #include "session/assembly/geometry/object_classes.h"
 #include "session/loaded/acquisition_assembly.h"
 #include "session/loaded/parts.h"
@@ -68,8 +69,10 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
                                   stamp.path, stamp.bytes, stamp.hash[1], stamp.hash[0]));
   plan.formats = io::product_formats(document.output.formats);
   plan.name = document.output.name;
-  const bool map_tells = parts.camera->ground_grid().has_value();
+  const bool map_tells = parts.camera->ground_grid().has_value() || plan.image.views != nullptr;
   plan.cubes = document.output.products.value_or(io::usual_quantities(map_tells, document.sensor.stokes));
+  if (plan.image.views)
+    io::add_view_quantities(plan.image.views->kind == sensor::ViewList::Kind::points, plan.cubes);
   for (const io::DocumentName& channel : document.output.quicklook_channels)
     for (std::size_t c = 0; c < document.sensor.channels.size(); ++c)
       if (document.sensor.channels[c].name == channel.name)

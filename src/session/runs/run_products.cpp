@@ -5,6 +5,7 @@
 #include <ctime>
 #include <limits>
 
+#include "core/format.h"
 #include "io/product_parts/run_record.h"
 #include "io/run_state/run_plan.h"
 #include "session/messages.h"
@@ -58,7 +59,8 @@ RunSummary RunProducts::finish(const Progress& totals, const sampling::ReasonCou
   io::RunOutcome outcome;
   outcome.image_errors = image_errors_.errors();
   outcome.accuracy_statement = accuracy_statement(plan_, totals, reasons, why_gaps, outcome.image_errors);
-  if (one_value_.holds()) {
+  const bool one_value = one_value_.holds() && !plan_.image.views;
+  if (one_value) {
     const char* const empty =
         "All pixels hold the same value in every channel: is what is meant in the picture?";
     if (!outcome.accuracy_statement.empty()) outcome.accuracy_statement += ' ';
@@ -75,8 +77,10 @@ RunSummary RunProducts::finish(const Progress& totals, const sampling::ReasonCou
   summary.totals = totals;
   for (const io::ProductFile& file : record.files) summary.files.push_back({file.path, file.what});
   summary.accuracy_statement = outcome.accuracy_statement;
+  for (std::size_t k = outcome.notes.size(); k < record.outcome.notes.size(); ++k)
+    summary.accuracy_statement += format("\n{}.", record.outcome.notes[k]);
   summary.judged = plan_.judged;
-  summary.one_value = one_value_.holds();
+  summary.one_value = one_value;
   return summary;
 }
 

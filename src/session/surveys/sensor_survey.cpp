@@ -4,7 +4,7 @@
 
 #include "core/overloaded.h"
 #include "ifov/sensor.h"
-#include "io/document/cameras/camera_settings.h"
+#include "io/document/cameras/view_settings.h"
 #include "io/document/detector_document.h"
 #include "io/document/scene_document.h"
 #include "io/document/sensor_document.h"
@@ -81,6 +81,12 @@ void tell_detector(const ChannelDetector& detector, const radiometry::Channel& c
 SensorDescription survey_sensor(const io::DocumentSources& sources, const io::SensorDocument& sensor,
                                 const io::OriginDocument& origin) {
   constexpr double kWarm_k = 300.0;
+  if (dynamic_cast<const io::ViewSettings*>(sensor.camera.settings.get()) != nullptr)
+    throw io::document_error(
+        sources, sensor.camera.position,
+        format("'{}' makes no picture, so that nothing follows for its pixels; `ifov check` tells what its "
+               "views are of",
+               sensor.camera.model));
   SensorDescription told;
   const std::unique_ptr<sensor::Camera> camera = with_position(sources, sensor.camera.position, [&] {
     return sensor.camera.settings->build({origin.offset_m, 0.0});

@@ -13,7 +13,8 @@ SurveyStage::SurveyStage(const io::Document& document) {
   assemble_light(
       {document.sources, document.light, document.atmosphere, document.scene.origin, document.time}, scene);
   channels = assemble_channels(document.sources, document.sensor.channels);
-  camera = assemble_camera(document.sources, document.sensor.camera, document.scene.origin, *scene.world);
+  camera = assemble_camera(document.sources, document.sensor.camera, document.scene.origin, *scene.world,
+                           document.seed);
 }
 
 SurveyStage::~SurveyStage() = default;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,6 +24,9 @@ struct CameraSite {
   math::Vec3 offset_m;     ///< of coordinates in the document; to be subtracted
   double highest_m = 0.0;  ///< z of the highest surface, scene frame
   double lowest_m = 0.0;   ///< of the lowest
+  std::uint64_t seed = 1;  ///< of what is drawn by chance
+  std::optional<std::array<double, 2>> period_m =
+      std::nullopt;  ///< after which the scene repeats along x and y
 };
 
 /// What a document says of a camera, and what is asked of it. Never changed; changes are copies.

@@ -1,12 +1,35 @@
 #include "io/document/reading/mount_camera.h"
 
-#include "io/document/cameras/camera_settings.h"
+#include "core/format.h"
+#include "io/document/cameras/view_settings.h"
 #include "io/document/document.h"
 #include "io/document/platform_document.h"
+#include "io/document/samplers/accuracy_sampling.h"
 
 namespace ifov::io {
 
+namespace {
+
+/// Each single view is a tile of its own.
+void settle_views(Document& document) {
+  if (dynamic_cast<const ViewSettings*>(document.sensor.camera.settings.get()) == nullptr) return;
+  document.sampling.tile_px = 1;
+  const auto* accuracy = sampler_as<AccuracySampling>(document.sampling);
+  const auto refuse = [&](const char* what) {
+    throw document_error(document.sources,
+                         accuracy != nullptr ? accuracy->position : document.sampling.position,
+                         format("{}, and '{}' makes none: each of its views has an error of its own", what,
+                                document.sensor.camera.model));
+  };
+  if (accuracy != nullptr && accuracy->of_image())
+    refuse("\"of\": \"image\" is of the pixels of a picture together");
+  if (document.sampling.method->audited_pixels()) refuse("an audit is of the pixels of a picture");
+}
+
+}  // namespace
+
 void mount_camera(Document& document) {
+  settle_views(document);
   std::shared_ptr<const PlatformFlight> flight;
   if (document.platform)
     flight = std::make_shared<const PlatformFlight>(

@@ -61,8 +61,8 @@ SchemaType<std::shared_ptr<const SamplerSettings>> accuracy_type() {
       .formerly("seeds")
       .with_default("thinnest", &AccuracySampling::thinnest_px, quantity(kPixels, Range::above(0.0, "px")),
                     "\"0.0125 px\"", "thinnest feature that is followed")
-      .with_default("max_samples", &AccuracySampling::max_samples, long_integer(1, kMostSamples), "100000",
-                    "per pixel")
+      .optional("max_samples", &AccuracySampling::max_samples, long_integer(1, kMostSamples),
+                "per pixel; 100,000 if not given, of single views 100,000,000")
       .with_default("floor", &AccuracySampling::floor, fraction(Range::between(0.0, 1.0)), "\"0.1 %\"",
                     "share of a white surface's radiance W: in percent no half-width need be below floor x "
                     "W; in K a pixel is "
@@ -91,9 +91,9 @@ SchemaType<std::shared_ptr<const SamplerSettings>> accuracy_type() {
 constinit const SamplerModel AccuracySampling::kModel{"accuracy", "as many rays as an accuracy needs",
                                                       accuracy_type};
 
-std::unique_ptr<sampling::PixelSampler> AccuracySampling::build() const {
+std::unique_ptr<sampling::PixelSampler> AccuracySampling::build(std::int64_t most_samples) const {
   if (of_image())
-    return audited(std::make_unique<sampling::ImageSampler>(static_cast<std::uint32_t>(max_samples),
+    return audited(std::make_unique<sampling::ImageSampler>(static_cast<std::uint32_t>(most_samples),
                                                             sampling::ImageSampler::Pooling{pooling}),
                    audit);
   sampling::AccuracyOptions options;
@@ -101,7 +101,7 @@ std::unique_ptr<sampling::PixelSampler> AccuracySampling::build() const {
   options.probes_per_side = static_cast<int>(std::lround(std::sqrt(probes)));
   options.pilot_rays = pilot_rays;
   options.thinnest_px = thinnest_px;
-  options.max_samples_per_pixel = static_cast<std::uint32_t>(max_samples);
+  options.max_samples_per_pixel = static_cast<std::uint32_t>(most_samples);
   options.clutter_switch = clutter;
   return std::make_unique<sampling::AccuracySampler>(options);
 }

@@ -27,16 +27,26 @@ struct AccuracySampling final : SamplerSettings {
   int probes = 9;               ///< probing rays a flagged pixel and round
   bool pilot_rays = true;       ///< one ray per known object smaller than a pixel
   double thinnest_px = 0.0125;  ///< thinnest feature that is tracked
-  std::int64_t max_samples = 100000;  ///< per pixel
+  std::optional<std::int64_t>
+      max_samples;  ///< per pixel; absent: kUsualSamples, of single views kSamplesOfView
+  static constexpr std::int64_t kUsualSamples = 100000, kSamplesOfView = 100000000;
   double floor = 0.001;  ///< of a white Lambertian surface's radiance: no limit in percent is lower, and in K
                          ///< no pixel is taken to be colder than that radiance
   bool clutter = true;   ///< switch to nested stratified samples where edges are too many
   SourcePosition position;
 
-  std::unique_ptr<sampling::PixelSampler> build() const override;
+  std::unique_ptr<sampling::PixelSampler> build() const override {
+    return build(max_samples.value_or(kUsualSamples));
+  }
+  std::unique_ptr<sampling::PixelSampler> build_for_views() const override {
+    return build(max_samples.value_or(kSamplesOfView));
+  }
   std::string description() const override;
   const DocumentName* channel_looked_at() const override { return channel ? &*channel : nullptr; }
   std::optional<int> audited_pixels() const override { return audit; }
+
+ private:
+  std::unique_ptr<sampling::PixelSampler> build(std::int64_t most_samples) const;
 };
 
 }  // namespace ifov::io

@@ -17,6 +17,9 @@ class SamplerSettings {
 
   virtual std::unique_ptr<sampling::PixelSampler> build() const = 0;
 
+  /// For single views, of which each may hold a scene.
+  virtual std::unique_ptr<sampling::PixelSampler> build_for_views() const { return build(); }
+
   /// For people: "grid 10 x 10".
   virtual std::string description() const = 0;
 

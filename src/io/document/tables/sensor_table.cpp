@@ -1,3 +1,5 @@
+#include "core/format.h"
+#include "io/document/cameras/view_settings.h"
 #include "io/document/detector_document.h"
 #include "io/document/schema/record.h"
 #include "io/document/schema/shared_target.h"
@@ -34,12 +36,58 @@ SchemaType<PsfEntry> psf_type() {
   return record.type();
 }
 
+/// A sensor of single views in place of a camera.
+template <class Settings>
+void add_views(Record<SensorDocument>& record, const char* key, const SchemaType<Settings>& type,
+               std::string doc) {
+  using Placed = std::pair<Settings, SourcePosition>;
+  const auto placed = located<Placed>(
+      type,
+      [](Settings settings, const DocumentNode& node) {
+        return Placed(std::move(settings), node.key_position());
+      },
+      [](const Placed& settings) { return settings.first; });
+  record.one(key,
+             via(
+                 [key](SensorDocument& sensor, Placed settings) {
+                   sensor.camera.model = key;
+                   sensor.camera.settings = std::make_shared<const Settings>(std::move(settings.first));
+                   sensor.camera.position = std::move(settings.second);
+                 },
+                 [](const SensorDocument& sensor) {
+                   const auto* settings = camera_as<Settings>(sensor.camera);
+                   return settings != nullptr ? std::optional(Placed(*settings, {})) : std::nullopt;
+                 }),
+             placed, std::move(doc));
+}
+
+/// What an image's pixels alone have.
+void refuse_for_views(const SensorDocument& sensor, const DocumentNode& node) {
+  if (dynamic_cast<const ViewSettings*>(sensor.camera.settings.get()) == nullptr) return;
+  for (const char* key : {"psf", "stokes", "fill_factor", "optics", "detector"})
+    if (const DocumentNode* own = node.find(key))
+      own->fail_at_key(
+          format("'{}' is of the pixels of a picture, and '{}' makes none", key, sensor.camera.model));
+  for (const ChannelDocument& channel : sensor.channels)
+    if (channel.polarizer || channel.retarder)
+      node.given("channels")
+          .fail_at_key(format(
+              "channel '{}' has a polarizer or retarder, which are turned about the axes of a picture, and '{}' makes none",
+              channel.name, sensor.camera.model));
+}
+
 }  // namespace
 
 SchemaType<SensorDocument> sensor_type() {
   Record<SensorDocument> record("sensor", "What measures.");
-  record.required("camera", &SensorDocument::camera, camera_type(), "geometry of the image")
-      .exactly_one()
+  record.exactly_one().one("camera", &SensorDocument::camera, camera_type(), "geometry of the image");
+  add_views(record, "distant", distant_type(),
+            "instead of an image: what leaves an area towards a list of directions");
+  add_views(record, "hemisphere", hemisphere_type(),
+            "instead: towards directions all over the hemisphere, and the albedo");
+  add_views(record, "points", points_type(), "instead: irradiance and sky view at points");
+  add_views(record, "rays", rays_type(), "instead: radiance along rays");
+  record.exactly_one()
       .one("channels", &SensorDocument::channels, channels_type(), "spectral channels")
       .one("preset", only_read([](SensorDocument& sensor, std::vector<ChannelDocument> channels) {
              sensor.channels = std::move(channels);
@@ -67,7 +115,8 @@ SchemaType<SensorDocument> sensor_type() {
       .optional("optics", shared(&SensorDocument::optics), optics_type(),
                 "what light passes, for a `detector`")
       .optional("detector", shared(&SensorDocument::detector), detector_type(),
-                "how light becomes electrons and counts: for `ifov detect`, and errors in shares of noise");
+                "how light becomes electrons and counts: for `ifov detect`, and errors in shares of noise")
+      .check(refuse_for_views);
   return record.type();
 }
 

@@ -133,6 +133,10 @@ atmosphere::LineOfSightRange line_of_sight_range(const sensor::Camera& camera,
     for (int i = 0; i < kPoints; ++i)
       points.push_back({-kMargin_px + (camera.width_px() + 2.0 * kMargin_px) * i / (kPoints - 1),
                         -kMargin_px + (camera.height_px() + 2.0 * kMargin_px) * j / (kPoints - 1)});
+  if (camera.view_list() != nullptr) {
+    points.clear();
+    for (int k = 0; k < camera.width_px(); ++k) points.push_back({k + 0.5, 0.5});
+  }
   std::vector<math::Ray> rays(points.size());
   camera.rays(points, rays);
   math::Vec3 towards = sun ? sun->direction : math::Vec3{1.0, 0.0, 0.0};

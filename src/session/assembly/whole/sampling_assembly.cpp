@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/document/cameras/view_settings.h"
 #include "io/document/samplers/accuracy_sampling.h"
 #include "io/document/sampling_document.h"
 #include "io/document/sensor_document.h"
@@ -87,7 +88,8 @@ SamplingPlan assemble_sampling(const io::DocumentSources& sources, const io::Sam
   const Plan assemble{sources, sensor, channels};
   const io::SamplerSettings& settings = *sampling.method;
   SamplingPlan plan;
-  plan.sampler = settings.build();
+  const bool views = dynamic_cast<const io::ViewSettings*>(sensor.camera.settings.get()) != nullptr;
+  plan.sampler = views ? settings.build_for_views() : settings.build();
   plan.method = settings.description();
   plan.knows_errors = settings.knows_errors();
   if (const auto* accuracy = io::sampler_as<io::AccuracySampling>(sampling))

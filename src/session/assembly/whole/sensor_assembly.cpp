@@ -14,6 +14,8 @@
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "sensor/psf.h"
+#include "sensor/view_list.h"
+#include "sensor/view_list_camera.h"
 #include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/with_position.h"
 
@@ -64,9 +66,11 @@ struct BuildChannel {
 std::unique_ptr<sensor::Camera> assemble_camera(const io::DocumentSources& sources,
                                                 const io::CameraDocument& camera,
                                                 const io::OriginDocument& origin,
-                                                const geometry::World& world) {
+                                                const geometry::World& world, std::uint64_t seed) {
   return with_position(sources, camera.position, [&] {
-    return camera.settings->build({origin.offset_m, world.heights().high_m, world.heights().low_m});
+    io::CameraSite site{origin.offset_m, world.heights().high_m, world.heights().low_m, seed};
+    if (const auto period = world.period()) site.period_m = {period->x_m, period->y_m};
+    return camera.settings->build(site);
   });
 }
 
@@ -147,6 +151,10 @@ render::ImageInfo image_info(const io::OriginDocument& origin, const sensor::Cam
     info.map_rotation_rad = grid->rotation_rad;
   }
   info.map_projection = map_system(origin);
+  if (const sensor::ViewListCamera* const views = camera.view_list()) {
+    info.views = views->list();
+    if (info.views->kind == sensor::ViewList::Kind::points) info.radiance_unit = "W m-2 um-1";
+  }
   return info;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -35,7 +36,7 @@ namespace ifov::session {
 std::unique_ptr<sensor::Camera> assemble_camera(const io::DocumentSources& sources,
                                                 const io::CameraDocument& camera,
                                                 const io::OriginDocument& origin,
-                                                const geometry::World& world);
+                                                const geometry::World& world, std::uint64_t seed);
 std::vector<radiometry::Channel> assemble_channels(const io::DocumentSources& sources,
                                                    std::span<const io::ChannelDocument> written);
 /// Whether polarization is told, and what stands before the channels.

@@ -1,4 +1,4 @@
-#include "io/products/netcdf_map.h"
+#include "io/product_parts/netcdf_map.h"
 
 #include <string>
 #include <utility>
@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 #include "io/product_parts/map_info.h"
-#include "io/products/netcdf_functions.h"
+#include "io/product_parts/netcdf_functions.h"
 #include "io/raster/gdal_reference.h"
 
 namespace ifov::io {
