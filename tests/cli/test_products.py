@@ -79,7 +79,7 @@ class Pieces(unittest.TestCase):
             done = run("merge", "scene.out.1-of-2", "scene.out.2-of-2", "--output", "merged", cwd=folder)
             self.assertEqual(done.returncode, 0, done.stderr)
             reference = products(folder / "scene.out")
-            self.assertEqual(len(reference), 38)
+            self.assertEqual(len(reference), 40)
             for other in ("two", "merged"):
                 found = products(folder / other)
                 for name, content in reference.items():
