@@ -10,7 +10,7 @@ ORIGIN = '"origin": {"latitude": "49.4 deg", "longitude": "8.7 deg"},\n    "mate
 FRAME = ('"camera": {"frame": {"pixels": [40, 30], "focal_length": "20 mm", "pitch": "0.1 mm", "position": ["2 m", "1 m", "9 m"],'
          ' "look_at": ["0 m", "0 m", "0 m"]}}')
 ORTHOGRAPHIC = '"camera": {"orthographic": {"gsd": "1 m", "pixels": [3, 3]}}'
-TRUTH = ["range", "normal", "slope", "gsd", "time", "sun_angles", "shadow", "material_class", "dominant_material", "material_count",
+TRUTH = ["range", "normal", "slope", "gsd", "time", "sun_angles", "shadow", "sky_view", "material_class", "dominant_material", "material_count",
          "object_class", "instance"]
 LARGE = {"gsd": "5 cm", "pixels": [64, 48]}
 
@@ -79,7 +79,7 @@ class Pieces(unittest.TestCase):
             done = run("merge", "scene.out.1-of-2", "scene.out.2-of-2", "--output", "merged", cwd=folder)
             self.assertEqual(done.returncode, 0, done.stderr)
             reference = products(folder / "scene.out")
-            self.assertEqual(len(reference), 38)
+            self.assertEqual(len(reference), 40)
             for other in ("two", "merged"):
                 found = products(folder / other)
                 for name, content in reference.items():

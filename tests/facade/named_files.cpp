@@ -102,12 +102,34 @@ Parts imported(const std::string& files) {
           .more = R"(, "atmosphere": {"imported": {)" + files + "}}"};
 }
 
+const std::string kOwnHaze = R"("optical_depth": 0.3, "angstrom": 1.3, "single_scattering_albedo": 0.9, )";
+
 /// Air with haze of the document's own.
 Parts modelled(const std::string& haze) {
   return {.sky = R"("surroundings": {"reflectance": 0.2})",
-          .more = R"(, "atmosphere": {"profile": "US standard 1976", "aerosol": {"optical_depth": 0.3,
-               "angstrom": 1.3, "single_scattering_albedo": 0.9, )" +
-                  haze + "}}"};
+          .more = R"(, "atmosphere": {"profile": "US standard 1976", "aerosol": {)" + haze + "}}"};
+}
+
+const std::string kRetrieval =
+    "AERONET Version 3;\nSite,Date(dd:mm:yyyy),Time(hh:mm:ss),AOD_Extinction-Total[440nm],AOD_Extinction-Total[675nm],"
+    "Single_Scattering_Albedo[440nm],Single_Scattering_Albedo[675nm],Asymmetry_Factor-Total[440nm],"
+    "Asymmetry_Factor-Total[675nm]\nARM_SGP,15:08:2019,13:02:10,0.4,0.23,0.9,0.9,0.7,0.6\n";
+
+/// Of its haze, even in all directions.
+std::string phase_functions() {
+  std::string heading = "AERONET Version 3;\nSite,Date(dd:mm:yyyy),Time(hh:mm:ss)",
+              row = "ARM_SGP,15:08:2019,13:02:10";
+  for (const char* nm : {"440", "675"})
+    for (int angle = 180; angle >= 0; angle -= 5) {
+      heading += "," + std::to_string(angle) + ".000000[" + nm + "nm]";
+      row += ",1";
+    }
+  return heading + "\n" + row + "\n";
+}
+
+/// A sensor of single views.
+Parts views(const std::string& sensor) {
+  return {.sky = R"("sky": {"radiance": "20 W m-2 sr-1 um-1"})", .camera = "", .sensor = ", " + sensor};
 }
 
 std::vector<Named> named_by_materials() {
@@ -260,8 +282,26 @@ std::vector<Named> named_elsewhere() {
         {"f.inp", uvspec_input("0.5")}}},
       {"aerosol",
        "phase_function",
-       modelled(R"("phase_function": "FILEa.csv")"),
+       modelled(kOwnHaze + R"("phase_function": "FILEa.csv")"),
        {{"a.csv", "angle_deg,0.55\n0,1\n45,1\n120,1\n180,1\n"}}},
+      {"part of a mixture",
+       "phase_function",
+       modelled(R"("mixture": [{)" + kOwnHaze + R"("phase_function": "FILEa.csv"}])"),
+       {{"a.csv", "angle_deg,0.55\n0,1\n45,1\n120,1\n180,1\n"}}},
+      {"AERONET retrieval", "file", modelled(R"("aeronet": {"file": "FILEa.all"})"), {{"a.all", kRetrieval}}},
+      {"AERONET retrieval",
+       "phase_functions",
+       modelled(R"("aeronet": {"file": "FILEa.all", "phase_functions": "FILEb.pfn"})"),
+       {{"a.all", kRetrieval}, {"b.pfn", phase_functions()}}},
+      {"distant sensor",
+       "file",
+       views(R"("distant": {"file": "FILEa.csv", "size": ["4 m", "4 m"]})"),
+       {{"a.csv", "view_zenith_deg,view_azimuth_deg\n60,270\n"}}},
+      {"points", "file", views(R"("points": {"file": "FILEa.csv"})"), {{"a.csv", "x_m,y_m,z_m\n1,0,2\n"}}},
+      {"rays",
+       "file",
+       views(R"("rays": {"file": "FILEa.csv"})"),
+       {{"a.csv", "x_m,y_m,z_m,dx,dy,dz\n0,0,5,0,0,-1\n"}}},
       {"weather",
        "file",
        {.more = R"(, "weather": {"file": "FILEa.csv"})"},
@@ -310,8 +350,8 @@ std::string Named::document(const std::string& in_place_of_FILE) const {
                            parts.object + R"(]},
   "light": {"sun": )" + parts.sun +
                            ", " + parts.sky + R"(},
-  "sensor": {"camera": )" + parts.camera +
-                           R"(,
+  "sensor": {)" + (parts.camera.empty() ? "" : R"("camera": )" + parts.camera + ", ") +
+                           R"(
              "channels": [)" +
                            parts.channel + ", " + parts.thermal + "]" + parts.sensor + R"(},
   "sampling": {"single": {}})" +

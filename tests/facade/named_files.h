@@ -15,6 +15,7 @@ struct Parts {
   std::string sky = R"("sky": {"none": {}})";
   std::string channel = R"({"name": "c", "gaussian": {"center": "0.55 um", "fwhm": "20 nm"}})";
   std::string thermal = R"({"name": "T", "top_hat": {"from": "0.6 um", "to": "0.62 um"}})";
+  /// None, where it is empty.
   std::string camera = R"({"orthographic": {"gsd": "2 m", "pixels": [4, 4]}})";
   std::string sensor = "", scene = "", more = "";
 };

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "accuracy_scenes.h"
-#include "sampling/accuracy/stopping.h"
+#include "sampling/accuracy/basis/stopping.h"
 
 // A tile that is taken from a looser to a tighter tolerance: what it costs, whether its intervals hold.
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <numbers>
 
-#include "sampling/accuracy/stopping.h"
+#include "sampling/accuracy/basis/stopping.h"
 #include "sampling/hash.h"
 #include "sampling/random.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sampling/accuracy/basis/small_vector.h"
-#include "sampling/accuracy/stopping.h"
+#include "sampling/accuracy/basis/stopping.h"
 
 namespace ifov::sampling {
 

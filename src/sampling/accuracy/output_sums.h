@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sampling/accuracy/stopping.h"
+#include "sampling/accuracy/basis/stopping.h"
 
 namespace ifov::sampling {
 

@@ -19,7 +19,7 @@
 #include "sampling/accuracy/radiance/radiance.h"
 #include "sampling/accuracy/radiance/stratum_moments.h"
 #include "sampling/accuracy/radiance/unseen_values.h"
-#include "sampling/accuracy/rounds/round_planner.h"
+#include "sampling/accuracy/round_planner.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/tile.h"
 

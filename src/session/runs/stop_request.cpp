@@ -15,6 +15,7 @@ constexpr int kFileEvery = 15;  // of those looks: the disk may be another machi
 StopRequest::StopRequest(std::filesystem::path file, const CancelToken* user)
     : file_(std::move(file)), user_(user) {
   if (file_.empty()) return;
+  if (user_ != nullptr && user_->cancelled()) own_.cancel();  // at once, not at the first look
   std::error_code ignored;
   std::filesystem::remove(file_, ignored);
   watcher_ = std::thread([this] { watch(); });

@@ -1,7 +1,5 @@
 #include "viewer/sources/run_watch.h"
 
-#include <fstream>
-
 #include "core/error.h"
 #include "io/files/own_files.h"
 #include "io/products/bil_cube.h"
@@ -65,10 +63,7 @@ RunWatch::Tile RunWatch::tile(std::size_t index, std::size_t channel) const {
 }
 
 void request_stop(const std::filesystem::path& folder) {
-  const std::filesystem::path file = io::stop_file(folder);
-  std::ofstream stream(file);
-  stream << "stop\n";
-  if (!stream.flush()) throw SystemError(format("{}: cannot be written", file.string()));
+  io::write_new_file(io::stop_file(folder), "stop\n");
 }
 
 bool holds_unfinished_run(const std::filesystem::path& folder) {

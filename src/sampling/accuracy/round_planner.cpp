@@ -1,4 +1,4 @@
-#include "sampling/accuracy/rounds/round_planner.h"
+#include "sampling/accuracy/round_planner.h"
 
 #include <algorithm>
 #include <cmath>

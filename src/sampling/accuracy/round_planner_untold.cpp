@@ -9,7 +9,7 @@
 #include "sampling/accuracy/radiance/radiance_rounds.h"
 #include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/accuracy/radiance/stratum_moments.h"
-#include "sampling/accuracy/rounds/round_planner.h"
+#include "sampling/accuracy/round_planner.h"
 
 namespace ifov::sampling {
 

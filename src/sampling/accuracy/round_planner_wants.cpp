@@ -14,7 +14,7 @@
 #include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/accuracy/radiance/stratum_moments.h"
 #include "sampling/accuracy/radiance/unseen_values.h"
-#include "sampling/accuracy/rounds/round_planner.h"
+#include "sampling/accuracy/round_planner.h"
 
 namespace ifov::sampling {
 
@@ -76,7 +76,7 @@ double RoundPlanner::next_clutter(const SourcePixel& pixel, double wanted) {
   return std::clamp(next, 0.3 * have, kClutterGrowth * have);
 }
 
-bool RoundPlanner::open(int output) const {
+bool RoundPlanner::is_open(int output) const {
   return !outputs_[output].satisfied && outputs_[output].test < outputs_[output].last_test;
 }
 
@@ -91,7 +91,7 @@ void RoundPlanner::find_wants(const Radiance& radiance, const LeafIntegrator& in
   for (std::size_t p = 0; p < radiance.pixels().others().size(); ++p) {
     const SourcePixel& pixel = radiance.pixels().others()[p];
     const PixelModel& model = pixel.model;
-    if (std::none_of(model.outputs.begin(), model.outputs.end(), [&](int o) { return open(o); })) continue;
+    if (std::none_of(model.outputs.begin(), model.outputs.end(), [&](int o) { return is_open(o); })) continue;
     const std::size_t strata = pixel.cluttered ? 1 : model.labels.size();
     for (std::size_t s = 0; s < strata; ++s) {
       if (!pixel.cluttered)
@@ -109,7 +109,7 @@ void RoundPlanner::find_wants(const Radiance& radiance, const LeafIntegrator& in
       }
       const double *own = &own_[wants_.size() * n], *unmet = &unmet_[wants_.size() * n];
       for (std::size_t o = 0; o < model.outputs.size(); ++o) {
-        if (!open(model.outputs[o])) continue;
+        if (!is_open(model.outputs[o])) continue;
         const OutputState& output = outputs_[model.outputs[o]];
         const OutputSums::Row sum = intervals_.sum(model.outputs[o]);
         const double weight = weight_of(integrator, pixel, s, o);
@@ -138,7 +138,7 @@ void RoundPlanner::ease_wants(const Radiance& radiance, const LeafIntegrator& in
     for (std::size_t w = 0; w < wants_.size(); ++w) {
       const SourcePixel& pixel = radiance.pixels().others()[wants_[w].pixel];
       for (std::size_t o = 0; o < pixel.model.outputs.size(); ++o)
-        if (open(pixel.model.outputs[o])) at(w, pixel, o);
+        if (is_open(pixel.model.outputs[o])) at(w, pixel, o);
     }
   };
   visit([&](std::size_t w, const SourcePixel& pixel, std::size_t o) {

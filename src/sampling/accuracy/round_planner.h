@@ -50,7 +50,7 @@ class RoundPlanner {
     bool hope = false, paths_differ = false;
   };
 
-  bool open(int output) const;
+  bool is_open(int output) const;
   void find_budget(int output);
   void find_wants(const Radiance& radiance, const LeafIntegrator& integrator);
   void ease_wants(const Radiance& radiance, const LeafIntegrator& integrator);
