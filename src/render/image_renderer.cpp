@@ -25,6 +25,7 @@
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "transport/mirrors/sun_disc.h"
+#include "transport/mirrors/sun_images.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {
@@ -41,6 +42,17 @@ void judge_as_image(const std::vector<sampling::Reasons>& sampled, sampling::Til
   std::fill(tile.worst_ratio.begin(), tile.worst_ratio.end(), 0.0f);
 }
 
+/// Directions in which a sensor would see the Sun, by way of flat mirrors too.
+std::vector<math::Vec3> sun_and_its_images(const transport::SpectralScene& scene) {
+  constexpr int kReflections = 2;  // as labels follow them (SeenThrough)
+  std::vector<math::Vec3> directions = {scene.scene().sun->direction};
+  if (scene.sun_mirrors() != nullptr) {
+    const transport::SunImages images(*scene.sun_mirrors(), directions[0], kReflections);
+    for (const transport::SunImages::Image& image : images.images()) directions.push_back(image.direction);
+  }
+  return directions;
+}
+
 }  // namespace
 
 Progress render_image(const RenderJob& job, const RenderControl& control, TileSink& sink) {
@@ -52,11 +64,13 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   std::optional<PilotRays> pilot_rays;
   if (job.pilot_rays) {
     const scene::Scene& scene = job.scene.scene();
-    std::vector<math::Vec3> towards_sun;
-    if (scene.sun)
+    std::vector<math::Vec3> towards_sun, glare;
+    if (scene.sun) {
       towards_sun = transport::fixed_disc_points(scene.sun->direction, scene.sun->half_angle_rad);
+      glare = sun_and_its_images(job.scene);
+    }
     pilot_rays.emplace(*scene.world, scene.assignments.size(), job.camera, towards_sun,
-                       job.scene.sought_assignments(), margin_px);
+                       job.scene.sought_assignments(), margin_px, glare);
   }
 
   std::int64_t pixels = 0;

@@ -39,6 +39,9 @@ constexpr std::size_t kMostFaces = 2000000;
 /// everywhere, and values meet them.
 constexpr std::size_t kMostShadowRays = 300000;
 
+/// As far away as this all places of a scene and its sensor are one.
+constexpr double kFar_m = 1e13;
+
 /// A face narrower than this is followed by no sampler (AccuracyOptions::thinnest_px): a wall seen from above.
 constexpr double kThinnest_px = 1.0 / 80.0;
 
@@ -287,7 +290,7 @@ std::optional<sensor::OrthographicCamera> seen_from_sun(const geometry::World& w
 
 PilotRays::PilotRays(const geometry::World& world, std::size_t materials, const sensor::Camera& camera,
                      std::span<const math::Vec3> towards_sun, const geometry::WantedMaterials& shining,
-                     double margin_px) {
+                     double margin_px, std::span<const math::Vec3> glare) {
   auto add_point = [&](sampling::FocalPoint point, std::uint32_t object) {
     if (point.x_px < -margin_px || point.y_px < -margin_px || point.x_px > camera.width_px() + margin_px ||
         point.y_px > camera.height_px() + margin_px)
@@ -318,6 +321,9 @@ PilotRays::PilotRays(const geometry::World& world, std::size_t materials, const 
                       [&](sampling::FocalPoint point) { add_point(point, sampling::Field::kNoObject); });
   visit_small_pieces(world, shining, camera,
                      [&](sampling::FocalPoint point) { add_point(point, sampling::Field::kNoObject); });
+
+  for (const math::Vec3 direction : glare)
+    add(math::Point3{} + kFar_m * direction, sampling::Field::kNoObject);
 
   if (!towards_sun.empty())
     if (const auto sun = seen_from_sun(world, camera, towards_sun[0])) {

@@ -21,14 +21,15 @@ struct RenderJob;
 /// Where to look for objects that the detection lattice could miss: the image of the pilot point of every compact
 /// object that is smaller than a pixel in some direction, by pixel. Objects that are longer than a pixel but thinner
 /// get a point for each part of their length; so do the long thin faces of meshes, which may be strips that no object tells of,
-/// and the shadows of them all. So do the small pieces of what outshines the scene, those of copies and of single faces too.
+/// and the shadows of them all. So do the small pieces of what outshines the scene, those of copies and of single faces too, and the Sun.
 class PilotRays {
  public:
   /// `materials`: number of the scene's surface assignments; `towards_sun`: directions to points of its disc, none without
   /// sunlight; `shining`: surface assignments that outshine the scene, empty where none does.
+  /// `glare`: directions in which the sensor would see the Sun, itself or its images in flat mirrors.
   PilotRays(const geometry::World& world, std::size_t materials, const sensor::Camera& camera,
             std::span<const math::Vec3> towards_sun, const geometry::WantedMaterials& shining,
-            double margin_px);
+            double margin_px, std::span<const math::Vec3> glare = {});
 
   struct Near {
     std::vector<sampling::FocalPoint> points;

@@ -142,6 +142,8 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
                                          ? SurfaceLabel::kBlend
                                          : truth_.of_material[surface.constituents[0].material];
       label = {hit.instance, hit.patch, material, hit.front, SunState::none};
+    } else if (through_.meets_sun(rays_[k].direction)) {
+      label.patch = SurfaceLabel::kSunOfSky;
     }
     const geometry::SurfacePoint& lit = seen[k];
     if (lit.hit()) {

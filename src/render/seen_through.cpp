@@ -1,5 +1,7 @@
 #include "render/seen_through.h"
 
+#include <cmath>
+
 #include "geometry/world.h"
 #include "materials/bsdf/node_bsdf.h"
 #include "sampling/hash.h"
@@ -24,7 +26,18 @@ SeenThrough::SeenThrough(const transport::SpectralScene& scene)
     : scene_(scene),
       passages_(scene.materials().any_pane() || scene.materials().any_medium()),
       mirrors_(scene.scene().mirror_assignments()),
-      any_(passages_ || !mirrors_.empty()) {}
+      any_(passages_ || !mirrors_.empty()) {
+  const auto& sun = scene.scene().sun;
+  if (!sun || !(sun->half_angle_rad > 0.0)) return;
+  towards_sun_ = sun->direction;
+  cosine_of_sun_ = std::cos(sun->half_angle_rad);
+}
+
+bool SeenThrough::glints(math::Vec3 direction, const geometry::SurfacePoint& hit) const {
+  if (hit.bend != geometry::Bend::none && hit.bend != geometry::Bend::facet) return false;
+  const math::Vec3 normal = hit.geometric_normal.as_vector();
+  return meets_sun(direction - 2.0 * math::dot(direction, normal) * normal);
+}
 
 SeenThrough::Way SeenThrough::turn(math::Ray& ray, const geometry::SurfacePoint& hit,
                                    bool only_straight) const {
@@ -70,6 +83,7 @@ void SeenThrough::follow(std::span<math::Ray> rays, std::span<geometry::SurfaceP
   for (int passed = 0; passed < kMostPassed && !going_.empty(); ++passed) {
     next_.clear();
     ways_.clear();
+    glints_.clear();
     rays_.clear();
     for (const std::uint32_t k : going_) {
       math::Ray onward = rays[k];
@@ -77,6 +91,7 @@ void SeenThrough::follow(std::span<math::Ray> rays, std::span<geometry::SurfaceP
       if (way == Way::none || (way != Way::through && reflections_[k]++ >= kMostReflections)) continue;
       next_.push_back(k);
       ways_.push_back(way);
+      glints_.push_back(way == Way::through && glints(rays[k].direction, hits[k]));
       rays_.push_back(onward);
     }
     hits_.resize(rays_.size());
@@ -86,8 +101,11 @@ void SeenThrough::follow(std::span<math::Ray> rays, std::span<geometry::SurfaceP
     for (std::size_t j = 0; j < next_.size(); ++j) {
       const std::uint32_t k = next_[j];
       if (ways_[j] == Way::bent_mirror) {
+        // Glints on what is round or smooth are found by its shape (Glints).
+        const bool sun =
+            !hits_[j].hit() && hits[k].bend == geometry::Bend::facet && meets_sun(rays_[j].direction);
         states[k] = hits_[j].hit() ? (sampling::hash(states[k], 5u) | kUnevenState) | 1
-                                   : (sampling::hash(states[k], 4u) & ~kUnevenState) | 1;
+                                   : (sampling::hash(states[k], sun ? 8u : 4u) & ~kUnevenState) | 1;
         continue;
       }
       rays[k] = rays_[j];
@@ -99,6 +117,8 @@ void SeenThrough::follow(std::span<math::Ray> rays, std::span<geometry::SurfaceP
         met = sampling::hash(hits[k].instance, hits[k].patch, material, hits[k].front ? 3u : 2u);
         going_.push_back(k);
       }
+      if (glints_[j]) met = sampling::hash(met, 6u);
+      if (!hits[k].hit() && meets_sun(rays[k].direction)) met = sampling::hash(met, 7u);
       states[k] = (sampling::hash(states[k], met) & ~kUnevenState) | 1;
     }
   }

@@ -16,8 +16,8 @@ namespace ifov::render {
 
 /// What lies behind panes and in media, and what mirrors show, for labels: so that edges which are seen, or throw shadows, through
 /// glass or in a mirror are found like others. Flat mirrors show what stands before them as a window would; of what bends only
-/// whether it shows the sky is told, because it gathers so much in so little that all else would be clutter. An object serves one
-/// thread.
+/// whether it shows the sky is told, because it gathers so much in so little that all else would be clutter. Where the Sun's disc is
+/// seen that way is told as well: it may be smaller than a pixel and outshines all else. An object serves one thread.
 class SeenThrough {
  public:
   static constexpr std::uint64_t kUnevenState = 2;
@@ -32,6 +32,8 @@ class SeenThrough {
   /// may be many things.
   void follow(std::span<math::Ray> rays, std::span<geometry::SurfacePoint> hits,
               std::span<std::uint64_t> states, sampling::RayCounts& counts);
+  /// Whether a ray that nothing stops ends on the Sun's disc.
+  bool meets_sun(math::Vec3 direction) const { return math::dot(direction, towards_sun_) >= cosine_of_sun_; }
   /// Follows a ray that something blocks straight through panes: what those are that it passes, 0 where it is blocked.
   std::uint64_t passed(math::Ray ray, sampling::RayCounts& counts);
 
@@ -40,12 +42,18 @@ class SeenThrough {
   /// Turns a ray to where it goes on; none where nothing is seen through the surface, or in it.
   Way turn(math::Ray& ray, const geometry::SurfacePoint& hit, bool only_straight) const;
 
+  /// Whether what a ray was seen to pass shows it the Sun's disc, as still water does.
+  bool glints(math::Vec3 direction, const geometry::SurfacePoint& hit) const;
+
   const transport::SpectralScene& scene_;
+  math::Vec3 towards_sun_{};
+  double cosine_of_sun_ = 2.0;  ///< of its half-angle; above 1 where no disc is seen
   bool passages_ = false;
   std::vector<bool> mirrors_;  // by surface assignment: it may reflect as a mirror; empty: none does
   bool any_ = false;
   std::vector<std::uint32_t> going_, next_;
   std::vector<Way> ways_;
+  std::vector<bool> glints_;               // by ray that goes on
   std::vector<std::uint8_t> reflections_;  // by ray
   std::vector<math::Ray> rays_;
   std::vector<geometry::SurfacePoint> hits_;

@@ -18,6 +18,7 @@ struct SurfaceLabel {
   bool front = true;
   SunState sun = SunState::none;
 
+  static constexpr std::uint32_t kSunOfSky = 1;  ///< "patch" of the sky where the Sun's disc stands
   static constexpr std::uint32_t kMaximumMaterials = (1u << 15) - 3;
   static constexpr std::uint32_t kBlend =
       (1u << 15) - 2;  ///< "material" of surface assignments that mix materials

@@ -69,6 +69,7 @@ Progress render_views(const RenderJob& job, const sensor::ViewListCamera& views,
   render_from(source, control.threads, [&](std::size_t k) {
     if (control.cancel != nullptr && control.cancel->cancelled()) throw Cancelled();
     RenderJob one = job_of(job, views.view(k), k);
+    one.transport.sun_apart = points;  // to_irradiance adds it
     std::optional<EarlierView> earlier;
     if (job.earlier != nullptr) one.earlier = &earlier.emplace(*job.earlier, k);
     OneTile result;

@@ -123,7 +123,7 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
                 paths_[k].number);
       }
     } else {
-      escape(paths_[k]);
+      escape(paths_[k], depth);
     }
   }
 
@@ -163,10 +163,10 @@ void PathTracer::pass(const Path& path, const geometry::SurfacePoint& hit) {
   passing_.back().ray = path.ray.onward(hit.position_m - hit.offset_m * outward, path.ray.direction);
 }
 
-void PathTracer::escape(const Path& path) {
+void PathTracer::escape(const Path& path, int depth) {
   PathRecord::Path& record = record_.paths[path.number];
   record.escaped = true;
-  record.escaped_sees_sun = path.sees_sun;
+  record.escaped_sees_sun = path.sees_sun && !(options_.sun_apart && depth == 0);
   record.escaped_direction = path.ray.direction;
   record.escaped_from_m = path.ray.origin_m.z;
   if (path.way.unseen)

@@ -75,7 +75,7 @@ class PathTracer {
   enum class Branch : std::uint8_t { by_chance, reflected, transmitted };
   void trace_segment(sampling::RayCounts& counts, int depth);
   void advance(int depth, sampling::RayCounts& counts);
-  void escape(const Path& path);
+  void escape(const Path& path, int depth);
   /// Whether what a path met is added separately where it is seen by this way: then it goes on as if nothing were there.
   bool passes(const Path& path, const geometry::SurfacePoint& hit) const;
   void pass(const Path& path, const geometry::SurfacePoint& hit);

@@ -21,6 +21,8 @@ struct TransportOptions {
   /// that the sensor sees directly, which are added separately (Glints), and what reaches a surface that scatters by mirrors
   /// that are not sought, which is marked (UnseenLight).
   bool sought_only = false;
+  /// The Sun's disc where the sensor sees it with nothing between is left out, because it is added separately.
+  bool sun_apart = false;
   /// Highlights of the Sun in narrow lobes that the sensor sees directly (SunLobes): as all other light; left out, because they
   /// are added separately (Highlights); or nothing else but them, for whoever adds them.
   enum class Highlights : std::uint8_t { found, left_out, alone };
