@@ -1,8 +1,6 @@
-#include <array>
 #include <mutex>
 
-#include "core/error.h"
-#include "io/product_parts/netcdf_functions.h"
+#include "io/product_parts/netcdf_file.h"
 #include "io/product_parts/run_record.h"
 #include "io/product_parts/view_values.h"
 #include "io/raster/netcdf_lock.h"
@@ -11,44 +9,23 @@
 namespace ifov::io {
 namespace {
 
-/// A file that is being defined first and then filled.
 class Writer {
  public:
   Writer(const std::string& path, const RunRecord& record, const ViewValues& values)
-      : path_(path), record_(record), values_(values) {
-    require(late::nc_create(path.c_str(), NC_CLOBBER | NC_64BIT_OFFSET, &file_));
-  }
-  ~Writer() {
-    if (file_ >= 0) late::nc_abort(file_);
-  }
-  Writer(const Writer&) = delete;
-  Writer& operator=(const Writer&) = delete;
+      : file_(path), record_(record), values_(values) {}
 
   void write() {
     define();
-    require(late::nc_enddef(file_));
-    fill();
-    const int status = late::nc_close(file_);
-    file_ = -1;
-    require(status);
+    file_.end_definition();
+    file_.put(names_, channel_names_);
+    for (const auto& [id, values] : doubles_) file_.put(id, values);
+    file_.close();
   }
 
  private:
-  void require(int status) const {
-    if (status != NC_NOERR)
-      throw SystemError(format("{}: cannot be written: {}", path_, late::nc_strerror(status)));
-  }
-  void text(int variable, const char* name, const std::string& value) const {
-    require(late::nc_put_att_text(file_, variable, name, value.size(), value.c_str()));
-  }
-  int variable(const std::string& name, nc_type type, const std::vector<int>& dimensions,
-               const std::string& long_name, const std::string& units) const {
-    int id = 0;
-    require(late::nc_def_var(file_, name.c_str(), type, static_cast<int>(dimensions.size()),
-                             dimensions.data(), &id));
-    text(id, "long_name", long_name);
-    if (!units.empty()) text(id, "units", units);
-    return id;
+  int variable(const std::string& name, const std::vector<int>& dimensions, const std::string& long_name,
+               const std::string& units) const {
+    return file_.variable(name, NC_DOUBLE, dimensions, long_name, units);
   }
   /// Doubles that are written once all is defined.
   void keep(int id, std::vector<double> values) { doubles_.emplace_back(id, std::move(values)); }
@@ -61,63 +38,60 @@ class Writer {
   void define() {
     const sensor::ViewList& list = *record_.image.views;
     const auto& channels = record_.image.channels;
-    int view = 0, channel = 0, length = 0;
-    for (const auto& c : channels) name_length_ = std::max(name_length_, c.name.size());
-    require(late::nc_def_dim(file_, "view", values_.views, &view));
-    require(late::nc_def_dim(file_, "channel", values_.channels, &channel));
-    require(late::nc_def_dim(file_, "name_length", name_length_, &length));
-    text(NC_GLOBAL, "Conventions", "CF-1.8");
-    text(NC_GLOBAL, "title", format("synthetic {} of single views", values_.name));
-    text(NC_GLOBAL, "source",
-         format("ifov {}, document {}, seed {}, sampler {}", record_.identity.version,
-                record_.identity.document_path, record_.identity.seed, record_.identity.sampler));
+    for (const auto& c : channels) channel_names_.push_back(c.name);
+    const int view = file_.dimension("view", values_.views),
+              channel = file_.dimension("channel", values_.channels),
+              length = file_.dimension("name_length", name_length(channel_names_));
+    file_.text(NC_GLOBAL, "Conventions", "CF-1.8");
+    file_.text(NC_GLOBAL, "title", format("synthetic {} of single views", values_.name));
+    file_.text(NC_GLOBAL, "source",
+               format("ifov {}, document {}, seed {}, sampler {}", record_.identity.version,
+                      record_.identity.document_path, record_.identity.seed, record_.identity.sampler));
     if (!record_.outcome.accuracy_statement.empty())
-      text(NC_GLOBAL, "comment", record_.outcome.accuracy_statement);
+      file_.text(NC_GLOBAL, "comment", record_.outcome.accuracy_statement);
 
     std::vector<double> centres, widths;
     for (const auto& c : channels) centres.push_back(c.centre_um), widths.push_back(c.fwhm_um);
-    names_ = variable("channel_name", NC_CHAR, {channel, length}, "name of the channel", "");
-    const int wavelength = variable("wavelength", NC_DOUBLE, {channel}, "centre of the channel", "um");
-    text(wavelength, "standard_name", "radiation_wavelength");
+    names_ = file_.variable("channel_name", NC_CHAR, {channel, length}, "name of the channel", "");
+    const int wavelength = variable("wavelength", {channel}, "centre of the channel", "um");
+    file_.text(wavelength, "standard_name", "radiation_wavelength");
     keep(wavelength, std::move(centres));
-    keep(variable("fwhm", NC_DOUBLE, {channel}, "full width of the channel at half maximum", "um"),
-         std::move(widths));
+    keep(variable("fwhm", {channel}, "full width of the channel at half maximum", "um"), std::move(widths));
     for (std::size_t k = 0; k < list.columns.size(); ++k) {
       std::vector<double> column;
       for (std::size_t v = 0; v < values_.views; ++v) column.push_back(list.value(v, k));
-      keep(variable(list.columns[k].name, NC_DOUBLE, {view}, list.columns[k].name, list.columns[k].unit),
+      keep(variable(list.columns[k].name, {view}, list.columns[k].name, list.columns[k].unit),
            std::move(column));
     }
 
     const std::string unit = record_.image.radiance_unit, name = values_.name;
     const std::string interval =
         format("half-width of its {:g} % interval", 100.0 * record_.identity.confidence);
-    const int value = variable(name, NC_DOUBLE, {view, channel}, name, unit);
+    const int value = variable(name, {view, channel}, name, unit);
     keep(value, values_.value);
     std::string others;
     if (!values_.half_width.empty()) {
-      keep(variable("half_width", NC_DOUBLE, {view, channel}, interval, unit), values_.half_width);
+      keep(variable("half_width", {view, channel}, interval, unit), values_.half_width);
       others = "half_width";
     }
     if (!values_.standard_error.empty()) {
-      keep(variable("standard_error", NC_DOUBLE, {view, channel}, "standard error", unit),
-           values_.standard_error);
+      keep(variable("standard_error", {view, channel}, "standard error", unit), values_.standard_error);
       others += " standard_error";
     }
-    if (!others.empty()) text(value, "ancillary_variables", others);
+    if (!others.empty()) file_.text(value, "ancillary_variables", others);
     if (values_.has_reflectance) define_reflectance(view, channel, interval);
     if (!values_.albedo.empty()) define_albedo(channel, interval);
     if (!values_.sky_view.empty()) {
-      keep(variable("sky_view", NC_DOUBLE, {view}, "share of the sky that is seen, weighed by cosines", "1"),
+      keep(variable("sky_view", {view}, "share of the sky that is seen, weighed by cosines", "1"),
            values_.sky_view);
-      keep(variable("sky_view_half_width", NC_DOUBLE, {view}, interval, "1"), values_.sky_view_half_width);
+      keep(variable("sky_view_half_width", {view}, interval, "1"), values_.sky_view_half_width);
     }
     if (!values_.samples.empty())
-      keep(variable("samples", NC_DOUBLE, {view}, "samples that were taken", "1"), values_.samples);
+      keep(variable("samples", {view}, "samples that were taken", "1"), values_.samples);
     std::vector<double> converged;
     for (const float reason : values_.reasons) converged.push_back(reason == 0.0f ? 1.0 : 0.0);
     if (!converged.empty())
-      keep(variable("converged", NC_DOUBLE, {view}, "1 where the accuracy asked for was reached", "1"),
+      keep(variable("converged", {view}, "1 where the accuracy asked for was reached", "1"),
            std::move(converged));
   }
 
@@ -129,12 +103,11 @@ class Writer {
       if (!values_.half_width.empty())
         half_widths.push_back(scale * static_cast<double>(values_.half_width[i]));
     }
-    keep(variable("reflectance_factor", NC_DOUBLE, {view, channel},
+    keep(variable("reflectance_factor", {view, channel},
                   "radiance over that of a level white Lambertian surface in the same light", "1"),
          std::move(factors));
     if (!half_widths.empty())
-      keep(variable("reflectance_half_width", NC_DOUBLE, {view, channel}, interval, "1"),
-           std::move(half_widths));
+      keep(variable("reflectance_half_width", {view, channel}, interval, "1"), std::move(half_widths));
   }
 
   void define_albedo(int channel, const std::string& interval) {
@@ -144,27 +117,19 @@ class Writer {
       error.push_back(albedo.standard_error);
       half_width.push_back(albedo.half_width);
     }
-    const int id = variable("albedo", NC_DOUBLE, {channel},
-                            "mean reflectance factor over the hemisphere, weighed by cosines", "1");
-    text(id, "ancillary_variables", "albedo_half_width albedo_standard_error");
+    const int id =
+        variable("albedo", {channel}, "mean reflectance factor over the hemisphere, weighed by cosines", "1");
+    file_.text(id, "ancillary_variables", "albedo_half_width albedo_standard_error");
     keep(id, std::move(value));
-    keep(variable("albedo_half_width", NC_DOUBLE, {channel}, interval, "1"), std::move(half_width));
-    keep(variable("albedo_standard_error", NC_DOUBLE, {channel}, "standard error", "1"), std::move(error));
+    keep(variable("albedo_half_width", {channel}, interval, "1"), std::move(half_width));
+    keep(variable("albedo_standard_error", {channel}, "standard error", "1"), std::move(error));
   }
 
-  void fill() const {
-    std::string names;
-    for (const auto& c : record_.image.channels)
-      names += c.name + std::string(name_length_ - c.name.size(), '\0');
-    require(late::nc_put_var_text(file_, names_, names.c_str()));
-    for (const auto& [id, values] : doubles_) require(late::nc_put_var_double(file_, id, values.data()));
-  }
-
-  std::string path_;
+  NetcdfFile file_;
   const RunRecord& record_;
   const ViewValues& values_;
-  int file_ = -1, names_ = 0;
-  std::size_t name_length_ = 1;
+  int names_ = 0;
+  std::vector<std::string> channel_names_;
   std::vector<std::pair<int, std::vector<double>>> doubles_;
 };
 
