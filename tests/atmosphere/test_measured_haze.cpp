@@ -27,13 +27,8 @@ std::shared_ptr<const Particles> grey(double albedo, double asymmetry) {
 AtmosphereColumn with(const std::vector<ParticleLayer>& layers) {
   AtmosphereDescription description;
   description.aerosol.stratosphere = "none";
-  for (const ParticleLayer& layer : layers) {
-    const auto kept = std::make_shared<const ParticleLayer>(layer);
-    if (description.aerosol.own)
-      description.aerosol.more.push_back(kept);
-    else
-      description.aerosol.own = kept;
-  }
+  for (const ParticleLayer& layer : layers)
+    description.aerosol.own.push_back(std::make_shared<const ParticleLayer>(layer));
   return AtmosphereColumn(description);
 }
 

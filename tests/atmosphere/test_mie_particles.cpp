@@ -58,7 +58,7 @@ TEST(MieParticles, PolarizeAsTheyScatter) {
     ParticleLayer layer;
     layer.optical_depth = 0.01;
     layer.particles = std::move(particles);
-    description.aerosol.own = std::make_shared<const ParticleLayer>(layer);
+    description.aerosol.own = {std::make_shared<const ParticleLayer>(layer)};
     const AtmosphereColumn column(description);
     LayerOptics layers = column.at(1e4 / 0.55).scattering;
     layers.gas_absorption.assign(column.levels().layers(), 0.0);

@@ -36,7 +36,7 @@ ParticleLayer layer_of(double depth, std::shared_ptr<const Particles> of) {
 AtmosphereDescription with_haze(const ParticleLayer& layer) {
   AtmosphereDescription description;
   description.aerosol.stratosphere = "none";
-  description.aerosol.own = std::make_shared<const ParticleLayer>(layer);
+  description.aerosol.own = {std::make_shared<const ParticleLayer>(layer)};
   return description;
 }
 

@@ -43,7 +43,7 @@ AtmosphereColumn lossless(double haze, std::optional<double> depolarization = {}
         std::make_shared<const GivenParticles>(1.0, Spectrum::constant(1.0), Spectrum::constant(0.7));
     description.aerosol = {};
     description.aerosol.stratosphere = "none";
-    description.aerosol.own = std::make_shared<const ParticleLayer>(layer);
+    description.aerosol.own = {std::make_shared<const ParticleLayer>(layer)};
   }
   return AtmosphereColumn(description);
 }

@@ -74,7 +74,7 @@ class SingleViews(unittest.TestCase):
             self.assertAlmostEqual(row["reflectance_factor"], 0.3, delta=1e-6)
             self.assertAlmostEqual(row["radiance"], 0.3 * 1000.0 * math.cos(SUN_ZENITH) / math.pi, delta=1e-3)
             self.assertEqual(row["converged"], 1)
-        self.assertEqual({row["channel"] for row in rows}, {"red", "near; infrared"})
+        self.assertEqual({row["channel"] for row in rows}, {"red", "near, infrared"})
         done = self.run_program(document({"hemisphere": {"cells": 3, "size": ["10 m", "20 m"]}}, sky=50))
         self.assertIn("albedo of channel 'near, infrared': 0.3, half-width", done.stdout)
 

@@ -138,7 +138,7 @@ void AerosolColumn::add_haze(const AerosolDescription& description, const Profil
   const bool spring_summer = is_spring_summer(description.season, model);
   if (description.visibility_km && description.aot550)
     throw InputError("an aerosol has a visibility or an optical thickness at 550 nm, not both");
-  if (description.own && (description.visibility_km || description.aot550))
+  if (!description.own.empty() && (description.visibility_km || description.aot550))
     throw InputError(format("haze of one's own has an optical depth of its own, no {}",
                             description.aot550 ? "optical thickness at 550 nm" : "visibility"));
   const auto heights_at = [&](double visibility) {
@@ -158,7 +158,7 @@ void AerosolColumn::add_haze(const AerosolDescription& description, const Profil
   AerosolHeights heights = heights_at(visibility_km_);
   for (std::vector<double>& extinction : heights.extinction_km)
     for (double& value : extinction) value *= factor;
-  if (description.own) {
+  if (!description.own.empty()) {
     visibility_km_ = 0.0;
     for (const std::size_t region : {0, 1})
       std::fill_n(heights.extinction_km[region].begin(), heights.altitude_km.size(), 0.0);
@@ -178,8 +178,7 @@ void AerosolColumn::add_haze(const AerosolDescription& description, const Profil
                         std::make_shared<const TabulatedParticles>(name, humidity)});
   }
   constexpr double kThickest = 10.0;
-  if (description.own) add(*description.own, kThickest, profile.ground_km());
-  for (const std::shared_ptr<const ParticleLayer>& layer : description.more)
+  for (const std::shared_ptr<const ParticleLayer>& layer : description.own)
     add(*layer, kThickest, profile.ground_km());
 }
 

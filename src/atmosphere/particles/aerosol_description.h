@@ -11,9 +11,9 @@ namespace ifov::atmosphere {
 struct AerosolDescription {
   std::string type = "rural";  ///< of the lowest 2 km; "none": no aerosol at any height
   std::optional<double> visibility_km;
-  std::optional<double> aot550;                     ///< vertical optical thickness at 550 nm, all heights
-  std::shared_ptr<const struct ParticleLayer> own;  ///< in place of that of `type`, below 10 km
-  std::vector<std::shared_ptr<const struct ParticleLayer>> more = {};  ///< of a mixture, beside `own`
+  std::optional<double> aot550;  ///< vertical optical thickness at 550 nm, all heights
+  /// In place of that of `type`, below 10 km; of a mixture several.
+  std::vector<std::shared_ptr<const struct ParticleLayer>> own = {};
   std::string season;  ///< "spring-summer", "autumn-winter"; empty: that of the model atmosphere
   std::string stratosphere = "background";  ///< "none": no aerosol of the tables above 10 km
   /// Besides, whatever the type; with a base, a top and no scale height.

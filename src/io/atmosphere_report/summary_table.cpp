@@ -4,6 +4,7 @@
 
 #include "core/format.h"
 #include "io/atmosphere_report/atmosphere_report.h"
+#include "io/tables/text_table.h"
 
 namespace ifov::io {
 namespace {
@@ -110,14 +111,7 @@ std::string summary_csv(const SummaryTable& table) {
   }
   text += heading + "\n";
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
-    // Names of channels may hold what separates columns.
-    std::string name = table.rows[k];
-    if (name.find_first_of(",\"\n") != std::string::npos) {
-      for (std::size_t at = 0; (at = name.find('"', at)) != std::string::npos; at += 2)
-        name.insert(at, 1, '"');
-      name = '"' + name + '"';
-    }
-    text += name;
+    text += csv_field(table.rows[k]);
     for (const SummaryTable::Column& column : table.columns) text += format(",{:.7g}", column.values[k]);
     text += "\n";
   }

@@ -9,6 +9,7 @@
 #include "io/quantities/quality_quantities.h"
 #include "io/quantities/radiance_quantities.h"
 #include "io/quantities/sunlight_quantities.h"
+#include "io/tables/text_table.h"
 #include "sampling/quantiles.h"
 #include "sensor/view_list.h"
 
@@ -136,9 +137,8 @@ std::string view_csv(const RunRecord& record, const ViewValues& v) {
       text += format("{}", k);
       for (std::size_t column = 0; column < list.columns.size(); ++column)
         text += format(",{:.12g}", list.value(k, column));
-      std::string name = record.image.channels[c].name;
-      std::replace(name.begin(), name.end(), ',', ';');
-      text += format(",{},{:.9g},{:.9g}", name, record.image.channels[c].centre_um, v.value[i]);
+      text += format(",{},{:.9g},{:.9g}", csv_field(record.image.channels[c].name),
+                     record.image.channels[c].centre_um, v.value[i]);
       if (!v.half_width.empty()) text += format(",{:.6g}", v.half_width[i]);
       if (!v.standard_error.empty()) text += format(",{:.6g}", v.standard_error[i]);
       if (v.has_reflectance) text += format(",{:.9g}", scale * static_cast<double>(v.value[i]));

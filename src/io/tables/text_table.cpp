@@ -98,6 +98,13 @@ std::optional<double> number_in(std::string_view text) {
   return value;
 }
 
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
 bool is_comment(std::string_view line) {
   const std::size_t first = line.find_first_not_of(kBlanks);
   return first != std::string_view::npos &&

@@ -55,6 +55,9 @@ char separator_of(std::string_view line);
 /// The number that is the whole of a text, if it is one and finite.
 std::optional<double> number_in(std::string_view text);
 
+/// A text as a field of comma-separated values: in quotes where it holds what separates (RFC 4180).
+std::string csv_field(std::string_view text);
+
 bool is_comment(std::string_view line);  ///< starts with #, ; or //
 bool is_blank(std::string_view line);
 std::string lower_case(std::string_view text);

@@ -123,14 +123,8 @@ std::string statement_of(const io::OwnHazeDocument& haze) {
 atmosphere::AerosolDescription assemble_aerosol(const io::DocumentSources& sources,
                                                 const io::AerosolDocument& written) {
   atmosphere::AerosolDescription description = written.tables;
-  if (written.own) description.own = layer_of(sources, *written.own);
-  for (const io::OwnHazeDocument& part : written.mixture) {
-    const auto layer = layer_of(sources, part);
-    if (description.own)
-      description.more.push_back(layer);
-    else
-      description.own = layer;
-  }
+  if (written.own) description.own.push_back(layer_of(sources, *written.own));
+  for (const io::OwnHazeDocument& part : written.mixture) description.own.push_back(layer_of(sources, part));
   return description;
 }
 
