@@ -1,6 +1,7 @@
 """Runs in folders: stopped, gone on with, shared, refined, and looked at meanwhile."""
 
 import pathlib
+import time
 import unittest
 
 import numpy as np
@@ -19,6 +20,7 @@ class Runs(scenes.InFolder):
         """A run that ends after some tiles."""
 
         def stop(progress):
+            time.sleep(0.025)  # progress is told 50 times a second at most, and each of these tiles is to be
             if progress.pixels_done >= tiles * 64:
                 raise Stop
 
