@@ -98,7 +98,7 @@ TEST(AccuracyUneven, NarrowPenumbraeBesideLevelGroundAreRight) {
 
 TEST(AccuracyUneven, PlantedFaultOtherLabelsTellHowTheyVary) {
   const Judged sum = judge(SamplerOf<OtherLabelsTell>(), false);
-  EXPECT_GT(sum.off, 0.09 * sum.converged);
+  EXPECT_GT(sum.off, 0.12 * sum.converged);
   EXPECT_GT(sum.far_off, 0.03 * sum.converged);
 }
 

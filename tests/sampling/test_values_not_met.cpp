@@ -44,8 +44,8 @@ TEST(ValuesNotMet, ArePartOfTheInterval) {
       far_off += error > 1.5 * static_cast<double>(result.half_width[p]);
     }
   }
-  EXPECT_LT(off, 0.05 * pixels);
-  EXPECT_LE(far_off, 0.0075 * pixels);
+  EXPECT_LT(off, 0.035 * pixels);
+  EXPECT_LE(far_off, 0.004 * pixels);
 }
 
 // Small patches of one label, far apart, with bright specks: the few values about a patch often agree by chance, and those
@@ -96,7 +96,7 @@ TEST(ValuesNotMet, PatchesFarOffTellWhatFewValuesHide) {
 /// each pixel: with a label of their own, too few and small for the lattice. Random rays and values of the first channel, in which the
 /// ground varies, meet one here and there, and the pixel's model is given up for values drawn afresh, none of which may meet one.
 int sure_of_ground(std::unique_ptr<PixelSampler> (*sampler)(const AccuracyOptions&)) {
-  constexpr int kSide = 8, kScenes = 12;
+  constexpr int kSide = 8, kScenes = 48;
   constexpr double kRadius_px = 0.02, kTruth = kLevel * (1.0 - 4.0 * M_PI * kRadius_px * kRadius_px);
   int found = 0;
   for (std::uint64_t seed = 0; seed < kScenes; ++seed) {
@@ -129,8 +129,8 @@ int sure_of_ground(std::unique_ptr<PixelSampler> (*sampler)(const AccuracyOption
 }
 
 TEST(ValuesNotMet, WhatIsKnownOfClutterIsNotForgotten) {
-  EXPECT_LE(sure_of_ground(make_sampler<AccuracySampler>), 3);  // of 768
-  EXPECT_GT(sure_of_ground(make_sampler<SamplerOf<Forgetful>>), 15);
+  EXPECT_LE(sure_of_ground(make_sampler<AccuracySampler>), 12);  // of 3,072
+  EXPECT_GT(sure_of_ground(make_sampler<SamplerOf<Forgetful>>), 60);
 }
 
 /// Even ground with one speck a pixel, of the same label and 400 times as bright, of which the field tells.

@@ -22,7 +22,9 @@ namespace {
 
 /// Planned rounds aim a little beyond the limit, because variances are estimates: further where few degrees of freedom tell them,
 /// as many would else end where theirs happen to be estimated smallest.
-constexpr double kMargin = 1.3, kUnsureMargin = 1.6;
+constexpr double kMargin = 1.2, kUnsureMargin = 1.6;
+/// The same again where a pilot alone has told.
+constexpr double kFromPilot = 1.41;
 /// Of what a stratum's outputs want each as if it were alone, so much at least, and so much more than there is.
 constexpr double kLeastShare = 0.3, kMostShare = 2.0, kLeastGrowth = 1.2;
 /// What sequences of paths gain, before their replicates have told.
@@ -212,13 +214,12 @@ bool RoundPlanner::plan_stratum(Radiance& radiance, const LeafIntegrator& integr
     radiance.nets().plan(want.pixel, want.stratum, size);
     return true;
   }
-  if (stratum.rounds.size() >= 2) {
-    if (mostly_met(own, unmet)) wanted = StratumEstimates::with_trend(stratum, steering_, wanted);
-    wanted = std::min(wanted, kGrowth * have);
-  } else if (have > 0.0) {
-    wanted = std::min(wanted, kFirstGrowth * have);
-  }
-  double more = std::lerp(kUnsureMargin, kMargin, std::min(1.0, want.freedom / kSure)) * wanted - have;
+  const bool pilot = stratum.rounds.size() < 2;
+  if (!pilot && mostly_met(own, unmet)) wanted = StratumEstimates::with_trend(stratum, steering_, wanted);
+  const double margin = std::lerp(kUnsureMargin, kMargin, std::min(1.0, want.freedom / kSure)) *
+                        (pilot && !want.hope ? kFromPilot : 1.0);
+  double more = margin * wanted - have;
+  if (have > 0.0) more = std::min(more, ((pilot ? kFirstGrowth : kGrowth) * kMargin - 1.0) * have);
   if (have == 0.0)
     more = std::min(std::max(more, kFewest), std::max(kFewest, kPilot * pixel.model.area[want.stratum]));
   radiance.rounds().plan(want.pixel, want.stratum, std::min(std::max(more, kFewest), room));
