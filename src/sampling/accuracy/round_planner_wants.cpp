@@ -25,6 +25,8 @@ namespace {
 constexpr double kMargin = 1.2, kUnsureMargin = 1.6;
 /// The same again where a pilot alone has told.
 constexpr double kFromPilot = 1.41;
+/// Variances fall as values' number to minus this where their sequences are seen to gain so much.
+constexpr double kSequenceFall = 2.0, kGains = 0.9;
 /// Of what a stratum's outputs want each as if it were alone, so much at least, and so much more than there is.
 constexpr double kLeastShare = 0.3, kMostShare = 2.0, kLeastGrowth = 1.2;
 /// What sequences of paths gain, before their replicates have told.
@@ -123,6 +125,7 @@ void RoundPlanner::find_wants(const Radiance& radiance, const LeafIntegrator& in
           if (alone <= want.wanted) continue;
           want.wanted = alone;
           want.freedom = sum.path[d].degrees_of_freedom();
+          want.gain = sum.gain[d];
         }
       }
       wants_.push_back(want);
@@ -216,6 +219,7 @@ bool RoundPlanner::plan_stratum(Radiance& radiance, const LeafIntegrator& integr
   }
   const bool pilot = stratum.rounds.size() < 2;
   if (!pilot && mostly_met(own, unmet)) wanted = StratumEstimates::with_trend(stratum, steering_, wanted);
+  if (!pilot && want.gain < kGains) wanted = have * std::pow(wanted / have, 1.0 / kSequenceFall);
   const double margin = std::lerp(kUnsureMargin, kMargin, std::min(1.0, want.freedom / kSure)) *
                         (pilot && !want.hope ? kFromPilot : 1.0);
   double more = margin * wanted - have;
