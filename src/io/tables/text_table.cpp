@@ -98,6 +98,24 @@ std::optional<double> number_in(std::string_view text) {
   return value;
 }
 
+double number_of(const TextFile& file, int line, const Field& field, const ColumnRange& column) {
+  const std::optional<double> value = number_in(field.text);
+  if (!value)
+    file.fail(line, field.column, format("found '{}' as '{}'; expected a number", field.text, column.name));
+  if (!(*value >= column.lowest && *value <= column.highest))
+    file.fail(line, field.column,
+              format("found {} as '{}'; expected {:g} to {:g}", field.text, column.name, column.lowest,
+                     column.highest));
+  return *value;
+}
+
+std::vector<Field> row_of(const TextFile& file, int line, std::size_t expected) {
+  std::vector<Field> fields = split(file.line(line), ',');
+  if (fields.size() != expected)
+    file.fail(line, 0, format("found {} values; expected {}, as the heading has", fields.size(), expected));
+  return fields;
+}
+
 std::string csv_field(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
   std::string quoted = "\"";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -54,6 +55,17 @@ char separator_of(std::string_view line);
 
 /// The number that is the whole of a text, if it is one and finite.
 std::optional<double> number_in(std::string_view text);
+
+/// What a column of a table may hold.
+struct ColumnRange {
+  std::string_view name;
+  double lowest, highest;
+};
+/// The number of a field; fails where it is none or out of the column's range.
+double number_of(const TextFile& file, int line, const Field& field, const ColumnRange& column);
+
+/// The fields of a line, which are to be as many as those of the heading.
+std::vector<Field> row_of(const TextFile& file, int line, std::size_t expected);
 
 /// A text as a field of comma-separated values: in quotes where it holds what separates (RFC 4180).
 std::string csv_field(std::string_view text);

@@ -1,7 +1,6 @@
 #include "io/document/cameras/jitter_table.h"
 
 #include <array>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -52,26 +51,17 @@ JitterSpectra read_jitter_table(const std::filesystem::path& path) {
       columns = read_spectrum_heading(file, line);
       continue;
     }
-    const std::vector<Field> fields = split(file.line(line), ',');
-    if (fields.size() != columns.size())
-      file.fail(line, 0,
-                format("found {} values; expected {}, as the heading has", fields.size(), columns.size()));
+    const std::vector<Field> fields = row_of(file, line, columns.size());
     for (std::size_t k = 0; k < fields.size(); ++k) {
       const std::string_view name = kSpectrumColumns[columns[k]];
       std::vector<double>& column = values[columns[k]];
-      const std::optional<double> value = number_in(fields[k].text);
-      if (!value)
-        file.fail(line, fields[k].column,
-                  format("found '{}' as '{}'; expected a number", fields[k].text, name));
       const double highest = columns[k] == 0 ? 1e5 : 1.0;
-      if (!(*value >= 0.0 && *value <= highest))
-        file.fail(line, fields[k].column,
-                  format("found {} as '{}'; expected 0 to {:g}", fields[k].text, name, highest));
-      if (columns[k] == 0 && !column.empty() && !(*value > column.back()))
+      const double value = number_of(file, line, fields[k], {name, 0.0, highest});
+      if (columns[k] == 0 && !column.empty() && !(value > column.back()))
         file.fail(line, fields[k].column,
                   format("found the frequency {:g} Hz after {:g} Hz; expected frequencies that increase",
-                         *value, column.back()));
-      column.push_back(*value);
+                         value, column.back()));
+      column.push_back(value);
     }
   }
   if (columns.empty()) file.fail(0, 0, "found an empty file; expected a table of power densities");

@@ -86,23 +86,12 @@ Heading read_heading(const TextFile& file, int line, PathFrame frame) {
 }
 
 PathRow read_row(const TextFile& file, int line, const Heading& heading) {
-  const std::vector<Field> fields = split(file.line(line), ',');
-  if (fields.size() != heading.columns.size())
-    file.fail(
-        line, 0,
-        format("found {} values; expected {}, as the heading has", fields.size(), heading.columns.size()));
+  const std::vector<Field> fields = row_of(file, line, heading.columns.size());
   PathRow row;
   for (std::size_t k = 0; k < fields.size(); ++k) {
     const Column& column = *heading.columns[k];
-    const std::optional<double> value = number_in(fields[k].text);
-    if (!value)
-      file.fail(line, fields[k].column,
-                format("found '{}' as '{}'; expected a number", fields[k].text, column.name));
-    if (!(*value >= column.lowest && *value <= column.highest))
-      file.fail(line, fields[k].column,
-                format("found {} as '{}'; expected {:g} to {:g}", fields[k].text, column.name, column.lowest,
-                       column.highest));
-    *column.of(row) = *value * column.scale;
+    *column.of(row) =
+        number_of(file, line, fields[k], {column.name, column.lowest, column.highest}) * column.scale;
   }
   if (heading.attitude == PathRows::Attitude::quaternions) {
     constexpr double kOff = 1e-6;

@@ -46,25 +46,15 @@ std::vector<double> read_view_table(const std::filesystem::path& path, std::span
       order = read_heading(file, line, columns);
       continue;
     }
-    const std::vector<Field> fields = split(file.line(line), ',');
-    if (fields.size() != order->size())
-      file.fail(line, 0,
-                format("found {} values; expected {}, as the heading has", fields.size(), order->size()));
+    const std::vector<Field> fields = row_of(file, line, order->size());
     if (values.size() >= kMostViews * columns.size())
       file.fail(line, 0, format("found more than {} rows; expected at most that", kMostViews));
     const std::size_t first = values.size();
     for (const ViewColumn& column : columns) values.push_back(column.otherwise * column.scale);
     for (std::size_t k = 0; k < fields.size(); ++k) {
       const ViewColumn& column = columns[(*order)[k]];
-      const std::optional<double> value = number_in(fields[k].text);
-      if (!value)
-        file.fail(line, fields[k].column,
-                  format("found '{}' as '{}'; expected a number", fields[k].text, column.name));
-      if (!(*value >= column.lowest && *value <= column.highest))
-        file.fail(line, fields[k].column,
-                  format("found {} as '{}'; expected {:g} to {:g}", fields[k].text, column.name,
-                         column.lowest, column.highest));
-      values[first + (*order)[k]] = *value * column.scale;
+      values[first + (*order)[k]] =
+          number_of(file, line, fields[k], {column.name, column.lowest, column.highest}) * column.scale;
     }
   }
   if (!order) file.fail(0, 0, "found an empty file; expected a table of views");
