@@ -15,10 +15,12 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tools" / "deb"))
 import manual  # noqa: E402
+import policy  # noqa: E402
 
 
 def done(*command, **more):
@@ -44,9 +46,12 @@ def stage_program(build, usr):
     completion.parent.mkdir(parents=True)
     completion.write_text(manual.completion(program), encoding="utf-8")
     documents = usr / "share/doc/ifov"
-    licence, notice = (documents / name for name in ("LICENSE", "NOTICE"))
-    (documents / "copyright").write_text(licence.read_text(encoding="utf-8") + "\n" + notice.read_text(encoding="utf-8"), encoding="utf-8")
-    zipped(documents / "changelog.gz", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"))
+    (documents / "copyright").write_text(policy.copyright_file((documents / "NOTICE").read_text(encoding="utf-8")), encoding="utf-8")
+    zipped(documents / "changelog.gz", policy.changelog(version(), seconds()))
+    zipped(documents / "CHANGELOG.md.gz", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"))
+    overrides = usr / "share/lintian/overrides/ifov"
+    overrides.parent.mkdir(parents=True)
+    overrides.write_text(policy.overrides(), encoding="utf-8")
     for book in ("guide", "formats", "images", "notebooks"):
         shutil.copytree(ROOT / "docs" / book, documents / book)
     shutil.copytree(ROOT / "examples", documents / "examples")
@@ -64,14 +69,18 @@ def stage_python(build, usr):
     (to / information.name / "INSTALLER").write_text("debian\n", encoding="utf-8")
 
 
-def date():
-    """Of the last change, so that the same sources make the same package."""
-    if seconds := os.environ.get("SOURCE_DATE_EPOCH"):
-        return done("date", "-u", "-d", f"@{seconds}", "+%Y-%m-%d").strip()
+def seconds():
+    """Since 1970, of the last change, so that the same sources make the same package."""
+    if given := os.environ.get("SOURCE_DATE_EPOCH"):
+        return int(given)
     try:
-        return done("git", "-C", ROOT, "log", "-1", "--format=%cs").strip()
+        return int(done("git", "-C", ROOT, "log", "-1", "--format=%ct"))
     except (OSError, subprocess.CalledProcessError):
-        return done("date", "-u", "+%Y-%m-%d").strip()
+        return int(time.time())
+
+
+def date():
+    return time.strftime("%Y-%m-%d", time.gmtime(seconds()))
 
 
 def needed_libraries(files, build):
@@ -123,7 +132,7 @@ def control(build, root, with_python):
         "Package": "ifov",
         "Version": version(),
         "Architecture": done("dpkg", "--print-architecture").strip(),
-        "Maintainer": "The ifov authors <ifov@localhost>",
+        "Maintainer": policy.maintainer(),
         "Installed-Size": str(size),
         "Depends": ", ".join(depends),
         "Suggests": "python3-matplotlib, python3-netcdf4, python3-rasterio, python3-tqdm, python3-zarr, bash-completion",
@@ -147,6 +156,7 @@ def make(build, to, with_python=True, compression="xz"):
     if with_python:
         stage_python(build, root / "usr")
     (root / "DEBIAN/control").write_text(control(build, root, with_python), encoding="utf-8")
+    (root / "DEBIAN/shlibs").write_text(policy.shared_libraries(version()), encoding="utf-8")
     (root / "DEBIAN/triggers").write_text("activate-noawait ldconfig\n", encoding="utf-8")
     files = sorted(file for file in (root / "usr").rglob("*") if file.is_file() and not file.is_symlink())
     sums = "".join(f"{hashlib.md5(file.read_bytes()).hexdigest()}  {file.relative_to(root)}\n" for file in files)

@@ -2,6 +2,16 @@
 import {app, ask, complain} from "/api.js";
 import {$, make} from "/tools.js";
 
+// The line that another screen points to.
+function aim() {
+  const row = app.line && $("listing").querySelectorAll(":scope > div")[app.line - 1];
+  if (!row) return;
+  for (const other of $("listing").querySelectorAll(".aim")) other.classList.remove("aim");
+  row.classList.add("aim");
+  row.scrollIntoView({block: "center"});
+  app.line = 0;
+}
+
 let settled = false, loading = false;
 
 async function load() {
@@ -24,6 +34,7 @@ async function load() {
       return m ? [row, make("p", {}, m.text)] : [row];
     }));
     if (first) first.scrollIntoView({block: "center"});
+    aim();
     settled = checked;
     if (!checked) setTimeout(() => { loading = false; load(); }, 700);
   } catch (error) {
@@ -33,4 +44,5 @@ async function load() {
   loading = false;
 }
 app.on("screen-document", load);
+app.on("line", aim);
 app.on("runs", () => { if (!app.document) { settled = false; if (!$("screen-document").hidden) load(); } });

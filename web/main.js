@@ -4,10 +4,11 @@ import {$} from "/tools.js";
 import "/image.js";
 import "/spectra.js";
 import "/scatter.js";
+import "/scene.js";
 import "/run.js";
 import "/document.js";
 
-const screens = ["image", "scatter", "run", "document"];
+const screens = ["image", "scatter", "scene", "run", "document"];
 let chosen = "", opened = false;
 
 function choose(name) {
@@ -54,7 +55,8 @@ async function look() {
     app.sources = said.sources;
     app.document = said.document;
     if (!app.colours) { app.colours = await ask("colours"); app.tell("colours"); }
-    const faults = said.sources.map(s => s.fault).filter(Boolean).join("; ");
+    // That a document has no products yet is what one expects.
+    const faults = said.sources.filter(s => !said.document || s.run || s.watch).map(s => s.fault).filter(Boolean).join("; ");
     if (faults !== notices) { notices = faults; $("notice").textContent = faults; }
     $("title").textContent = said.sources.map((s, k) => `${said.sources.length > 1 ? "AB"[k] + ": " : ""}${s.folder}`).join("   ") || "view";
     document.title = `${$("title").textContent} \u2013 ifov view`;
@@ -67,7 +69,8 @@ async function look() {
     }
     const has = said.sources.some(s => s.run), works = said.sources.some(s => s.watch);
     $("tab-image").disabled = $("tab-scatter").disabled = !has;
-    if (!opened) choose(has && !works ? "image" : works ? "run" : said.document ? "document" : "run");
+    $("tab-scene").disabled = !said.document;
+    if (!opened) choose(has && !works ? "image" : works ? "run" : said.document ? "scene" : "run");
     if (has && !works) wait = 3000;
   } catch (error) { complain(error); wait = 3000; }
   timer = setTimeout(look, wait);

@@ -42,7 +42,7 @@ Command add_view_command(CLI::App& app) {
   auto arguments = std::make_shared<ViewArguments>();
   CLI::App* parser = app.add_subcommand(
       "view",
-      "Look at products, at a run at work or at a document in the browser: image, spectra, scatter plots");
+      "Look at products, at a run at work or at a document in the browser: image, spectra, scatter plots, scene");
   parser
       ->add_option("WHAT", arguments->what,
                    "A folder of products or of a run at work, two of them to compare, or a document (JSON)")

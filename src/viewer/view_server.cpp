@@ -19,6 +19,7 @@
 #include "viewer/http/guard.h"
 #include "viewer/page.h"
 #include "viewer/sources/open_run.h"
+#include "viewer/sources/scene_source.h"
 
 extern char** environ;
 
@@ -49,6 +50,12 @@ std::string address_of(const ViewOptions& options) {
                "whether a request is meant for it",
                options.address));
   return options.address;
+}
+
+/// Of the document that is shown; null where none is.
+std::unique_ptr<SceneSource> scene_of(const ViewOptions& options, const CheckedDocument* document) {
+  if (document == nullptr) return nullptr;
+  return std::make_unique<SceneSource>(options.what.front(), options.set);
 }
 
 std::unique_ptr<CheckedDocument> document_of(const ViewOptions& options) {
@@ -90,12 +97,13 @@ struct ViewServer::Inside {
   BoundedServer server;
   std::filesystem::path handed_over;
 
-  Inside(const ViewOptions& options, std::unique_ptr<CheckedDocument> document)
+  Inside(const ViewOptions& options, std::unique_ptr<CheckedDocument> document,
+         std::unique_ptr<SceneSource> scene)
       : token(token_of(options)),
         address(address_of(options)),
         call(current_call()),
         guard(token, address),
-        answers(folders_of(options, document.get()), std::move(document)),
+        answers(folders_of(options, document.get()), std::move(document), std::move(scene)),
         server(address, options.port,
                [this](const BoundedServer::Request& request) { return reply(request); }) {}
 
@@ -111,7 +119,8 @@ struct ViewServer::Inside {
       std::map<std::string, std::string> values;
       request.each_value(
           [&](const std::string& name, const std::string& value) { values.emplace(name, value); });
-      Answer answer = answers.answer(request.path.substr(kApi.size()), Query(std::move(values)));
+      Answer answer =
+          answers.answer(request.path.substr(kApi.size()), Query(std::move(values), request.nobody_waits));
       return {200, std::move(answer.type), std::move(answer.body), std::move(answer.about)};
     } catch (const Refused& refused) {
       return refusal(refused.status(), refused.what());
@@ -127,8 +136,11 @@ struct ViewServer::Inside {
   }
 };
 
-ViewServer::ViewServer(const ViewOptions& options)
-    : inside_(std::make_unique<Inside>(options, document_of(options))) {}
+ViewServer::ViewServer(const ViewOptions& options) {
+  std::unique_ptr<CheckedDocument> document = document_of(options);
+  std::unique_ptr<SceneSource> scene = scene_of(options, document.get());
+  inside_ = std::make_unique<Inside>(options, std::move(document), std::move(scene));
+}
 
 ViewServer::~ViewServer() {
   if (inside_->handed_over.empty()) return;

@@ -15,6 +15,7 @@ BUILD = pathlib.Path(os.environ.get("IFOV_BUILD", ROOT / "build")).resolve()
 sys.path.insert(0, str(ROOT / "tools"))
 import make_deb  # noqa: E402  (finds manual beside it)
 import manual  # noqa: E402
+import policy  # noqa: E402
 
 HAS_PYTHON = any((BUILD / "venv").glob("lib/python3.*/site-packages/ifov/_ifov.*"))
 
@@ -49,8 +50,9 @@ class Package(unittest.TestCase):
         wanted |= {f"usr/lib/cmake/ifov/ifov{name}.cmake" for name in ("Config", "ConfigVersion", "Targets")}
         wanted |= {f"usr/include/ifov/{header.name}" for header in (ROOT / "include/ifov").glob("*.h")}
         wanted |= {f"usr/share/man/man1/ifov-{command}.1.gz" for command in manual.commands(BUILD / "ifov")}
-        wanted |= {f"usr/share/doc/ifov/{name}" for name in ("copyright", "changelog.gz", "LICENSE", "NOTICE", "guide/python.md")}
-        wanted |= {f"DEBIAN/{name}" for name in ("control", "md5sums", "triggers")}
+        wanted |= {f"usr/share/doc/ifov/{name}" for name in ("copyright", "changelog.gz", "CHANGELOG.md.gz", "LICENSE", "NOTICE", "guide/python.md")}
+        wanted |= {f"DEBIAN/{name}" for name in ("control", "md5sums", "shlibs", "triggers")}
+        wanted.add("usr/share/lintian/overrides/ifov")
         if HAS_PYTHON:
             wanted |= {f"usr/lib/python3/dist-packages/ifov/{file.name}" for file in (ROOT / "python/ifov").iterdir() if file.is_file()}
         self.assertEqual(wanted - self.files, set())
@@ -78,6 +80,34 @@ class Package(unittest.TestCase):
             self.assertRegex(needs, rf"(^|, ){package}(,|$)")
         self.assertEqual("python3-xarray" in needs, HAS_PYTHON)
         self.assertNotIn("-dev", needs)
+
+    def test_lintian_finds_nothing(self):
+        """But that a package made at home has no address to write to, where DEBEMAIL gives none."""
+        if not shutil.which("lintian"):
+            self.skipTest("lintian is not installed")
+        done = subprocess.run(["lintian", "--allow-root", "--tag-display-limit", "0", self.package], capture_output=True, text=True, check=False)
+        # The package of this test is not compressed.
+        found = [line for line in done.stdout.splitlines() if re.match(r"[EW]: ", line) and not re.search("bogus-mail-host|uses-no-compression", line)]
+        self.assertEqual(found, [], done.stderr)
+        # Without the list of what is so on purpose it is found: they are looked for.
+        own = subprocess.run(["lintian", "--allow-root", "--no-override", self.package], capture_output=True, text=True, check=False).stdout
+        for tag in policy.ON_PURPOSE:
+            self.assertIn(f" {tag} ", own)
+
+    def test_licence_changes_and_library(self):
+        read = lambda name: (self.root / "usr/share/doc/ifov" / name).read_bytes()
+        licence = read("copyright").decode()
+        self.assertIn("/usr/share/common-licenses/Apache-2.0", licence)
+        for line in (ROOT / "NOTICE").read_text(encoding="utf-8").splitlines():
+            self.assertIn(line, licence)
+        self.assertEqual(gzip.decompress(read("CHANGELOG.md.gz")).decode(), (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"))
+        parsed = subprocess.run(["dpkg-parsechangelog", "-l", "-"], input=gzip.decompress(read("changelog.gz")), capture_output=True, check=False) \
+            if shutil.which("dpkg-parsechangelog") else None
+        if parsed:
+            self.assertEqual((parsed.returncode, parsed.stderr), (0, b""))
+            self.assertIn(f"Version: {make_deb.version()}", parsed.stdout.decode())
+        soname = re.search(r"SONAME.*\[libifov\.so\.(.*)\]", subprocess.run(["readelf", "-dW", self.root / "usr/lib/libifov.so"], capture_output=True, text=True).stdout)
+        self.assertEqual((self.root / "DEBIAN/shlibs").read_text().split()[:2], ["libifov", soname.group(1)])
 
     def test_sums(self):
         subprocess.run(["md5sum", "--quiet", "--check", "DEBIAN/md5sums"], cwd=self.root, check=True)

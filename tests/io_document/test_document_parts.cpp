@@ -137,6 +137,24 @@ TEST_F(DocumentParts, OverridesReplaceWholeValues) {
             6.0);
 }
 
+TEST_F(DocumentParts, OverridesTakeItemsOfListsAway) {
+  const Document whole = read(kBase), rest = read(kBase, {"scene.objects[0]=null"});
+  ASSERT_EQ(whole.scene.objects.size(), 2u);
+  ASSERT_EQ(rest.scene.objects.size(), 1u);
+  EXPECT_EQ(rest.scene.objects[0].position.line, whole.scene.objects[1].position.line);
+  // Numbers go on counting what was written.
+  EXPECT_TRUE(is_primitive(
+      read(kBase, {"scene.objects[0]=null", "scene.objects[1]={\"plane\": {}, \"material\": \"wall\"}"})
+          .scene.objects[0]
+          .shape,
+      PlanePrimitive::kModel));
+  EXPECT_EQ(message(kBase, {"scene.objects[0]=null", "scene.objects[2]=null"}),
+            "--set scene.objects[2]: 'scene.objects' has 2 items, counted from 0");
+  EXPECT_NE(message(kBase, {"scene.objects[0]=null", "scene.objects[1].material=none such"})
+                .find("there is no material 'none such'"),
+            std::string::npos);
+}
+
 TEST_F(DocumentParts, WrongOverridesAreErrors) {
   EXPECT_EQ(
       message(kBase, {"sensor.camera.orthographic.gsd=7"}).substr(0, 107),

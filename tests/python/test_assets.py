@@ -1,5 +1,6 @@
 """Arrays in place of files give what the files give."""
 
+import json
 import pathlib
 import unittest
 
@@ -26,8 +27,6 @@ class Assets(scenes.InFolder):
 
     def both(self, document, assets):
         """The same with files, and with assets, whose names have 'asset:' before them."""
-        import json
-
         text = json.dumps(document)
         files = json.loads(text)
         for name in assets:
@@ -78,6 +77,65 @@ class Assets(scenes.InFolder):
         document = self.with_object({"instances": {"of": "tree", "csv": "trees.csv"}})
         document["scene"]["prototypes"] = {"tree": [{"sphere": {"center": ["0 m"] * 3, "radius": "0.4 m"}, "material": "ball"}]}
         self.both(document, {"trees.csv": ifov.Copies([[-1, 0.5, 0.4], [1.2, -0.7, 0.4]], scale=[1, 1.5])})
+
+    #: West, south and side of the cells of rasters that lie on the ground.
+    PLACE = (-3.0, -2.0, 0.5)
+
+    def grid(self, name, values):
+        """A raster on the ground as a file, an ESRI ASCII grid, and as the asset that stands for it."""
+        west, south, side = self.PLACE
+        rows, columns = values.shape
+        head = f"ncols {columns}\nnrows {rows}\nxllcorner {west}\nyllcorner {south}\ncellsize {side}\nNODATA_value -9999\n"
+        text = head + "\n".join(" ".join(repr(float(v)) for v in row) for row in values) + "\n"
+        pathlib.Path(name).write_text(text, encoding="ascii")
+        return {name: ifov.Raster(values, (west, side, 0.0, south + side * rows, 0.0, -side), nodata=-9999)}
+
+    def on_ground(self, ground, name, values, **materials):
+        """With files and assets alike, and not as where the raster holds other numbers, nor as without one."""
+        document = scenes.small()
+        document["scene"]["materials"].update(materials)
+        plain = self.render(document)
+        if "objects" in ground:
+            document["scene"]["objects"] = ground["objects"]
+        else:
+            document["scene"]["materials"]["ground"] = ground
+        made = self.grid(name, values)
+        self.both(document, made)
+        text = json.loads(json.dumps(document).replace(f'"{name}"', f'"asset:{name}"'))
+        first = self.render(text, made)
+        # In one channel at least.
+        self.assertGreater(float((np.abs(first - plain).max(axis=(1, 2)) / plain.max(axis=(1, 2))).max()), 0.02)
+        other = {name: ifov.Raster(values[::-1, ::-1].copy(), made[name].geotransform, nodata=-9999)}
+        self.assertFalse(np.array_equal(first, self.render(text, other)))
+
+    def test_a_texture(self):
+        values = np.fromfunction(lambda row, column: 40 * row + 7 * column, (8, 12))
+        image = {"file": "lawn.asc", "from": "0.6 um", "to": "0.7 um"}
+        ground = {"reflectance": [0.1, 0.3, 0.5, 0.7], "temperature": "20 degC", "texture": {"images": [image]}}
+        self.on_ground(ground, "lawn.asc", values)
+        # Of several bands, by texture coordinates, and as an array with no place.
+        pair = np.stack([values.T, values.T[::-1]])
+        image |= {"by": "texture coordinates", "band": 2}
+        document = self.with_object({"polygon": {"vertices": [["-3 m", "-2 m", "1 m"], ["3 m", "-2 m", "1 m"], ["3 m", "2 m", "1 m"], ["-3 m", "2 m", "1 m"]]},
+                                     "material": "ball"}, ball=ground)
+        image["file"] = "asset:pair"
+        second = self.render(document, {"pair": pair})
+        image["band"] = 1
+        np.testing.assert_array_equal(second, self.render(document, {"pair": pair[1]}))
+        self.assertFalse(np.array_equal(second, self.render(document, {"pair": pair})))
+        with self.assertRaisesRegex(ifov.DocumentError, "all cells of the image hold the same number"):
+            self.render(document, {"pair": np.ones((4, 4))})
+
+    def test_relief_temperatures_classes_and_holes(self):
+        waves = np.fromfunction(lambda row, column: 0.2 * np.sin(row) + 0.1 * column, (8, 12))
+        plain = {"reflectance": 0.3, "temperature": "20 degC"}
+        self.on_ground(plain | {"relief": {"heights": {"file": "waves.asc", "unit": "1 m"}}}, "waves.asc", waves)
+        self.on_ground(plain | {"temperature": {"map": {"file": "warm.asc", "unit": "K"}}}, "warm.asc", 300 + 20 * waves)
+        chosen = {"map": {"file": "classes.asc", "classes": {"1": "ground", "2": "snow"}}}
+        self.on_ground({"objects": [{"plane": {}, "material": chosen}]}, "classes.asc", 1.0 + (waves > waves.mean()), snow=plain | {"reflectance": 0.9})
+        fence = {"polygon": {"vertices": [["-3 m", "-2 m", "1 m"], ["3 m", "-2 m", "1 m"], ["3 m", "2 m", "1 m"], ["-3 m", "2 m", "1 m"]]}, "material": "mesh"}
+        self.on_ground({"objects": [{"plane": {}, "material": "ground"}, fence]}, "holes.asc", 255.0 * (waves > waves.mean()),
+                       mesh=plain | {"reflectance": 0.8, "opacity": {"file": "holes.asc", "cutoff": 128}})
 
     def test_errors_name_the_asset(self):
         document = self.with_object({"mesh": {"file": "asset:roof"}, "material": "ball"})

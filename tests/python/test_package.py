@@ -8,6 +8,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
 
 import scenes
@@ -87,8 +88,36 @@ class Typed(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
 
+    def test_stubtest(self):
+        """Properties, enumerations and what the modules in Python have; what it cannot know of nanobind's is listed with reasons."""
+        if importlib.util.find_spec("mypy") is None:
+            self.skipTest("mypy is not installed")
+        done = subprocess.run(
+            [sys.executable, "-m", "mypy.stubtest", "ifov", "--allowlist", scenes.ROOT / "python" / "stubtest_allowlist.txt",
+             "--mypy-config-file", scenes.ROOT / "pyproject.toml"],
+            cwd=tempfile.gettempdir(),
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_the_stub_has_the_arguments_that_there_are(self):
+        """Else tools/make_stub.sh has to be run again."""
+        if importlib.util.find_spec("nanobind") is None:
+            self.skipTest("nanobind is not installed")
+        with tempfile.TemporaryDirectory() as folder:
+            made = pathlib.Path(folder) / "made.pyi"
+            subprocess.run([sys.executable, "-m", "nanobind.stubgen", "-q", "-m", "ifov._ifov", "-o", made], cwd=folder, check=True)
+            there = _arguments_of(made.read_text(encoding="utf-8"))
+        stub = (PACKAGE / "_ifov.pyi").read_text(encoding="utf-8")
+        self.assertIn(("Simulation.cast", ["self", "origins", "directions", "threads"], ["0"]), there)
+        self.assertEqual(_arguments_of(stub), there)
+        self.assertNotEqual(_arguments_of(stub.replace("ground: float, ", "")), there)
+        self.assertNotEqual(_arguments_of(stub.replace("threads: int = 0", "threads: int = 1")), there)
+
     def test_the_stub_names_what_there_is(self):
-        """Else tools/make_stub.sh has to be run again. (stubtest takes nanobind's functions for none.)"""
+        """Else tools/make_stub.sh has to be run again. (In stubtest this is allowed for: it takes nanobind's functions for none.)"""
         stub = {}
         for item in ast.parse((PACKAGE / "_ifov.pyi").read_text(encoding="utf-8")).body:
             if isinstance(item, ast.ClassDef):
@@ -102,6 +131,19 @@ class Typed(unittest.TestCase):
             if not name.startswith("_")
         }
         self.assertEqual(there, stub)
+
+
+def _arguments_of(stub):
+    """Name, arguments and defaults of each function and method of a stub."""
+    found = []
+    for item in ast.parse(stub).body:
+        functions = item.body if isinstance(item, ast.ClassDef) else [item]
+        for one in functions:
+            if isinstance(one, ast.FunctionDef):
+                name = f"{item.name}.{one.name}" if one is not item else one.name
+                arguments = [*one.args.posonlyargs, *one.args.args, *one.args.kwonlyargs]
+                found.append((name, [argument.arg for argument in arguments], [ast.unparse(default) for default in one.args.defaults]))
+    return found
 
 
 def _names_of(body):

@@ -1,88 +1,32 @@
-"""The viewer's page in a real browser: Debian's chromium with chromium-driver and python3-selenium; skipped where they are missing.
+"""The viewer's page in a real browser (browsing.py)."""
 
-With IFOV_SCREENSHOTS=FOLDER in the environment a picture of every screen is left there, to be looked at."""
-
-import json
 import math
-import os
-import pathlib
-import shutil
 import subprocess
 import time
-import unittest
 
+from browsing import ActionChains, By, InBrowser, Keys, Select
 from viewing import LONG, PROGRAM, Scratch, Viewer, write_products
 
-try:
-    from selenium import webdriver
-    from selenium.webdriver.chrome.service import Service
-    from selenium.webdriver.common.action_chains import ActionChains
-    from selenium.webdriver.common.by import By
-    from selenium.webdriver.common.keys import Keys
-    from selenium.webdriver.support.ui import Select
-except ImportError:
-    webdriver = None
-
-BROWSER, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
-MISSING = ("python3-selenium is not installed" if webdriver is None else "chromium is not installed" if not BROWSER
-           else "chromium-driver is not installed" if not DRIVER else "")
-SHOTS = os.environ.get("IFOV_SCREENSHOTS")
 EVIL = '<img src=x onerror=document.title="broken">'
 
 
-def start_browser(profile):
-    options = webdriver.ChromeOptions()
-    for flag in ("--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1440,900", "--force-color-profile=srgb", f"--user-data-dir={profile}",
-                 "--no-first-run", "--disable-background-networking", "--disable-dev-shm-usage"):
-        options.add_argument(flag)
-    options.binary_location = BROWSER
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-    return webdriver.Chrome(service=Service(DRIVER), options=options)
-
-
-@unittest.skipIf(MISSING, MISSING)
-class Page(unittest.TestCase):
+class Page(InBrowser):
     @classmethod
     def setUpClass(cls):
-        cls.scratch = Scratch()
-        cls.folder = cls.scratch.__enter__()
+        super().setUpClass()
         write_products(cls.folder / "a", label=EVIL)
         write_products(cls.folder / "b", label=EVIL)
         cls.viewer = Viewer(cls.folder / "a", cls.folder / "b", "--no-browser")
-        cls.browser = start_browser(cls.folder / "profile")
 
     @classmethod
     def tearDownClass(cls):
-        cls.browser.quit()
         cls.viewer.end()
-        cls.scratch.__exit__()
+        super().tearDownClass()
 
     def setUp(self):
         self.browser.get("about:blank")
         self.browser.get(self.viewer.url)
         self.wait(lambda: self.find("spectrum").find_elements(By.CLASS_NAME, "curve"))
-
-    def tearDown(self):
-        wrong = [entry["message"] for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"]
-        self.assertEqual(wrong, [])
-        self.assertNotIn("broken", self.browser.title)
-
-    def find(self, name):
-        return self.browser.find_element(By.ID, name)
-
-    def wait(self, what, seconds=20):
-        until = time.monotonic() + seconds
-        while time.monotonic() < until:
-            found = what()
-            if found:
-                return found
-            time.sleep(0.05)
-        self.fail("it never came: " + self.find("notice").text)
-
-    def shot(self, name):
-        if SHOTS:
-            time.sleep(0.4)
-            self.browser.save_screenshot(str(pathlib.Path(SHOTS) / f"{name}.png"))
 
     def colour_at(self, canvas, x, y):
         """Of a pixel of the image, where it is drawn in a canvas that shows all 24 x 16 of them."""
@@ -202,35 +146,12 @@ class Page(unittest.TestCase):
         self.wait(lambda: int(self.find("cloud").get_attribute("data-drawn")) > before + 5)
         self.find("spin").click()
 
-    def test_names_for_those_who_do_not_see(self):
-        """What an accessibility checker asks first: names of controls, one main, headings, no positive tab index, contrast."""
-        for screen in ("image", "scatter", "run", "document"):
-            self.find(f"tab-{screen}").click()
-            nameless = self.browser.execute_script(
-                "return [...document.querySelectorAll('button, input, select, canvas, svg, [role]')].filter(e => e.offsetParent && !(e.closest('svg') && e.tagName !== 'svg')"
-                " && !(e.getAttribute('aria-label') || e.getAttribute('aria-labelledby') || (e.labels && e.labels.length) || e.textContent.trim()"
-                " || ['notice', 'screen-image'].includes(e.id) || e.getAttribute('aria-hidden'))).map(e => e.id || e.outerHTML)")
-            self.assertEqual(nameless, [], screen)
-        self.assertEqual(self.browser.execute_script("return document.querySelectorAll('[tabindex]:not([tabindex=\"0\"]):not([tabindex=\"-1\"])').length"), 0)
-        ids = self.browser.execute_script("return [...document.querySelectorAll('[id]')].map(e => e.id)")
-        self.assertEqual(len(ids), len(set(ids)))
-        for name in ("light", "dark"):
-            low = self.browser.execute_script("""
-                document.documentElement.dataset.theme = arguments[0];
-                const style = getComputedStyle(document.documentElement), get = v => { const e = document.createElement('i'); e.style.color = `var(${v})`; document.body.append(e);
-                    const c = getComputedStyle(e).color.match(/[\\d.]+/g).map(Number); e.remove(); return c; };
-                const light = c => { const [r, g, b] = c.map(v => (v /= 255) <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4); return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
-                const ratio = (a, b) => { const [x, y] = [light(get(a)), light(get(b))]; return (Math.max(x, y) + 0.05) / (Math.min(x, y) + 0.05); };
-                return [['--ink', '--paper'], ['--soft', '--paper'], ['--soft', '--wash'], ['--on', '--accent'], ['--warn', '--paper'], ['--bad', '--paper']]
-                    .map(([a, b]) => [a, b, ratio(a, b)]).filter(r => r[2] < 4.5);""", name)
-            self.assertEqual(low, [], name)
-        self.find("tab-image").send_keys(Keys.ARROW_RIGHT)
-        self.wait(lambda: self.browser.switch_to.active_element.get_attribute("id") in ("tab-scatter",))
-
     def test_documents_and_reasons(self):
         (self.folder / "scene.json").write_text('{\n  "ifov": 1,\n  "scene": {"objects": [{"plane": {}, "material": "' + EVIL.replace('"', "'") + '"}]},\n  "sensor": {}\n}\n')
         with Viewer(self.folder / "scene.json", "--no-browser") as viewer:
             self.browser.get(viewer.url)
+            self.wait(lambda: self.find("scene-wrong").is_displayed())
+            self.find("tab-document").click()
             self.wait(lambda: self.find("messages").find_elements(By.CLASS_NAME, "error"))
             self.assertTrue(self.find("listing").find_elements(By.CLASS_NAME, "wrong"))
             self.shot("document")

@@ -15,7 +15,7 @@ struct DocumentOverride {
   };
   std::vector<Step> steps;  ///< from the document's root, at least one
   std::string path;         ///< as written
-  std::string value;  ///< JSON, or what is read as a JSON text where it is none; null takes the key away
+  std::string value;  ///< JSON, or what is read as a JSON text where it is none; null takes key or item away
 };
 
 /// Throws InputError, which quotes `written` and says how it is written.

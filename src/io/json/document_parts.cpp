@@ -74,6 +74,12 @@ class NodeMerger {
     return chosen;
   }
 
+  /// Whether the last of the overrides of a member or item says so.
+  static bool is_taken_away(const std::vector<Override>& inner, std::size_t depth) {
+    return !inner.empty() && inner.back().what->steps.size() == depth + 1 &&
+           inner.back().value->type_ == Type::null;
+  }
+
   static void fill_items(DocumentNode& node, const DocumentNode& from, const std::vector<Override>& overrides,
                          std::size_t depth) {
     const std::size_t count = from.children_.size();
@@ -83,10 +89,12 @@ class NodeMerger {
                                 count, count == 1 ? "" : "s"));
     node.children_.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
+      const std::vector<Override> inner = within(overrides, depth, {}, i);
+      if (is_taken_away(inner, depth)) continue;
       DocumentNode& child = node.children_.emplace_back(DocumentNode());
       child.parent_ = &node;
       child.index_ = i;
-      fill(child, {&from.children_[i]}, within(overrides, depth, {}, i), depth + 1);
+      fill(child, {&from.children_[i]}, inner, depth + 1);
     }
   }
 
@@ -110,10 +118,8 @@ class NodeMerger {
     for (const auto& [key, list] : members) {
       if (node.parent_ == nullptr && key == "include") continue;
       const std::vector<Override> inner = within(overrides, depth, key, 0);
-      const bool taken_away = !inner.empty() && inner.back().what->steps.size() == depth + 1 &&
-                              inner.back().value->type_ == Type::null;
       const bool null = inner.empty() && layers.size() > 1 && list.front()->type_ == Type::null;
-      if (taken_away || null) continue;
+      if (is_taken_away(inner, depth) || null) continue;
       DocumentNode& child = node.children_.emplace_back(DocumentNode());
       child.parent_ = &node;
       child.key_ = key;

@@ -13,8 +13,9 @@ namespace ifov::io {
 /// A document with what it includes and what the command line puts in place of its values.
 ///
 /// Objects are put together key by key; of anything else the including document's value counts, and a null there takes
-/// the key away. An override comes last and replaces the whole value. Values keep the place where they were written, so
-/// messages name the right file and paths are relative to the file that names them.
+/// the key away. An override comes last and replaces the whole value; a null takes the key or the list's item away, and
+/// numbers go on counting items as they were written. Values keep the place where they were written, so messages name the
+/// right file and paths are relative to the file that names them.
 struct DocumentParts {
   std::vector<std::shared_ptr<const DocumentSource>> sources;  ///< the document, what it includes, overrides
   std::vector<std::string> included;                           ///< the files, as found

@@ -26,7 +26,8 @@ class DocumentNode {
   const std::string& key() const { return key_; }  ///< as written; empty in lists and at the root
   /// What find() knows it by: the key, or its present name where it was written under a former one.
   std::string_view name() const { return present_name_.empty() ? std::string_view(key_) : present_name_; }
-  std::string path() const;  ///< "scene.objects[2].sphere.radius"; empty at the root
+  std::size_t index() const { return index_; }  ///< in a list, as that was written
+  std::string path() const;                     ///< "scene.objects[2].sphere.radius"; empty at the root
   const DocumentSource& source() const { return *source_; }
 
   /// Typed values; the caller has looked at type(), and another type is a bug (std::logic_error).

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
 
 #include "core/error.h"
 #include "core/names.h"
@@ -29,6 +30,17 @@ int Query::integer(const std::string& name, int low, int high) const {
 
 int Query::integer(const std::string& name, int low, int high, int otherwise) const {
   return has(name) ? integer(name, low, high) : otherwise;
+}
+
+double Query::number(const std::string& name, double low, double high) const {
+  const std::string& text = value(name);
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number) || number < low ||
+      number > high)
+    throw Refused(400, format("'{}' is '{}'; expected a number from {:g} to {:g}", name, text.substr(0, 40),
+                              low, high));
+  return number;
 }
 
 std::string Query::text(const std::string& name, std::size_t most) const {

@@ -13,21 +13,29 @@ namespace ifov::viewer {
 /// What a request asks for beside its path: names and values as they came. All is checked where it is taken.
 class Query {
  public:
-  explicit Query(std::map<std::string, std::string> values) : values_(std::move(values)) {}
+  /// `nobody_waits` may be empty: somebody does.
+  explicit Query(std::map<std::string, std::string> values, std::function<bool()> nobody_waits = {})
+      : values_(std::move(values)), nobody_waits_(std::move(nobody_waits)) {}
 
   /// A whole number in [low, high]. Throws Refused (400), which says what was found and expected; so do the others.
   int integer(const std::string& name, int low, int high) const;
   int integer(const std::string& name, int low, int high, int otherwise) const;
+  /// A number in [low, high], written in decimals.
+  double number(const std::string& name, double low, double high) const;
   /// At most `most` bytes.
   std::string text(const std::string& name, std::size_t most) const;
   /// One of these.
   std::string choice(const std::string& name, std::span<const std::string_view> choices) const;
   bool has(const std::string& name) const { return values_.contains(name); }
 
+  /// Whether the client has gone, or the server ends: work for this answer may stop. Costs microseconds; from any thread.
+  bool nobody_waits() const { return nobody_waits_ && nobody_waits_(); }
+
  private:
   const std::string& value(const std::string& name) const;
 
   std::map<std::string, std::string> values_;
+  std::function<bool()> nobody_waits_;
 };
 
 struct Answer {

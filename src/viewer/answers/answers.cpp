@@ -5,6 +5,7 @@
 #include "io/json/json_writer.h"
 #include "viewer/sources/open_run.h"
 #include "viewer/sources/run_watch.h"
+#include "viewer/sources/scene_source.h"
 
 namespace ifov::viewer {
 namespace {
@@ -16,11 +17,19 @@ struct Row {
 };
 
 constexpr Row kRows[] = {
-    {"sources", &Answers::sources, false},      {"band", &Answers::band, true},
-    {"pixel", &Answers::pixel, false},          {"region", &Answers::region, true},
-    {"projection", &Answers::projection, true}, {"tile", &Answers::tile, true},
-    {"document", &Answers::document, false},    {"materials", &Answers::materials, false},
-    {"colours", &Answers::colours, false},      {"stop", &Answers::stop, false},
+    {"sources", &Answers::sources, false},
+    {"band", &Answers::band, true},
+    {"pixel", &Answers::pixel, false},
+    {"region", &Answers::region, true},
+    {"projection", &Answers::projection, true},
+    {"tile", &Answers::tile, true},
+    {"document", &Answers::document, false},
+    {"materials", &Answers::materials, false},
+    {"colours", &Answers::colours, false},
+    {"stop", &Answers::stop, false},
+    {"scene", &Answers::scene, false},
+    {"look", &Answers::look, false},
+    {"pick", &Answers::pick, false},
 };
 
 const Row* row_of(std::string_view name) {
@@ -29,34 +38,23 @@ const Row* row_of(std::string_view name) {
   return nullptr;
 }
 
-/// A turn among the answers that take much memory.
-class Turn {
- public:
-  Turn(std::counting_semaphore<2>& turns, bool is_needed) : turns_(is_needed ? &turns : nullptr) {
-    if (turns_ != nullptr) turns_->acquire();
-  }
-  ~Turn() {
-    if (turns_ != nullptr) turns_->release();
-  }
-  Turn(const Turn&) = delete;
-  Turn& operator=(const Turn&) = delete;
-
- private:
-  std::counting_semaphore<2>* turns_;
-};
-
 }  // namespace
 
-Answers::Answers(std::vector<std::filesystem::path> folders, std::unique_ptr<CheckedDocument> document)
-    : document_(std::move(document)) {
+Answers::Answers(std::vector<std::filesystem::path> folders, std::unique_ptr<CheckedDocument> document,
+                 std::unique_ptr<SceneSource> scene)
+    : document_(std::move(document)), scene_(std::move(scene)) {
   for (std::filesystem::path& folder : folders)
     sources_.push_back(std::make_unique<Source>(std::move(folder)));
 }
 
+Answers::~Answers() = default;
+
 Answer Answers::answer(std::string_view name, const Query& query) {
   const Row* row = row_of(name);
   if (row == nullptr) throw Refused(404, "there is no such thing");
-  const Turn turn(large_, row->is_large);
+  if (!row->is_large) return (this->*row->answer)(query);
+  large_.acquire();
+  const Turn turn(large_);
   return (this->*row->answer)(query);
 }
 

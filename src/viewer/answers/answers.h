@@ -10,13 +10,21 @@
 #include "viewer/answers/answer.h"
 #include "viewer/sources/source.h"
 
+namespace ifov::session {
+class SceneModel;
+}
+
 namespace ifov::viewer {
+
+class SceneSource;
 
 /// What the page may ask for, each under a name of a table. Knows nothing of HTTP. From any thread.
 class Answers {
  public:
-  /// `document` may be null.
-  Answers(std::vector<std::filesystem::path> folders, std::unique_ptr<CheckedDocument> document);
+  /// `document` and its `scene` may be null.
+  Answers(std::vector<std::filesystem::path> folders, std::unique_ptr<CheckedDocument> document,
+          std::unique_ptr<SceneSource> scene);
+  ~Answers();
 
   /// Throws Refused; InputError and SystemError as readers do.
   Answer answer(std::string_view name, const Query& query);
@@ -36,15 +44,35 @@ class Answers {
   Answer document(const Query& query);
   Answer materials(const Query& query);
   Answer colours(const Query& query);
+  Answer scene(const Query& query);
+  Answer look(const Query& query);
+  Answer pick(const Query& query);
 
  private:
   Source& source(const Query& query);
   /// The run of the generation that is asked for; 409 where there is another by now.
   std::shared_ptr<const OpenRun> run(const Query& query);
 
+  SceneSource& scene_source();
+  std::shared_ptr<const session::SceneModel> scene_model();
+
+  /// A turn that was taken, given back at the end.
+  template <class Turns>
+  struct Turn {
+    explicit Turn(Turns& taken) : turns(&taken) {}
+    ~Turn() {
+      if (turns != nullptr) turns->release();
+    }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+    Turns* turns;
+  };
+
   std::vector<std::unique_ptr<Source>> sources_;
   std::unique_ptr<CheckedDocument> document_;
+  std::unique_ptr<SceneSource> scene_;
   std::counting_semaphore<2> large_{2};  ///< what takes much memory waits for its turn
+  std::counting_semaphore<1> rays_{1};   ///< so do pictures of the scene
 };
 
 /// At most so many values in one answer.

@@ -130,6 +130,14 @@ class Tasks final : public httplib::TaskQueue {
   bool closing_ = false;
 };
 
+/// The connection that this thread answers.
+thread_local socket_t connection = INVALID_SOCKET;
+
+bool has_gone(socket_t socket) {
+  pollfd polled{socket, POLLRDHUP, 0};
+  return poll(&polled, 1, 0) > 0 && (polled.revents & (POLLRDHUP | POLLHUP | POLLERR | POLLNVAL)) != 0;
+}
+
 /// httplib's, but each connection is read through a BoundedStream.
 class Server final : public httplib::Server {
  public:
@@ -139,6 +147,7 @@ class Server final : public httplib::Server {
   bool process_and_close_socket(socket_t socket) override {
     const int no_delay = 1;
     setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &no_delay, sizeof no_delay);
+    connection = socket;
     bool closed = false;
     for (int k = 0; k < kMostRequests && !closed; ++k) {
       if (!wait_for(socket, POLLIN, Clock::now() + kIdle, stopping)) break;
@@ -171,13 +180,15 @@ struct BoundedServer::Inside {
   Handler handler;
 
   void answer(const httplib::Request& asked, httplib::Response& response) const {
+    const socket_t asking = connection;
     const Request request{{asked.method, asked.get_header_value("Host"), asked.get_header_value("Origin"),
                            asked.get_header_value("Sec-Fetch-Site"), asked.get_header_value("X-Ifov-Token"),
                            static_cast<int>(asked.get_header_value_count("Host"))},
                           asked.path,
                           [&](const auto& take) {
                             for (const auto& [name, value] : asked.params) take(name, value);
-                          }};
+                          },
+                          [this, asking] { return server.stopping || has_gone(asking); }};
     // A reply in thousands of overlapping parts would be a cheap way to a large one.
     const Reply reply = asked.has_header("Range") ? Reply{400, "text/plain", "parts are not given out", {}}
                                                   : handler(request);

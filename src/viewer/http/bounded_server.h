@@ -26,6 +26,8 @@ class BoundedServer {
     /// Calls with every name and value of the query.
     std::function<void(const std::function<void(const std::string& name, const std::string& value)>&)>
         each_value;
+    /// Whether the client has closed the connection, or the server stops. From any thread while the request is answered.
+    std::function<bool()> nobody_waits;
   };
   /// From several threads; throws nothing.
   using Handler = std::function<Reply(const Request&)>;

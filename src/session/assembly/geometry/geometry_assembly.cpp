@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/call_scope.h"
 #include "geometry/world.h"
 #include "geometry/world/world_builder.h"
 #include "io/instances/instance_csv.h"
@@ -69,14 +70,18 @@ class GeometryAssembly {
         cache_(cache),
         shapes_(sources, frame, builder_, cache, log, assignments.any_medium()) {}
 
-  std::unique_ptr<geometry::World> assemble(std::span<const PlacedLamp> lamps, PlacedObjects& placed) {
+  std::unique_ptr<geometry::World> assemble(std::span<const PlacedLamp> lamps, PlacedObjects& placed,
+                                            ProgressSink* progress) {
     const math::Transform scene_from_document = math::Transform::translation(-frame_.document_offset_m());
     for (const io::ObjectDocument& object : objects_) {
+      stop_if_cancelled();
+      tell(progress, static_cast<std::size_t>(&object - objects_.data()));
       placed.begin(builder_.object_count());
       with_position(sources_, object.position, [&] { place(object, scene_from_document); });
     }
     placed.end(builder_.object_count());
     place_lamps(lamps);
+    tell(progress, objects_.size());
     geometry::BuildOptions options;
     options.surveyed = assignments_.mirrors();
     options.lobes = assignments_.lobes();
@@ -85,6 +90,16 @@ class GeometryAssembly {
   }
 
  private:
+  /// Which object is next; their number: all are placed.
+  void tell(ProgressSink* progress, std::size_t next) const {
+    if (progress == nullptr) return;
+    progress->phase(next < objects_.size() ? title_of(objects_, next) : "the trees that rays go through");
+    Progress now;
+    now.pixels_done = static_cast<std::int64_t>(next),
+    now.pixels_total = static_cast<std::int64_t>(objects_.size());
+    progress->report(now);
+  }
+
   void place(const io::ObjectDocument& object, const math::Transform& scene_from_document) {
     const math::Transform scene_from_object = scene_from_document * transform_of(object.transform);
     if (const io::DocumentName* of = copied_by(object)) {
@@ -267,10 +282,10 @@ std::unique_ptr<geometry::World> assemble_geometry(const io::DocumentSources& so
                                                    std::span<const io::PrototypeDocument> prototypes,
                                                    AssignmentAssembly& assignments,
                                                    std::span<const PlacedLamp> lamps, const MapFrame& frame,
-                                                   LogSink* log, io::SceneCache* cache,
-                                                   PlacedObjects& placed) {
+                                                   LogSink* log, io::SceneCache* cache, PlacedObjects& placed,
+                                                   ProgressSink* progress) {
   return GeometryAssembly(sources, objects, prototypes, assignments, frame, log, cache)
-      .assemble(lamps, placed);
+      .assemble(lamps, placed, progress);
 }
 
 }  // namespace ifov::session

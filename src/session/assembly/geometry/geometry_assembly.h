@@ -23,14 +23,14 @@ class MapFrame;
 struct PlacedLamp;
 
 /// A document's objects, and the prototypes that they are copies of, and then the lamps, about the scene's origin; what covers
-/// them is asked of `assignments`. Meshes and lists are kept in `cache` from run to run; it and `log` may be null.
+/// them is asked of `assignments`. Meshes and lists are kept in `cache` from run to run; it, `log` and `progress`, which is told of objects in place of pixels, may be null.
 /// Throws InputError with the place in the document. `placed` takes down which of its objects stand for which of the document's.
 std::unique_ptr<geometry::World> assemble_geometry(const io::DocumentSources& sources,
                                                    std::span<const io::ObjectDocument> objects,
                                                    std::span<const io::PrototypeDocument> prototypes,
                                                    AssignmentAssembly& assignments,
                                                    std::span<const PlacedLamp> lamps, const MapFrame& frame,
-                                                   LogSink* log, io::SceneCache* cache,
-                                                   PlacedObjects& placed);
+                                                   LogSink* log, io::SceneCache* cache, PlacedObjects& placed,
+                                                   ProgressSink* progress = nullptr);
 
 }  // namespace ifov::session

@@ -28,7 +28,7 @@ std::string scene_statement(const geometry::World& world) {
 
 AssembledScene assemble_scene(const io::DocumentSources& sources, const io::SceneDocument& written,
                               std::span<const io::LampDocument> lamps, std::uint64_t seed, LogSink* log,
-                              io::SceneCache* cache) {
+                              io::SceneCache* cache, ProgressSink* progress) {
   AssembledScene assembled;
   scene::Scene& scene = assembled.scene;
   const MapFrame frame(sources, written.origin);
@@ -36,7 +36,7 @@ AssembledScene assemble_scene(const io::DocumentSources& sources, const io::Scen
   AssignmentAssembly assignments(sources, written.materials, seed, frame, scene, log);
   const std::vector<PlacedLamp> placed = assemble_lamps(sources, lamps, frame, scene);
   scene.world = assemble_geometry(sources, written.objects, written.prototypes, assignments, placed, frame,
-                                  log, cache, assembled.placed);
+                                  log, cache, assembled.placed, progress);
   assembled.map_scales = assignments.map_scales();
   assembled.colour_guesses = assignments.colour_guesses();
   if (written.periodic) {

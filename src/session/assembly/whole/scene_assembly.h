@@ -28,11 +28,11 @@ struct AssembledScene {
   PlacedObjects placed;
   math::Vec3 map_offset_m;  ///< map coordinates of the scene's origin
 };
-/// Builds what a document's scene consists of: reads its meshes, maps and spectra, and lists the maps that lie on it by
-/// place. `seed` as of TextureAssembly; `log` and `cache` may be null.
+/// Builds what a document's scene consists of: reads its meshes, maps and spectra, lists the maps on it by place. `seed` as
+/// of TextureAssembly; `log`, `cache` and `progress` (of objects in place of pixels) may be null.
 AssembledScene assemble_scene(const io::DocumentSources& sources, const io::SceneDocument& written,
                               std::span<const io::LampDocument> lamps, std::uint64_t seed, LogSink* log,
-                              io::SceneCache* cache = nullptr);
+                              io::SceneCache* cache = nullptr, ProgressSink* progress = nullptr);
 
 /// One line for people: what stands in the scene and how it is kept.
 std::string scene_statement(const geometry::World& world);
