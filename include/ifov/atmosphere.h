@@ -21,10 +21,13 @@ struct AtmosphereQuestion {
   std::optional<Direction> sun = {}, view = {};
   bool night = false;  ///< no Sun
   std::optional<double> sensor_altitude_km = {};
+  std::filesystem::path gas_model =
+      {};  ///< in place of the document's (docs/formats/gas_model.md); empty: as it says
   double ground_reflectance = 0.0;  ///< of AtmosphereEffects::OverGround, 0 to 1
-  bool spectrum = false;            ///< at the band model's resolution over the range of the sensor
-  bool sky = false;                 ///< the whole sky in one channel
-  std::string sky_channel = {};     ///< empty: the one next to 0.45 um by day, to 10 um without a Sun
+  bool spectrum =
+      false;  ///< at the resolution of the band model, or of the gas model's bins, over the range of the sensor
+  bool sky = false;              ///< the whole sky in one channel
+  std::string sky_channel = {};  ///< empty: the one next to 0.45 um by day, to 10 um without a Sun
   int threads = 0;
   const CancelToken* cancel = nullptr;
   ProgressSink* progress = nullptr;

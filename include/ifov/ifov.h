@@ -16,6 +16,7 @@
 #include "ifov/detect.h"
 #include "ifov/document.h"
 #include "ifov/error.h"
+#include "ifov/gas_model.h"
 #include "ifov/materials.h"
 #include "ifov/outcome.h"
 #include "ifov/products.h"

@@ -21,7 +21,7 @@ constexpr double kLowestSun_deg = 96.0, kLowestView_deg = 80.0;
 
 struct AtmosphereArguments {
   DocumentArguments input;
-  std::string document, plot, csv, sky, sun, view, channel, invert, stem, summary;
+  std::string document, plot, csv, sky, sun, view, channel, invert, stem, summary, gases;
   std::optional<double> altitude_km, ground;
   int threads = 0;
   bool quiet = false, wants_plot = false, resolved = false;
@@ -90,6 +90,7 @@ ExitCode survey(const AtmosphereArguments& arguments) {
     question.sun = direction("--sun", arguments.sun, kLowestSun_deg);
   if (!arguments.view.empty()) question.view = direction("--view", arguments.view, kLowestView_deg);
   question.sensor_altitude_km = arguments.altitude_km;
+  question.gas_model = arguments.gases;
   if (arguments.ground) {
     if (!(*arguments.ground >= 0.0 && *arguments.ground <= 1.0))
       throw InputError(format("ifov: --ground is {:g}, expected a reflectance of 0 to 1", *arguments.ground));
@@ -180,6 +181,10 @@ Command add_atmosphere_command(CLI::App& app) {
   parser->add_option("--altitude", arguments->altitude_km, "Of the sensor instead, above mean sea level")
       ->type_name("KM");
   parser
+      ->add_option("--gases", arguments->gases,
+                   "Terms of gases in place of the built-in bands, from a file as 'ifov gases' makes it")
+      ->type_name("FILE");
+  parser
       ->add_option("--channel", arguments->channel,
                    "Whose sky is shown (default: the one next to 0.45 um, at night 10 um)")
       ->type_name("NAME");
@@ -194,8 +199,8 @@ Command add_atmosphere_command(CLI::App& app) {
                    "NAME of the NAME_reflectance.img that --invert writes (default: beside the cube)")
       ->type_name("NAME")
       ->needs(invert_option);
-  for (const char* other :
-       {"--plot", "--csv", "--sky", "--sun", "--view", "--altitude", "--channel", "--summary", "--ground"})
+  for (const char* other : {"--plot", "--csv", "--sky", "--sun", "--view", "--altitude", "--channel",
+                            "--summary", "--ground", "--gases"})
     invert_option->excludes(parser->get_option(other));
   add_inputs_below(*parser);
   parser->add_option("-j,--threads", arguments->threads, "Threads; 0 takes all cores")
@@ -221,6 +226,7 @@ Command add_atmosphere_command(CLI::App& app) {
       "  ifov atmosphere scene.json --sun 70,120 --view 30,300 --altitude 3 --csv air.csv\n"
       "  ifov atmosphere scene.json --ground 0.3 --summary air.nc\n"
       "  ifov atmosphere scene.json --sky sky.csv --channel blue\n"
+      "  ifov atmosphere scene.json --gases swir.gases --csv fine.csv\n"
       "  ifov atmosphere scene.json --sun none\n"
       "  ifov atmosphere scene.json --invert scene.out");
   return {parser, [arguments, plot] {

@@ -12,6 +12,8 @@ Command add_detect_command(CLI::App& app);
 Command add_view_command(CLI::App& app);
 /// `ifov sensor`: what follows of a document's sensor before a ray is cast.
 Command add_sensor_command(CLI::App& app);
+/// `ifov gases`: terms of gases from spectra line by line.
+Command add_gases_command(CLI::App& app);
 /// `ifov sensors`: instruments whose channels documents take by name.
 Command add_sensors_command(CLI::App& app);
 

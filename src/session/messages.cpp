@@ -121,6 +121,11 @@ std::vector<std::string> notes(const Parts& parts) {
     lines.push_back(atmosphere_error_note(parts.air));
     const auto& modelled = parts.document.atmosphere.modelled;
     lines.push_back(model_error_note(parts.air, parts.channels, modelled && !modelled->clouds.empty()));
+    if (modelled && modelled->gas_model)
+      lines.push_back(format(
+          "gas model: '{}', in place of the built-in bands of its gases in the channels within its range; what its terms are "
+          "off by, as it says, is part of the air's error, and the error of the model of the air is that of the bands",
+          modelled->gas_model->path));
     const std::string haze =
         modelled && modelled->aerosol ? haze_statement(*modelled->aerosol) : std::string();
     if (!haze.empty())

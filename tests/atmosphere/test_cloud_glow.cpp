@@ -45,7 +45,7 @@ Glow by_all_terms(const AtmosphereColumn& column, const radiometry::Channel& cha
   Glow sum;
   const Levels& levels = column.levels();
   for (const ChannelBin& bin : channel_bins(channel, radiometry::solar_irradiance_1au())) {
-    const ColumnOptics optics = column.at(bin.bin * kBinStep_cm1);
+    const ColumnOptics optics = column.at(bin.wavenumber_cm1);
     std::vector<double> planck;
     for (const double kelvin : levels.temperature_K)
       planck.push_back(radiometry::planck_w_m2_sr_um(bin.wavelength_um, kelvin));

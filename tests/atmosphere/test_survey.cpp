@@ -138,7 +138,7 @@ TEST(AtmosphereSurvey, StepsAreAsWideAsTheBandModelResolves) {
       EXPECT_NEAR(steps[k].response.first_um(), steps[k - 1].response.last_um(), 1e-9);
     }
   }
-  EXPECT_LE(resolved_steps(0.3, 14.0, 100).size(), 101u);
+  EXPECT_LE(resolved_steps(0.3, 14.0, nullptr, 100).size(), 101u);
 }
 
 }  // namespace

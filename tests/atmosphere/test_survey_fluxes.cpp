@@ -161,7 +161,7 @@ TEST(SurveyFluxes, AgreeWithFullSolutionsOfEveryTerm) {
       const SensorGeometry where = geometry(50.0, sensor_km, 30.0, azimuth_deg);
       Full dark, bright;
       for (const ChannelBin& bin : channel_bins(channel, radiometry::solar_irradiance_1au())) {
-        const ColumnOptics optics = air.at(bin.bin * kBinStep_cm1);
+        const ColumnOptics optics = air.at(bin.wavenumber_cm1);
         for (std::size_t term = 0; term < optics.terms(); ++term) {
           const ColumnSolution solved = solver.solve(air.levels(), optics.term(term), *where.sun_zenith_rad);
           const double weight = bin.share * optics.weight(term) * bin.irradiance;

@@ -288,6 +288,13 @@ std::vector<Named> named_elsewhere() {
        "phase_function",
        modelled(R"("mixture": [{)" + kOwnHaze + R"("phase_function": "FILEa.csv"}])"),
        {{"a.csv", "angle_deg,0.55\n0,1\n45,1\n120,1\n180,1\n"}}},
+      {"atmosphere",
+       "gas_model",
+       {.sky = R"("surroundings": {"reflectance": 0.2})",
+        .more = R"(, "atmosphere": {"profile": "US standard 1976", "gas_model": "FILEa.gases"})"},
+       {{"a.gases",
+         "ifov gas model 1\nbins 16000 20 40\npressures 5 1080\ntemperatures 180 320\ngas O3\nbin 16310 error 0.01\n"
+         "weights 1\nO3 5 180 4e-21\nO3 5 320 4e-21\nO3 1080 180 4e-21\nO3 1080 320 4e-21\n"}}},
       {"AERONET retrieval", "file", modelled(R"("aeronet": {"file": "FILEa.all"})"), {{"a.all", kRetrieval}}},
       {"AERONET retrieval",
        "phase_functions",

@@ -115,7 +115,7 @@ class Install(unittest.TestCase):
         plain = {re.sub(r"^(?:vtable|typeinfo|typeinfo name) for ", "", name) for name in names}
         of_facade = re.compile(r"ifov::(?:Document|Simulation|InputError|SystemError|Cancelled|LogSink|ProgressSink|TileSink"
                                r"|Assets|AtmosphereReport|InputsBelow|Ranks|check|version|document_schema|document_reference|exit_code_of"
-                               r"|reason_name|survey_atmosphere|invert_radiance|run_status|merge|mpi_library|run_info|cube_info|products_in"
+                               r"|reason_name|survey_atmosphere|make_gas_model|invert_radiance|run_status|merge|mpi_library|run_info|cube_info|products_in"
                                r"|region_means|detect|record_of|write_file|mapped_input_at|search_materials|curves_of|materials_list"
                                r"|refractive_indices|refractive_indices_list"
                                r"|BrdfReport|TemperatureReport|survey_temperatures|describe_sensor|integrate|FieldFunction|find_sensor_preset|sensor_preset_list|survey_brdf|survey_model|scattering_models|scattering_models_list|scattering_models_reference"

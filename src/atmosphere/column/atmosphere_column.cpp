@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "atmosphere/column/light_limits.h"
+#include "atmosphere/gas/column_terms.h"
 #include "atmosphere/particles/rayleigh.h"
 #include "atmosphere/profile/column_integral.h"
 #include "atmosphere/scattering/phase/phase_function.h"
@@ -55,6 +56,8 @@ AtmosphereColumn::AtmosphereColumn(const AtmosphereDescription& description, con
       levels_(levels_of(built_.profile, options.extra_altitudes_km, aerosol_)),
       gases_(layer_amounts(built_.profile, levels_.altitude_km)) {
   const Profile& profile = built_.profile;
+  if (description.gas_terms)
+    terms_ = std::make_shared<const ColumnTerms>(description.gas_terms, profile, levels_.altitude_km);
   std::vector<double> air(profile.levels());
   for (std::size_t i = 0; i < air.size(); ++i) air[i] = 1e5 * profile.air_per_cm3(i);
   for (std::size_t l = 0; l < levels_.layers(); ++l) {
@@ -73,10 +76,18 @@ ColumnOptics AtmosphereColumn::at(double wavenumber_cm1) const {
   optics.wavenumber_cm1 = wavenumber_cm1;
   optics.wavelength_um = 1e4 / wavenumber_cm1;
   const bool warm = optics.wavelength_um >= kFirstThermal_um;
+  const std::optional<std::size_t> bin =
+      terms_ != nullptr ? terms_->table().bin_at(wavenumber_cm1) : std::optional<std::size_t>();
+  std::vector<Gas> tabulated;
+  if (bin) {
+    optics.terms_error = terms_->table().bins[*bin].error;
+    for (const TermGas& gas : terms_->table().gases) tabulated.push_back(gas.gas);
+  }
   optics.lines =
       line_absorption(wavenumber_cm1, gases_, description_.gas_model,
                       warm ? std::max(options_.terms, options_.warm_terms) : options_.terms,
-                      warm ? std::max(options_.most_terms, options_.most_warm_terms) : options_.most_terms);
+                      warm ? std::max(options_.most_terms, options_.most_warm_terms) : options_.most_terms,
+                      bin ? std::optional(terms_->at(*bin)) : std::nullopt, tabulated);
   const double co2_ppm = built_.profile.of(Gas::co2).front();
   const double cross_section = rayleigh_cross_section_cm2(optics.wavelength_um, co2_ppm);
   LayerOptics& layers = optics.scattering;
@@ -89,7 +100,9 @@ ColumnOptics AtmosphereColumn::at(double wavenumber_cm1) const {
     phases->functions.push_back(aerosol_.phase_function(r, optics.wavelength_um));
   }
   for (std::size_t l = 0; l < levels_.layers(); ++l) {
-    optics.continuum.push_back(continuum_depths(wavenumber_cm1, gases_[l], description_.gas_model).total());
+    ContinuumDepths continuum = continuum_depths(wavenumber_cm1, gases_[l], description_.gas_model);
+    if (bin) terms_->leave_out(continuum);
+    optics.continuum.push_back(continuum.total());
     layers.rayleigh_scattering.push_back(cross_section * air_molecules_cm2_[l]);
     double scattering = 0.0, absorption = 0.0, forward = 0.0, cloud_scattering = 0.0, cloud_absorption = 0.0;
     std::vector<double> scattered_by;

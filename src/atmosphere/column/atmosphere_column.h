@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@
 
 namespace ifov::atmosphere {
 
+class ColumnTerms;
+
 /// How absorption is split into terms and the air into layers.
 struct ColumnOptions {
   int terms = 5;       ///< of each gas: 3, 5 or 8
@@ -23,13 +26,15 @@ struct ColumnOptions {
   std::vector<double> extra_altitudes_km = {};
 };
 
-/// The layers at one wavenumber. Lines are resolved to 20 cm-1; within that the terms are what varies.
+/// The layers at one wavenumber. Lines are resolved to 20 cm-1, or to the bins of a table of terms; within that the terms are
+/// what varies.
 struct ColumnOptics {
   double wavenumber_cm1 = 0.0;
   double wavelength_um = 0.0;
   AbsorptionSet lines;
   std::vector<double> continuum;  ///< vertical absorption depth of each layer, the same in every term
   LayerOptics scattering;         ///< everything but gas_absorption
+  double terms_error = 0.0;  ///< of transmittance: what terms of a table are off by, as it says; 0 of bands
 
   std::size_t terms() const { return lines.terms(); }
   double weight(std::size_t term) const { return lines.weight[term]; }
@@ -51,7 +56,10 @@ class AtmosphereColumn {
   /// What had to be changed in what was asked for, in words for the user.
   const std::vector<std::string>& remarks() const { return built_.remarks; }
 
-  /// At a wavenumber of 200 to 50000 cm-1 (0.2 to 50 um); InputError outside.
+  /// Terms in place of bands; null where there are none.
+  const GasTermTable* gas_terms() const { return description_.gas_terms.get(); }
+  /// At a wavenumber of 200 to 50000 cm-1 (0.2 to 50 um); InputError outside. In the bin of a table of terms that it lies in,
+  /// where there is one.
   ColumnOptics at(double wavenumber_cm1) const;
 
  private:
@@ -61,6 +69,7 @@ class AtmosphereColumn {
   AerosolColumn aerosol_;
   Levels levels_;
   std::vector<GasAmounts> gases_;                 // of each layer
+  std::shared_ptr<const ColumnTerms> terms_;      // null without
   std::vector<double> air_molecules_cm2_;         // of each layer
   std::vector<std::vector<double>> aerosol_550_;  // [layer][region]
 };

@@ -11,6 +11,7 @@ struct AtmosphereDescription {
   ProfileDescription air;
   AerosolDescription aerosol;
   GasModel gas_model = GasModel::standard;
+  std::shared_ptr<const struct GasTermTable> gas_terms = {};  ///< in place of the bands of its gases
   std::optional<double> depolarization = {};  ///< of light that molecules scatter; none: that of air
 };
 

@@ -30,6 +30,16 @@ AbsorptionSet terms_of(const ActiveBand& active, const std::vector<GasAmounts>& 
   return set;
 }
 
+/// -ln of what the whole column transmits.
+double column_depth(const AbsorptionSet& set) {
+  constexpr double kOpaque = 1e-300;
+  double transmittance = 0.0;
+  for (std::size_t t = 0; t < set.terms(); ++t)
+    transmittance +=
+        set.weight[t] * std::exp(-std::accumulate(set.depth[t].begin(), set.depth[t].end(), 0.0));
+  return -std::log(std::max(kOpaque, transmittance));
+}
+
 /// Factor for the mean depth of a group with which it transmits along the vertical what its members do: the
 /// mean alone transmits too little. Near 1; 1 where the group lets next to nothing through.
 double share_kept(const AbsorptionSet& set, const TermGroup& group, const std::vector<double>& mean) {
@@ -72,12 +82,21 @@ AbsorptionSet overlapped(const AbsorptionSet& first, const AbsorptionSet& second
 
 AbsorptionSet line_absorption(double wavenumber_cm1, const std::vector<GasAmounts>& layers, GasModel model,
                               int terms, int most_terms) {
+  return line_absorption(wavenumber_cm1, layers, model, terms, most_terms, std::nullopt, {});
+}
+
+AbsorptionSet line_absorption(double wavenumber_cm1, const std::vector<GasAmounts>& layers, GasModel model,
+                              int terms, int most_terms, const std::optional<AbsorptionSet>& given,
+                              const std::vector<Gas>& without) {
   struct Contribution {
     double exponent = 0.0;
     AbsorptionSet set;
   };
   std::vector<Contribution> gases;
+  if (given) gases.push_back({column_depth(*given), *given});
   for (const ActiveBand& active : active_bands(wavenumber_cm1, model)) {
+    const Gas gas = BandModel::instance().bands()[active.band].gas;
+    if (std::find(without.begin(), without.end(), gas) != without.end()) continue;
     double column = 0.0;
     for (const GasAmounts& layer : layers) column += layer.band[active.band];
     gases.push_back(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "atmosphere/gas/gas_transmittance.h"
@@ -20,6 +21,11 @@ struct AbsorptionSet {
 /// is grey.
 AbsorptionSet line_absorption(double wavenumber_cm1, const std::vector<GasAmounts>& layers, GasModel model,
                               int terms, int most_terms);
+/// The same where the terms of some gases together are `given`: their bands (`without`) stay out, and those of the others overlap
+/// with them at random.
+AbsorptionSet line_absorption(double wavenumber_cm1, const std::vector<GasAmounts>& layers, GasModel model,
+                              int terms, int most_terms, const std::optional<AbsorptionSet>& given,
+                              const std::vector<Gas>& without);
 inline constexpr double kGreyAbsorption = 0.002;
 
 /// Random overlap: products of the terms of both, reduced to `most_terms`.

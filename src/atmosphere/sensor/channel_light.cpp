@@ -61,8 +61,8 @@ std::vector<ChannelLight> solve_all_terms(const AtmosphereColumn& column, const 
   };
   std::vector<Part> parts;
   std::vector<ChannelLight> light;
-  for (const ChannelBin& bin : channel_bins(channel, solar_irradiance)) {
-    const ColumnOptics optics = column.at(bin.bin * kBinStep_cm1);
+  for (const ChannelBin& bin : channel_bins(channel, solar_irradiance, column.gas_terms())) {
+    const ColumnOptics optics = column.at(bin.wavenumber_cm1);
     for (std::size_t term = 0; term < optics.terms(); ++term) {
       parts.push_back({optics, term, bin.irradiance});
       light.emplace_back().wavelength_um = bin.wavelength_um;

@@ -103,7 +103,7 @@ ChannelPoints::ChannelPoints(const AtmosphereColumn& column, const std::vector<C
     return std::inner_product(slants.begin(), slants.end(), depths.begin(), 0.0);
   };
   for (const ChannelBin& bin : bins) {
-    const ColumnOptics& at = optics.at(bin.bin);
+    const ColumnOptics& at = optics.at(bin);
     for (std::size_t term = 0; term < at.terms(); ++term) {
       const LayerOptics layers = at.term(term);
       for (std::size_t i = 0; i < layers.layers(); ++i)

@@ -90,6 +90,7 @@ class Estimate {
     }
     parallel_for(static_cast<std::int64_t>(channels_.size()), question_.threads, [&](std::int64_t k) {
       const std::size_t channel = static_cast<std::size_t>(k);
+      tabulated_terms(channel);
       scattering(channel);
     });
     skies();
@@ -149,6 +150,26 @@ class Estimate {
     errors_[channel].absorption = {
         part_of(ours.once - right.once, right.once) * scattered + std::abs(ours.emission - right.emission),
         part_of(ours.surface - right.surface, right.surface), 0.0};
+  }
+
+  /// On top, what a table of terms says that it is off by: of transmittance, taken to have one sign in all bins.
+  void tabulated_terms(std::size_t channel) {
+    const ChannelLights& given = channels_[channel];
+    const ChannelPoints& points = given.points;
+    double error = 0.0, through = 0.0, emitted = 0.0;
+    const bool day = mean(points.share, points.sun) > 0.0;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const double off = points.share[p] * points.points[p].optics->terms_error;
+      error += off * (day ? points.irradiance[p] : 1.0);
+      through += points.share[p] * (day ? points.sun[p] : 1.0) * points.view[p];
+      if (points.points[p].wavelength_um >= kFirstThermal_um)
+        emitted += off * radiometry::planck_w_m2_sr_um(points.points[p].wavelength_um, kGrey_k);
+    }
+    if (!(error > 0.0)) return;
+    const double of_surface = part_of(error, through);
+    const double scattered = given.scattering ? mean(points.share, given.scattered.path) : 0.0;
+    errors_[channel].absorption.surface += of_surface;
+    errors_[channel].absorption.path += of_surface * scattered + emitted;
   }
 
   void scattering(std::size_t channel) {

@@ -214,12 +214,12 @@ ChannelModelError channel_model_error(const AtmosphereColumn& column, std::span<
   const std::size_t step = (bins.size() + kMostBins - 1) / kMostBins;
   double shares = 0.0, seen = 0.0, seen_less = 0.0, lit = 0.0, lit_less = 0.0;
   for (std::size_t b = step / 2; b < bins.size(); b += step) {
-    const double nu = kBinStep_cm1 * bins[b].bin, um = 1e4 / nu, share = bins[b].share;
+    const double nu = bins[b].wavenumber_cm1, um = 1e4 / nu, share = bins[b].share;
     shares += share;
     const double one = gas_depth(nu, view, model);
     seen += share * std::exp(-one);
     // The aerosol's on the way to the sensor alone: what it takes of the beam on the way down comes as skylight.
-    const LayerOptics& layers = optics.at(bins[b].bin).scattering;
+    const LayerOptics& layers = optics.at(bins[b]).scattering;
     const double haze = view_slant * haze_depth_below(layers, column.levels(), end);
     seen_less += share * std::exp(-one + table.of_depth(um, {view_air, view_water, one, haze}));
     if (sunlit) {

@@ -50,10 +50,8 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
         std::min(geometry_.sensor_altitude_km, column.levels().altitude_km.back()) -
         column.levels().altitude_km.front());
   std::vector<std::vector<ChannelBin>> bins;
-  for (std::size_t c = 0; c < inputs.channels.size(); ++c) {
-    bins.push_back(channel_bins(inputs.channels[c], inputs.solar_irradiance));
-    if (narrower_than_resolved(inputs.channels[c])) unresolved_.push_back(c);
-  }
+  for (const radiometry::Channel& channel : inputs.channels)
+    bins.push_back(channel_bins(channel, inputs.solar_irradiance, column.gas_terms()));
   const BinOptics optics(column, bins, inputs.threads);
   std::vector<ChannelLights> channels;
   for (const std::vector<ChannelBin>& channel : bins)

@@ -116,9 +116,6 @@ class SensorAtmosphere {
   /// How far each channel may be off because of how all this is computed; empty where it was not asked for.
   const std::vector<AtmosphereErrors>& errors() const { return errors_; }
 
-  /// Channels narrower than the band model resolves, by index.
-  const std::vector<std::size_t>& unresolved_channels() const { return unresolved_; }
-
  private:
   void build_nodes(const Inputs& inputs, const std::vector<ChannelLights>& channels);
   void add_scattering(std::size_t channel, const ChannelLights& lights);
@@ -146,7 +143,6 @@ class SensorAtmosphere {
   radiometry::SpectralNodes nodes_;
   std::vector<double> sun_, view_transmittance_, view_radiance_, diffuse_transmittance_, spherical_albedo_,
       sky_irradiance_, sky_, groundlit_;
-  std::vector<std::size_t> unresolved_;
   std::vector<AtmosphereErrors> errors_;
   LineOfSightGrid lines_of_sight_;
   std::vector<double> line_of_sight_transmittance_, line_of_sight_radiance_,

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "atmosphere/column/atmosphere_column.h"
+#include "atmosphere/gas/gas_term_table.h"
 #include "atmosphere/sensor/channel_points.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "core/format.h"
@@ -65,7 +66,7 @@ void add_over_ground(const SensorAtmosphere& air, double reflectance, std::size_
 void survey_part(const Part& part, AtmosphereEffects* light) {
   std::vector<std::vector<ChannelBin>> bins;
   for (const radiometry::Channel& channel : part.channels)
-    bins.push_back(channel_bins(channel, part.inputs.solar_irradiance));
+    bins.push_back(channel_bins(channel, part.inputs.solar_irradiance, part.column.gas_terms()));
   const BinOptics optics(part.column, bins, part.inputs.threads);
   const SensorGeometry& geometry = part.inputs.geometry;
   parallel_for(static_cast<std::int64_t>(part.channels.size()), part.inputs.threads, [&](std::int64_t k) {
@@ -137,12 +138,18 @@ std::vector<AtmosphereEffects> survey_effects(const AtmosphereColumn& column,
   return light;
 }
 
-std::vector<radiometry::Channel> resolved_steps(double first_um, double last_um, std::size_t most) {
-  const double low = 1e4 / last_um, high = 1e4 / first_um;
-  double step = kResolution_cm1;
+std::vector<radiometry::Channel> resolved_steps(double first_um, double last_um, const GasTermTable* terms,
+                                                std::size_t most) {
+  double low = 1e4 / last_um, high = 1e4 / first_um, step = kResolution_cm1, begin = 0.0;
+  if (terms != nullptr) {
+    step = terms->step_cm1, begin = terms->first_cm1;
+    low = std::max(low, begin), high = std::min(high, terms->last_cm1());
+  }
   step *= std::max(1.0, std::ceil((high - low) / (step * static_cast<double>(most))));
+  // Edges may be off by rounding: no step of nothing.
+  const double end = terms != nullptr ? std::min(high, terms->last_cm1() - 0.99 * step) : high;
   std::vector<radiometry::Channel> channels;
-  for (double from = std::floor(low / step) * step; from < high; from += step)
+  for (double from = begin + std::floor((low - begin) / step) * step; from < end; from += step)
     channels.push_back(radiometry::Channel::top_hat(format("{:g} cm-1", from + 0.5 * step),
                                                     1e4 / (from + step), 1e4 / from));
   std::reverse(channels.begin(), channels.end());

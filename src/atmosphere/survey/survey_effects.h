@@ -11,6 +11,7 @@
 namespace ifov::atmosphere {
 
 class AtmosphereColumn;
+struct GasTermTable;
 struct SensorGeometry;
 
 struct SurveyControl {
@@ -29,7 +30,9 @@ std::vector<AtmosphereEffects> survey_effects(const AtmosphereColumn& column,
                                               const SurveyControl& control = {});
 
 /// Rectangular channels side by side, as wide as the band model resolves (20 cm-1), or a multiple of it where
-/// there would be more than `most`; from short to long wavelengths.
-std::vector<radiometry::Channel> resolved_steps(double first_um, double last_um, std::size_t most = 1500);
+/// there would be more than `most`; from short to long wavelengths. With a table of terms (which the
+/// range must meet; may be null) its bins, or some of them together, as far as it reaches.
+std::vector<radiometry::Channel> resolved_steps(double first_um, double last_um,
+                                                const GasTermTable* terms = nullptr, std::size_t most = 1500);
 
 }  // namespace ifov::atmosphere

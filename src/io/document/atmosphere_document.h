@@ -13,9 +13,7 @@ namespace ifov::io {
 
 /// Between scene and camera (transmittance, path radiance), Sun and scene. What is absent changes nothing.
 struct TabulatedAtmosphere {
-  std::optional<SpectrumDocument> transmittance;
-  std::optional<SpectrumDocument> path_radiance;
-  std::optional<SpectrumDocument> sun_transmittance;
+  std::optional<SpectrumDocument> transmittance, path_radiance, sun_transmittance;
 };
 
 /// DIRSIG's SimpleAtm: a Sun of 5800 K as bright as on a clear day, a sky that only glows, and clear air.
@@ -42,6 +40,7 @@ struct ModelledAtmosphere {
   atmosphere::AtmosphereDescription description;          ///< but for its aerosol
   std::shared_ptr<const struct AerosolDocument> aerosol;  ///< null: that of no key
   std::vector<CloudDocument> clouds;                      ///< beside the aerosol
+  std::optional<DocumentFile> gas_model;                  ///< terms in place of the built-in bands
   /// Above mean sea level; absent: a frame camera's own, else above the air.
   std::optional<double> sensor_altitude_km;
   bool adjacency = true;               ///< the scene's own ground lights the air; false: surroundings alone

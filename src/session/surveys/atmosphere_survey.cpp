@@ -5,20 +5,15 @@
 #include <cmath>
 
 #include "atmosphere/column/atmosphere_column.h"
-#include "atmosphere/profile/gas_requests.h"
-#include "atmosphere/sensor/channel_bins.h"
 #include "atmosphere/survey/survey_effects.h"
 #include "core/names.h"
-#include "geodesy/sun_position.h"
-#include "io/document/aerosol_document.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
-#include "math/angle.h"
 #include "scene/scene.h"
-#include "session/assembly/atmosphere/aerosol_assembly.h"
 #include "session/assembly/atmosphere/atmosphere_assembly.h"
-#include "session/assembly/atmosphere/cloud_assembly.h"
+#include "session/assembly/atmosphere/gas_model_assembly.h"
 #include "session/assembly/shared/with_position.h"
+#include "session/surveys/atmosphere_statement.h"
 #include "session/surveys/survey_stage.h"
 
 namespace ifov::session {
@@ -42,6 +37,8 @@ io::Document asked(const io::Document& document, const AtmosphereQuestion& quest
     auto& camera = changed.sensor.camera.settings;
     camera = camera->seen_from(question.view->zenith_rad, question.view->azimuth_rad);
   }
+  if (!question.gas_model.empty())
+    changed.atmosphere.modelled->gas_model = {question.gas_model.string(), changed.atmosphere.position};
   if (question.sensor_altitude_km)
     changed.atmosphere.modelled->sensor_altitude_km = question.sensor_altitude_km;
   return changed;
@@ -57,65 +54,6 @@ std::pair<double, double> half_width(const radiometry::Channel& channel) {
   while (response[first] < half) ++first;
   while (response[last] < half) --last;
   return {wavelength[first], wavelength[last]};
-}
-
-/// "Gases of the document's own: H2O, O3; left out: CH4."
-std::string gases_told(const atmosphere::GasRequests& gases) {
-  std::string own, out;
-  const auto add = [](std::string& list, std::string_view name) {
-    list += format("{}{}", list.empty() ? "" : ", ", name);
-  };
-  for (std::size_t g = 0; g < atmosphere::kGasCount; ++g)
-    if (gases.of[g]) add(gases.of[g]->off ? out : own, atmosphere::kGasNames[g]);
-  if (!gases.nitrogen) add(out, "N2");
-  if (own.empty() && out.empty()) return {};
-  if (own.empty()) return format("Gases left out: {}.", out);
-  return format("Gases of the document's own: {}{}.", own, out.empty() ? "" : "; left out: " + out);
-}
-
-std::vector<std::string> describe(const atmosphere::AtmosphereColumn& column,
-                                  const atmosphere::SensorGeometry& geometry, const scene::Scene& scene,
-                                  const io::ModelledAtmosphere& written) {
-  const io::AerosolDocument* aerosol = written.aerosol.get();
-  const atmosphere::AtmosphereDescription& said = column.description();
-  const atmosphere::Profile& profile = column.profile();
-  std::vector<std::string> lines;
-  lines.push_back(said.air.model +
-                  (said.air.levels.empty() ? "" : ", below it levels of the document's own"));
-  lines.push_back(
-      format("Ground at {:.3g} km: {:.1f} K, {:.0f} hPa, {:.0f} % humidity. Water vapour {:.3g} g/cm2, ozone "
-             "{:.0f} DU, CO2 {:.0f} ppm.",
-             profile.ground_km(), profile.temperature_K.front(), profile.pressure_hPa.front(),
-             profile.relative_humidity_percent(0), profile.precipitable_water_g_cm2(),
-             1e3 * profile.column_atm_cm(atmosphere::Gas::o3), profile.of(atmosphere::Gas::co2).front()));
-  if (const std::string gases = said.air.gases ? gases_told(*said.air.gases) : std::string(); !gases.empty())
-    lines.push_back(gases);
-  if (!column.aerosol().hazy())
-    lines.push_back("No aerosol.");
-  else if (aerosol != nullptr && aerosol->has_own())
-    lines.push_back(
-        format("Haze of the document's own: {}. Aerosol in all: {:.3f} at 0.55 um.", haze_statement(*aerosol),
-               column.aerosol().thickness_550(profile.ground_km(), atmosphere::kTopOfAtmosphereKm)));
-  else
-    lines.push_back(
-        format("Aerosol: {}, visibility {:.3g} km, optical thickness {:.3f} at 0.55 um.", said.aerosol.type,
-               column.aerosol().visibility_km(),
-               column.aerosol().thickness_550(profile.ground_km(), atmosphere::kTopOfAtmosphereKm)));
-  for (const io::CloudDocument& cloud : written.clouds)
-    lines.push_back(format("Cloud of {}.", cloud_statement(cloud)));
-  std::string where = "No Sun.";
-  if (geometry.sun_zenith_rad) {
-    where =
-        format("{} {:.1f} deg from the zenith at azimuth {:.1f} deg.", scene.sun->is_moon ? "Moon" : "Sun",
-               *geometry.sun_zenith_rad / math::kDegree, geodesy::compass_deg(scene.sun->azimuth_rad()));
-  } else if (scene.sun) {
-    where = scene.sun->is_moon ? "The Moon is below the horizon." : "The Sun is below the horizon.";
-  }
-  const bool above = geometry.sensor_altitude_km >= atmosphere::kTopOfAtmosphereKm;
-  lines.push_back(
-      format("{} Sensor {:.1f} deg from the zenith, {}.", where, geometry.view_zenith_rad / math::kDegree,
-             above ? std::string("above all air") : format("at {:.4g} km", geometry.sensor_altitude_km)));
-  return lines;
 }
 
 /// Tells how far the survey has come, and ends it when asked to.
@@ -176,6 +114,8 @@ io::AtmosphereReport survey_atmosphere(const io::Document& original, const Atmos
     check_channels(document.sources, document.sensor.channels, stage.channels);
     const atmosphere::AtmosphereColumn column =
         assemble_column(document.sources, *document.atmosphere.modelled, document.scene.origin);
+    check_gas_model(document.sources, *document.atmosphere.modelled, document.sensor.channels, stage.channels,
+                    column.gas_terms());
     io::AtmosphereReport report;
     report.geometry = sensor_geometry(document.sources, *document.atmosphere.modelled, document.sensor.camera,
                                       *stage.camera, stage.scene.sun, column.levels().altitude_km.front());
@@ -183,29 +123,30 @@ io::AtmosphereReport survey_atmosphere(const io::Document& original, const Atmos
       if (stage.scene.sun->is_moon) report.body = "Moon";
       report.sun_azimuth_rad = stage.scene.sun->azimuth_rad();
     }
-    report.description = describe(column, report.geometry, stage.scene, *document.atmosphere.modelled);
+    report.description = atmosphere_statement(column, report.geometry, stage.scene,
+                                              *document.atmosphere.modelled, stage.channels);
     const radiometry::Spectrum sunlight =
         stage.scene.sun ? stage.scene.sun->irradiance : radiometry::Spectrum();
 
     double first_um = kLongest_um, last_um = kShortest_um;
-    std::vector<std::size_t> narrow;
     for (std::size_t c = 0; c < stage.channels.size(); ++c) {
       const auto [from, to] = half_width(stage.channels[c]);
       report.channels.push_back({stage.channels[c].name, from, to, {}});
       first_um = std::min(first_um, from * (1.0 - kMargin));
       last_um = std::max(last_um, to * (1.0 + kMargin));
-      if (atmosphere::narrower_than_resolved(stage.channels[c])) narrow.push_back(c);
     }
     if (question.log != nullptr) {
       warn_of_column(*document.atmosphere.modelled, column, *question.log);
-      if (!narrow.empty()) question.log->warn(narrow_channels(stage.channels, narrow));
+      const std::string narrow = narrow_channels(stage.channels, column.gas_terms());
+      if (!narrow.empty()) question.log->warn(narrow);
     }
     std::optional<std::size_t> shown;
     if (question.sky)
       shown = sky_channel(stage.channels, question.sky_channel, !report.geometry.sun_zenith_rad);
     std::vector<radiometry::Channel> steps;
     if (question.spectrum)
-      steps = atmosphere::resolved_steps(std::max(first_um, kShortest_um), std::min(last_um, kLongest_um));
+      steps = atmosphere::resolved_steps(std::max(first_um, kShortest_um), std::min(last_um, kLongest_um),
+                                         terms_of_all(column.gas_terms(), stage.channels));
     Meter meter(question, stage.channels.size() + steps.size());
     atmosphere::SurveyControl control;
     control.threads = question.threads;

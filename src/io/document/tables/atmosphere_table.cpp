@@ -173,6 +173,10 @@ SchemaType<AtmosphereDocument> atmosphere_type() {
               }),
           gases_type(),
           "amounts of any gas: switched off, scaled to a column or a mixing ratio, or by a profile of your own")
+      .optional(
+          "gas_model", modelled(&ModelledAtmosphere::gas_model), file(),
+          "[terms](gas_model.md) of gases from spectra line by line, in place of the built-in bands of these gases: for channels "
+          "narrower than 20 cm-1. Each channel lies within its range, or outside")
       .optional("aerosol",
                 via(
                     [](AtmosphereDocument& document, const AerosolDocument& aerosol) {
@@ -199,7 +203,7 @@ SchemaType<AtmosphereDocument> atmosphere_type() {
           "what intervals hold of the air: how exactly this model is computed, or how far the model is from the "
           "air besides; what is asked for is judged by what they hold");
   for (const char* key : {"levels", "ground_altitude", "water_vapour", "ozone", "co2", "ch4", "n2o", "gases",
-                          "aerosol", "clouds", "sensor_altitude", "adjacency", "interval"})
+                          "gas_model", "aerosol", "clouds", "sensor_altitude", "adjacency", "interval"})
     record.needs(key, "profile");
   SchemaType<AtmosphereDocument> type = record.type();
   return {type.description,

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "atmosphere/column/atmosphere_column.h"
+#include "atmosphere/gas/gas_term_table.h"
 #include "atmosphere/sensor/channel_bins.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "core/format.h"
@@ -17,6 +18,7 @@
 #include "sensor/camera.h"
 #include "session/assembly/atmosphere/aerosol_assembly.h"
 #include "session/assembly/atmosphere/cloud_assembly.h"
+#include "session/assembly/atmosphere/gas_model_assembly.h"
 #include "session/assembly/atmosphere/node_tolerance.h"
 #include "session/assembly/shared/with_position.h"
 
@@ -36,13 +38,17 @@ double sensor_altitude_km(const io::ModelledAtmosphere& air, const sensor::Camer
 }
 
 void warn(const AtmosphereSubject& subject, const io::ModelledAtmosphere& modelled,
-          const atmosphere::AtmosphereColumn& column, const atmosphere::SensorAtmosphere& air, LogSink& log) {
+          const atmosphere::AtmosphereColumn& column, LogSink& log) {
   warn_of_column(modelled, column, log);
   if (!modelled.clouds.empty() && modelled.interval == "with model")
     log.warn(
         "intervals hold the error of the model of the air, which was found without clouds: under clouds they may be too "
         "narrow");
-  const std::string narrow = narrow_channels(subject.channels, air.unresolved_channels());
+  if (modelled.gas_model && modelled.interval == "with model")
+    log.warn(
+        "intervals hold the error of the model of the air, which was found with the built-in bands: with a gas model they are "
+        "those of the bands still");
+  const std::string narrow = narrow_channels(subject.channels, column.gas_terms());
   if (!narrow.empty()) log.warn(narrow);
 }
 
@@ -81,6 +87,7 @@ atmosphere::AtmosphereColumn assemble_column(const io::DocumentSources& sources,
   if (!air.clouds.empty())
     description.aerosol.clouds =
         assemble_clouds(sources, air.clouds, atmosphere::build_profile(description.air).profile.ground_km());
+  description.gas_terms = assemble_gas_model(sources, air, description.air);
   const auto column = [&] { return atmosphere::AtmosphereColumn(description); };
   return air.aerosol && air.aerosol->has_own() ? with_position(sources, air.aerosol->position, column)
                                                : column();
@@ -164,13 +171,21 @@ atmosphere::LineOfSightRange line_of_sight_range(const sensor::Camera& camera,
 }
 
 std::string narrow_channels(std::span<const radiometry::Channel> channels,
-                            const std::vector<std::size_t>& narrow) {
+                            const atmosphere::GasTermTable* terms) {
+  std::vector<std::size_t> narrow;
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    if (atmosphere::narrower_than_resolved(channels[c], terms)) narrow.push_back(c);
   if (narrow.empty()) return {};
   std::string names;
   constexpr std::size_t kNamed = 4;
   for (std::size_t k = 0; k < std::min(kNamed, narrow.size()); ++k)
     names += format("{}'{}'", k == 0 ? "" : ", ", channels[narrow[k]].name);
   if (narrow.size() > kNamed) names += format(" and {} more", narrow.size() - kNamed);
+  if (terms != nullptr)
+    return format(
+        "channels narrower than what their absorption is resolved to ({:g} cm-1 by the band model, {:g} cm-1 within the gas "
+        "model): {}; their absorption is that of a channel of this width",
+        atmosphere::kResolution_cm1, terms->step_cm1, names);
   return format(
       "channels narrower than the {:g} cm-1 that the atmosphere's band model resolves: {}; their absorption "
       "is that of a channel of this width (wider channels, or spectra from a line-by-line code under "
@@ -186,6 +201,7 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
   check_channels(subject.sources, sensor.channels, subject.channels);
   return with_position(subject.sources, written.position, [&] {
     const atmosphere::AtmosphereColumn column = assemble_column(subject.sources, modelled, origin);
+    check_gas_model(subject.sources, modelled, sensor.channels, subject.channels, column.gas_terms());
     const double ground_km = column.levels().altitude_km.front();
     atmosphere::SensorAtmosphere::Inputs inputs;
     inputs.channels = subject.channels;
@@ -210,7 +226,7 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
     inputs.kept = work.kept;
     inputs.progress = work.progress;
     auto air = std::make_unique<atmosphere::SensorAtmosphere>(column, inputs);
-    if (work.log != nullptr) warn(subject, modelled, column, *air, *work.log);
+    if (work.log != nullptr) warn(subject, modelled, column, *work.log);
     return air;
   });
 }

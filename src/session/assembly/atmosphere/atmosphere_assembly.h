@@ -18,6 +18,7 @@ class KeptSolutions;
 class SensorAtmosphere;
 struct SensorAltitudes;
 struct SensorGeometry;
+struct GasTermTable;
 struct LineOfSightRange;
 }  // namespace ifov::atmosphere
 namespace ifov::io {
@@ -67,9 +68,10 @@ atmosphere::SensorAltitudes sensor_altitudes(const io::ModelledAtmosphere& air, 
 atmosphere::LineOfSightRange line_of_sight_range(const sensor::Camera& camera,
                                                  const std::optional<scene::Sun>& sun, double highest_m);
 
-/// The warning about channels (by index) that are narrower than the band model resolves; empty without any.
+/// The warning about channels that are narrower than the band model or the bins of a gas model (may be null) resolve; empty
+/// without any.
 std::string narrow_channels(std::span<const radiometry::Channel> channels,
-                            const std::vector<std::size_t>& narrow);
+                            const atmosphere::GasTermTable* terms);
 
 /// How an atmosphere is worked out; the pointers may be null.
 struct AtmosphereWork {
