@@ -1,6 +1,8 @@
 // Readers of paths through the atmosphere and of weather.
 #include "fuzz/fuzzed_readers.h"
 #include "io/atmosphere/aeronet_inversion.h"
+#include "io/atmosphere/gas_model_file.h"
+#include "io/atmosphere/gas_spectra_file.h"
 #include "io/atmosphere/import_paths.h"
 #include "io/atmosphere/modtran_channels.h"
 #include "io/atmosphere/modtran_csv.h"
@@ -122,6 +124,18 @@ std::vector<std::string> aeronet_phase_function_seeds() {
       "SGP,15:08:2019,21:46:45,1,1,1,1\n"};
 }
 
+std::vector<std::string> gas_model_seeds() {
+  return {
+      "ifov gas model 1\n# of two gases\nsource lines\nbins 4300 2 3\npressures 10 1000\ntemperatures 220\ngas H2O self_broadening 4.9\n"
+      "gas CH4 continuum\nbin 4301 error 0.0004\nweights 0.75 0.25\nH2O 10 220 1e-24 2e-21\nH2O 1000 220 2e-24 4e-22\n"
+      "CH4 10 220 0 1e-20\nCH4 1000 220 1e-23 3e-21\n"};
+}
+
+std::vector<std::string> gas_spectra_seeds() {
+  return {
+      "cm-1, 1000 hPa 300 K, 10 hPa 300 K\n4300.0, 1e-22, 2e-22\n4300.1, 5e-22, 0\n4300.2, 5e-22, 6e-22\n"};
+}
+
 std::vector<std::string> weather_seeds() {
   std::string surfrad = " Alamosa, CO\n  37.70  105.92 2317 m version 1\n";
   for (const char* minute : {"1", "2"}) {
@@ -210,6 +224,17 @@ std::vector<FuzzedReader> atmosphere_readers() {
        aeronet_phase_function_seeds(),
        {",", "-999", "[440nm]", "\n\n", "nan", "Site,", "0.000000[440nm]", "1e300", "180.0"},
        [](const auto& path) { io::read_aeronet_phase_functions(path, ""); }},
+      {"gas_model",
+       "a.gases",
+       gas_model_seeds(),
+       {"bin ", "bins ", "gas O3", "weights", "\n\n", "nan", "1e300", " 220", "error", "self_broadening",
+        "-1"},
+       [](const auto& path) { io::gas_model_text(io::read_gas_model(path)); }},
+      {"gas_spectra",
+       "a.csv",
+       gas_spectra_seeds(),
+       {",", "hPa", " K", "\n\n", "nan", "1e300", "1e-300", " -1"},
+       [](const auto& path) { io::read_gas_spectra(path); }},
       {"weather",
        "a.txt",
        weather_seeds(),

@@ -101,6 +101,8 @@ TEST(GasModelFile, SaysWhereItsHeadIsWrong) {
   expect(changed("pressures 10 1000", "pressures 1000 10"), "a.gases:5:16: ", "10 does not rise above 1000");
   expect(changed("pressures 10 1000\n", ""),
          "a.gases: ", "no line that begins with 'pressures' before the first bin");
+  expect(changed("temperatures", "pressures 1 2\ntemperatures"),
+         "a.gases:6:1: ", "'pressures' is there twice");
   expect(changed("gas CH4", "gas HCl"), "a.gases:8:5: ", "unknown gas 'HCl'; expected 'H2O', 'CO2'");
   expect(changed("gas CH4", "gas H2O"), "a.gases:8:5: ", "the gas H2O is there twice");
   expect(changed("CH4 continuum", "CH4 continuous"),

@@ -89,6 +89,11 @@ class Reader {
   void read_head() {
     static const std::vector<std::string> kKeys{"source", "bins", "pressures", "temperatures", "gas", "bin"};
     const std::string key(words_[0].text);
+    const bool there = key == "bins"           ? !table_.bins.empty()
+                       : key == "pressures"    ? !pressure_hPa_.empty()
+                       : key == "temperatures" ? !temperature_K_.empty()
+                                               : key == "source" && !table_.source.empty();
+    if (there) fail(0, format("'{}' is there twice", key));
     if (key == "source") {
       const std::string_view line = file_.line(number_);
       if (words_.size() > 1) table_.source = line.substr(static_cast<std::size_t>(words_[1].column - 1));
