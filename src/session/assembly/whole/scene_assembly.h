@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/run_control.h"
+#include "geodesy/utc_time.h"
 #include "scene/scene.h"
 #include "session/assembly/geometry/placed_objects.h"
 #include "session/assembly/shared/colour_guess.h"
@@ -28,13 +29,12 @@ struct AssembledScene {
   PlacedObjects placed;
   math::Vec3 map_offset_m;  ///< map coordinates of the scene's origin
 };
-/// Builds what a document's scene consists of: reads its meshes, maps and spectra, and lists the maps that lie on it by
-/// place. `seed` as of TextureAssembly; `log` and `cache` may be null.
+/// A document's scene at `time`, with the maps that lie on it. `seed` as of TextureAssembly; `log` and `cache` may be null.
 AssembledScene assemble_scene(const io::DocumentSources& sources, const io::SceneDocument& written,
-                              std::span<const io::LampDocument> lamps, std::uint64_t seed, LogSink* log,
+                              std::span<const io::LampDocument> lamps,
+                              const std::optional<geodesy::UtcTime>& time, std::uint64_t seed, LogSink* log,
                               io::SceneCache* cache = nullptr);
 
-/// One line for people: what stands in the scene and how it is kept.
-std::string scene_statement(const geometry::World& world);
+std::string scene_statement(const geometry::World& world);  ///< what stands there, how it is kept
 
 }  // namespace ifov::session
