@@ -1,5 +1,7 @@
 #include "exposure/exposed_point.h"
 
+#include "exposure/past_scene.h"
+#include "geometry/presence.h"
 #include "geometry/world.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
@@ -18,8 +20,7 @@ struct LeavingRays {
 
 }  // namespace
 
-ExposedPoint::ExposedPoint(const geometry::World& world, const geometry::SurfacePoint& point)
-    : world_(world) {
+ExposedPoint::ExposedPoint(const PastScene& scene, const geometry::SurfacePoint& point) : scene_(scene) {
   outward_ = point.geometric_normal.as_vector();
   normal_ = point.shading_normal.as_vector();
   if (!point.front) {
@@ -27,20 +28,27 @@ ExposedPoint::ExposedPoint(const geometry::World& world, const geometry::Surface
     normal_ = -normal_;
   }
   origin_m_ = point.position_m + point.offset_m * outward_;
+  if (scene.changes()) presence_ = scene.world().presence(point.instance);
 }
 
-void ExposedPoint::free(std::span<const math::Vec3> directions, std::span<std::uint8_t> is_free) const {
+double ExposedPoint::time_here_s(double time_s) const {
+  return presence_ != nullptr ? presence_->nearest(time_s) : time_s;
+}
+
+void ExposedPoint::free(std::span<const math::Vec3> directions, std::span<const double> times_s,
+                        std::span<std::uint8_t> is_free) const {
   static thread_local LeavingRays scratch;
   scratch.rays.clear();
   scratch.owner.clear();
   for (std::size_t k = 0; k < directions.size(); ++k) {
     is_free[k] = 0;
     if (!(math::dot(directions[k], outward_) > 0.0) || !(math::dot(directions[k], normal_) > 0.0)) continue;
-    scratch.rays.push_back({origin_m_, directions[k]});
+    scratch.rays.push_back({.origin_m = origin_m_, .direction = directions[k]});
+    if (!times_s.empty()) scratch.rays.back().time_s = time_here_s(times_s[k]);
     scratch.owner.push_back(k);
   }
   scratch.blocked.resize(scratch.rays.size());
-  if (!scratch.rays.empty()) world_.occluded(scratch.rays, scratch.blocked);
+  if (!scratch.rays.empty()) scene_.occluded(scratch.rays, scratch.blocked);
   for (std::size_t k = 0; k < scratch.owner.size(); ++k) is_free[scratch.owner[k]] = scratch.blocked[k] == 0;
 }
 

@@ -14,14 +14,13 @@
 namespace ifov::exposure {
 namespace {
 
-enum class Draw { sky, sun };
+enum class Draw { sky, sun, past_sky };
 
 struct Directions {
   std::vector<math::Vec3> directions;
   std::vector<std::uint8_t> is_free;
-  std::vector<double> weight_k;
+  std::vector<double> weight_k, per_pair, times_s;
   std::array<std::size_t, 2 * SolvedSurface::kSunPairs> rows;
-  std::array<double, 2 * SolvedSurface::kSunPairs> bend;
 };
 
 /// Mean of pairs of answers and the variance of that, as the pairs tell it.
@@ -42,29 +41,36 @@ std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 
 }  // namespace
 
-SolvedSurface::SolvedSurface(std::shared_ptr<const thermal::SurfaceClasses> classes,
-                             const geometry::World& world, double sun_radius_rad)
-    : classes_(std::move(classes)), world_(world), sun_radius_rad_(sun_radius_rad) {}
+SolvedSurface::SolvedSurface(std::shared_ptr<const thermal::SurfaceClasses> classes, PastScene scene,
+                             double sun_radius_rad)
+    : classes_(std::move(classes)), scene_(std::move(scene)), sun_radius_rad_(sun_radius_rad) {
+  if (!scene_.changes()) return;
+  for (std::size_t row = 0; row < classes_->rows(); ++row)
+    if (scene_.is_otherwise_within(classes_->time_s(row, -1.0), std::min(0.0, classes_->time_s(row, 1.0))))
+      changed_rows_.push_back(row);
+}
 
 /// To a place of the Sun's disc within a step of a row's time, as often as a gain that is linear between rows has it.
-math::Vec3 SolvedSurface::toward_sun(std::size_t row, std::uint64_t key) const {
+SolvedSurface::PastRay SolvedSurface::toward_sun(std::size_t row, std::uint64_t key) const {
   const auto number = [&](int k) { return sampling::unit_double(sampling::hash(key, k)); };
-  const math::Vec3 middle = classes_->sun_at(row, number(0) + number(1) - 1.0);
-  return sampling::UniformCone(sun_radius_rad_).sample(middle, {number(2), number(3)});
+  const double steps = number(0) + number(1) - 1.0;
+  const math::Vec3 middle = classes_->sun_at(row, steps);
+  return {sampling::UniformCone(sun_radius_rad_).sample(middle, {number(2), number(3)}),
+          classes_->time_s(classes_->row_of_series(row), steps)};
 }
 
 scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& point, std::uint64_t draw) const {
   static thread_local Directions scratch;
   const std::uint64_t key = sampling::hash(draw, bits(point.position_m.x), bits(point.position_m.y),
                                            bits(point.position_m.z), point.front);
-  const ExposedPoint exposed(world_, point);
+  const ExposedPoint exposed(scene_, point);
   const math::Vec3 normal = exposed.normal();
   std::vector<math::Vec3>& directions = scratch.directions;
   exposed.sky_directions(sampling::hash(key, Draw::sky), kSkyPairs, directions);
   scratch.is_free.resize(std::max<std::size_t>(directions.size(), 2 * kSunPairs));
   PairMean sky{1.0, 0.0};
   if (!directions.empty()) {
-    exposed.free(directions, scratch.is_free);
+    exposed.free(directions, {}, scratch.is_free);
     sky = mean_of_pairs({scratch.is_free.data(), directions.size()});
   }
 
@@ -72,48 +78,129 @@ scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& poin
   sums_k.resize(classes_->sunlit_rows());
   const auto [shaded_k, of_sky_k] = classes_->shaded(normal, sky.mean, sums_k);
   double variance_k2 = sky.variance * of_sky_k * of_sky_k;
+  PastSky past;
+  if (!changed_rows_.empty() && !directions.empty()) {
+    past = past_sky(exposed, key, directions, scratch.is_free, of_sky_k);
+    variance_k2 = past.variance_k2;
+  }
   std::partial_sum(sums_k.begin(), sums_k.end(), sums_k.begin());
   const double rise_k = sums_k.empty() ? 0.0 : sums_k.back();
-  if (!(rise_k > 0.0)) return {shaded_k, std::sqrt(variance_k2)};
+  if (!(rise_k > 0.0)) return {shaded_k + past.in_shade_k, std::sqrt(variance_k2)};
   directions.clear();
+  scratch.times_s.clear();
   for (int k = 0; k < 2 * kSunPairs; ++k) {
     const std::uint64_t own = sampling::hash(key, Draw::sun, k);
     const double place = rise_k * (k / 2 + sampling::unit_double(own)) / kSunPairs;
     const auto row = std::upper_bound(sums_k.begin(), sums_k.end() - 1, place) - sums_k.begin();
     scratch.rows[static_cast<std::size_t>(k)] = static_cast<std::size_t>(row);
-    directions.push_back(toward_sun(static_cast<std::size_t>(row), own));
+    const PastRay ray = toward_sun(static_cast<std::size_t>(row), own);
+    directions.push_back(ray.direction);
+    if (scene_.changes()) scratch.times_s.push_back(ray.time_s);
   }
-  exposed.free(directions, scratch.is_free);
+  exposed.free(directions, scratch.times_s, scratch.is_free);
   const PairMean sun = mean_of_pairs({scratch.is_free.data(), directions.size()});
   variance_k2 += sun.variance * rise_k * rise_k;
   // The first and the second rays of all pairs are two estimates of their own: products of one's and the other's have no bias.
-  classes_->bends(normal, scratch.rows, scratch.bend);
-  std::array<double, 2> share{}, bent{};
+  double second = 0.0;
+  if (sun.mean > 0.0 && sun.mean < 1.0) {
+    scratch.per_pair.resize(sums_k.size());
+    classes_->bends(normal, sums_k, scratch.per_pair);
+  }
   for (std::size_t k = 0; k < scratch.rows.size(); ++k)
-    if (scratch.is_free[k] != 0) {
-      share[k % 2] += 1.0 / kSunPairs;
-      bent[k % 2] += scratch.bend[k] / kSunPairs;
+    for (std::size_t j = 1 - k % 2; j < scratch.rows.size(); j += 2)
+      if (scratch.is_free[k] != 0 && scratch.is_free[j] == 0)
+        second -= 0.25 * rise_k * scratch.per_pair[std::max(scratch.rows[j], scratch.rows[k])] /
+                  (kSunPairs * kSunPairs);
+  const double past_k = past.in_shade_k + 0.5 * sun.mean * past.of_sun_k;
+  return {shaded_k + past_k + (sun.mean + second) * rise_k, std::sqrt(variance_k2)};
+}
+
+SolvedSurface::PastSky SolvedSurface::past_sky(const ExposedPoint& exposed, std::uint64_t key,
+                                               std::span<const math::Vec3> directions,
+                                               std::span<const std::uint8_t> is_free, double of_sky_k) const {
+  static thread_local std::vector<double> weight_k, bend_k, sums_k;
+  weight_k.resize(classes_->rows());
+  bend_k.resize(classes_->rows());
+  classes_->past_sky(exposed.normal(), weight_k, bend_k);
+  sums_k.clear();
+  for (const std::size_t row : changed_rows_)
+    sums_k.push_back((sums_k.empty() ? 0.0 : sums_k.back()) + std::abs(weight_k[row]));
+  const std::size_t count = directions.size();
+  std::array<double, 2 * kSkyPairs> times_s, signs, bends;
+  std::array<std::uint8_t, 2 * kSkyPairs> was_free;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto number = [&](int n) {
+      return sampling::unit_double(sampling::hash(key, Draw::past_sky, k, n));
+    };
+    const auto found = std::upper_bound(sums_k.begin(), sums_k.end() - 1, number(0) * sums_k.back());
+    const std::size_t row = changed_rows_[static_cast<std::size_t>(found - sums_k.begin())];
+    times_s[k] = std::min(0.0, classes_->time_s(row, number(1) + number(2) - 1.0));
+    signs[k] = weight_k[row] < 0.0 ? -1.0 : 1.0;
+    bends[k] = weight_k[row] != 0.0 ? std::clamp(bend_k[row] / weight_k[row], -1.0, 1.0) : 0.0;
+  }
+  exposed.free(directions, {times_s.data(), count}, was_free);
+  PastSky past;
+  const double pairs = 0.5 * static_cast<double>(count);
+  const auto change_k = [&](std::size_t k) { return signs[k] * sums_k.back() * (was_free[k] - is_free[k]); };
+  for (std::size_t k = 0; k + 1 < count; k += 2) {
+    past.in_shade_k += 0.5 * (change_k(k) + change_k(k + 1)) / pairs;
+    past.of_sun_k += 0.5 * (change_k(k) * bends[k] + change_k(k + 1) * bends[k + 1]) / pairs;
+    const double apart_k = of_sky_k * (is_free[k] - is_free[k + 1]) + change_k(k) - change_k(k + 1);
+    past.variance_k2 += 0.25 * apart_k * apart_k / (pairs * pairs);
+  }
+  return past;
+}
+
+std::vector<double> SolvedSurface::past_free_sky(const ExposedPoint& exposed,
+                                                 std::span<const math::Vec3> directions) const {
+  // Between changes nothing changes: one look at each time between them.
+  const std::vector<double>& changes_s = scene_.changes_s();
+  std::vector<double> shares, times_s(directions.size());
+  std::vector<std::uint8_t> is_free(directions.size());
+  for (std::size_t k = 0; k <= changes_s.size(); ++k) {
+    const double time_s = k < changes_s.size() ? std::nextafter(changes_s[k], -1e12) : 0.0;
+    std::fill(times_s.begin(), times_s.end(), time_s);
+    exposed.free(directions, times_s, is_free);
+    shares.push_back(static_cast<double>(std::count(is_free.begin(), is_free.end(), std::uint8_t{1})) /
+                     static_cast<double>(directions.size()));
+  }
+  constexpr int kTimes = 32;  // about each row, by a triangle
+  std::vector<double> by_row(classes_->rows(), shares.back());
+  for (const std::size_t row : changed_rows_) {
+    by_row[row] = 0.0;
+    for (int k = 0; k < kTimes; ++k) {
+      const double place = 2.0 * (k + 0.5) / kTimes;
+      const double steps = place < 1.0 ? std::sqrt(place) - 1.0 : 1.0 - std::sqrt(2.0 - place);
+      const double time_s = std::min(0.0, classes_->time_s(row, steps));
+      const auto next = std::upper_bound(changes_s.begin(), changes_s.end(), time_s) - changes_s.begin();
+      by_row[row] += shares[static_cast<std::size_t>(next)] / kTimes;
     }
-  const double second = 0.25 * (share[0] * bent[1] + share[1] * bent[0] - bent[0] - bent[1]);
-  return {shaded_k + (sun.mean + second) * rise_k, std::sqrt(variance_k2)};
+  }
+  return by_row;
 }
 
 SolvedSurface::Exposure SolvedSurface::exposure(const geometry::SurfacePoint& point, std::uint64_t key,
                                                 int sky_pairs, int sun_rays) const {
-  const ExposedPoint exposed(world_, point);
+  const ExposedPoint exposed(scene_, point);
   Exposure result;
   std::vector<math::Vec3> directions;
+  std::vector<double> times_s;
   exposed.sky_directions(sampling::hash(key, Draw::sky), sky_pairs, directions);
   std::vector<std::uint8_t> is_free(std::max(directions.size(), static_cast<std::size_t>(sun_rays)));
   if (!directions.empty()) {
-    exposed.free(directions, is_free);
+    exposed.free(directions, {}, is_free);
     result.free_sky = mean_of_pairs({is_free.data(), directions.size()}).mean;
+    if (!changed_rows_.empty()) result.past_free_sky = past_free_sky(exposed, directions);
   }
   for (std::size_t row = 0; row < classes_->sunlit_rows(); ++row) {
     directions.clear();
-    for (int k = 0; k < sun_rays; ++k)
-      directions.push_back(toward_sun(row, sampling::hash(key, Draw::sun, row, k)));
-    exposed.free(directions, is_free);
+    times_s.clear();
+    for (int k = 0; k < sun_rays; ++k) {
+      const PastRay ray = toward_sun(row, sampling::hash(key, Draw::sun, row, k));
+      directions.push_back(ray.direction);
+      if (scene_.changes()) times_s.push_back(ray.time_s);
+    }
+    exposed.free(directions, times_s, is_free);
     result.visibility.push_back(
         static_cast<double>(std::count(is_free.begin(), is_free.begin() + sun_rays, std::uint8_t{1})) /
         sun_rays);
@@ -121,22 +208,34 @@ SolvedSurface::Exposure SolvedSurface::exposure(const geometry::SurfacePoint& po
   return result;
 }
 
+math::Vec3 SolvedSurface::normal_at(const geometry::SurfacePoint& point) const {
+  return ExposedPoint(scene_, point).normal();
+}
+
 double SolvedSurface::temperature_k(const geometry::SurfacePoint& point, const Exposure& exposure) const {
   std::vector<double> weight_k(classes_->sunlit_rows());
-  const math::Vec3 normal = ExposedPoint(world_, point).normal();
+  const math::Vec3 normal = normal_at(point);
   const double shaded_k = classes_->shaded(normal, exposure.free_sky, weight_k).kelvin;
-  std::vector<std::size_t> rows(weight_k.size());
-  std::iota(rows.begin(), rows.end(), std::size_t{0});
-  std::vector<double> bend(rows.size());
-  classes_->bends(normal, rows, bend);
+  std::vector<double> per_pair(weight_k.size()), sums_k(weight_k.size());
+  std::partial_sum(weight_k.begin(), weight_k.end(), sums_k.begin());
+  classes_->bends(normal, sums_k, per_pair);
   double all_k = 0.0, lit_k = 0.0, bent_k = 0.0;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const double part_k = weight_k[k] * exposure.visibility[k];
+  for (std::size_t k = 0; k < weight_k.size(); ++k) {
+    const double part_k = weight_k[k] * exposure.visibility[k], hidden_k = weight_k[k] - part_k;
+    bent_k -= 0.5 * per_pair[k] * (part_k * (all_k - lit_k) + hidden_k * lit_k + part_k * hidden_k);
     all_k += weight_k[k];
     lit_k += part_k;
-    bent_k += part_k * bend[k];
   }
-  return shaded_k + lit_k + (all_k > 0.0 ? 0.5 * (lit_k / all_k - 1.0) * bent_k : 0.0);
+  const double of_sun = all_k > 0.0 ? lit_k / all_k : 0.0;
+  double past_k = 0.0;
+  if (!exposure.past_free_sky.empty()) {
+    std::vector<double> sky_k(exposure.past_free_sky.size()), sky_bend_k(sky_k.size());
+    classes_->past_sky(normal, sky_k, sky_bend_k);
+    for (std::size_t row = 0; row < sky_k.size(); ++row)
+      past_k +=
+          (sky_k[row] + 0.5 * of_sun * sky_bend_k[row]) * (exposure.past_free_sky[row] - exposure.free_sky);
+  }
+  return shaded_k + past_k + lit_k + bent_k;
 }
 
 }  // namespace ifov::exposure

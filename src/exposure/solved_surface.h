@@ -1,26 +1,29 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <vector>
 
+#include "exposure/past_scene.h"
 #include "scene/solved_temperature.h"
 #include "thermal/surface_classes.h"
 
-namespace ifov::geometry {
-class World;
-}
-
 namespace ifov::exposure {
+
+class ExposedPoint;
 
 /// The temperature of points of one material: its classes (thermal/surface_classes.h) by the point's own direction, the share
 /// of the sky that is free over it, and its own visibility of the Sun in the past, both asked by rays. 2 kSunPairs of these
 /// go to where the Sun stood, two in each stratum of the sum over w_k, so that the sum is estimated without bias; the two
-/// tell how uncertain that is.
+/// tell how uncertain that is. Where things came and went, rays meet what stood there at their time; those to the sky are then
+/// sent twice, now and at a time of the past by the size of s_k, and what they differ by counts with s_k.
 class SolvedSurface final : public scene::SolvedTemperature {
  public:
   static constexpr int kSunPairs = 5, kSkyPairs = 2;
 
-  /// Keeps the reference to the world. `sun_radius_rad`: of the Sun's disc.
-  SolvedSurface(std::shared_ptr<const thermal::SurfaceClasses> classes, const geometry::World& world,
+  /// Keeps the references to the scene. `sun_radius_rad`: of the Sun's disc. Where things come and go, the classes have a
+  /// `past_sky`.
+  SolvedSurface(std::shared_ptr<const thermal::SurfaceClasses> classes, PastScene scene,
                 double sun_radius_rad);
 
   scene::EstimatedTemperature at(const geometry::SurfacePoint& point, std::uint64_t draw) const override;
@@ -31,21 +34,39 @@ class SolvedSurface final : public scene::SolvedTemperature {
   struct Exposure {
     double free_sky = 1.0;
     std::vector<double> visibility;
+    std::vector<double> past_free_sky{};  ///< by row of the series, where things came and went; else empty
   };
   /// With `sky_pairs` pairs of rays to the sky and `sun_rays` to each of the Sun's places.
   Exposure exposure(const geometry::SurfacePoint& point, std::uint64_t key, int sky_pairs,
                     int sun_rays) const;
+  /// Outwards, from the side that was met.
+  math::Vec3 normal_at(const geometry::SurfacePoint& point) const;
   /// The same sum as at(), of all of it.
   double temperature_k(const geometry::SurfacePoint& point, const Exposure& exposure) const;
 
   const thermal::SurfaceClasses& classes() const { return *classes_; }
 
  private:
-  math::Vec3 toward_sun(std::size_t row, std::uint64_t key) const;
+  struct PastRay {
+    math::Vec3 direction;
+    double time_s = 0.0;
+  };
+  PastRay toward_sun(std::size_t row, std::uint64_t key) const;
+  /// What the sky was to a point at other times than now, beyond what it is: an estimate by the same directions, and the pairs'
+  /// variance of both together. `is_free`: which are now; `of_sky_k`: what all of them are worth.
+  struct PastSky {
+    double in_shade_k = 0.0, of_sun_k = 0.0;  ///< without the Sun, and by what it changes with half of u
+    double variance_k2 = 0.0;
+  };
+  PastSky past_sky(const ExposedPoint& exposed, std::uint64_t key, std::span<const math::Vec3> directions,
+                   std::span<const std::uint8_t> is_free, double of_sky_k) const;
+  std::vector<double> past_free_sky(const ExposedPoint& exposed,
+                                    std::span<const math::Vec3> directions) const;
 
   std::shared_ptr<const thermal::SurfaceClasses> classes_;
-  const geometry::World& world_;
+  PastScene scene_;
   double sun_radius_rad_;
+  std::vector<std::size_t> changed_rows_;  ///< of the series, about which something is not as it is now
 };
 
 }  // namespace ifov::exposure

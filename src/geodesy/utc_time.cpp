@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "core/error.h"
+#include "geodesy/utc_seconds.h"
 
 namespace ifov::geodesy {
 namespace {
@@ -62,6 +63,7 @@ class TimeReader {
   }
 
   bool empty() const { return rest_.empty(); }
+  bool is_next(char symbol) const { return !rest_.empty() && rest_[0] == symbol; }
 
   [[noreturn]] void fail() const {
     throw InputError(
@@ -90,8 +92,10 @@ UtcTime parse_utc(std::string_view text) {
     hour = reader.number(2);
     reader.expect(':');
     minute = reader.number(2);
-    reader.expect(':');
-    second = reader.seconds();
+    if (reader.is_next(':')) {
+      reader.expect(':');
+      second = reader.seconds();
+    }
     zone = reader.zone_minutes();
   }
   UtcTime time;
@@ -108,6 +112,11 @@ std::string format_utc(UtcTime time) {
   eraD2dtf("UTC", 3, time.jd1, time.jd2, &year, &month, &day, hms);
   return format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:03}Z", year, month, day, hms[0], hms[1], hms[2],
                 hms[3]);
+}
+
+double seconds_after(UtcTime time, UtcTime other) {
+  constexpr double kDay_s = 86400.0;
+  return kDay_s * ((time.jd1 - other.jd1) + (time.jd2 - other.jd2));
 }
 
 }  // namespace ifov::geodesy

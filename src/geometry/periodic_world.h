@@ -43,6 +43,8 @@ class PeriodicWorld final : public World {
   }
   const SurfaceSurvey* survey() const override { return world_->survey(); }
   const SurfaceSurvey* lobe_survey() const override { return world_->lobe_survey(); }
+  std::span<const Presence> presences() const override { return world_->presences(); }
+  const Presence* presence(std::uint32_t object) const override { return world_->presence(object); }
   std::size_t triangle_count() const override { return world_->triangle_count(); }
   std::optional<Period> period() const override { return Period{cell_.width_m, cell_.height_m}; }
 

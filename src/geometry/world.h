@@ -13,10 +13,12 @@
 
 namespace ifov::geometry {
 
+struct Presence;
 struct SurfaceSurvey;
 
 /// All geometry of a scene, built once and immutable: the only door to the ray tracer. Batches are traced in
-/// packets; the answer to a ray does not depend on its neighbours in the batch. Safe to call from many
+/// packets; the answer to a ray does not depend on its neighbours in the batch. Objects that are there for a time only are met
+/// by rays of that time. Safe to call from many
 /// threads. Queries throw where memory runs out while a tree is made for them.
 class World {
  public:
@@ -66,6 +68,10 @@ class World {
   /// Area by SurfacePoint::material (`materials` of them), about, m^2: unequal scales count by their mean. A plane
   /// counts as much as all else together and 1 m^2, a height field by its outline.
   virtual std::vector<double> surface_areas_m2(std::size_t materials) const = 0;
+
+  /// What there is of times at which objects are there, and that of one object by its number; null: it always is.
+  virtual std::span<const Presence> presences() const { return {}; }
+  virtual const Presence* presence(std::uint32_t) const { return nullptr; }
 
   /// As a ray sees them, copies counted.
   virtual std::size_t triangle_count() const = 0;

@@ -59,9 +59,8 @@ class SurfaceCutOut;
 struct SurfaceState {
   std::uint32_t material = 0;
   double temperature_k = 0.0;
-  std::uint32_t lamp = 0;  ///< 1 + index into Scene::lamps, whose light it gives off as well; 0: none
-  /// 1 + index into Scene::solved, which tells its temperature from point to point; 0: none does.
-  std::uint32_t solved = 0;
+  std::uint32_t lamp = 0;    ///< 1 + index into Scene::lamps, whose light it gives off as well; 0: none
+  std::uint32_t solved = 0;  ///< 1 + index into Scene::solved, which tells its temperature; 0: none
   friend bool operator==(const SurfaceState&, const SurfaceState&) = default;
 };
 
@@ -127,6 +126,7 @@ struct Scene {
   ~Scene();
 
   std::unique_ptr<geometry::World> world;
+  std::unique_ptr<geometry::World> departed;  ///< what is there before the picture alone; null: nothing
   std::vector<materials::Material> materials;
   std::vector<SurfaceState> states;
   std::vector<SurfaceAssignment> assignments;

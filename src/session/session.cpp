@@ -93,7 +93,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
                   version(), log);
   phase("scene");
   AssembledScene assembled = assemble_scene(document.sources, document.scene, document.light.lamps,
-                                            document.seed, log, cache ? &*cache : nullptr);
+                                            document.time, document.seed, log, cache ? &*cache : nullptr);
   assemble_light(
       {document.sources, document.light, document.atmosphere, document.scene.origin, document.time},
       assembled.scene);

@@ -32,7 +32,8 @@ void apply_old_rates(const Cells& cells, double explicit_s, double loss_w_m2_k, 
 
 }  // namespace
 
-std::vector<double> linear_kernel(const Cells& cells, const History& history, std::size_t now) {
+std::vector<double> linear_kernel(const Cells& cells, const History& history, std::size_t now,
+                                  std::vector<double>* of_start) {
   const double conductance = cells.conductance_w_m2_k[0];
   std::vector<double> kernel(now + 1, 0.0), weight(cells.depth_m.size(), 0.0), p;
   const double outer = -history.nodes[now].slope_w_m2_k;
@@ -50,6 +51,7 @@ std::vector<double> linear_kernel(const Cells& cells, const History& history, st
     kernel[i] += explicit_s * before.share * weight[0];
     apply_old_rates(cells, explicit_s, before.loss_w_m2_k, weight);
   }
+  if (of_start != nullptr) *of_start = std::move(weight);
   return kernel;
 }
 

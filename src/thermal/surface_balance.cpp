@@ -20,25 +20,29 @@ double cos_incidence(const Outdoors& now, const Stand& stand) {
                                std::cos(now.sun_azimuth_rad - stand.azimuth_rad));
 }
 
+double global_w_m2(const Outdoors& now) {
+  return now.diffuse_w_m2 + now.direct_w_m2 * std::max(0.0, std::sin(now.sun_elevation_rad));
+}
+
 double mix(double a, double b, double share) { return a + share * (b - a); }
 
 }  // namespace
 
 SurfaceBalance::SurfaceBalance(const OutdoorsSeries& series, const Skin& skin, const Stand& stand,
-                               std::vector<double> visibility)
+                               std::vector<double> visibility, std::vector<double> free_sky)
     : begin_s_(series.begin_s), step_s_(series.step_s), cos_tilt_(std::cos(stand.tilt_rad)), skin_(skin) {
   rows_.reserve(series.rows.size());
   full_sun_.reserve(series.rows.size());
   for (std::size_t i = 0; i < series.rows.size(); ++i)
-    rows_.push_back(row_of(series, stand, i, visibility.empty() ? 1.0 : visibility[i]));
+    rows_.push_back(row_of(series, stand, i, visibility.empty() ? 1.0 : visibility[i],
+                           free_sky.empty() ? stand.free_sky : free_sky[i]));
 }
 
 SurfaceBalance::Row SurfaceBalance::row_of(const OutdoorsSeries& series, const Stand& stand,
-                                           std::size_t index, double visibility) {
+                                           std::size_t index, double visibility, double free_sky) {
   const Outdoors& now = series.rows[index];
-  const double sky_view = stand.free_sky * 0.5 * (1.0 + cos_tilt_), ground_view = 1.0 - sky_view;
-  const double on_ground =
-      now.diffuse_w_m2 + now.direct_w_m2 * std::max(0.0, std::sin(now.sun_elevation_rad));
+  const double sky_view = free_sky * 0.5 * (1.0 + cos_tilt_), ground_view = 1.0 - sky_view;
+  const double on_ground = global_w_m2(now);
   full_sun_.push_back(skin_.solar_absorptance * now.direct_w_m2 * cos_incidence(now, stand));
   Row row;
   row.given.sun = visibility * full_sun_.back();
@@ -51,6 +55,11 @@ SurfaceBalance::Row SurfaceBalance::row_of(const OutdoorsSeries& series, const S
   row.wind_m_s = wind_at_m_s(now.wind_m_s, series.anemometer, stand.height_m, stand.terrain);
   row.windward = faces_wind(stand.tilt_rad, stand.azimuth_rad, now.wind_from_rad);
   return row;
+}
+
+double SurfaceBalance::of_free_sky_w_m2(const Outdoors& now, const Skin& skin, double ground_reflectance) {
+  return skin.solar_absorptance * (now.diffuse_w_m2 - ground_reflectance * global_w_m2(now)) +
+         skin.emissivity * (now.longwave_w_m2 - black_w_m2(now.air.temperature_k));
 }
 
 SurfaceBalance::Row SurfaceBalance::at(double time_s) const {

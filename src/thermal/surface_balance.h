@@ -64,14 +64,17 @@ struct Fluxes {
 /// with the sky's share of its view F = (1 + cos tilt) / 2 and V of the Sun that it sees.
 class SurfaceBalance : public SurfaceExchange {
  public:
-  /// `visibility`: V at each row, from 0 to 1; empty: 1.
+  /// `visibility`: V at each row, from 0 to 1; empty: 1. `free_sky`: at each row in place of the stand's; empty: that.
   SurfaceBalance(const OutdoorsSeries& series, const Skin& skin, const Stand& stand,
-                 std::vector<double> visibility = {});
+                 std::vector<double> visibility = {}, std::vector<double> free_sky = {});
 
   SurfaceGain gain(double time_s, double surface_k) const override;
   Fluxes fluxes(double time_s, double surface_k) const;
   /// a E_sun cos at a row: what the Sun adds there where nothing is in the way, W m-2.
   double full_sun_w_m2(std::size_t row) const { return full_sun_[row]; }
+  /// What it gains at one instant more where its whole sky is free than where none of it is, over the sky's share F of its view
+  /// in the open: a E_sky - a r_g E_global + e (L_sky - sigma T_a^4), W m-2.
+  static double of_free_sky_w_m2(const Outdoors& now, const Skin& skin, double ground_reflectance);
 
  private:
   /// What does not depend on the surface's temperature, and what convection and latent heat go by.
@@ -81,7 +84,8 @@ class SurfaceBalance : public SurfaceExchange {
     double wind_m_s = 0.0;
     bool windward = true;
   };
-  Row row_of(const OutdoorsSeries& series, const Stand& stand, std::size_t index, double visibility);
+  Row row_of(const OutdoorsSeries& series, const Stand& stand, std::size_t index, double visibility,
+             double free_sky);
   Row at(double time_s) const;
   /// Adds the rest, and the derivative of the sum.
   Fluxes complete(const Row& row, double surface_k, double& slope) const;

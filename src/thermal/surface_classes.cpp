@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "core/parallel.h"
-#include "thermal/linear_kernel.h"
 #include "thermal/solid.h"
 
 namespace ifov::thermal {
@@ -13,6 +12,8 @@ namespace {
 
 constexpr int kTilts = 12, kAzimuths = 12;  // steps of half and of a whole turn
 constexpr double kLeastRise_k = 0.1;        // of a surface that the Sun warms
+constexpr double kLeastBend = 0.01;         // below it the kernels are one
+constexpr double kLeastLeft = 0.01;         // of all weights: what is older meets nothing yet older
 constexpr int kSides = 4;                   // of the directions that tell what is coldest and hottest
 // Of the largest rise, as the Sun may stand 33 degrees from the nearest of those, in front of a direction between them; and of
 // what shade differs by among them, as the wind may.
@@ -29,28 +30,16 @@ math::Vec3 facing(double tilt_rad, double azimuth_rad) {
           std::cos(tilt_rad)};
 }
 
-/// By row of the series. The parts of the first step go to the rows beside them.
-std::vector<double> kernel_by_row(const SurfaceSolution& solution) {
-  const std::vector<SurfaceNode>& nodes = solution.history.nodes;
-  const std::vector<double> by_node = linear_kernel(solution.cells, solution.history, nodes.size() - 1);
-  std::vector<double> by_row(solution.rows, 0.0);
-  const std::size_t first = solution.node_of_row(1);
-  const double step_s = nodes[first].time_s - nodes[0].time_s;
-  for (std::size_t i = 0; i < first; ++i) {
-    const double share = (nodes[i].time_s - nodes[0].time_s) / step_s;
-    by_row[0] += (1.0 - share) * by_node[i];
-    by_row[1] += share * by_node[i];
-  }
-  for (std::size_t row = 1; row < solution.rows; ++row) by_row[row] += by_node[solution.node_of_row(row)];
-  return by_row;
-}
-
 }  // namespace
 
 SurfaceClasses::SurfaceClasses(std::shared_ptr<const OutdoorsSeries> series, ClassSurface surface,
-                               int threads)
+                               int threads, bool past_sky)
     : series_(std::move(series)), surface_(std::move(surface)), places_(2 + (kTilts - 1) * kAzimuths) {
   const std::size_t count = series_->rows.size();
+  if (past_sky)
+    for (const Outdoors& now : series_->rows)
+      of_free_sky_w_m2_.push_back(
+          SurfaceBalance::of_free_sky_w_m2(now, surface_.skin, surface_.stand.ground_reflectance));
   for (std::size_t i = 0; i < count; ++i) {
     const Outdoors& now = series_->rows[i];
     if (!(now.direct_w_m2 > 0.0) || !(now.sun_elevation_rad > 0.0)) continue;
@@ -104,15 +93,35 @@ void SurfaceClasses::solve(Node& node, double tilt_rad, double azimuth_rad) cons
     }
     node.rise_k[sky] -= node.shaded_k[sky];
   }
-  double sum_k = 0.0;
+  double sum_k = 0.0, of_difference_k = 0.0;
   for (const Row& row : rows_) {
     node.kernel.push_back(static_cast<float>(std::max(0.0, kernel[row.index])));
     node.difference.push_back(static_cast<float>(difference[row.index]));
-    sum_k += static_cast<double>(node.kernel.back()) * row.absorbed_w_m2 *
-             std::max(0.0, math::dot(normal, row.sun));
+    const double gain_w_m2 = row.absorbed_w_m2 * std::max(0.0, math::dot(normal, row.sun));
+    sum_k += static_cast<double>(node.kernel.back()) * gain_w_m2;
+    of_difference_k += static_cast<double>(node.difference.back()) * gain_w_m2;
   }
-  for (std::size_t sky = 0; sky < 2; ++sky)
-    node.ratio[sky] = sum_k > kLeastRise_k ? node.rise_k[sky] / sum_k : 1.0;
+  if (!of_free_sky_w_m2_.empty()) {
+    node.past_kernel.assign(kernel.begin(), kernel.end());
+    node.past_difference.assign(difference.begin(), difference.end());
+  }
+  for (std::size_t sky = 0; sky < 2; ++sky) {
+    node.ratio[sky] = 1.0;
+    if (!(sum_k > kLeastRise_k)) continue;
+    if (std::abs(of_difference_k) > kLeastBend * sum_k)
+      node.shift[sky] = std::clamp((node.rise_k[sky] - sum_k) / of_difference_k, -0.5, 0.5);
+    double shifted_k = 0.0;
+    for (std::size_t k = 0; k < rows_.size(); ++k)
+      shifted_k += node.kernel_at(k, node.shift[sky]) * rows_[k].absorbed_w_m2 *
+                   std::max(0.0, math::dot(normal, rows_[k].sun));
+    node.ratio[sky] = node.rise_k[sky] / shifted_k;
+  }
+}
+
+double SurfaceClasses::time_s(std::size_t row, double steps) const {
+  // The last row's half-step after it is not there: what it stands for lies before it.
+  const double before = static_cast<double>(rows() - 1 - row);
+  return -step_s() * (before > 0.0 ? before - steps : std::abs(steps));
 }
 
 math::Vec3 SurfaceClasses::sun_at(std::size_t row, double steps) const {
@@ -157,16 +166,25 @@ SurfaceClasses::Corners SurfaceClasses::corners(math::Vec3 normal) const {
   return found;
 }
 
-void SurfaceClasses::bends(math::Vec3 normal, std::span<const std::size_t> rows,
-                           std::span<double> bend) const {
-  const Corners all = corners(normal);
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    double kernel = 0.0, difference = 0.0;
-    for (const Corners::Corner& corner : all) {
-      kernel += corner.share * static_cast<double>(corner.node->kernel[rows[k]]);
-      difference += corner.share * static_cast<double>(corner.node->difference[rows[k]]);
+void SurfaceClasses::bends(math::Vec3 normal, std::span<const double> sum_k,
+                           std::span<double> per_pair) const {
+  static thread_local std::vector<double> kernel, bent;
+  kernel.assign(rows_.size(), 0.0);
+  bent.assign(rows_.size(), 0.0);
+  for (const Corners::Corner& corner : corners(normal)) {
+    const Node& node = *corner.node;
+    const double shift = 0.5 * (node.shift[0] + node.shift[1]), factor = corner.share * (1.0 + 2.0 * shift);
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      kernel[k] += corner.share * node.kernel_at(k, shift);
+      bent[k] += factor * static_cast<double>(node.difference[k]);
     }
-    bend[k] = kernel > 0.0 ? std::clamp(difference / kernel, -1.0, 1.0) : 0.0;
+  }
+  const double least_k = rows_.empty() ? 0.0 : kLeastLeft * sum_k.back();
+  double bend = 0.0, last = 0.0, q = 0.0;
+  for (std::size_t k = rows_.size(); k-- > 0; last = bend) {
+    if (kernel[k] > 0.0) bend = std::clamp(bent[k] / kernel[k], -1.0, 1.0);
+    if (sum_k[k] > least_k) q += (bend - last) / sum_k[k];
+    per_pair[k] = q;
   }
 }
 
@@ -178,13 +196,29 @@ SurfaceClasses::Shade SurfaceClasses::shaded(math::Vec3 normal, double free_sky,
     const Node& node = *corner.node;
     shade.kelvin += corner.share * std::lerp(node.shaded_k[0], node.shaded_k[1], free_sky);
     shade.of_sky_k += corner.share * (node.shaded_k[1] - node.shaded_k[0]);
-    const double factor = corner.share * std::lerp(node.ratio[0], node.ratio[1], free_sky);
-    for (std::size_t k = 0; k < rows_.size(); ++k)
-      weight_k[k] += factor * static_cast<double>(node.kernel[k]);
+    const double factor = corner.share * std::lerp(node.ratio[0], node.ratio[1], free_sky),
+                 shift = std::lerp(node.shift[0], node.shift[1], free_sky);
+    for (std::size_t k = 0; k < rows_.size(); ++k) weight_k[k] += factor * node.kernel_at(k, shift);
   }
   for (std::size_t k = 0; k < rows_.size(); ++k)
     weight_k[k] *= rows_[k].absorbed_w_m2 * std::max(0.0, math::dot(normal, rows_[k].sun));
   return shade;
+}
+
+void SurfaceClasses::past_sky(math::Vec3 normal, std::span<double> weight_k, std::span<double> bend_k) const {
+  const double open = 0.5 * (1.0 + normal.z);
+  std::fill(weight_k.begin(), weight_k.end(), 0.0);
+  std::fill(bend_k.begin(), bend_k.end(), 0.0);
+  for (const Corners::Corner& corner : corners(normal))
+    for (std::size_t row = 0; row < weight_k.size(); ++row) {
+      const double difference = static_cast<double>(corner.node->past_difference[row]);
+      weight_k[row] += corner.share * (static_cast<double>(corner.node->past_kernel[row]) - 0.5 * difference);
+      bend_k[row] += corner.share * difference;
+    }
+  for (std::size_t row = 0; row < weight_k.size(); ++row) {
+    weight_k[row] *= open * of_free_sky_w_m2_[row];
+    bend_k[row] *= open * of_free_sky_w_m2_[row];
+  }
 }
 
 }  // namespace ifov::thermal

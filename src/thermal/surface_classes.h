@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -27,16 +28,28 @@ struct ClassSurface {
 /// and when the Sun was. For directions over a grid, with the sky free and hidden, the whole nonlinear problem is solved
 /// twice, always sunlit (T_1) and always shaded (T_0), and linearised about both; between them
 ///
-///   T = T_0 + sum over t_k of w_k V(t_k),   w_k = r K(t_k) alpha E(t_k) cos theta_k,
+///   T = T_0 + sum over t_k of w_k V(t_k),   w_k = r K(t_k) alpha E(t_k) cos theta_k,   K = (1/2 - c) K_0 + (1/2 + c) K_1,
 ///
-/// with E the Sun's irradiance across its beam and cos theta_k to its place then, of the surface's own direction; K the
-/// mean of the kernels K_0 and K_1 (linear_kernel.h), and r = (T_1 - T_0) / sum K alpha E cos theta, so that T is right where
-/// the visibility V of the Sun is 0 or 1 throughout. A surface that is warm loses more of the next watt than a cold one: to
-/// second order, with the share u = sum w V / sum w of its Sun that a point had and the bend b_k = (K_1 - K_0) / K,
+/// with E the Sun's irradiance across its beam and cos theta_k to its place then, of the surface's own direction; K_0 and K_1
+/// the kernels (linear_kernel.h), and c so that T is right where the visibility V of the Sun is 0 or 1 throughout: between the two
+/// histories the kernel does not change evenly, as free convection sets in at once, and what it changes by is little for the last
+/// minutes and much for yesterday. c stays within 1/2; what that leaves r takes, T_1 - T_0 over the sum. A surface that is warm loses
+/// more of the next watt than a cold one. Two gains of the past weaken each other by what the later of them has lost since, so that to
+/// second order, over all pairs of times,
 ///
-///   T = T_0 + sum w_k V(t_k) (1 + (u - 1) b_k / 2).
+///   T = T_0 + sum w_k V(t_k) - sum over j, k of q / 2 w_j w_k V(t_j) (1 - V(t_k)),   b_k = (1 + 2 c) (K_1 - K_0) / K,
+///
+/// with q of the later time. That the kernel is K_1 where V is 1 throughout, and K_0 where it is 0, tells q: with p the sum of the w
+/// after a time and W that of all, b = q (W - p) + the integral of q over p, hence dq/dp = (db/dp) / (W - p).
 ///
 /// T_0, the kernels and r are bilinear between directions, T_0 and r linear in the free share of the sky.
+///
+/// Where that share f was otherwise at times than it is now, with what a free sky is worth g (SurfaceBalance::of_free_sky_w_m2) and
+/// its share F of the view of a surface in the open, the temperature changes by the sum over all rows of
+///
+///   s_k (f(t_k) - f),   s_k = (K_0 + u / 2 (K_1 - K_0)) F g(t_k):
+///
+/// what hides the sky mostly hides the Sun, so that half of u is what came after.
 ///
 /// A direction is solved when first asked for; any number of threads may ask, and what they are told does not depend on it.
 class SurfaceClasses {
@@ -44,12 +57,16 @@ class SurfaceClasses {
   static constexpr double kTiltStep_rad = 0.2617993877991494;     // 15 degrees
   static constexpr double kAzimuthStep_rad = 0.5235987755982988;  // 30 degrees
 
-  /// Throws InputError as solve_surface does.
-  SurfaceClasses(std::shared_ptr<const OutdoorsSeries> series, ClassSurface surface, int threads);
+  /// `past_sky`: whether the s_k will be asked for, which takes the kernel of all rows. Throws InputError as solve_surface does.
+  SurfaceClasses(std::shared_ptr<const OutdoorsSeries> series, ClassSurface surface, int threads,
+                 bool past_sky = false);
 
   /// Of the times at which the Sun shone, in order.
   std::size_t sunlit_rows() const { return rows_.size(); }
   double step_s() const { return series_->step_s; }
+  std::size_t rows() const { return series_->rows.size(); }
+  /// Seconds from the end of the series, 0 or below, of a row of it and some steps after it (-1 to 1).
+  double time_s(std::size_t row, double steps) const;
   /// To where the Sun stood, by row and steps after it (-1 to 1), unit; below the horizon it may be, too.
   math::Vec3 sun_at(std::size_t row, double steps) const;
 
@@ -60,8 +77,10 @@ class SurfaceClasses {
   /// Of a surface with this outward normal (unit, ENU) and share of the sky above its horizon that is free; w_k by sunlit row,
   /// kelvins, none below 0.
   Shade shaded(math::Vec3 normal, double free_sky, std::span<double> weight_k) const;
-  /// b_k of some sunlit rows.
-  void bends(math::Vec3 normal, std::span<const std::size_t> rows, std::span<double> bend) const;
+  /// q by sunlit row, per kelvin; `sum_k`: of the w_k that shaded() gave, up to each and with it.
+  void bends(math::Vec3 normal, std::span<const double> sum_k, std::span<double> per_pair) const;
+  /// s_k by row of the series without the Sun (u = 0), and by what it changes with u / 2; only with `past_sky`.
+  void past_sky(math::Vec3 normal, std::span<double> weight_k, std::span<double> bend_k) const;
   /// The row of the series that a sunlit row is.
   std::size_t row_of_series(std::size_t sunlit_row) const { return rows_[sunlit_row].index; }
 
@@ -77,8 +96,13 @@ class SurfaceClasses {
   };
   /// A direction: with the sky hidden and free.
   struct Node {
-    std::array<double, 2> shaded_k{}, rise_k{}, ratio{};
-    std::vector<float> kernel, difference;  ///< by sunlit row: mean of both, K_1 - K_0
+    std::array<double, 2> shaded_k{}, rise_k{}, ratio{}, shift{};
+    std::vector<float> kernel, difference;            ///< by sunlit row: mean of both, K_1 - K_0
+    std::vector<float> past_kernel, past_difference;  ///< by row of the series; empty without `past_sky`
+
+    double kernel_at(std::size_t row, double between) const {
+      return std::max(0.0, static_cast<double>(kernel[row]) + between * static_cast<double>(difference[row]));
+    }
   };
   /// Those of a share above 0.
   struct Corners {
@@ -102,6 +126,7 @@ class SurfaceClasses {
 
   std::shared_ptr<const OutdoorsSeries> series_;
   ClassSurface surface_;
+  std::vector<double> of_free_sky_w_m2_;  ///< g by row of the series; empty without `past_sky`
   std::vector<Row> rows_;
   mutable std::vector<Place> places_;  ///< facing up, facing down, and rings between
   double coldest_k_ = 0.0, hottest_k_ = 0.0;

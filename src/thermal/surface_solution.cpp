@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "thermal/linear_kernel.h"
 #include "thermal/solid.h"
 
 namespace ifov::thermal {
@@ -34,16 +35,10 @@ class MeanExchange : public SurfaceExchange {
   const SurfaceBalance& balance_;
   const OutdoorsSeries& series_;
   std::size_t rows_;
-};
 
-std::vector<double> start_temperatures(const Cells& cells, const SurfaceBalance& balance,
-                                       const OutdoorsSeries& series, Start start) {
-  const double air_k = series.rows.front().air.temperature_k;
-  if (start == Start::air) return std::vector<double>(cells.depth_m.size(), air_k);
-  return steady_cells_k(
-      cells, balanced_temperature_k(MeanExchange(balance, series), 0.0, whole_conductance_w_m2_k(cells),
-                                    cells.back_temperature_k, air_k));
-}
+ public:
+  std::size_t rows() const { return rows_; }
+};
 
 void add(Fluxes& sum, const Fluxes& one, double weight) {
   sum.sun += weight * one.sun;
@@ -72,13 +67,53 @@ Fluxes mean_fluxes(const SurfaceBalance& balance, const History& history) {
 }  // namespace
 
 SurfaceSolution solve_surface(const Solid& solid, const Skin& skin, const Stand& stand,
-                              const OutdoorsSeries& series, Start start, std::vector<double> visibility) {
+                              const OutdoorsSeries& series, Start start, std::vector<double> visibility,
+                              std::vector<double> free_sky) {
   Cells cells = cut_into_cells(solid);
-  SurfaceBalance balance(series, skin, stand, std::move(visibility));
-  History history = conduct(cells, start_temperatures(cells, balance, series, start), balance,
+  SurfaceBalance balance(series, skin, stand, std::move(visibility), std::move(free_sky));
+  const double air_k = series.rows.front().air.temperature_k;
+  std::vector<double> start_k(cells.depth_m.size(), air_k);
+  std::size_t start_rows = 0;
+  double start_k_per_w_m2 = 0.0;
+  if (start == Start::steady) {
+    const MeanExchange mean(balance, series);
+    const double conductance = whole_conductance_w_m2_k(cells);
+    const double surface_k = balanced_temperature_k(mean, 0.0, conductance, cells.back_temperature_k, air_k);
+    start_k = steady_cells_k(cells, surface_k);
+    start_rows = mean.rows();
+    start_k_per_w_m2 = 1.0 / (conductance - mean.gain(0.0, surface_k).slope_w_m2_k);
+  }
+  History history = conduct(cells, std::move(start_k), balance,
                             {series.begin_s, series.step_s, static_cast<int>(series.rows.size()) - 1});
   const Fluxes mean = mean_fluxes(balance, history);
-  return {std::move(cells), std::move(balance), std::move(history), mean, series.rows.size()};
+  return {std::move(cells),   std::move(balance), std::move(history), mean,
+          series.rows.size(), start_rows,         start_k_per_w_m2};
+}
+
+std::vector<double> kernel_by_row(const SurfaceSolution& solution) {
+  const std::vector<SurfaceNode>& nodes = solution.history.nodes;
+  std::vector<double> of_start;
+  const std::vector<double> by_node =
+      linear_kernel(solution.cells, solution.history, nodes.size() - 1, &of_start);
+  std::vector<double> by_row(solution.rows, 0.0);
+  const std::size_t first = solution.node_of_row(1);
+  const double step_s = nodes[first].time_s - nodes[0].time_s;
+  for (std::size_t i = 0; i < first; ++i) {
+    const double share = (nodes[i].time_s - nodes[0].time_s) / step_s;
+    by_row[0] += (1.0 - share) * by_node[i];
+    by_row[1] += share * by_node[i];
+  }
+  for (std::size_t row = 1; row < solution.rows; ++row) by_row[row] += by_node[solution.node_of_row(row)];
+  // The cells of a steady start by its surface: steady_cells_k().
+  const double whole = whole_conductance_w_m2_k(solution.cells);
+  double of_surface = 0.0, share = 1.0;
+  for (std::size_t i = 0; i < of_start.size(); ++i) {
+    share -= whole / solution.cells.conductance_w_m2_k[i];
+    of_surface += share * of_start[i];
+  }
+  for (std::size_t row = 0; row < solution.start_rows; ++row)
+    by_row[row] += of_surface * solution.start_k_per_w_m2 / static_cast<double>(solution.start_rows);
+  return by_row;
 }
 
 }  // namespace ifov::thermal

@@ -26,11 +26,19 @@ struct SurfaceSolution {
   }
   double surface_k(std::size_t row) const { return history.nodes[node_of_row(row)].surface_k; }
   std::size_t rows = 0;
+
+  /// Of a steady start: over how many rows gains were averaged, and kelvins of its surface per W m-2 of that mean; else 0.
+  std::size_t start_rows = 0;
+  double start_k_per_w_m2 = 0.0;
 };
 
-/// `visibility`: of the Sun, at each row; empty: 1. Throws InputError of check(solid).
+/// `visibility`: of the Sun, at each row; empty: 1. `free_sky`: at each row in place of the stand's; empty: that. Throws InputError of check(solid).
 SurfaceSolution solve_surface(const Solid& solid, const Skin& skin, const Stand& stand,
                               const OutdoorsSeries& series, Start start = Start::steady,
-                              std::vector<double> visibility = {});
+                              std::vector<double> visibility = {}, std::vector<double> free_sky = {});
+
+/// linear_kernel() of the last row, by row of the series: those of the first step go to the rows beside them, and what a gain of
+/// the first day does by way of a steady start counts there.
+std::vector<double> kernel_by_row(const SurfaceSolution& solution);
 
 }  // namespace ifov::thermal

@@ -216,7 +216,7 @@ TEST(SolvedTemperatures, WhereAShadowWasAcrossItsPath) {
                                        thermal::ClassSurface{road.thermal.solid, road.thermal.skin,
                                                              thermal::Stand{}, road.thermal.start},
                                        1),
-                                   *session.parts().scene.world, 0.00465);
+                                   exposure::PastScene(*session.parts().scene.world), 0.00465);
   };
   const exposure::SolvedSurface other_day = surface_under(wrong), no_sky = surface_under(dark);
   double coldest = 1e9, warmest = 0.0, off_other_day = 0.0, off_no_sky = 0.0;

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "geodesy/utc_time.h"
+#include "geodesy/utc_seconds.h"
 
 namespace ifov::geodesy::test_utc_time {
 namespace {
@@ -11,9 +11,17 @@ TEST(UtcTime, ReadsIso8601) {
   EXPECT_DOUBLE_EQ(j2000.jd1 + j2000.jd2, 2451545.0);
   EXPECT_EQ(format_utc(parse_utc("2003-10-17T12:30:30.25-07:00")), "2003-10-17T19:30:30.250Z");
   EXPECT_EQ(format_utc(parse_utc("2003-10-17T00:30:00+05:30")), "2003-10-16T19:00:00.000Z");
+  EXPECT_EQ(format_utc(parse_utc("2003-10-17T19:30Z")), "2003-10-17T19:30:00.000Z");
+  EXPECT_EQ(format_utc(parse_utc("2003-10-17T19:30+01:00")), "2003-10-17T18:30:00.000Z");
   EXPECT_EQ(format_utc(parse_utc("2003-10-17")), "2003-10-17T00:00:00.000Z");
   EXPECT_EQ(format_utc(parse_utc("2016-12-31T23:59:60Z")), "2016-12-31T23:59:60.000Z");
   EXPECT_EQ(format_utc(parse_utc("1950-06-01T01:02:03Z")), "1950-06-01T01:02:03.000Z");
+}
+
+TEST(UtcTime, SecondsBetween) {
+  EXPECT_NEAR(seconds_after(parse_utc("2003-10-18T00:00:01.5Z"), parse_utc("2003-10-17T12:00+01:00")),
+              46801.5, 1e-4);
+  EXPECT_NEAR(seconds_after(parse_utc("2003-10-17"), parse_utc("2003-10-18")), -86400.0, 1e-4);
 }
 
 TEST(UtcTime, SaysWhatItExpects) {
@@ -28,10 +36,11 @@ TEST(UtcTime, SaysWhatItExpects) {
 }
 
 TEST(UtcTime, RefusesWhatIsNoTime) {
-  for (const char* text : {"", "2003", "2003-10-17T19:30:30", "2003-13-01T00:00:00Z", "2003-02-29",
-                           "2003-10-17T24:30:00Z", "2003-10-17T19:60:00Z", "2003-10-17T19:30:61Z",
-                           "2017-12-31T23:59:60Z", "2003-10-17T19:30:30Zx", "2003-10-17T19:30:30+7:00",
-                           "2003-10-17T19:30:30.Z", "2003-10-17T19:30:30+15:00", "2003-10-17 19:30:30Z"})
+  for (const char* text :
+       {"", "2003", "2003-10-17T19:30:30", "2003-13-01T00:00:00Z", "2003-02-29", "2003-10-17T24:30:00Z",
+        "2003-10-17T19:60:00Z", "2003-10-17T19:30:61Z", "2017-12-31T23:59:60Z", "2003-10-17T19:30:30Zx",
+        "2003-10-17T19:30:30+7:00", "2003-10-17T19:30:30.Z", "2003-10-17T19:30", "2003-10-17T19:30:Z",
+        "2003-10-17T19:30:30+15:00", "2003-10-17 19:30:30Z"})
     EXPECT_THROW(parse_utc(text), InputError) << text;
 }
 

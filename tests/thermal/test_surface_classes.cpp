@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "outdoors.h"
+#include "thermal/linear_kernel.h"
 #include "thermal/solid.h"
 #include "thermal/surface_classes.h"
 
@@ -39,18 +40,17 @@ double class_k(const SurfaceClasses& classes, math::Vec3 normal, double free_sky
                const std::vector<double>& visibility) {
   std::vector<double> weight_k(classes.sunlit_rows());
   const double shaded_k = classes.shaded(normal, free_sky, weight_k).kelvin;
-  std::vector<std::size_t> rows(weight_k.size());
-  for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = k;
-  std::vector<double> bend(rows.size());
-  classes.bends(normal, rows, bend);
-  double all_k = 0.0, lit_k = 0.0, bent_k = 0.0;
-  for (const std::size_t k : rows) {
-    const double part_k = weight_k[k] * visibility[classes.row_of_series(k)];
-    all_k += weight_k[k];
-    lit_k += part_k;
-    bent_k += bend[k] * part_k;
+  std::vector<double> per_pair(weight_k.size()), sum_k_to(weight_k.size());
+  std::partial_sum(weight_k.begin(), weight_k.end(), sum_k_to.begin());
+  classes.bends(normal, sum_k_to, per_pair);
+  const auto seen = [&](std::size_t k) { return visibility[classes.row_of_series(k)]; };
+  double sum_k = shaded_k;
+  for (std::size_t k = 0; k < weight_k.size(); ++k) {
+    sum_k += weight_k[k] * seen(k);
+    for (std::size_t j = 0; j < weight_k.size(); ++j)
+      sum_k -= 0.5 * per_pair[std::max(j, k)] * weight_k[j] * weight_k[k] * seen(j) * (1.0 - seen(k));
   }
-  return shaded_k + lit_k + 0.5 * (lit_k / all_k - 1.0) * bent_k;
+  return sum_k;
 }
 
 TEST(SurfaceClasses, AreTheWholeSolutionInFullSunAndInTheShade) {
@@ -65,6 +65,30 @@ TEST(SurfaceClasses, AreTheWholeSolutionInFullSunAndInTheShade) {
                     full_k(solid, series, tilt, 180.0, free_sky, visibility), 0.002)
             << tilt << " " << free_sky << " " << visible;
       }
+}
+
+/// The kernel of a row holds what its gain does by way of the mean that the solution begins with.
+TEST(SurfaceClasses, KernelsKnowHowTheSolutionBegan) {
+  const OutdoorsSeries series = afternoon();
+  const Solid solid = road();
+  const auto solved = [&](double first_day) {
+    std::vector<double> visibility(series.rows.size(), 1.0);
+    std::fill_n(visibility.begin(), 288, first_day);
+    return solve_surface(solid, {}, Stand{}, series, Start::steady, visibility);
+  };
+  const SurfaceSolution solution = solved(1.0);
+  const std::vector<double> kernel = kernel_by_row(solution),
+                            without = linear_kernel(solution.cells, solution.history,
+                                                    solution.history.nodes.size() - 1);
+  double foretold_k = 0.0, without_k = 0.0;
+  for (std::size_t row = 0; row < 288; ++row) {
+    foretold_k -= 0.02 * kernel[row] * solution.balance.full_sun_w_m2(row);
+    if (row > 0) without_k -= 0.02 * without[solution.node_of_row(row)] * solution.balance.full_sun_w_m2(row);
+  }
+  const double changed_k =
+      solved(0.98).history.nodes.back().surface_k - solution.history.nodes.back().surface_k;
+  EXPECT_NEAR(foretold_k / changed_k, 1.0, 0.01);
+  EXPECT_LT(without_k / changed_k, 0.9);
 }
 
 TEST(SurfaceClasses, BetweenDirectionsSharesOfTheSkyAndHoursOfSun) {

@@ -37,8 +37,8 @@ void propose_triangle(const RTCFilterFunctionNArguments* a) {
     const Candidate c{Candidate::triangle, RTCHitN_instID(a->hit, a->N, i, 0),
                       RTCHitN_primID(a->hit, a->N, i), 0, &set};
     double t = kUnknown;
-    bool taken = true;
-    if (!packet.clearly_within(k, seen)) {
+    bool taken = packet.is_there(k, c);
+    if (taken && !packet.clearly_within(k, seen)) {
       t = packet.facet_distance(k, set, c.instance, c.prim);
       taken = packet.within(k, t);
     }
@@ -63,8 +63,8 @@ void propose_occluder(const RTCFilterFunctionNArguments* a) {
     const double seen = double(RTCRayN_tfar(a->ray, a->N, i));
     const unsigned instance = RTCHitN_instID(a->hit, a->N, i, 0), prim = RTCHitN_primID(a->hit, a->N, i);
     double t = kUnknown;
-    bool blocks = true;
-    if (!packet.clearly_within(k, seen)) {
+    bool blocks = packet.is_there(k, {Candidate::triangle, instance, prim, 0, &set});
+    if (blocks && !packet.clearly_within(k, seen)) {
       t = packet.facet_distance(k, set, instance, prim);
       blocks = packet.within(k, t);
     }
@@ -96,8 +96,8 @@ void intersect_analytic(const RTCIntersectFunctionNArguments* a) {
     if (a->valid[i] == 0) continue;
     const std::size_t k = RTCRayN_id(rays, a->N, i);
     const UnitHit hit = meet(packet, k, set.shapes[a->primID], instance, packet.high[k]);
-    if (hit.t < packet.high[k] &&
-        packet.take(k, hit.t, hit.t, {Candidate::analytic, instance, a->primID, hit.face, &set}))
+    const Candidate c{Candidate::analytic, instance, a->primID, hit.face, &set};
+    if (hit.t < packet.high[k] && packet.is_there(k, c) && packet.take(k, hit.t, hit.t, c))
       RTCRayN_tfar(rays, a->N, i) =
           std::min(RTCRayN_tfar(rays, a->N, i), static_cast<float>(hit.t + packet.window_m));
   }
@@ -109,8 +109,11 @@ void occlude_analytic(const RTCOccludedFunctionNArguments* a) {
   for (unsigned i = 0; i < a->N; ++i) {
     if (a->valid[i] == 0) continue;
     const std::size_t k = RTCRayN_id(a->ray, a->N, i);
-    const UnitHit hit = meet(packet, k, set.shapes[a->primID], a->context->instID[0], packet.high[k]);
-    if (hit.t < packet.high[k]) RTCRayN_tfar(a->ray, a->N, i) = -kFloatInfinity;
+    const unsigned instance = a->context->instID[0];
+    const UnitHit hit = meet(packet, k, set.shapes[a->primID], instance, packet.high[k]);
+    if (hit.t < packet.high[k] &&
+        packet.is_there(k, {Candidate::analytic, instance, a->primID, hit.face, &set}))
+      RTCRayN_tfar(a->ray, a->N, i) = -kFloatInfinity;
   }
 }
 
@@ -128,8 +131,8 @@ void intersect_field(const RTCIntersectFunctionNArguments* a) {
     if (a->valid[i] == 0) continue;
     const std::size_t k = RTCRayN_id(rays, a->N, i);
     const HeightField::Hit hit = meet(packet, k, placed, a->primID);
-    if (hit.t < packet.high[k] &&
-        packet.take(k, hit.t, hit.t, {Candidate::field, RTC_INVALID_GEOMETRY_ID, hit.triangle, 0, &placed}))
+    const Candidate c{Candidate::field, RTC_INVALID_GEOMETRY_ID, hit.triangle, 0, &placed};
+    if (hit.t < packet.high[k] && packet.is_there(k, c) && packet.take(k, hit.t, hit.t, c))
       RTCRayN_tfar(rays, a->N, i) =
           std::min(RTCRayN_tfar(rays, a->N, i), static_cast<float>(hit.t + packet.window_m));
   }
@@ -141,7 +144,9 @@ void occlude_field(const RTCOccludedFunctionNArguments* a) {
   for (unsigned i = 0; i < a->N; ++i) {
     if (a->valid[i] == 0) continue;
     const std::size_t k = RTCRayN_id(a->ray, a->N, i);
-    if (meet(packet, k, placed, a->primID).t < packet.high[k])
+    const HeightField::Hit hit = meet(packet, k, placed, a->primID);
+    if (hit.t < packet.high[k] &&
+        packet.is_there(k, {Candidate::field, RTC_INVALID_GEOMETRY_ID, hit.triangle, 0, &placed}))
       RTCRayN_tfar(a->ray, a->N, i) = -kFloatInfinity;
   }
 }

@@ -90,6 +90,9 @@ bool EmbreeWorld::load(RayPacket& packet, std::span<const Ray> rays, double* shi
     embree.tnear[k] = 0.0f, embree.tfar[k] = float(leave[k] - s + window_m_), embree.time[k] = 0.0f;
     embree.mask[k] = ~0u, embree.id[k] = unsigned(k), embree.flags[k] = 0;
   }
+  packet.visits = visits_.runs.empty() ? nullptr : &visits_;
+  if (packet.visits != nullptr)
+    for (std::size_t k = 0; k < kLanes; ++k) packet.time_s[k] = rays[std::min(k, count - 1)].time_s;
   packet.window_m = window_m_;
   packet.same_m = same_m_;
   packet.table = table();
@@ -101,8 +104,9 @@ void EmbreeWorld::meet_planes(RayPacket& packet, std::size_t count) const {
   for (std::uint32_t i = 0; i < planes_.size(); ++i) {
     for (std::size_t k = 0; k < count; ++k) {
       const double t = (planes_[i].z_m - packet.z[k]) / packet.dz[k];
-      if (!packet.within(k, t)) continue;
-      packet.take(k, t, t, {Candidate::plane, RTC_INVALID_GEOMETRY_ID, i, 0, &planes_[i].object});
+      const Candidate c{Candidate::plane, RTC_INVALID_GEOMETRY_ID, i, 0, &planes_[i].object};
+      if (!packet.within(k, t) || !packet.is_there(k, c)) continue;
+      packet.take(k, t, t, c);
     }
   }
 }

@@ -13,6 +13,7 @@
 #include "geometry/world/embree_scene.h"
 #include "geometry/world/instance_set.h"
 #include "geometry/world/piece_walk.h"
+#include "geometry/world/presence_table.h"
 #include "geometry/world/primitive_sets.h"
 #include "geometry/world/prototype_plan.h"
 #include "geometry/world/ray_packet.h"
@@ -36,6 +37,8 @@ class EmbreeWorld final : public World, private HoleTest {
   Heights heights() const override { return heights_; }
   std::size_t object_count() const override { return objects_.size(); }
   PlacedObject object(std::size_t number) const override;
+  std::span<const Presence> presences() const override { return visits_.presences; }
+  const Presence* presence(std::uint32_t object) const override { return visits_.of(object); }
   std::size_t triangle_count() const override { return triangle_count_; }
   Storage storage() const override;
   void visit_surfaces(const WantedMaterials& wanted, const PieceVisitor& visitor) const override;
@@ -80,6 +83,7 @@ class EmbreeWorld final : public World, private HoleTest {
                       LargeMeshes how);
   void note_figures(const WorldContent& content, const PrototypePlan& plan);
   void note_objects(const WorldContent& content, const std::vector<bool>& instanced);
+  void note_presences(const WorldContent& content);
   void find_bounds(const WorldContent& content, const PieceWalk& walk, const std::vector<bool>& instanced,
                    std::vector<double>& shrink);
   void find_heights(const WorldContent& content, GrowingBox box);
@@ -140,6 +144,7 @@ class EmbreeWorld final : public World, private HoleTest {
 
   std::vector<Figure> figures_;  ///< by template
   std::vector<Object> objects_;
+  PresenceTable visits_;                     ///< without runs: everything is always there
   std::vector<math::Transform> transforms_;  ///< of objects that are no instances: scene from object
 
   // By Embree's instance number.

@@ -93,6 +93,7 @@ EmbreeWorld::EmbreeWorld(WorldContent content, const BuildOptions& options)
   choose_chunked(content, plan, instanced, options.large_meshes);
   note_figures(content, plan);
   note_objects(content, instanced);
+  note_presences(content);
   std::vector<double> shrink(content.templates.size(), 1.0);
   find_bounds(content, walk, instanced, shrink);
   build_prototypes(content, instanced, shrink);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "geometry/growing_box.h"
 #include "geometry/world/embree_world.h"
@@ -61,6 +62,21 @@ void EmbreeWorld::note_objects(const WorldContent& content, const std::vector<bo
       }
       objects_.push_back(object);
     }
+  }
+}
+
+void EmbreeWorld::note_presences(const WorldContent& content) {
+  if (std::none_of(content.runs.begin(), content.runs.end(), [](const Run& r) { return r.presence; })) return;
+  std::map<const Presence*, std::uint32_t> known;
+  for (const Run& run : content.runs) {
+    std::uint32_t index = PresenceTable::kAlways;
+    if (run.presence) {
+      const auto [entry, is_new] =
+          known.try_emplace(run.presence.get(), static_cast<std::uint32_t>(visits_.presences.size()));
+      if (is_new) visits_.presences.push_back(*run.presence);
+      index = entry->second;
+    }
+    visits_.runs.push_back({run.first_object, index});
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "geometry/height_field.h"
 #include "geometry/surface_point.h"
+#include "geometry/world/presence_table.h"
 #include "geometry/world/primitive_sets.h"
 
 namespace ifov::geometry {
@@ -77,12 +78,14 @@ struct RayPacket {
 
   RTCIntersectContext context;  // first: Embree hands back a pointer to it
   InstanceTable table;
-  const HoleTest* holes = nullptr;  ///< null: nothing has any
+  const HoleTest* holes = nullptr;        ///< null: nothing has any
+  const PresenceTable* visits = nullptr;  ///< null: everything is always there
   double window_m = 0.0, same_m = 0.0;
 
   // Rays from a start near the scene, in the frame about the scene's centre; distances count from that start.
   alignas(64) double x[kLanes], y[kLanes], z[kLanes], dx[kLanes], dy[kLanes], dz[kLanes];
   alignas(64) double low[kLanes], high[kLanes];
+  double time_s[kLanes];             ///< read where there are `visits`
   alignas(64) double near[kLanes];   ///< distance of the best candidate as Embree sees it
   alignas(64) double exact[kLanes];  ///< the same in double; NaN: not asked for yet
   Candidate best[kLanes];
@@ -161,6 +164,13 @@ struct RayPacket {
     return other;
   }
   std::uint32_t object(const Candidate& c) const { return static_cast<std::uint32_t>(rank(c) >> 32); }
+
+  /// Whether the object that a candidate belongs to is there at the lane's time.
+  bool is_there(std::size_t k, const Candidate& c) const {
+    if (visits == nullptr) return true;
+    const Presence* const presence = visits->of(object(c));
+    return presence == nullptr || presence->at(time_s[k]);
+  }
 
   bool within(std::size_t k, double t) const { return t > low[k] && t < high[k]; }
   /// Embree's distance says by itself that the hit lies between the ray's ends.

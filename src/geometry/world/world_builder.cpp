@@ -27,6 +27,7 @@ void require_invertible(const math::Transform& map) {
 struct WorldBuilder::Content : WorldContent {
   /// List of an object -> where it begins.
   std::map<std::vector<std::uint32_t>, std::uint32_t> known_materials;
+  std::shared_ptr<const Presence> presence;  ///< of what is placed next
 
   const Template& at(ShapeId id) const {
     if (id.value >= templates.size()) throw InputError(format("there is no shape number {}", id.value));
@@ -51,7 +52,7 @@ struct WorldBuilder::Content : WorldContent {
     if (copies == 0 || t.nothing) return first;
     t.uses += copies;
     object_count += static_cast<std::uint32_t>(copies);
-    runs.push_back({std::move(what), materials_begin(material_of_slot), first, pilot_ray});
+    runs.push_back({std::move(what), materials_begin(material_of_slot), first, pilot_ray, presence});
     return first;
   }
 };
@@ -106,6 +107,10 @@ ShapeId WorldBuilder::add_prototype(std::span<const Part> parts) {
 }
 
 std::uint32_t WorldBuilder::object_count() const { return content_->object_count; }
+
+void WorldBuilder::set_presence(std::shared_ptr<const Presence> presence) {
+  content_->presence = std::move(presence);
+}
 
 std::size_t WorldBuilder::slot_count(ShapeId what) const { return content_->at(what).slot_count; }
 

@@ -9,6 +9,7 @@
 #include "geometry/cut_out.h"
 #include "geometry/height_field.h"
 #include "geometry/placements.h"
+#include "geometry/presence.h"
 #include "geometry/shapes.h"
 #include "geometry/world.h"
 #include "math/transform.h"
@@ -74,6 +75,9 @@ class WorldBuilder {
 
   /// Objects placed so far: the number of the next.
   std::uint32_t object_count() const;
+
+  /// What is placed from now on is there at these times only; null: always.
+  void set_presence(std::shared_ptr<const Presence> presence);
 
   /// Number of material slots that `place` expects; 1 for every shape but meshes and prototypes.
   std::size_t slot_count(ShapeId what) const;

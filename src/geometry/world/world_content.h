@@ -8,6 +8,7 @@
 #include "geometry/body.h"
 #include "geometry/height_field.h"
 #include "geometry/placements.h"
+#include "geometry/presence.h"
 #include "geometry/shapes.h"
 #include "math/transform.h"
 
@@ -46,6 +47,7 @@ struct Run {
   std::uint32_t materials = 0;  ///< where their materials begin in the list, one per slot
   std::uint32_t first_object = 0;
   bool pilot_ray = true;
+  std::shared_ptr<const Presence> presence{};  ///< null: always there
 };
 
 struct WorldContent {

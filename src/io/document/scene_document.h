@@ -32,6 +32,7 @@ struct OriginDocument {
 };
 
 struct OpacityDocument;
+struct PresenceDocument;
 struct ParameterMap;
 struct ThermalDocument;
 /// A model of materials::bsdf_models() with its parameters.
@@ -133,16 +134,15 @@ struct ObjectDocument {
   std::optional<MaterialBinding> material;  ///< always there except on instances, whose prototype has its own
   std::optional<TemperatureDocument> temperature;  ///< instead of the material's
   TransformDocument transform;
-  /// Send a ray at it where it is smaller than a pixel; absent: decided by its shape.
-  std::optional<bool> pilot_ray;
+  std::optional<bool> pilot_ray;  ///< sent at it where it is smaller than a pixel; absent: by its shape
+  std::shared_ptr<const PresenceDocument> present;  ///< null: always; never of what a prototype consists of
   SourcePosition position;
   SourcePosition shape_position;
 };
 
 struct PrototypeDocument {
   std::string name;
-  std::vector<ObjectDocument> objects;  ///< in coordinates about the prototype's own origin; copies of other
-                                        ///< prototypes, but not of this one, however deep
+  std::vector<ObjectDocument> objects;  ///< about its own origin; copies of others, never of it
   SourcePosition position;
 };
 

@@ -121,7 +121,7 @@ std::unique_ptr<const SceneModel> SceneModel::load(const std::string& file,
       // What another call has kept is used; nothing is kept here.
       io::SceneCache cache(std::filesystem::path(file).replace_extension(".ifovcache"), version(), nullptr);
       inside->assembled = assemble_scene(document.sources, document.scene, document.light.lamps,
-                                         document.seed, nullptr, &cache, progress);
+                                         document.time, document.seed, nullptr, &cache, progress);
       break;
     } catch (const InputError& error) {
       stop_if_cancelled();

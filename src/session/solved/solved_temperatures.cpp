@@ -7,7 +7,7 @@
 
 #include "atmosphere/weather_series.h"
 #include "core/parallel.h"
-#include "exposure/exposed_point.h"
+#include "exposure/past_scene.h"
 #include "exposure/solved_surface.h"
 #include "geometry/world.h"
 #include "io/document/document.h"
@@ -89,8 +89,9 @@ double full_solution_k(const Solved& solved, const thermal::OutdoorsSeries& seri
   std::vector<double> visibility(series.rows.size(), 0.0);
   for (std::size_t k = 0; k < exposure.visibility.size(); ++k)
     visibility[solved.classes->row_of_series(k)] = exposure.visibility[k];
-  const thermal::SurfaceSolution solution = thermal::solve_surface(
-      solved.thermal.solid, solved.thermal.skin, stand, series, solved.thermal.start, std::move(visibility));
+  const thermal::SurfaceSolution solution =
+      thermal::solve_surface(solved.thermal.solid, solved.thermal.skin, stand, series, solved.thermal.start,
+                             std::move(visibility), exposure.past_free_sky);
   return solution.history.nodes.back().surface_k;
 }
 
@@ -168,18 +169,17 @@ std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor
 
 /// What classes make of the points against solutions in full, material by material; of the root mean squares the largest.
 void measure(TemperatureErrors& errors, const ByMaterial& by_material, std::vector<Measured> points,
-             const thermal::OutdoorsSeries& series, const thermal::Stand& stand, const geometry::World& world,
-             int threads) {
+             const thermal::OutdoorsSeries& series, const thermal::Stand& stand,
+             const exposure::PastScene& past, int threads) {
   parallel_for(static_cast<std::int64_t>(points.size()), threads, [&](std::int64_t k) {
     const auto number = static_cast<std::size_t>(k);
     Measured& point = points[number];
-    const exposure::SolvedSurface surface(point.solved->classes, world, kSunRadius_rad);
+    const exposure::SolvedSurface surface(point.solved->classes, past, kSunRadius_rad);
     const auto exposure = point.made_up
                               ? made_up_exposure(number, point.solved->classes->sunlit_rows())
                               : surface.exposure(point.at, static_cast<std::uint64_t>(k), kSkyPairs, 1);
     point.off_k = surface.temperature_k(point.at, exposure) -
-                  full_solution_k(*point.solved, series, stand,
-                                  exposure::ExposedPoint(world, point.at).normal(), exposure);
+                  full_solution_k(*point.solved, series, stand, surface.normal_at(point.at), exposure);
   });
   for (const auto& [material, solved] : by_material) {
     double sum_k = 0.0, squares_k2 = 0.0, count = 0.0;
@@ -222,21 +222,21 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
   const auto kept = std::make_shared<const thermal::OutdoorsSeries>(about.outdoors.series);
   const thermal::OutdoorsSeries& series = *kept;
   const thermal::Stand stand = open_stand(about);
+  const exposure::PastScene past(*scene.world, scene.departed.get());
   for (auto& [material, solved] : by_material) {
     solved.thermal =
         thermal_of(document, document.scene.materials[material], scene, material, about.mean_air_k);
     solved.classes = std::make_shared<const thermal::SurfaceClasses>(
         kept, thermal::ClassSurface{solved.thermal.solid, solved.thermal.skin, stand, solved.thermal.start},
-        threads);
+        threads, past.changes());
     scene.solved[material] =
-        std::make_shared<const exposure::SolvedSurface>(solved.classes, *scene.world, kSunRadius_rad);
+        std::make_shared<const exposure::SolvedSurface>(solved.classes, past, kSunRadius_rad);
   }
 
   TemperatureErrors errors;
   for (const auto& [material, solved] : by_material)
     errors.step_k = std::max(errors.step_k, step_error_k(solved, series, stand));
-  measure(errors, by_material, points_by_material(scene, camera, by_material), series, stand, *scene.world,
-          threads);
+  measure(errors, by_material, points_by_material(scene, camera, by_material), series, stand, past, threads);
   errors.weather = about.statement;
   for (const std::string& note : about.outdoors.notes) errors.weather += "; " + note;
   if (log != nullptr) warn_of_another_sun(scene, series.rows.back(), *log);

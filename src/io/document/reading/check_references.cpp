@@ -11,6 +11,7 @@
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
 #include "io/document/file_materials_document.h"
+#include "io/document/presence_document.h"
 #include "io/document/samplers/accuracy_sampling.h"
 #include "io/document/samplers/sampler_settings.h"
 #include "io/quantities/quantity.h"
@@ -39,12 +40,22 @@ class ReferenceCheck {
     for (const MaterialDocument& material : document_.scene.materials)
       if (material.sides)
         for (const DocumentName* side : {&material.sides->first, &material.sides->second}) check_side(*side);
-    for (const ObjectDocument& object : document_.scene.objects) check(object);
+    for (const ObjectDocument& object : document_.scene.objects) {
+      check(object);
+      if (object.present && !document_.time)
+        throw document_error(
+            document_.sources, object.present->position,
+            "what is there for a time only needs the document's 'time', at which the picture is taken");
+    }
     for (const PrototypeDocument& prototype : document_.scene.prototypes) {
       for (const ObjectDocument& object : prototype.objects) {
         check(object);
         if (std::holds_alternative<CityShape>(object.shape))
           throw document_error(document_.sources, object.shape_position, "a prototype cannot hold a city");
+        if (object.present)
+          throw document_error(
+              document_.sources, object.present->position,
+              "a part of a prototype cannot have times of its own; give 'present' to the copies");
         if (std::holds_alternative<RandomPlacement>(object.shape))
           throw document_error(document_.sources, object.shape_position,
                                "a prototype cannot hold a random placement");

@@ -28,9 +28,20 @@ SchemaType<int> version_type() {
           plain.write};
 }
 
+/// Documents are put together before this table is read (put_together).
+SchemaType<std::vector<DocumentFile>> included_type() {
+  const SchemaType<DocumentFile> one = file();
+  return either(converted<std::vector<DocumentFile>>(
+                    one, [](DocumentFile f) { return std::vector{std::move(f)}; },
+                    [](const std::vector<DocumentFile>& files) { return files.front(); }),
+                list(one, 1, 256));
+}
+
+}  // namespace
+
 SchemaType<geodesy::UtcTime> time_type() {
   const auto text = text_like(
-      "^[0-9]{4}-[0-9]{2}-[0-9]{2}(T[0-9]{2}:[0-9]{2}:[0-9]{2}(\\.[0-9]+)?(Z|[+-][0-9]{2}:[0-9]{2}))?$",
+      "^[0-9]{4}-[0-9]{2}-[0-9]{2}(T[0-9]{2}:[0-9]{2}(:[0-9]{2}(\\.[0-9]+)?)?(Z|[+-][0-9]{2}:[0-9]{2}))?$",
       "a time such as \"2026-06-21T17:00:00Z\"", "time, ISO 8601");
   return {text.description,
           [read = text.read](const DocumentNode& node) {
@@ -43,17 +54,6 @@ SchemaType<geodesy::UtcTime> time_type() {
           },
           [](const geodesy::UtcTime& time, Writing&) { return JsonValue(geodesy::format_utc(time)); }};
 }
-
-/// Documents are put together before this table is read (put_together).
-SchemaType<std::vector<DocumentFile>> included_type() {
-  const SchemaType<DocumentFile> one = file();
-  return either(converted<std::vector<DocumentFile>>(
-                    one, [](DocumentFile f) { return std::vector{std::move(f)}; },
-                    [](const std::vector<DocumentFile>& files) { return files.front(); }),
-                list(one, 1, 256));
-}
-
-}  // namespace
 
 SchemaType<Document> document_type() {
   Record<Document> record("document", "A scene, its light, the sensor that looks at it and how accurately.");

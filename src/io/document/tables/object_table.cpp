@@ -1,5 +1,11 @@
+#include <algorithm>
+
+#include "core/format.h"
+#include "geodesy/utc_seconds.h"
+#include "io/document/presence_document.h"
 #include "io/document/scene_document.h"
 #include "io/document/schema/record.h"
+#include "io/document/schema/shared_target.h"
 #include "io/document/shapes/primitive.h"
 #include "io/document/tables/map_tables.h"
 #include "io/document/tables/shape_tables.h"
@@ -8,7 +14,7 @@
 namespace ifov::io {
 namespace {
 
-constexpr std::size_t kMostObjects = 1000000;
+constexpr std::size_t kMostObjects = 1000000, kMostIntervals = 10000;
 
 SchemaType<TransformDocument> transform_type() {
   struct Rotation {
@@ -54,12 +60,49 @@ SchemaType<TransformDocument> transform_type() {
   return record.type();
 }
 
+SchemaType<PresenceDocument> presence_type() {
+  using Interval = PresenceDocument::Interval;
+  using Pair = std::array<geodesy::UtcTime, 2>;
+  const SchemaType<std::vector<Pair>> pairs =
+      list(tuple<geodesy::UtcTime, 2>(time_type()), 1, kMostIntervals);
+  const auto text = [](const geodesy::UtcTime& time) { return geodesy::format_utc(time); };
+  const auto read = [read = pairs.read, text](const DocumentNode& node) {
+    PresenceDocument presence{{}, node.key_position()};
+    const std::vector<Pair> given = read(node);
+    for (std::size_t k = 0; k < given.size(); ++k) {
+      const auto& [begin, end] = given[k];
+      const DocumentNode& one = node.items()[k];
+      if (!(geodesy::seconds_after(end, begin) > 0.0))
+        one.fail(
+            format("{} ends at {}, which is not after it begins, {}", one.title(), text(end), text(begin)));
+      for (const Interval& other : presence.intervals)
+        if (geodesy::seconds_after(other.end, begin) > 0.0 && geodesy::seconds_after(end, other.begin) > 0.0)
+          one.fail(format("{}, {} to {}, overlaps another interval, {} to {}: join them", one.title(),
+                          text(begin), text(end), text(other.begin), text(other.end)));
+      presence.intervals.push_back({begin, end});
+    }
+    std::sort(presence.intervals.begin(), presence.intervals.end(), [](const Interval& a, const Interval& b) {
+      return geodesy::seconds_after(b.begin, a.begin) > 0.0;
+    });
+    return presence;
+  };
+  return {pairs.description, read, [write = pairs.write](const PresenceDocument& presence, Writing& writing) {
+            std::vector<Pair> given;
+            for (const Interval& one : presence.intervals) given.push_back({one.begin, one.end});
+            return write(given, writing);
+          }};
+}
+
 void add_keys_of_all(Record<ObjectDocument>& record) {
   record.optional("name", &ObjectDocument::name, label(), "for messages and reports")
       .optional("temperature", &ObjectDocument::temperature, temperature_type(), "instead of the material's")
       .optional("pilot_ray", &ObjectDocument::pilot_ray, boolean(),
                 "send a ray at it where it is smaller than a pixel; decided by its shape if not given")
-      .formerly("seed");
+      .formerly("seed")
+      .optional(
+          "present", shared(&ObjectDocument::present), presence_type(),
+          "when it is there: pairs of times, from and until; without it always. The picture shows what is there at the "
+          "document's 'time'; temperatures that are solved know what stood there before");
 }
 
 void add_common_keys(Record<ObjectDocument>& record) {

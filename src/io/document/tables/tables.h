@@ -9,6 +9,9 @@
 namespace ifov::atmosphere {
 struct GasRequests;
 }
+namespace ifov::geodesy {
+struct UtcTime;
+}
 
 namespace ifov::io {
 
@@ -42,7 +45,8 @@ enum class SpectrumOf;
 /// The tables of keys, one function for each section of a document and for each part that sections share.
 
 SchemaType<SpectrumDocument> spectrum_type(SpectrumOf quantity);
-SchemaType<double> um_per_unit_type();  ///< "um" or "nm", as micrometres per unit
+SchemaType<double> um_per_unit_type();     ///< "um" or "nm", as micrometres per unit
+SchemaType<geodesy::UtcTime> time_type();  ///< ISO 8601 with a zone, or a day
 SchemaType<std::string> word_type(const std::vector<std::string>& words);  ///< one of these
 
 SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type();

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "core/call_scope.h"
+#include "geodesy/utc_time.h"
+#include "geometry/presence.h"
 #include "geometry/world.h"
 #include "geometry/world/world_builder.h"
 #include "io/instances/instance_csv.h"
@@ -16,6 +18,7 @@
 #include "io/scene_cache/scene_cache.h"
 #include "session/assembly/geometry/city_assembly.h"
 #include "session/assembly/geometry/mesh_cache.h"
+#include "session/assembly/geometry/presence_assembly.h"
 #include "session/assembly/geometry/random_placement_assembly.h"
 #include "session/assembly/geometry/shape_assembly.h"
 #include "session/assembly/shared/map_frame.h"
@@ -60,24 +63,25 @@ class GeometryAssembly {
  public:
   GeometryAssembly(const io::DocumentSources& sources, std::span<const io::ObjectDocument> objects,
                    std::span<const io::PrototypeDocument> prototypes, AssignmentAssembly& assignments,
-                   const MapFrame& frame, LogSink* log, io::SceneCache* cache)
+                   const MapFrame& frame, const std::optional<geodesy::UtcTime>& time, LogSink* log,
+                   io::SceneCache* cache)
       : sources_(sources),
         objects_(objects),
         prototype_documents_(prototypes),
         assignments_(assignments),
         frame_(frame),
+        time_(time),
         log_(log),
         cache_(cache),
         shapes_(sources, frame, builder_, cache, log, assignments.any_medium()) {}
 
   std::unique_ptr<geometry::World> assemble(std::span<const PlacedLamp> lamps, PlacedObjects& placed,
                                             ProgressSink* progress) {
-    const math::Transform scene_from_document = math::Transform::translation(-frame_.document_offset_m());
     for (const io::ObjectDocument& object : objects_) {
       stop_if_cancelled();
       tell(progress, static_cast<std::size_t>(&object - objects_.data()));
       placed.begin(builder_.object_count());
-      with_position(sources_, object.position, [&] { place(object, scene_from_document); });
+      place_in_its_time(object, true);
     }
     placed.end(builder_.object_count());
     place_lamps(lamps);
@@ -85,6 +89,15 @@ class GeometryAssembly {
     geometry::BuildOptions options;
     options.surveyed = assignments_.mirrors();
     options.lobes = assignments_.lobes();
+    options.cut_outs = assignments_.cut_outs();
+    return builder_.build(options);
+  }
+
+  /// What is there at other times alone; null: nothing is.
+  std::unique_ptr<geometry::World> assemble_departed() {
+    for (const io::ObjectDocument& object : objects_) place_in_its_time(object, false);
+    if (builder_.object_count() == 0) return nullptr;
+    geometry::BuildOptions options;
     options.cut_outs = assignments_.cut_outs();
     return builder_.build(options);
   }
@@ -98,6 +111,16 @@ class GeometryAssembly {
     now.pixels_done = static_cast<std::int64_t>(next),
     now.pixels_total = static_cast<std::int64_t>(objects_.size());
     progress->report(now);
+  }
+
+  /// Where that is the document's time, or (`now` false) where it is not.
+  void place_in_its_time(const io::ObjectDocument& object, bool now) {
+    const auto presence = time_ ? assemble_presence(object, *time_) : nullptr;
+    if ((!presence || presence->at(0.0)) != now) return;
+    builder_.set_presence(presence);
+    const math::Transform scene_from_document = math::Transform::translation(-frame_.document_offset_m());
+    with_position(sources_, object.position, [&] { place(object, scene_from_document); });
+    builder_.set_presence(nullptr);
   }
 
   void place(const io::ObjectDocument& object, const math::Transform& scene_from_document) {
@@ -173,7 +196,8 @@ class GeometryAssembly {
   const geometry::World& ground(const std::string& name, const math::Transform& scene_from_document) {
     std::unique_ptr<geometry::World>& world = grounds_[name];
     if (world) return *world;
-    GeometryAssembly alone(sources_, objects_, prototype_documents_, assignments_, frame_, nullptr, cache_);
+    GeometryAssembly alone(sources_, objects_, prototype_documents_, assignments_, frame_, time_, nullptr,
+                           cache_);
     for (const io::ObjectDocument& object : objects_)
       if (object.name == name && object.material)
         with_position(sources_, object.position, [&] { alone.place(object, scene_from_document); });
@@ -267,6 +291,7 @@ class GeometryAssembly {
   std::span<const io::PrototypeDocument> prototype_documents_;
   AssignmentAssembly& assignments_;
   const MapFrame& frame_;
+  const std::optional<geodesy::UtcTime>& time_;
   LogSink* log_;
   io::SceneCache* cache_;
   geometry::WorldBuilder builder_;
@@ -277,15 +302,19 @@ class GeometryAssembly {
 
 }  // namespace
 
-std::unique_ptr<geometry::World> assemble_geometry(const io::DocumentSources& sources,
-                                                   std::span<const io::ObjectDocument> objects,
-                                                   std::span<const io::PrototypeDocument> prototypes,
-                                                   AssignmentAssembly& assignments,
+std::unique_ptr<geometry::World> assemble_geometry(const GeometrySubject& of, AssignmentAssembly& assignments,
                                                    std::span<const PlacedLamp> lamps, const MapFrame& frame,
-                                                   LogSink* log, io::SceneCache* cache, PlacedObjects& placed,
-                                                   ProgressSink* progress) {
-  return GeometryAssembly(sources, objects, prototypes, assignments, frame, log, cache)
+                                                    LogSink* log, io::SceneCache* cache, PlacedObjects& placed,
+                                                    ProgressSink* progress) {
+  return GeometryAssembly(of.sources, of.objects, of.prototypes, assignments, frame, of.time, log, cache)
       .assemble(lamps, placed, progress);
+}
+
+std::unique_ptr<geometry::World> assemble_departed(const GeometrySubject& of, AssignmentAssembly& assignments,
+                                                   const MapFrame& frame, LogSink* log,
+                                                   io::SceneCache* cache) {
+  return GeometryAssembly(of.sources, of.objects, of.prototypes, assignments, frame, of.time, log, cache)
+      .assemble_departed();
 }
 
 }  // namespace ifov::session

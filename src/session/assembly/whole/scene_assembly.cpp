@@ -1,5 +1,7 @@
 #include "session/assembly/whole/scene_assembly.h"
 
+#include <algorithm>
+
 #include "geometry/periodic_world.h"
 #include "geometry/world.h"
 #include "io/document/scene_document.h"
@@ -27,7 +29,8 @@ std::string scene_statement(const geometry::World& world) {
 }
 
 AssembledScene assemble_scene(const io::DocumentSources& sources, const io::SceneDocument& written,
-                              std::span<const io::LampDocument> lamps, std::uint64_t seed, LogSink* log,
+                              std::span<const io::LampDocument> lamps,
+                              const std::optional<geodesy::UtcTime>& time, std::uint64_t seed, LogSink* log,
                               io::SceneCache* cache, ProgressSink* progress) {
   AssembledScene assembled;
   scene::Scene& scene = assembled.scene;
@@ -35,10 +38,19 @@ AssembledScene assemble_scene(const io::DocumentSources& sources, const io::Scen
   assembled.map_offset_m = frame.offset_m();
   AssignmentAssembly assignments(sources, written.materials, seed, frame, scene, log);
   const std::vector<PlacedLamp> placed = assemble_lamps(sources, lamps, frame, scene);
-  scene.world = assemble_geometry(sources, written.objects, written.prototypes, assignments, placed, frame,
-                                  log, cache, assembled.placed, progress);
+  const GeometrySubject geometry{sources, written.objects, written.prototypes, time};
+  scene.world =
+      assemble_geometry(geometry, assignments, placed, frame, log, cache, assembled.placed, progress);
   assembled.map_scales = assignments.map_scales();
   assembled.colour_guesses = assignments.colour_guesses();
+  if (std::any_of(scene.states.begin(), scene.states.end(),
+                  [](const auto& state) { return state.solved > 0; })) {
+    // What nobody sees covers nothing.
+    const std::size_t materials = scene.materials.size(), states = scene.states.size(),
+                      covers = scene.assignments.size();
+    scene.departed = assemble_departed(geometry, assignments, frame, log, cache);
+    scene.materials.resize(materials), scene.states.resize(states), scene.assignments.resize(covers);
+  }
   if (written.periodic) {
     const io::PeriodicDocument& periodic = *written.periodic;
     geometry::PeriodicWorld::Cell cell{-0.5 * periodic.width_m, -0.5 * periodic.height_m, periodic.width_m,
@@ -47,9 +59,11 @@ AssembledScene assemble_scene(const io::DocumentSources& sources, const io::Scen
       cell.west_m = (*periodic.low_left_m)[0] - written.origin.offset_m.x;
       cell.south_m = (*periodic.low_left_m)[1] - written.origin.offset_m.y;
     }
-    scene.world = with_position(sources, periodic.position, [&] {
-      return std::make_unique<geometry::PeriodicWorld>(std::move(scene.world), cell);
-    });
+    for (std::unique_ptr<geometry::World>* const world : {&scene.world, &scene.departed})
+      if (*world)
+        *world = with_position(sources, periodic.position, [&] {
+          return std::make_unique<geometry::PeriodicWorld>(std::move(*world), cell);
+        });
   }
   return assembled;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/run_control.h"
+#include "geodesy/utc_time.h"
 #include "scene/scene.h"
 #include "session/assembly/geometry/placed_objects.h"
 #include "session/assembly/shared/colour_guess.h"
@@ -28,13 +29,13 @@ struct AssembledScene {
   PlacedObjects placed;
   math::Vec3 map_offset_m;  ///< map coordinates of the scene's origin
 };
-/// Builds what a document's scene consists of: reads its meshes, maps and spectra, lists the maps on it by place. `seed` as
+/// Builds what a document's scene consists of at `time`: reads its meshes, maps and spectra, lists the maps on it by place. `seed` as
 /// of TextureAssembly; `log`, `cache` and `progress` (of objects in place of pixels) may be null.
 AssembledScene assemble_scene(const io::DocumentSources& sources, const io::SceneDocument& written,
-                              std::span<const io::LampDocument> lamps, std::uint64_t seed, LogSink* log,
+                              std::span<const io::LampDocument> lamps,
+                              const std::optional<geodesy::UtcTime>& time, std::uint64_t seed, LogSink* log,
                               io::SceneCache* cache = nullptr, ProgressSink* progress = nullptr);
 
-/// One line for people: what stands in the scene and how it is kept.
-std::string scene_statement(const geometry::World& world);
+std::string scene_statement(const geometry::World& world);  ///< what stands there, how it is kept
 
 }  // namespace ifov::session

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "geodesy/utc_time.h"
+
+namespace ifov::geodesy {
+
+/// By how many seconds of UTC a time is after another; days with a leap second count 86400.
+double seconds_after(UtcTime time, UtcTime other);
+
+}  // namespace ifov::geodesy
