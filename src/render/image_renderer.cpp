@@ -83,6 +83,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
       steering_channels.push_back(static_cast<int>(c));
   add_stokes_columns(job.polarimetry, job.scene.nodes().channel_count(), steering_channels);
 
+  const LightTold told(job.polarimetry, job.parts);
   const UnsampledLight unsampled(job, control.threads, control.cancel);
   transport::TransportOptions transport = unsampled.transport();
   const std::vector<float> sky_shares =
@@ -101,7 +102,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     return problem;
   };
   const auto field_of = [&] {
-    return std::make_unique<SceneField>(job.scene, job.camera, transport, job.label_detail, job.polarimetry);
+    return std::make_unique<SceneField>(job.scene, job.camera, transport, job.label_detail, told);
   };
   const sampling::TileProblem whole_image = problem_of({0, 0, width, height});
   const std::unique_ptr<const sampling::ImageSurvey> survey =
@@ -119,7 +120,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     sampling::TileResult before;
     if (job.earlier != nullptr && job.earlier->read(index, before)) problem.before = &before;
 
-    SceneField field(job.scene, job.camera, transport, job.label_detail, job.polarimetry);
+    SceneField field(job.scene, job.camera, transport, job.label_detail, told);
     const auto later = unsampled.tell(problem.tile, static_cast<std::size_t>(field.blends().first_column()));
     problem.later = later.get();
     sampling::TileResult result;

@@ -56,6 +56,7 @@ struct RenderJob {
   std::vector<const truth::Collector*> collectors{};  ///< of what tiles note beside radiance
   EarlierTiles* earlier = nullptr;                    ///< tiles of a run at a looser tolerance, to go on from
   const Polarimetry* polarimetry = nullptr;           ///< null: radiance alone
+  bool parts = false;                                 ///< tiles tell the parts that radiance is made of
 };
 
 /// How the work is done; the result does not depend on it.

@@ -7,8 +7,8 @@ namespace ifov::render {
 std::unique_ptr<sampling::Field> make_field(const transport::SpectralScene& scene,
                                             const sensor::Camera& camera,
                                             const transport::TransportOptions& transport, LabelDetail detail,
-                                            const Polarimetry* polarimetry) {
-  return std::make_unique<SceneField>(scene, camera, transport, detail, polarimetry);
+                                            const LightTold& told) {
+  return std::make_unique<SceneField>(scene, camera, transport, detail, told);
 }
 
 }  // namespace ifov::render

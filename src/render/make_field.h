@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "render/label_detail.h"
+#include "render/parts/light_told.h"
 #include "sampling/field.h"
 #include "transport/transport_options.h"
 
@@ -15,12 +16,10 @@ class SpectralScene;
 
 namespace ifov::render {
 
-struct Polarimetry;
-
 /// A SceneField, for who samples one without knowing more of it. Keeps references to scene and camera.
 std::unique_ptr<sampling::Field> make_field(const transport::SpectralScene& scene,
                                             const sensor::Camera& camera,
                                             const transport::TransportOptions& transport, LabelDetail detail,
-                                            const Polarimetry* polarimetry = nullptr);
+                                            const LightTold& told = {});
 
 }  // namespace ifov::render

@@ -7,7 +7,6 @@
 #include "geometry/world.h"
 #include "materials/bsdf/bsdf.h"
 #include "render/polarized/scene_light.h"
-#include "sampling/warp.h"
 #include "sensor/camera.h"
 #include "transport/mirror_light.h"
 #include "transport/mirrors/sun_disc.h"
@@ -24,13 +23,12 @@ constexpr std::size_t kGroup = 512;
 }  // namespace
 
 SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Camera& camera,
-                       transport::TransportOptions transport, LabelDetail detail,
-                       const Polarimetry* polarimetry)
+                       transport::TransportOptions transport, LabelDetail detail, const LightTold& told)
     : scene_(scene),
       camera_(camera),
       detail_(detail),
       tracer_(std::make_unique<transport::PathTracer>(scene, transport)),
-      light_(std::make_unique<SceneLight>(scene, camera, polarimetry)),
+      light_(std::make_unique<SceneLight>(scene, camera, told)),
       truth_(scene::truth_materials(scene.scene())),
       blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count())),
       unseen_(scene, blends_.first_column() + blends_.count()),
@@ -49,6 +47,8 @@ SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Came
 }
 
 SceneField::~SceneField() = default;
+
+int SceneField::leader(int column) const { return light_->columns().leader(column); }
 
 void SceneField::settle(sampling::TileResult& tile) const { light_->columns().settle(tile); }
 

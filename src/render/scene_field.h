@@ -5,6 +5,7 @@
 
 #include "render/blend_columns.h"
 #include "render/label_detail.h"
+#include "render/parts/light_told.h"
 #include "render/seen_through.h"
 #include "render/surface_label.h"
 #include "render/unseen/unseen_light.h"
@@ -30,20 +31,19 @@ namespace ifov::render {
 class MapDetail;
 class SceneLight;
 class SurfaceMaps;
-struct Polarimetry;
 
 /// The picture on a camera's focal plane: answers a sampler's queries by tracing the scene. One tile, one thread.
 class SceneField final : public sampling::Field {
  public:
   /// Keeps references to all; they must outlive this.
   SceneField(const transport::SpectralScene& scene, const sensor::Camera& camera,
-             transport::TransportOptions transport, LabelDetail detail,
-             const Polarimetry* polarimetry = nullptr);
+             transport::TransportOptions transport, LabelDetail detail, const LightTold& told = {});
   ~SceneField() override;
 
-  /// The channels, Q, U and V of all of them where they are told (StokesColumns), then the shares of materials that
+  /// The channels, Q, U and V of all of them and their parts where they are told (StokesColumns), then the shares of materials that
   /// are mixed somewhere (BlendColumns), then light that is not sought (UnseenLight).
   int columns() const override { return blends_.first_column() + blends_.count() + unseen_.count(); }
+  int leader(int column) const override;
   void labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) override;
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
               std::span<float> values) override;

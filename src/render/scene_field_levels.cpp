@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "radiometry/spectral_nodes.h"
+#include "render/parts/part_columns.h"
 #include "render/polarized/scene_light.h"
 #include "render/scene_field.h"
 #include "sampling/image/levels.h"
@@ -35,8 +36,13 @@ void SceneField::levels(const sampling::LevelRequests& of, sampling::LevelSums& 
     rows->assign(of.counts.size() * row_length, 0.0f);
   sums.labels.resize(of.requests.size());
   sampling::LevelAccumulator spectra(in_nodes), beside(others);
+  // Parts add up to what they are parts of to the last digits only where no sum of many values rounds them off.
+  const PartColumns& parts = light_->columns().parts();
+  const std::size_t in_parts = parts.told() ? channels + parts.count() : 0;
+  sampling::LevelAccumulatorIn<double> exact(in_parts);
+  std::vector<float> means(in_parts), variances(in_parts), rest_means(in_parts), rest_variances(in_parts);
   std::vector<float> mean(in_nodes), variance(in_nodes), rest_mean(in_nodes), rest_variance(in_nodes);
-  std::vector<float> shares(row_length);
+  std::vector<float> shares(row_length), rest_shares(row_length);
   std::size_t group = 0, in_group = 0;
   const auto finish = [&] {
     float* const rows[] = {
@@ -49,6 +55,16 @@ void SceneField::levels(const sampling::LevelRequests& of, sampling::LevelSums& 
     variance_to_channels(nodes, rest_variance.data(), rows[3]);
     if (others > 0)
       beside.take(rows[0] + channels, rows[1] + channels, rows[2] + channels, rows[3] + channels);
+    if (in_parts > 0) {
+      exact.take(means.data(), variances.data(), rest_means.data(), rest_variances.data());
+      std::copy(means.begin(), means.end(), rows[0]);
+      std::copy(variances.begin() + static_cast<std::ptrdiff_t>(channels), variances.end(),
+                rows[1] + channels);
+      std::copy(rest_means.begin(), rest_means.end(), rows[2]);
+      std::copy(rest_variances.begin() + static_cast<std::ptrdiff_t>(channels), rest_variances.end(),
+                rows[3] + channels);
+      exact.clear();
+    }
     spectra.clear();
     beside.clear();
     ++group;
@@ -68,18 +84,25 @@ void SceneField::levels(const sampling::LevelRequests& of, sampling::LevelSums& 
     const std::span<const std::uint8_t> whole = of.whole.subspan(first, count);
     const transport::PathRecord& paths = tracer_->trace(rays_, keys_, hits_, counts_, whole);
     for (std::size_t k = 0; k < count; ++k) {
-      const transport::PathLight::Levels light = light_->levels(paths, k, whole[k] != 0);
+      const SceneLight::Levels light = light_->levels(paths, k, whole[k] != 0);
       spectra.add_direct(light.direct);
       if (light.rest != nullptr) spectra.add_rest(light.rest);
       if (others > 0) {
         // Shares of materials are known where a path begins, and light that is not sought where it ends.
         std::fill(shares.begin(), shares.end(), 0.0f);
+        std::fill(rest_shares.begin(), rest_shares.end(), 0.0f);
+        if (in_parts > 0) {
+          nodes.to_channels(light.direct, shares.data());
+          if (light.rest != nullptr) nodes.to_channels(light.rest, rest_shares.data());
+          light_->write_parts(paths, k, light.rest != nullptr, shares.data(), rest_shares.data());
+          exact.add_direct(shares.data());
+          if (light.rest != nullptr) exact.add_rest(rest_shares.data());
+        }
         if (blends_.count() > 0) blends_.write_shares(hits_[k], shares.data());
         beside.add_direct(shares.data() + channels);
         if (light.rest != nullptr) {
-          std::fill(shares.begin(), shares.end(), 0.0f);
-          unseen_.write(paths.paths[k], shares.data());
-          beside.add_rest(shares.data() + channels);
+          unseen_.write(paths.paths[k], rest_shares.data());
+          beside.add_rest(rest_shares.data() + channels);
         }
       }
       SurfaceLabel label;

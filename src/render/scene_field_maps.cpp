@@ -18,7 +18,7 @@ void SceneField::known_detail(const sampling::FieldRect& pixels, sampling::Known
 std::unique_ptr<sampling::MappedSurface> SceneField::mapped_surface(sampling::Label label,
                                                                     const sampling::FocalPoint& seen) {
   if (maps_ == nullptr)
-    maps_ = std::make_shared<const SurfaceMaps>(scene_, camera_,
+    maps_ = std::make_shared<const SurfaceMaps>(scene_, camera_, light_->columns().parts(),
                                                 [this](const geometry::SurfacePoint& at, float* columns) {
                                                   if (blends_.count() > 0) blends_.write_shares(at, columns);
                                                 });

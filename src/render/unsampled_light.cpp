@@ -20,20 +20,20 @@ namespace ifov::render {
 UnsampledLight::UnsampledLight(const RenderJob& job, int threads, const CancelToken* cancel)
     : job_(job), transport_(job.transport) {
   const double margin_px = job.footprint.half_width_px();
+  const LightTold told(job.polarimetry, job.parts);
   transport_.sought_only = true;
   if (transport_.maximum_scatterings != 0 && Glints::in(job.scene))
-    glints_ = std::make_unique<const Glints>(job.scene, job.camera, margin_px, job.seed, job.polarimetry);
+    glints_ = std::make_unique<const Glints>(job.scene, job.camera, margin_px, job.seed, told);
   if (transport_.maximum_scatterings < 0 || transport_.maximum_scatterings > 1)
-    mirror_images_ = MirrorImages::find(job.scene, job.camera, transport_, margin_px, job.seed, threads,
-                                        cancel, job.polarimetry);
+    mirror_images_ =
+        MirrorImages::find(job.scene, job.camera, transport_, margin_px, job.seed, threads, cancel, told);
   if (mirror_images_ != nullptr && !mirror_images_->apart().empty())
     transport_.separate_images = &mirror_images_->apart();
   if (mirror_images_ != nullptr)
     unseen_images_ = UnseenImages::find(job.scene, job.camera, *mirror_images_, job.seed);
   // Images in mirrors hold the highlights that they show.
   if (transport_.maximum_scatterings != 0 && Highlights::in(job.scene)) {
-    highlights_ =
-        std::make_unique<const Highlights>(job.scene, job.camera, margin_px, job.seed, job.polarimetry);
+    highlights_ = std::make_unique<const Highlights>(job.scene, job.camera, margin_px, job.seed, told);
     transport_.highlights = transport::TransportOptions::Highlights::left_out;
     transport_.large_lobes = &highlights_->large();
     transport_.unsure_lobes = &highlights_->unsure();

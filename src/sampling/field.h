@@ -71,6 +71,8 @@ class Field {
   virtual int columns() const = 0;
   int stride() const { return (columns() + 15) / 16 * 16; }
 
+  /// The column, itself or one before, that decides how its values are weighed: its parts' too, so that they go on adding up to it.
+  virtual int leader(int column) const { return column; }
   virtual void labels(std::span<const FocalPoint> points, std::span<Label> labels) = 0;
 
   /// One path each: its label, and its radiance in every column at values[k * stride() + column].

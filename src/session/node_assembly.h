@@ -8,10 +8,8 @@ class KeptSolutions;
 
 namespace ifov::session {
 
-/// Spectral nodes for what light can do in the scene (how often it is reflected, and how hot surfaces are), behind the
-/// atmosphere where one is modelled.
-/// Fills nodes, spectral scene and air of parts whose scene, camera, channels and sampling are there. `log` and `kept` may be
-/// null.
+/// Spectral nodes for what light can do in the scene (how often it is reflected, how hot things are), behind a modelled atmosphere: fills
+/// nodes, spectral scene and air of parts whose scene, camera, channels and sampling are there. `log` and `kept` may be null.
 void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept);
 
 /// Where nodes stand for a channel less well than they should, without a modelled atmosphere, which knows its own error.

@@ -16,6 +16,7 @@ namespace ifov::transport {
 PathLight::PathLight(const SpectralScene& scene) : scene_(scene), n_(scene.stride()) {
   static_assert(kMoreWork == kWork + 1);  // which directional spectra are worked out in
   spectra_.resize(kSpectra, scene.node_count());
+  sum_ = spectrum(kSum);
 }
 
 float* PathLight::radiance(const PathRecord& record, std::size_t k) {
@@ -46,8 +47,10 @@ void PathLight::later(const PathRecord& record, const PathRecord::Path& path) {
   if (path.sky_share > 0.0f) add_open_sky(record, path, record.vertices[path.first]);
   if (path.first != PathVertex::kNone)
     for (std::uint32_t k = record.vertices[path.first].next; k != PathVertex::kNone;
-         k = record.vertices[k].next)
+         k = record.vertices[k].next) {
+      come_to(record, record.vertices[k]);
       add_later(record, record.vertices[k]);
+    }
   if (path.escaped) add_escaped(path);
 }
 
@@ -84,7 +87,7 @@ const float* PathLight::left_by(const PathRecord::Segment& segment) {
 
 void PathLight::come_through(const PathRecord::Segment& segment, bool shines) {
   const float* __restrict left = left_by(segment);
-  float* __restrict throughput = spectrum(kThroughput), * __restrict sum = spectrum(kSum);
+  float* __restrict throughput = spectrum(kThroughput), * __restrict sum = sum_;
   const float* black = shines ? scene_.black(segment.medium, spectrum(kBlack)) : nullptr;
   if (black != nullptr)
     for (std::size_t i = 0; i < n_; ++i) sum[i] += throughput[i] * (1.0f - left[i]) * black[i];
@@ -131,7 +134,7 @@ float* PathLight::first_sunlight(const PathRecord& record, std::size_t k) {
 }
 
 void PathLight::add_first(const PathRecord& record, const PathVertex& vertex, bool goes_on) {
-  float *sum = spectrum(kSum), *throughput = spectrum(kThroughput);
+  float *sum = sum_, *throughput = spectrum(kThroughput);
   const float* emitted = vertex.emission_weight > 0.0f ? emission(record, vertex) : nullptr;
   const float* factor = nullptr;
   if (vertex.sun_weight > 0.0f) {
@@ -155,7 +158,7 @@ void PathLight::add_first(const PathRecord& record, const PathVertex& vertex, bo
 
 void PathLight::add_open_sky(const PathRecord& record, const PathRecord::Path& path,
                              const PathVertex& vertex) {
-  float *sum = spectrum(kSum), *difference = spectrum(kDimmed), *drawn = spectrum(kWork);
+  float *sum = sum_, *difference = spectrum(kDimmed), *drawn = spectrum(kWork);
   const SkyDome& dome = *scene_.sky_dome();
   const SkyIrradiance::Corners open = dome.irradiance(path.first_normal);
   spectra::sum_of_scaled(difference, open.spectrum.data(), open.weight.data(), n_);
@@ -174,9 +177,7 @@ void PathLight::add_open_sky(const PathRecord& record, const PathRecord::Path& p
 }
 
 void PathLight::add_later(const PathRecord& record, const PathVertex& vertex) {
-  float *sum = spectrum(kSum), *throughput = spectrum(kThroughput);
-  if (vertex.segment != PathVertex::kNone)
-    come_through(record.segments[vertex.segment], vertex.segment_shines);
+  float *sum = sum_, *throughput = spectrum(kThroughput);
   if (vertex.emission_weight == 1.0f) {
     if (const float* emitted = emission(record, vertex)) spectra::add_product(sum, throughput, emitted, n_);
   } else if (vertex.emission_weight > 0.0f) {
@@ -220,9 +221,9 @@ void PathLight::add_sought(const PathRecord& record, const PathVertex& vertex, c
     emitted = dimmed;
   }
   if (throughput != nullptr)
-    spectra::add_scaled_product(spectrum(kSum), throughput, factor, emitted, vertex.sought_weight, n_);
+    spectra::add_scaled_product(sum_, throughput, factor, emitted, vertex.sought_weight, n_);
   else
-    spectra::add_scaled_product(spectrum(kSum), factor, emitted, vertex.sought_weight, n_);
+    spectra::add_scaled_product(sum_, factor, emitted, vertex.sought_weight, n_);
 }
 
 const float* PathLight::emission(const PathRecord& record, const PathVertex& vertex) {
@@ -275,9 +276,9 @@ void PathLight::add_mirrored(const PathRecord& record, const PathVertex& vertex,
     for (std::size_t m = 0; m < light.count; ++m) times(light.mirrors[m], false);
     dim(record, light.passes, way);
     if (throughput != nullptr)
-      spectra::add_product(spectrum(kSum), throughput, way, n_);
+      spectra::add_product(sum_, throughput, way, n_);
     else
-      spectra::add_scaled(spectrum(kSum), way, 1.0f, n_);
+      spectra::add_scaled(sum_, way, 1.0f, n_);
   }
 }
 
@@ -287,9 +288,14 @@ void PathLight::brighten(const PathRecord::Path& path, float* light) const {
 }
 
 void PathLight::add_escaped(const PathRecord::Path& path) {
+  add_sky(path);
+  add_disc(path);
+}
+
+void PathLight::add_sky(const PathRecord::Path& path) {
   const bool direct = path.first == PathVertex::kNone;
   const math::Vec3 direction = path.escaped_direction;
-  float *sum = spectrum(kSum), *throughput = spectrum(kThroughput);
+  float *sum = sum_, *throughput = spectrum(kThroughput);
   const SkyDome* dome = scene_.sky_dome();
   if (dome != nullptr && direction.z >= 0.0) {
     const SkyDome::Corners sky = dome->at(direction);
@@ -314,16 +320,20 @@ void PathLight::add_escaped(const PathRecord::Path& path) {
     else
       spectra::add_product(sum, throughput, light, n_);
   }
+}
+
+void PathLight::add_disc(const PathRecord::Path& path) {
+  const math::Vec3 direction = path.escaped_direction;
   const auto& disc = scene_.scene().sun;
   if (path.escaped_sees_sun && disc && disc->half_angle_rad > 0.0 && direction.z > 0.0 &&
       math::length(math::cross(direction, disc->direction)) < std::sin(disc->half_angle_rad) &&
       math::dot(direction, disc->direction) > 0.0) {
     const double sine = std::sin(disc->half_angle_rad);
     const float per_irradiance = static_cast<float>(1.0 / (std::numbers::pi * sine * sine));
-    if (direct)
-      spectra::add_scaled(sum, scene_.sun_irradiance(), per_irradiance, n_);
+    if (path.first == PathVertex::kNone)
+      spectra::add_scaled(sum_, scene_.sun_irradiance(), per_irradiance, n_);
     else
-      spectra::add_scaled_product(sum, throughput, scene_.sun_irradiance(), per_irradiance, n_);
+      spectra::add_scaled_product(sum_, spectrum(kThroughput), scene_.sun_irradiance(), per_irradiance, n_);
   }
 }
 

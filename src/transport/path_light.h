@@ -28,7 +28,7 @@ class PathLight {
   /// Of that, what the first surface makes of direct sunlight.
   float* first_sunlight(const PathRecord& record, std::size_t k);
 
- private:
+ protected:
   enum Work {
     kSum,
     kThroughput,
@@ -66,7 +66,10 @@ class PathLight {
   /// `sun` the vertex's sun_factor() if that is known, else null.
   const float* continuation_factor(const PathRecord& record, const PathVertex& vertex, const float* sun);
   void add_sought(const PathRecord& record, const PathVertex& vertex, const float* throughput);
+  /// What a path's last segment brings that met nothing: of the sky or the ground beyond the scene, and of the Sun's disc.
   void add_escaped(const PathRecord::Path& path);
+  void add_sky(const PathRecord::Path& path);
+  void add_disc(const PathRecord::Path& path);
   /// The sky's light on its way to a path's surfaces, for the ground about them (AdjacentGround).
   void brighten(const PathRecord::Path& path, float* light) const;
   /// One path alone, without those that began as it.
@@ -81,12 +84,18 @@ class PathLight {
   /// What a medium leaves of light over its length.
   const float* left_by(const PathRecord::Segment& segment);
   void come_through(const PathRecord::Segment& segment, bool shines);
+  /// Through the medium, if any, before a surface that is not the path's first.
+  void come_to(const PathRecord& record, const PathVertex& vertex) {
+    if (vertex.segment != PathVertex::kNone)
+      come_through(record.segments[vertex.segment], vertex.segment_shines);
+  }
   /// Sunlight by way of mirrors; `throughput` null: 1.
   void add_mirrored(const PathRecord& record, const PathVertex& vertex, const float* throughput);
 
   const SpectralScene& scene_;
   std::size_t n_;
   radiometry::SpectrumBlock spectra_;
+  float* sum_ = nullptr;  // that light is added to; else spectrum(kSum)
 };
 
 }  // namespace ifov::transport

@@ -249,6 +249,17 @@ void SpectralScene::light_surroundings() {
         (light_.row(kSunIrradiance)[n] * static_cast<float>(sine / std::numbers::pi) + light_.row(kSky)[n]);
 }
 
+void SpectralScene::split_surroundings(float* emitted, float* sun, float* sky) const {
+  const float* reflectance = materials_.reflectance(scene_.surroundings.material);
+  const double sine = scene_.sun ? std::max(0.0, scene_.sun->direction.z) : 0.0;
+  std::fill_n(emitted, stride(), 0.0f);
+  emit(scene_.surroundings, emitted);
+  for (std::size_t n = 0; n < stride(); ++n) {
+    sun[n] = reflectance[n] * (light_.row(kSunIrradiance)[n] * static_cast<float>(sine / std::numbers::pi));
+    sky[n] = reflectance[n] * light_.row(kSky)[n];
+  }
+}
+
 const float* SpectralScene::absorption(std::uint32_t material) const {
   const materials::NodeBsdf* model = materials_.directional(material);
   return model == nullptr ? nullptr : model->absorption();

@@ -92,6 +92,8 @@ class SpectralScene {
   const float* sky_radiance() const { return light_.row(kSky); }
   const SkyDome* sky_dome() const { return dome_.get(); }  ///< null: the sky is uniform
   const float* surroundings_radiance() const { return light_.row(kSurroundings); }
+  void split_surroundings(float* emitted, float* sun,
+                          float* sky) const;  ///< what that is of, stride() floats
   bool has_view_path() const { return has_view_path_; }
   const float* view_transmittance() const { return light_.row(kViewTransmittance); }
   const float* view_radiance() const { return light_.row(kViewRadiance); }

@@ -1,5 +1,7 @@
 #include "transport/view_atmosphere.h"
 
+#include <algorithm>
+
 #include "transport/sky/adjacent_ground.h"
 #include "transport/spectral_scene.h"
 #include "transport/spectrum_arithmetic.h"
@@ -38,7 +40,7 @@ void see_through(float* __restrict light, const ViewTable::Weights& at, std::siz
 }
 
 /// The same of light that the air's own is no part of.
-void dim(float* __restrict light, const ViewTable::Weights& at, std::size_t n) {
+void dim_by(float* __restrict light, const ViewTable::Weights& at, std::size_t n) {
   const auto* t = at.transmittance.data();
   const float* w = at.weight.data();
   switch (at.count) {
@@ -79,10 +81,25 @@ void ViewAtmosphere::apply(const PathRecord::Path& path, float* first, float* se
     const ViewTable::Weights at = table->at(path.towards_sensor, path.seen_height_m, path.sensor_height_m);
     see_through(first, at, n);
     add_adjacent(scene_, path, &at, first);
-    if (second != nullptr) dim(second, at, n);
+    if (second != nullptr) dim_by(second, at, n);
   } else if (scene_.has_view_path()) {
     apply(path, first);
     if (second != nullptr) spectra::scale(second, scene_.view_transmittance(), n);
+  }
+}
+
+void ViewAtmosphere::transmittance(const PathRecord::Path& path, float* share) const {
+  std::fill_n(share, scene_.stride(), 1.0f);
+  dim(path, share);
+}
+
+void ViewAtmosphere::dim(const PathRecord::Path& path, float* radiance) const {
+  const std::size_t n = scene_.stride();
+  if (const ViewTable* table = scene_.view_table()) {
+    if (!path.met && path.towards_sensor.z <= 0.0) return;  // the sky itself
+    dim_by(radiance, table->at(path.towards_sensor, path.seen_height_m, path.sensor_height_m), n);
+  } else if (scene_.has_view_path()) {
+    spectra::scale(radiance, scene_.view_transmittance(), n);
   }
 }
 

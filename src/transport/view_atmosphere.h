@@ -17,6 +17,10 @@ class ViewAtmosphere {
   void apply(const PathRecord::Path& path, float* radiance) const;
   /// The same of light in two parts, of which the first gets what the air adds; the second may be null.
   void apply(const PathRecord::Path& path, float* first, float* second) const;
+  /// What it leaves of light of the far end, in nodes: 1 where it stands before nothing, as before the sky itself.
+  void transmittance(const PathRecord::Path& path, float* share) const;
+  /// Takes as much from light in nodes.
+  void dim(const PathRecord::Path& path, float* radiance) const;
 
  private:
   const SpectralScene& scene_;

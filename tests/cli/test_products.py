@@ -12,6 +12,8 @@ FRAME = ('"camera": {"frame": {"pixels": [40, 30], "focal_length": "20 mm", "pit
 ORTHOGRAPHIC = '"camera": {"orthographic": {"gsd": "1 m", "pixels": [3, 3]}}'
 TRUTH = ["range", "normal", "slope", "gsd", "time", "sun_angles", "shadow", "sky_view", "material_class", "dominant_material", "material_count",
          "object_class", "instance"]
+PARTS = [word + end for word in ("emitted_radiance", "sun_radiance", "sky_radiance", "scene_radiance", "path_radiance", "transmittance")
+         for end in ("", "_standard_error")]
 LARGE = {"gsd": "5 cm", "pixels": [64, 48]}
 
 
@@ -40,7 +42,7 @@ class Lists(unittest.TestCase):
         with Folder(usual=DOME, frame=DOME.replace(ORTHOGRAPHIC, FRAME),
                     all=with_output(DOME, formats=["envi"], products=["all"])) as folder:
             for name, wanted in (("usual", usual), ("frame", sorted([*usual, "location"])),
-                                 ("all", sorted([*usual, "standard_error", "abundance_half_width", "location", "true_location", "view_angles", "temperature", *TRUTH]))):
+                                 ("all", sorted([*usual, "standard_error", "abundance_half_width", "location", "true_location", "view_angles", "temperature", *TRUTH, *PARTS]))):
                 self.assertEqual(run("render", f"{name}.json", cwd=folder).returncode, 0)
                 self.assertEqual(cubes(folder / f"{name}.out"), sorted(f"image_{cube}.img" for cube in wanted))
 

@@ -10,6 +10,7 @@
 #include "io/quantities/geometry_quantities.h"
 #include "io/quantities/identity_quantities.h"
 #include "io/quantities/location_quantities.h"
+#include "io/quantities/part_quantities.h"
 #include "io/quantities/polarization_quantities.h"
 #include "io/quantities/quality_quantities.h"
 #include "io/quantities/quantity_set.h"
@@ -63,7 +64,8 @@ TEST(Quantities, RowsAreWhatTheyWrite) {
     EXPECT_EQ(find_quantity(quantity->name), quantity);
     EXPECT_FALSE(quantity->what.empty());
     const bool radiance =
-        quantity->bands == Quantity::Bands::stokes || (quantity->is_spectral() && !quantity->needs.stokes);
+        quantity->bands == Quantity::Bands::stokes ||
+        (quantity->is_spectral() && !quantity->needs.stokes && quantity->name.find("transmittance") != 0);
     EXPECT_EQ(quantity->unit.empty(), radiance) << quantity->name;
     EXPECT_EQ(quantity->band_names.empty(), quantity->bands != Quantity::Bands::named) << quantity->name;
     Counting sink;
@@ -119,13 +121,19 @@ TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
   image.materials.clear();
   image.stokes = false;
   const QuantitySet bare = possible_quantities(QuantitySet::all(), image, false);
-  EXPECT_TRUE(bare ==
-              QuantitySet({&quantities::kRadiance, &quantities::kSamples, &quantities::kQuality,
-                           &quantities::kReasons, &quantities::kQualityClass, &quantities::kLocation,
-                           &quantities::kTrueLocation, &quantities::kViewAngles, &quantities::kTemperature,
-                           &quantities::kRange, &quantities::kNormal, &quantities::kSlope, &quantities::kGsd,
-                           &quantities::kTime, &quantities::kSunAngles, &quantities::kShadow,
-                           &quantities::kSkyView, &quantities::kObjectClass, &quantities::kInstance}));
+  EXPECT_TRUE(bare == QuantitySet({&quantities::kRadiance,      &quantities::kSamples,
+                                   &quantities::kQuality,       &quantities::kReasons,
+                                   &quantities::kQualityClass,  &quantities::kLocation,
+                                   &quantities::kTrueLocation,  &quantities::kViewAngles,
+                                   &quantities::kTemperature,   &quantities::kRange,
+                                   &quantities::kNormal,        &quantities::kSlope,
+                                   &quantities::kGsd,           &quantities::kTime,
+                                   &quantities::kSunAngles,     &quantities::kShadow,
+                                   &quantities::kSkyView,       &quantities::kObjectClass,
+                                   &quantities::kInstance,      &quantities::kEmittedRadiance,
+                                   &quantities::kSunRadiance,   &quantities::kSkyRadiance,
+                                   &quantities::kSceneRadiance, &quantities::kPathRadiance,
+                                   &quantities::kTransmittance}));
   EXPECT_TRUE(possible_quantities({}, image).has(quantities::kRadiance));
 }
 

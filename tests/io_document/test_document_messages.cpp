@@ -208,7 +208,7 @@ TEST(DocumentMessages, ProductsHavePlainNames) {
       "folder/a.json:42:41: 'output.products[1]' is the text \"radiances\", expected 'radiance', "
       "'standard_error', 'half_width', 'air_half_width', 'air_model_error', 'samples', 'quality', 'reasons', 'quality_class', 'abundance', "
       "'abundance_half_width', 'location', 'true_location', 'view_angles', 'temperature', 'range', 'normal', 'slope', 'gsd', 'time', 'sun_angles', "
-      "'shadow', 'sky_view', 'material_class' and 14 more; did you mean 'radiance'?");
+      "'shadow', 'sky_view', 'material_class' and 26 more; did you mean 'radiance'?");
 }
 
 TEST(DocumentMessages, NamesThatAreNotDeclared) {

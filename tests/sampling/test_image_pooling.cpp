@@ -120,6 +120,49 @@ TEST(RestModel, FindsSharesAndTheFirstLevel) {
   EXPECT_NEAR(found[0], 2.4, 0.2);
 }
 
+/// Three columns, of which the first is the sum of the others, through the model and the shrinkage: by how much it is no longer, at most.
+double parts_off(std::span<const std::size_t> leaders) {
+  constexpr std::size_t kColumns = 3, kStride = 16, kPixels = 64;
+  std::vector<Place> places;
+  std::vector<Shares> shares;
+  std::vector<std::vector<double>> direct, rest;
+  std::vector<RestModel::Pixel> pixels;
+  std::vector<float> means(kPixels * kStride), variances(kPixels * kStride), predicted(kPixels * kStride);
+  for (std::size_t k = 0; k < kPixels; ++k) {
+    places.push_back({static_cast<int>(k % 8), static_cast<int>(k / 8)});
+    const double share = unit_double(hash(21, k));
+    shares.push_back({{1, share}, {2, 1.0 - share}});
+    const double d = 2.0 + normal(hash(22, k)), a = share + 0.3 * normal(hash(23, k)),
+                 b = 2.0 + d + normal(hash(24, k));
+    direct.push_back({d + share, d, share});
+    rest.push_back({a + b, a, b});
+    for (std::size_t c = 0; c < kColumns; ++c) {
+      means[k * kStride + c] = static_cast<float>(rest[k][c]);
+      variances[k * kStride + c] = static_cast<float>(c == 1 ? 0.02 : 1.0);
+    }
+  }
+  for (std::size_t k = 0; k < kPixels; ++k) pixels.push_back({shares[k], direct[k], rest[k]});
+  const RestModel model(pixels, leaders);
+  for (std::size_t k = 0; k < kPixels; ++k) {
+    std::vector<float> first(direct[k].begin(), direct[k].end());
+    model.predict(shares[k], first.data(), &predicted[k * kStride]);
+  }
+  const std::vector<double> between{0.2, 0.1, 0.4};
+  LikePixels(places, shares).shrink({kColumns, kStride, predicted, between, 1.0, leaders}, means, variances);
+  double most = 0.0;
+  for (std::size_t k = 0; k < kPixels; ++k) {
+    const float* mean = &means[k * kStride];
+    most = std::max(most, static_cast<double>(std::abs(mean[0] - mean[1] - mean[2])));
+    EXPECT_GT(variances[k * kStride + 1], 0.0f);
+  }
+  return most;
+}
+
+TEST(Pooling, PartsThatFollowGoOnAddingUp) {
+  EXPECT_LT(parts_off(std::vector<std::size_t>{0, 0, 0}), 5e-6);
+  EXPECT_GT(parts_off(std::vector<std::size_t>{0, 1, 2}), 0.05) << "each by its own values";
+}
+
 TEST(Allocation, RarePixelsOfAnEasyColumnGetTheirValues) {
   // The first column is dear in all pixels; the second only noisy in a few, and within its limit whatever they get: a tree's near
   // infrared in a street. What takes that error away costs next to nothing.

@@ -69,6 +69,7 @@ struct Quantity {
     bool air = false;        ///< an atmosphere that knows its error
     bool materials = false;
     bool stokes = false;  ///< a sensor that tells polarization
+    bool parts = false;   ///< tiles that tell the parts of their light, which irradiances at points do not
   };
 
   std::string_view name;  ///< in documents, and of the cube: NAME_<name>.img

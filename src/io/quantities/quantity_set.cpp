@@ -6,6 +6,7 @@
 #include "io/quantities/radiance_quantities.h"
 #include "io/quantities/sunlight_quantities.h"
 #include "render/tile_sink.h"
+#include "sensor/view_list.h"
 #include "truth/collector.h"
 
 namespace ifov::io {
@@ -58,11 +59,13 @@ QuantitySet possible_quantities(const QuantitySet& choice, const render::ImageIn
                                 bool knows_errors) {
   const bool air = std::any_of(image.channels.begin(), image.channels.end(),
                                [](const render::ChannelInfo& channel) { return channel.air.has_value(); });
+  const bool points = image.views != nullptr && image.views->kind == sensor::ViewList::Kind::points;
   QuantitySet possible{&quantities::kRadiance};
   for (const Quantity* quantity : choice) {
     const Quantity::Needs& needs = quantity->needs;
     if ((!needs.errors || knows_errors) && (!needs.air || air) &&
-        (!needs.materials || !image.materials.empty()) && (!needs.stokes || image.stokes))
+        (!needs.materials || !image.materials.empty()) && (!needs.stokes || image.stokes) &&
+        (!needs.parts || !points))
       possible.add(*quantity);
   }
   return possible;

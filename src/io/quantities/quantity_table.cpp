@@ -3,6 +3,7 @@
 #include "io/quantities/geometry_quantities.h"
 #include "io/quantities/identity_quantities.h"
 #include "io/quantities/location_quantities.h"
+#include "io/quantities/part_quantities.h"
 #include "io/quantities/polarization_quantities.h"
 #include "io/quantities/quality_quantities.h"
 #include "io/quantities/quantity_set.h"
@@ -42,6 +43,18 @@ constexpr std::array kQuantities{&quantities::kRadiance,
                                  &quantities::kMaterialCount,
                                  &quantities::kObjectClass,
                                  &quantities::kInstance,
+                                 &quantities::kEmittedRadiance,
+                                 &quantities::kEmittedRadianceError,
+                                 &quantities::kSunRadiance,
+                                 &quantities::kSunRadianceError,
+                                 &quantities::kSkyRadiance,
+                                 &quantities::kSkyRadianceError,
+                                 &quantities::kSceneRadiance,
+                                 &quantities::kSceneRadianceError,
+                                 &quantities::kPathRadiance,
+                                 &quantities::kPathRadianceError,
+                                 &quantities::kTransmittance,
+                                 &quantities::kTransmittanceError,
                                  &quantities::kStokes,
                                  &quantities::kStokesStandardError,
                                  &quantities::kStokesHalfWidth,

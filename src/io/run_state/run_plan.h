@@ -48,6 +48,8 @@ struct RunPlan {
   std::vector<sampling::PixelRect> grid() const;
   /// Those of `cubes` that there is something for.
   QuantitySet made_cubes() const;
+  /// Whether tiles tell the parts of their light.
+  bool tells_parts() const;
   /// Whether tiles carry the variances.
   bool keeps_variances() const;
   /// Whether the cubes hold all the values that tiles have, so that the state need not.

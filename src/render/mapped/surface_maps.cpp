@@ -8,6 +8,7 @@
 #include "math/ray.h"
 #include "radiometry/spectral_nodes.h"
 #include "radiometry/spectrum_block.h"
+#include "render/parts/part_columns.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "transport/path_record.h"
@@ -21,14 +22,27 @@ struct SurfaceMaps::Work {
   explicit Work(const transport::SpectralScene& scene) : air(scene) {
     spectra.resize(kRows, scene.node_count());
   }
-  enum Row { kEmission, kEmissionPart, kEmissionWork, kOwn, kReflectance, kRows };
+  enum Row {
+    kEmission,
+    kEmissionPart,
+    kEmissionWork,
+    kOwn,
+    kReflectance,
+    kParts,
+    kRows = kParts + transport::kLightParts
+  };
   transport::ViewAtmosphere air;
   radiometry::SpectrumBlock spectra;
   std::vector<math::Ray> rays;
 };
 
-SurfaceMaps::SurfaceMaps(const transport::SpectralScene& scene, const sensor::Camera& camera, Shares shares)
-    : scene_(scene), camera_(camera), shares_(std::move(shares)), work_(std::make_unique<Work>(scene)) {
+SurfaceMaps::SurfaceMaps(const transport::SpectralScene& scene, const sensor::Camera& camera,
+                         const PartColumns& parts, Shares shares)
+    : scene_(scene),
+      camera_(camera),
+      parts_(parts),
+      shares_(std::move(shares)),
+      work_(std::make_unique<Work>(scene)) {
   for (const scene::SurfaceAssignment& assignment : scene.scene().assignments) {
     const auto is_map = [](const auto& map) { return map != nullptr; };
     differs_.push_back(
@@ -107,8 +121,25 @@ class SurfaceMaps::Surface final : public sampling::MappedSurface {
     path.met = true;
     path.seen_height_m = at.position_m.z;
     path.seen_x_m = at.position_m.x, path.seen_y_m = at.position_m.y;
+    if (maps_.parts_.told()) write_parts(own, path, row);
     work.air.apply(path, own);
     scene.nodes().to_channels(own, row);
+  }
+
+  /// Of what a surface sends of its own, before the air.
+  void write_parts(const float* own, const transport::PathRecord::Path& path, float* row) const {
+    Work& work = *maps_.work_;
+    transport::PartRows rows;
+    for (std::size_t p = 0; p < transport::kLightParts; ++p) {
+      rows.row[p] = work.spectra.row(Work::kParts + p);
+      std::fill_n(rows.row[p], maps_.scene_.stride(), 0.0f);
+    }
+    float* emitted = rows[transport::LightPart::emitted];
+    std::copy_n(own, maps_.scene_.stride(), emitted);
+    work.air.dim(path, emitted);
+    work.air.apply(path, rows[transport::LightPart::path]);
+    work.air.transmittance(path, rows[transport::LightPart::transmittance]);
+    maps_.parts_.write(rows, row);
   }
 
   void write_reflectance(const scene::ResolvedSurface& surface, float* row) const {
@@ -121,6 +152,10 @@ class SurfaceMaps::Surface final : public sampling::MappedSurface {
       for (std::size_t n = 0; n < scene.stride(); ++n) sum[n] += weight * reflectance[n];
     }
     scene.nodes().to_channels(sum, row);
+    // All light that comes in may be of any part; what none of them has is left to 0 by the fit.
+    const std::size_t channels = scene.nodes().channel_count();
+    for (std::size_t p = 0; maps_.parts_.told() && p < transport::kRadianceParts; ++p)
+      std::copy_n(row, channels, row + maps_.parts_.first() + p * channels);
   }
 
   const SurfaceMaps& maps_;

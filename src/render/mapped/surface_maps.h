@@ -20,14 +20,17 @@ class SpectralScene;
 
 namespace ifov::render {
 
+class PartColumns;
+
 /// What maps and patterns say of the surfaces that a camera sees (sampling::MappedSurface). An object serves one thread.
 class SurfaceMaps {
  public:
   /// Writes shares of materials into the columns of a value; empty: there are none.
   using Shares = std::function<void(const geometry::SurfacePoint& at, float* columns)>;
 
-  /// Keeps references to scene and camera; they must outlive this, and this what it makes.
-  SurfaceMaps(const transport::SpectralScene& scene, const sensor::Camera& camera, Shares shares);
+  /// Keeps references to scene, camera and the columns of parts; they must outlive this, and this what it makes.
+  SurfaceMaps(const transport::SpectralScene& scene, const sensor::Camera& camera, const PartColumns& parts,
+              Shares shares);
   ~SurfaceMaps();
 
   /// Whether any surface assignment differs from place to place.
@@ -45,6 +48,7 @@ class SurfaceMaps {
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
+  const PartColumns& parts_;
   Shares shares_;
   std::vector<char> differs_;  // by surface assignment
   bool any_ = false;

@@ -6,7 +6,9 @@
 #include "geometry/world.h"
 #include "radiometry/polarization_frame.h"
 #include "radiometry/spectrum_block.h"
+#include "render/parts/part_columns.h"
 #include "render/polarized/polarimetry.h"
+#include "render/polarized/stokes_columns.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "transport/mirrors/sun_mirrors.h"
@@ -31,13 +33,13 @@ bool Glints::in(const transport::SpectralScene& scene) {
 }
 
 Glints::Glints(const transport::SpectralScene& scene, const sensor::Camera& camera, double margin_px,
-               std::uint64_t seed, const Polarimetry* polarimetry)
+               std::uint64_t seed, const LightTold& told)
     : scene_(scene),
       camera_(camera),
       mirrored_(scene),
-      polarized_(polarimetry != nullptr && polarimetry->any()),
-      stokes_(polarimetry, scene.nodes()),
-      lights_(stokes_.count()) {
+      polarized_(told.polarimetry != nullptr && told.polarimetry->any()),
+      stokes_(std::make_unique<StokesColumns>(told, scene.nodes())),
+      lights_(stokes_->count()) {
   const geometry::SurfaceSurvey& survey = scene.sun_mirrors()->survey();
   const scene::Sun& sun = *scene.scene().sun;
   std::size_t surfaces = survey.rounds.size();
@@ -61,6 +63,8 @@ Glints::Glints(const transport::SpectralScene& scene, const sensor::Camera& came
   }
   lights_.sort();
 }
+
+Glints::~Glints() = default;
 
 void Glints::trace(std::vector<GlintPoint>& points) {
   const scene::Scene& scene = scene_.scene();
@@ -125,13 +129,14 @@ std::uint32_t Glints::row_of(const geometry::SurfacePoint& hit, const scene::Res
   last_material_ = surface.count == 1 ? surface.constituents[0].material : ~0u;
   radiometry::SpectrumBlock work(1, scene_.node_count());
   const float* sun = scene_.sun_irradiance(hit.position_m.z, work.row(0));
-  std::vector<float> columns(stokes_.count());
+  std::vector<float> columns(stokes_->count());
   if (polarized_)
-    stokes_.write(mirrored_.polarized(surface, hit.position_m.z, seen, sun,
-                                      sensor::focal_frame(camera_, line_px, seen)),
-                  columns.data());
+    stokes_->write(mirrored_.polarized(surface, hit.position_m.z, seen, sun,
+                                       sensor::focal_frame(camera_, line_px, seen)),
+                   columns.data());
   else
-    stokes_.write_unpolarized(mirrored_.channels(surface, hit.position_m.z, seen, sun), columns.data());
+    stokes_->write_unpolarized(mirrored_.channels(surface, hit.position_m.z, seen, sun), columns.data());
+  stokes_->parts().write_one(transport::LightPart::sun, columns.data());
   last_row_ = lights_.add_spectrum(columns);
   return last_row_;
 }

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "render/mirrors/focal_lights.h"
 #include "render/mirrors/glint_search.h"
 #include "render/mirrors/mirrored_spectra.h"
-#include "render/polarized/stokes_columns.h"
+#include "render/parts/light_told.h"
 #include "sampling/tile.h"
 
 namespace ifov::scene {
@@ -21,6 +22,8 @@ class SpectralScene;
 
 namespace ifov::render {
 
+class StokesColumns;
+
 /// The Sun's glints on curved mirrors that the sensor sees directly: images of the disc that are far smaller than a
 /// pixel and far brighter than anything in it, so that paths would not meet them. Where they lie follows from the
 /// surfaces' shapes (GlintSearch); what stands before the mirror and between it and the Sun is traced. Paths leave them
@@ -33,7 +36,8 @@ class Glints {
 
   /// Traces all of them. Keeps a reference to the scene. `margin_px`: a footprint's half width.
   Glints(const transport::SpectralScene& scene, const sensor::Camera& camera, double margin_px,
-         std::uint64_t seed, const Polarimetry* polarimetry = nullptr);
+         std::uint64_t seed, const LightTold& told = {});
+  ~Glints();
 
   /// As FocalLights::add_to.
   void add_to(const sampling::PixelFootprint& footprint, const sampling::Tolerance* tolerance,
@@ -52,7 +56,7 @@ class Glints {
   const sensor::Camera& camera_;
   MirroredSpectra mirrored_;
   bool polarized_;  // the sensor tells polarization
-  StokesColumns stokes_;
+  std::unique_ptr<StokesColumns> stokes_;
   FocalLights lights_;  // radiance of the Sun's disc, reflected, at the sensor
   std::uint32_t last_material_ = ~0u, last_row_ = 0;
   double last_cosine_ = 0.0;

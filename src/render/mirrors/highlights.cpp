@@ -49,12 +49,12 @@ bool Highlights::in(const transport::SpectralScene& scene) {
 }
 
 Highlights::Highlights(const transport::SpectralScene& scene, const sensor::Camera& camera, double margin_px,
-                       std::uint64_t seed, const Polarimetry* polarimetry)
+                       std::uint64_t seed, const LightTold& told)
     : scene_(scene),
       camera_(camera),
       seed_(seed),
       tracer_(scene, highlights_alone()),
-      light_(std::make_unique<SceneLight>(scene, camera, polarimetry)),
+      light_(std::make_unique<SceneLight>(scene, camera, told)),
       lights_(light_->columns().count()) {
   find(seed, margin_px);
   lights_.sort();

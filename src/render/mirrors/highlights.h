@@ -4,6 +4,7 @@
 
 #include "render/mirrors/focal_lights.h"
 #include "render/mirrors/glint_search.h"
+#include "render/parts/light_told.h"
 #include "sampling/tile.h"
 #include "sensor/camera.h"
 #include "transport/path_tracer.h"
@@ -15,7 +16,6 @@ class SpectralScene;
 namespace ifov::render {
 
 class SceneLight;
-struct Polarimetry;
 
 /// The Sun's highlights in narrow lobes on curved surfaces and on meshes that the sensor sees directly (SunLobes): found by the
 /// surfaces' shapes (GlintSearch), traced as paths of one scattering, left out of all other paths
@@ -26,7 +26,7 @@ class Highlights {
 
   /// Traces all of them. Keeps a reference to the scene. `margin_px`: a footprint's half width.
   Highlights(const transport::SpectralScene& scene, const sensor::Camera& camera, double margin_px,
-             std::uint64_t seed, const Polarimetry* polarimetry = nullptr);
+             std::uint64_t seed, const LightTold& told = {});
   ~Highlights();
 
   /// As FocalLights::add_to.

@@ -40,10 +40,9 @@ std::unique_ptr<const MirrorImages> MirrorImages::find(const transport::Spectral
                                                        const sensor::Camera& camera,
                                                        const transport::TransportOptions& transport,
                                                        double margin_px, std::uint64_t seed, int threads,
-                                                       const CancelToken* cancel,
-                                                       const Polarimetry* polarimetry) {
+                                                       const CancelToken* cancel, const LightTold& told) {
   if (scene.scene().world == nullptr || scene.scene().world->survey() == nullptr) return nullptr;
-  std::unique_ptr<MirrorImages> images(new MirrorImages(scene, camera, polarimetry));
+  std::unique_ptr<MirrorImages> images(new MirrorImages(scene, camera, told));
   if (images->parts_.parts().empty() && images->parts_.complete()) return nullptr;
   images->list_mirrors();
   std::vector<Pair> pairs = images->pairs();
@@ -85,13 +84,13 @@ std::unique_ptr<const MirrorImages> MirrorImages::find(const transport::Spectral
 }
 
 MirrorImages::MirrorImages(const transport::SpectralScene& scene, const sensor::Camera& camera,
-                           const Polarimetry* polarimetry)
+                           const LightTold& told)
     : scene_(scene),
       camera_(camera),
-      polarimetry_(polarimetry),
+      told_(told),
       parts_(scene),
       apart_(scene.scene(), parts_),
-      lights_(StokesColumns(polarimetry, scene.nodes()).count()) {}
+      lights_(StokesColumns(told, scene.nodes()).count()) {}
 
 bool MirrorImages::settled(SeparateImages::Mirror mirror, std::uint32_t object) const {
   return std::binary_search(settled_.begin(), settled_.end(), Name{mirror, object});
@@ -240,7 +239,7 @@ void MirrorImages::trace(const Mirror& mirror, std::uint32_t part, std::vector<G
 
 FocalLights MirrorImages::weigh(transport::TransportOptions transport, std::uint64_t key,
                                 const std::vector<ImageSpectrum>& rows) const {
-  SceneLight light(scene_, camera_, polarimetry_);
+  SceneLight light(scene_, camera_, told_);
   const std::size_t channels = light.columns().count();
   FocalLights lights(channels);
   transport.separate_images = nullptr;

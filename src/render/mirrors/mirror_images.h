@@ -8,6 +8,7 @@
 #include "render/mirrors/focal_lights.h"
 #include "render/mirrors/glint_search.h"
 #include "render/mirrors/image_spectra.h"
+#include "render/parts/light_told.h"
 #include "transport/separate_images.h"
 #include "transport/shining_parts.h"
 
@@ -20,8 +21,6 @@ struct TransportOptions;
 }  // namespace ifov::transport
 
 namespace ifov::render {
-
-struct Polarimetry;
 
 /// Images of what shines (transport::ShiningParts) in mirrors that the sensor sees directly, flat or bent: in a pixel that
 /// sees a mirror ball a hot thing is a spot that no path need meet. Where it lies follows from the shapes (GlintSearch);
@@ -37,7 +36,7 @@ class MirrorImages {
                                                   const transport::TransportOptions& transport,
                                                   double margin_px, std::uint64_t seed, int threads,
                                                   const CancelToken* cancel = nullptr,
-                                                  const Polarimetry* polarimetry = nullptr);
+                                                  const LightTold& told = {});
 
   /// For transport::TransportOptions.
   const transport::SeparateImages& apart() const { return apart_; }
@@ -66,8 +65,7 @@ class MirrorImages {
   static constexpr double kNegligible = 1e-4;
 
  private:
-  MirrorImages(const transport::SpectralScene& scene, const sensor::Camera& camera,
-               const Polarimetry* polarimetry);
+  MirrorImages(const transport::SpectralScene& scene, const sensor::Camera& camera, const LightTold& told);
   struct Mirror {
     transport::SeparateImages::Mirror name = 0;
     std::vector<std::size_t> rounds, smooths;  // of the survey
@@ -99,7 +97,7 @@ class MirrorImages {
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
-  const Polarimetry* polarimetry_;
+  LightTold told_;
   transport::ShiningParts parts_;
   transport::SeparateImages apart_;
   std::vector<Mirror> mirrors_;

@@ -5,28 +5,53 @@
 
 #include "radiometry/polarization_frame.h"
 #include "radiometry/spectral_nodes.h"
+#include "render/parts/part_columns.h"
 #include "render/polarized/polarimetry.h"
 #include "sensor/camera.h"
+#include "transport/parts/light_in_parts.h"
+#include "transport/parts/polarized_light_in_parts.h"
+#include "transport/path_light.h"
 #include "transport/polarized/polarized_air.h"
 #include "transport/polarized/polarized_path_light.h"
 #include "transport/spectral_scene.h"
+#include "transport/view_atmosphere.h"
 
 namespace ifov::render {
 
+namespace {
+
+/// What part of the light the sunlight on a path's first surface is.
+transport::LightPart fell_on(const transport::PathRecord& paths, std::size_t k) {
+  const std::uint32_t first = paths.paths[k].first;
+  return first == transport::PathVertex::kNone
+             ? transport::LightPart::sun
+             : transport::LightInParts::part_of_sunlight(paths.vertices[first]);
+}
+
+}  // namespace
+
 struct SceneLight::Polarized {
-  explicit Polarized(const transport::SpectralScene& scene) : light(scene), air(scene) {}
+  Polarized(const transport::SpectralScene& scene, bool in_parts)
+      : light(scene),
+        air(scene),
+        parts(in_parts ? std::make_unique<transport::PolarizedLightInParts>(scene) : nullptr) {}
   transport::PolarizedPathLight light;
   transport::PolarizedAir air;
+  std::unique_ptr<transport::PolarizedLightInParts> parts;  // null: as a whole
 };
 
 SceneLight::SceneLight(const transport::SpectralScene& scene, const sensor::Camera& camera,
-                       const Polarimetry* polarimetry)
+                       const LightTold& told)
     : scene_(scene),
       camera_(camera),
-      light_(scene),
-      air_(scene),
-      polarized_(polarimetry != nullptr && polarimetry->any() ? std::make_unique<Polarized>(scene) : nullptr),
-      columns_(polarimetry, scene.nodes()) {
+      light_(std::make_unique<transport::PathLight>(scene)),
+      air_(std::make_unique<const transport::ViewAtmosphere>(scene)),
+      polarized_(told.polarimetry != nullptr && told.polarimetry->any()
+                     ? std::make_unique<Polarized>(scene, told.parts)
+                     : nullptr),
+      parts_(told.parts && polarized_ == nullptr ? std::make_unique<transport::LightInParts>(scene)
+                                                 : nullptr),
+      columns_(told, scene.nodes()) {
   if (polarized_ != nullptr && !scene.polarized())
     throw std::invalid_argument("a sensor that tells polarization needs a scene that keeps it");
 }
@@ -37,12 +62,38 @@ void SceneLight::to_channels(const float* radiance, float* row) const {
   scene_.nodes().to_channels(radiance, row);
 }
 
+void SceneLight::write(const transport::PathRecord& paths, std::size_t k, const sampling::FocalPoint& point,
+                       const math::Ray& ray, float* row) {
+  if (polarized_ != nullptr) return write_polarized(paths, k, point, ray, row);
+  float* radiance = light_->radiance(paths, k);
+  air_->apply(paths.paths[k], radiance);
+  to_channels(radiance, row);
+  if (parts_ != nullptr) columns_.parts().write(parts_->at_sensor(paths, k), row);
+}
+
+SceneLight::Levels SceneLight::levels(const transport::PathRecord& paths, std::size_t k, bool whole) {
+  const transport::PathLight::Levels light = light_->levels(paths, k, whole);
+  air_->apply(paths.paths[k], light.direct, light.rest);
+  return {light.direct, light.rest};
+}
+
+void SceneLight::write_parts(const transport::PathRecord& paths, std::size_t k, bool whole, float* direct,
+                             float* rest) {
+  if (parts_ == nullptr) return;
+  const transport::LightInParts::Levels light = parts_->levels(paths, k, whole);
+  columns_.parts().write(light.direct, direct);
+  if (whole) columns_.parts().write(light.rest, rest);
+}
+
 void SceneLight::write_polarized(const transport::PathRecord& paths, std::size_t k,
                                  const sampling::FocalPoint& point, const math::Ray& ray, float* row) {
   const radiometry::PolarizationFrame frame = sensor::focal_frame(camera_, point.y_px, ray);
   const transport::StokesRows light = polarized_->light.light(paths, k, frame);
   polarized_->air.apply(paths.paths[k], frame, light);
   columns_.write(light, row);
+  if (polarized_->parts == nullptr) return;
+  const transport::PolarizedLightInParts::AtSensor& parts = polarized_->parts->at_sensor(paths, k, frame);
+  columns_.write_parts(parts.radiance, parts.transmittance, row);
 }
 
 void SceneLight::write_sunlight(const transport::PathRecord& paths, std::size_t k,
@@ -51,16 +102,18 @@ void SceneLight::write_sunlight(const transport::PathRecord& paths, std::size_t 
     const transport::StokesRows light =
         polarized_->light.first_sunlight(paths, k, sensor::focal_frame(camera_, point.y_px, ray));
     polarized_->air.see_through(paths.paths[k], light);
-    return columns_.write(light, row);
+    columns_.write(light, row);
+    return columns_.parts().write_one(fell_on(paths, k), row);
   }
   radiometry::SpectrumBlock nothing(1, scene_.node_count());
-  float* radiance = light_.first_sunlight(paths, k);
+  float* radiance = light_->first_sunlight(paths, k);
   // Of what the air makes of light its own light is no part here.
-  air_.apply(paths.paths[k], radiance);
-  air_.apply(paths.paths[k], nothing.row(0));
+  air_->apply(paths.paths[k], radiance);
+  air_->apply(paths.paths[k], nothing.row(0));
   for (std::size_t n = 0; n < nothing.stride(); ++n)
     radiance[n] = std::max(0.0f, radiance[n] - nothing.row(0)[n]);
   to_channels(radiance, row);
+  columns_.parts().write_one(fell_on(paths, k), row);
 }
 
 }  // namespace ifov::render

@@ -2,10 +2,9 @@
 
 #include <memory>
 
+#include "render/parts/light_told.h"
 #include "render/polarized/stokes_columns.h"
 #include "sampling/field.h"
-#include "transport/path_light.h"
-#include "transport/view_atmosphere.h"
 
 namespace ifov::math {
 struct Ray;
@@ -14,15 +13,22 @@ namespace ifov::sensor {
 class Camera;
 }
 
+namespace ifov::transport {
+class LightInParts;
+class PathLight;
+class SpectralScene;
+class ViewAtmosphere;
+struct PathRecord;
+}  // namespace ifov::transport
+
 namespace ifov::render {
 
 /// The light of recorded paths as it reaches a sensor, by column (StokesColumns): radiance alone, or with its polarization where
-/// that is asked for and the scene tells it. An object serves one thread.
+/// that is asked for and the scene tells it, and in parts where these are. An object serves one thread.
 class SceneLight {
  public:
-  /// Keeps references; `polarimetry` may be null.
-  SceneLight(const transport::SpectralScene& scene, const sensor::Camera& camera,
-             const Polarimetry* polarimetry);
+  /// Keeps references.
+  SceneLight(const transport::SpectralScene& scene, const sensor::Camera& camera, const LightTold& told);
   ~SceneLight();
 
   StokesColumns& columns() { return columns_; }
@@ -30,19 +36,15 @@ class SceneLight {
 
   /// Of path k, which began with `ray` through `point`. `row` has room for the scene's nodes, or for the columns where they are more.
   void write(const transport::PathRecord& paths, std::size_t k, const sampling::FocalPoint& point,
-             const math::Ray& ray, float* row) {
-    if (polarized_ != nullptr) return write_polarized(paths, k, point, ray, row);
-    float* radiance = light_.radiance(paths, k);
-    air_.apply(paths.paths[k], radiance);
-    to_channels(radiance, row);
-  }
+             const math::Ray& ray, float* row);
   bool polarized() const { return polarized_ != nullptr; }
   /// Of light that is not polarized, in nodes, as it leaves the air (transport::PathLight::levels()).
-  transport::PathLight::Levels levels(const transport::PathRecord& paths, std::size_t k, bool whole) {
-    const transport::PathLight::Levels light = light_.levels(paths, k, whole);
-    air_.apply(paths.paths[k], light.direct, light.rest);
-    return light;
-  }
+  struct Levels {
+    float *direct, *rest;
+  };
+  Levels levels(const transport::PathRecord& paths, std::size_t k, bool whole);
+  /// Of light that is told in parts: those of both into rows of columns; of a path that is not `whole` the first alone.
+  void write_parts(const transport::PathRecord& paths, std::size_t k, bool whole, float* direct, float* rest);
   /// What of it its first surface makes of direct sunlight, as it leaves the air.
   void write_sunlight(const transport::PathRecord& paths, std::size_t k, const sampling::FocalPoint& point,
                       const math::Ray& ray, float* row);
@@ -55,9 +57,10 @@ class SceneLight {
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
-  transport::PathLight light_;
-  transport::ViewAtmosphere air_;
-  std::unique_ptr<Polarized> polarized_;  // null: radiance alone
+  std::unique_ptr<transport::PathLight> light_;
+  std::unique_ptr<const transport::ViewAtmosphere> air_;
+  std::unique_ptr<Polarized> polarized_;            // null: radiance alone
+  std::unique_ptr<transport::LightInParts> parts_;  // null: as a whole
   StokesColumns columns_;
 };
 

@@ -5,6 +5,8 @@
 #include <cstring>
 
 #include "radiometry/spectral_nodes.h"
+#include "render/parts/light_told.h"
+#include "render/parts/part_columns.h"
 #include "render/polarized/polarimetry.h"
 #include "render/polarized/steering.h"
 #include "sampling/tile.h"
@@ -24,13 +26,22 @@ sampling::TileLayer float_layer(const char* name, std::size_t bands, const std::
 
 }  // namespace
 
-StokesColumns::StokesColumns(const Polarimetry* polarimetry, const radiometry::SpectralNodes& nodes)
-    : polarimetry_(polarimetry != nullptr ? *polarimetry : kNoPolarimetry),
+StokesColumns::StokesColumns(const LightTold& told, const radiometry::SpectralNodes& nodes)
+    : polarimetry_(told.polarimetry != nullptr ? *told.polarimetry : kNoPolarimetry),
       nodes_(nodes),
       channels_(nodes.channel_count()),
+      parts_(std::make_unique<const PartColumns>(told.parts, polarimetry_.columns(channels_), nodes)),
       work_(4 * channels_) {}
 
-std::size_t StokesColumns::count() const { return polarimetry_.columns(channels_); }
+StokesColumns::~StokesColumns() = default;
+
+int StokesColumns::leader(int column) const {
+  const auto at = static_cast<std::size_t>(column);
+  if (at < parts_->first() || at >= parts_->first() + parts_->count()) return column;
+  return static_cast<int>((at - parts_->first()) % channels_);
+}
+
+std::size_t StokesColumns::count() const { return polarimetry_.columns(channels_) + parts_->count(); }
 
 bool StokesColumns::told() const { return polarimetry_.stokes; }
 
@@ -42,9 +53,27 @@ void add_stokes_columns(const Polarimetry* polarimetry, std::size_t channels, st
       columns.push_back(columns[k] + static_cast<int>(component * channels));
 }
 
+void StokesColumns::write_parts(std::span<const transport::StokesRows> parts, const float* transmittance,
+                                float* row) {
+  float* into = row + parts_->first();
+  for (const transport::StokesRows& part : parts) {
+    for (std::size_t c = 0; c < 4; ++c) nodes_.to_channels(part[c], work_.data() + c * channels_);
+    const auto at = [&](std::size_t component, std::size_t channel) {
+      return static_cast<double>(work_[component * channels_ + channel]);
+    };
+    for (std::size_t c = 0; c < channels_; ++c)
+      *into++ = static_cast<float>(seen(c, {at(0, c), at(1, c), at(2, c), at(3, c)}).i);
+  }
+  parts_->write_transmittance(transmittance, row);
+}
+
+radiometry::StokesVector StokesColumns::seen(std::size_t channel,
+                                             const radiometry::StokesVector& light) const {
+  return polarimetry_.optics.empty() ? light : polarimetry_.optics[channel] * light;
+}
+
 void StokesColumns::pass(std::size_t channel, const radiometry::StokesVector& light, float* row) const {
-  const radiometry::StokesVector seen =
-      polarimetry_.optics.empty() ? light : polarimetry_.optics[channel] * light;
+  const radiometry::StokesVector seen = this->seen(channel, light);
   row[channel] = static_cast<float>(seen.i);
   if (!polarimetry_.optics.empty()) row[polarimetry_.told(channels_) + channel] = static_cast<float>(light.i);
   if (!polarimetry_.stokes) return;
@@ -56,7 +85,7 @@ void StokesColumns::pass(std::size_t channel, const radiometry::StokesVector& li
 void StokesColumns::write(const transport::StokesRows& light, float* row) {
   for (std::size_t c = 0; c < 4; ++c) nodes_.to_channels(light[c], work_.data() + c * channels_);
   if (polarimetry_.optics.empty()) {
-    std::copy_n(work_.data(), count(), row);
+    std::copy_n(work_.data(), polarimetry_.columns(channels_), row);
     return;
   }
   const auto at = [&](std::size_t component, std::size_t channel) {
@@ -82,7 +111,8 @@ void StokesColumns::settle(sampling::TileResult& tile) const {
     return found;
   };
   const std::size_t last = polarimetry_.told(channels_), others = last - channels_;
-  if (last < columns)
+  parts_->add_layers(tile);
+  if (last < polarimetry_.columns(channels_))
     tile.layers.push_back(
         float_layer(StokesLayers::kBefore, channels_, part(tile.mean, last, last + channels_)));
   if (told())

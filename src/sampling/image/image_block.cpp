@@ -157,11 +157,13 @@ void ImageBlock::pool() {
     for (std::size_t c = 0; c < columns_; ++c)
       between[c] += plan_.kind(materials_[k]).mean.between[c] / static_cast<double>(places_.size());
   }
-  LikePixels(places_, shares).shrink({columns_, stride_, predicted, between, trust_}, pooled, variance);
+  const std::vector<std::size_t>& leaders = plan_.leaders();
+  LikePixels(places_, shares)
+      .shrink({columns_, stride_, predicted, between, trust_, leaders}, pooled, variance);
   // Columns that are not judged tell other things than light: shares of mixtures, light that may not be found.
   for (std::size_t k = 0; k < places_.size(); ++k)
     for (std::size_t c = 0; c < columns_; ++c) {
-      if (!std::isfinite(plan_.limits()[c])) continue;
+      if (!std::isfinite(plan_.limits()[leaders[c]])) continue;
       const std::size_t at = k * stride_ + c;
       rest_[at] = pooled[at];
       rest_variance_[at] = variance[at];

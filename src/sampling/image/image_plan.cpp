@@ -44,6 +44,12 @@ bool shows_several(const Field& field, std::span<const Label> labels) {
 
 namespace {
 
+std::vector<std::size_t> leaders_of(const Field& field) {
+  std::vector<std::size_t> leaders;
+  for (int c = 0; c < field.columns(); ++c) leaders.push_back(static_cast<std::size_t>(field.leader(c)));
+  return leaders;
+}
+
 /// A pixel of the survey: two pilots.
 struct Surveyed {
   std::uint32_t material = 0;
@@ -101,7 +107,9 @@ void look(const SurveyRequest& request, std::span<const Place> places, Field& fi
 /// column is put together with what they tell of all.
 class Factor {
  public:
-  explicit Factor(std::size_t columns) : found_(columns, 0.0), told_(columns, 0.0) {}
+  /// `leaders`: Field::leader() by column; what follows tells nothing of the others.
+  explicit Factor(std::span<const std::size_t> leaders)
+      : leaders_(leaders), found_(leaders.size(), 0.0), told_(leaders.size(), 0.0) {}
   void add(std::size_t c, double found, double told) {
     found_[c] += found;
     told_[c] += told;
@@ -113,7 +121,7 @@ class Factor {
     double sum = 0.0;
     int columns = 0;
     for (std::size_t c = 0; c < told_.size(); ++c)
-      if (told_[c] > 0.0) sum += found_[c] / told_[c], ++columns;
+      if (told_[c] > 0.0 && leaders_[c] == c) sum += found_[c] / told_[c], ++columns;
     if (pixels_ < kFewest || columns == 0) return otherwise;
     for (std::size_t c = 0; c < told_.size(); ++c) {
       const double all = sum / columns, own = told_[c] > 0.0 ? found_[c] / told_[c] : all;
@@ -124,14 +132,15 @@ class Factor {
 
  private:
   static constexpr double kLeast = 0.2, kMost = 4.0;
+  std::span<const std::size_t> leaders_;
   std::vector<double> found_, told_;
   int pixels_ = 0;
 };
 
-RestModel model_of(std::span<const Surveyed> found) {
+RestModel model_of(std::span<const Surveyed> found, std::span<const std::size_t> leaders) {
   std::vector<RestModel::Pixel> pixels;
   for (const Surveyed& pixel : found) pixels.push_back({pixel.shares, pixel.direct, pixel.rest});
-  return RestModel(pixels);
+  return RestModel(pixels, leaders);
 }
 
 /// What pixels differ by from the model: the product of what two pilots do, whose noise is not the same.
@@ -204,8 +213,9 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
   std::unique_ptr<ImagePlan> plan(new ImagePlan());
   for (const RayCounts& count : rays) plan->rays += count;
   const std::size_t columns = found.front().direct.size();
+  plan->leaders_ = leaders_of(*request.field());
   std::vector<double> mean(columns, 0.0);
-  Factor pure(columns), mixed(columns), all(columns), rest(columns);
+  Factor pure(plan->leaders_), mixed(plan->leaders_), all(plan->leaders_), rest(plan->leaders_);
   for (const Surveyed& pixel : found) {
     Factor& own = pixel.mixed ? mixed : pure;
     for (Factor* factor : {&own, &all, &rest}) factor->count();
@@ -255,7 +265,7 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
   for (std::vector<double>* values : {&plan->all_.mean.direct, &plan->all_.mean.rest})
     for (double& value : *values) value /= of_all;
   if (pooling) {
-    plan->rest_model_ = std::make_unique<const RestModel>(model_of(found));
+    plan->rest_model_ = std::make_unique<const RestModel>(model_of(found, plan->leaders_));
     add_between(found, plan->all_, plan->kinds_, *plan->rest_model_);
   }
 

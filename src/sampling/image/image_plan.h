@@ -28,6 +28,8 @@ class ImagePlan final : public ImageSurvey {
   const Allocation& allocation() const { return *allocation_; }
   /// Of the root mean square error by column; infinite where a column is not judged.
   const std::vector<double>& limits() const { return limits_; }
+  /// Field::leader() by column.
+  const std::vector<std::size_t>& leaders() const { return leaders_; }
 
   /// How much pixels vary that show mostly one material: what is known of a pixel before a value of its own. By column.
   struct Kind {
@@ -61,6 +63,7 @@ class ImagePlan final : public ImageSurvey {
  private:
   ImagePlan() = default;
   std::vector<double> limits_;
+  std::vector<std::size_t> leaders_;
   std::unique_ptr<const Allocation> allocation_;
   std::array<std::vector<double>, 2> direct_factor_;
   std::vector<double> rest_factor_;

@@ -4,22 +4,25 @@
 
 namespace ifov::sampling {
 
-LevelAccumulator::LevelAccumulator(std::size_t length) : length_(length) {
-  for (std::vector<float>* row : {&direct_, &contrast_, &contrast_squares_, &first_, &rest_, &rest_squares_})
+template <class Sum>
+LevelAccumulatorIn<Sum>::LevelAccumulatorIn(std::size_t length) : length_(length) {
+  for (std::vector<Sum>* row : {&direct_, &contrast_, &contrast_squares_, &first_, &rest_, &rest_squares_})
     row->resize(length);
   clear();
 }
 
-void LevelAccumulator::clear() {
+template <class Sum>
+void LevelAccumulatorIn<Sum>::clear() {
   direct_count_ = rest_count_ = 0;
-  for (std::vector<float>* row : {&direct_, &contrast_squares_, &rest_, &rest_squares_})
-    std::fill(row->begin(), row->end(), 0.0f);
+  for (std::vector<Sum>* row : {&direct_, &contrast_squares_, &rest_, &rest_squares_})
+    std::fill(row->begin(), row->end(), Sum{0});
 }
 
-void LevelAccumulator::add_direct(const float* row) {
-  float* __restrict sum = direct_.data();
-  float* __restrict contrast = contrast_.data();
-  float* __restrict squares = contrast_squares_.data();
+template <class Sum>
+void LevelAccumulatorIn<Sum>::add_direct(const float* row) {
+  Sum* __restrict sum = direct_.data();
+  Sum* __restrict contrast = contrast_.data();
+  Sum* __restrict squares = contrast_squares_.data();
   const float* __restrict x = row;
   switch (direct_count_++ % 4) {
     case 0:
@@ -32,47 +35,54 @@ void LevelAccumulator::add_direct(const float* row) {
     default:
       for (std::size_t i = 0; i < length_; ++i) {
         sum[i] += x[i];
-        const float whole = contrast[i] + x[i];
+        const Sum whole = contrast[i] + x[i];
         squares[i] += whole * whole;
       }
   }
 }
 
-void LevelAccumulator::add_rest(const float* row) {
+template <class Sum>
+void LevelAccumulatorIn<Sum>::add_rest(const float* row) {
   if (rest_count_++ == 0) {
     std::copy(row, row + length_, first_.begin());
     return;
   }
-  float* __restrict sum = rest_.data();
-  float* __restrict squares = rest_squares_.data();
+  Sum* __restrict sum = rest_.data();
+  Sum* __restrict squares = rest_squares_.data();
   const float* __restrict x = row;
-  const float* __restrict first = first_.data();
+  const Sum* __restrict first = first_.data();
   for (std::size_t i = 0; i < length_; ++i) {
-    const float d = x[i] - first[i];
+    const Sum d = x[i] - first[i];
     sum[i] += d;
     squares[i] += d * d;
   }
 }
 
-void LevelAccumulator::take(float* direct, float* direct_variance, float* rest, float* rest_variance) const {
-  const float n = static_cast<float>(std::max(direct_count_, 1u)), m = static_cast<float>(rest_count_);
+template <class Sum>
+void LevelAccumulatorIn<Sum>::take(float* direct, float* direct_variance, float* rest,
+                                   float* rest_variance) const {
+  const Sum n = static_cast<Sum>(std::max(direct_count_, 1u)), m = static_cast<Sum>(rest_count_);
   for (std::size_t i = 0; i < length_; ++i) {
-    direct[i] = direct_[i] / n;
-    direct_variance[i] = contrast_squares_[i] / n;  // squares are four times the variance, of n / 4 fours
-    rest[i] = rest_count_ > 0 ? first_[i] + rest_[i] / m : 0.0f;
-    rest_variance[i] =
-        rest_count_ > 1 ? std::max(0.0f, (rest_squares_[i] - rest_[i] * rest_[i] / m) / (m - 1.0f)) : 0.0f;
+    direct[i] = static_cast<float>(direct_[i] / n);
+    direct_variance[i] =
+        static_cast<float>(contrast_squares_[i] / n);  // squares are four times the variance, of n / 4 fours
+    rest[i] = static_cast<float>(rest_count_ > 0 ? first_[i] + rest_[i] / m : Sum{0});
+    rest_variance[i] = static_cast<float>(
+        rest_count_ > 1 ? std::max(Sum{0}, (rest_squares_[i] - rest_[i] * rest_[i] / m) / (m - Sum{1}))
+                        : Sum{0});
   }
 }
 
-void Field::levels(const LevelRequests& of, LevelSums& sums) {
-  const auto stride = static_cast<std::size_t>(this->stride());
-  std::vector<float> values(of.requests.size() * stride);
-  sums.labels.resize(of.requests.size());
-  this->values(of.requests, sums.labels, values);
-  for (std::vector<float>* rows : {&sums.direct, &sums.direct_variance, &sums.rest, &sums.rest_variance})
-    rows->assign(of.counts.size() * stride, 0.0f);
-  LevelAccumulator group(static_cast<std::size_t>(columns()));
+template class LevelAccumulatorIn<float>;
+template class LevelAccumulatorIn<double>;
+
+namespace {
+
+/// Of values(), all of it direct.
+template <class Sum>
+void add_up(const LevelRequests& of, const std::vector<float>& values, std::size_t columns,
+            std::size_t stride, LevelSums& sums) {
+  LevelAccumulatorIn<Sum> group(columns);
   std::size_t k = 0;
   for (std::size_t g = 0; g < of.counts.size(); ++g) {
     group.clear();
@@ -81,6 +91,21 @@ void Field::levels(const LevelRequests& of, LevelSums& sums) {
     group.take(sums.direct.data() + row, sums.direct_variance.data() + row, sums.rest.data() + row,
                sums.rest_variance.data() + row);
   }
+}
+
+}  // namespace
+
+void Field::levels(const LevelRequests& of, LevelSums& sums) {
+  const auto stride = static_cast<std::size_t>(this->stride());
+  std::vector<float> values(of.requests.size() * stride);
+  sums.labels.resize(of.requests.size());
+  this->values(of.requests, sums.labels, values);
+  for (std::vector<float>* rows : {&sums.direct, &sums.direct_variance, &sums.rest, &sums.rest_variance})
+    rows->assign(of.counts.size() * stride, 0.0f);
+  // Columns that add up to others do so to the last digits only where no sum of many values rounds them off.
+  bool parts = false;
+  for (int c = 0; c < columns(); ++c) parts = parts || leader(c) != c;
+  (parts ? add_up<double> : add_up<float>)(of, values, static_cast<std::size_t>(columns()), stride, sums);
 }
 
 }  // namespace ifov::sampling

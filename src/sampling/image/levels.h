@@ -27,10 +27,11 @@ struct LevelSums {
   std::vector<Label> labels;  ///< by request
 };
 
-/// Adds values of one group up. Rows are of any length.
-class LevelAccumulator {
+/// Adds values of one group up, in the precision of `Sum`. Rows are of any length.
+template <class Sum>
+class LevelAccumulatorIn {
  public:
-  explicit LevelAccumulator(std::size_t length);
+  explicit LevelAccumulatorIn(std::size_t length);
   void clear();
   void add_direct(const float* row);
   void add_rest(const float* row);
@@ -40,8 +41,11 @@ class LevelAccumulator {
  private:
   std::size_t length_;
   std::uint32_t direct_count_ = 0, rest_count_ = 0;
-  std::vector<float> direct_, contrast_, contrast_squares_;
-  std::vector<float> first_, rest_, rest_squares_;  // of differences from the first
+  std::vector<Sum> direct_, contrast_, contrast_squares_;
+  std::vector<Sum> first_, rest_, rest_squares_;  // of differences from the first
 };
+extern template class LevelAccumulatorIn<float>;
+extern template class LevelAccumulatorIn<double>;
+using LevelAccumulator = LevelAccumulatorIn<float>;
 
 }  // namespace ifov::sampling

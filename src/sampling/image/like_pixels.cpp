@@ -86,7 +86,7 @@ void LikePixels::shrink(const Shrinkage& how, std::span<float> means, std::span<
   }
   // By how much a pixel differs from what the others say, beyond the noise of both: as it is told by itself and by those that show the
   // same. That it tells of itself spares pixels that are like no other.
-  std::vector<float> differs(size_ * stride), between(columns);
+  std::vector<float> differs(size_ * stride), between(columns), own_weight(columns);
   for (std::size_t p = 0; p < size_; ++p)
     for (std::size_t at = p * stride; at < p * stride + columns; ++at) {
       const float d = away[at] - of_others[at];
@@ -104,13 +104,20 @@ void LikePixels::shrink(const Shrinkage& how, std::span<float> means, std::span<
       for (std::size_t c = 0; c < columns; ++c) sum[c] += weight * of[c];
     }
     for (std::size_t c = 0; c < columns; ++c) {
-      const std::size_t at = p * stride + c;
+      const std::size_t at = p * stride + c, leader = how.leaders.empty() ? c : how.leaders[c];
       const float own = variances[at],
                   others = trust * (std::max(0.0f, between[c] / weights) + kLeastBetween * own) +
                            others_variance[at],
                   both = own + others;
+      if (leader != c) {
+        const float weight = own_weight[leader], rest = 1.0f - weight;
+        means[at] = weight * means[at] + rest * (how.predicted[at] + of_others[at]);
+        of_pixel[at] = weight * weight * own + rest * rest * others;
+        continue;
+      }
+      own_weight[c] = both > 0.0f ? others / both : 1.0f;
       if (!(both > 0.0f)) continue;
-      const float weight = others / both;
+      const float weight = own_weight[c];
       means[at] = weight * means[at] + (1.0f - weight) * (how.predicted[at] + of_others[at]);
       of_pixel[at] = own * weight;
     }

@@ -31,6 +31,8 @@ class LikePixels {
     std::span<const float> predicted;  ///< by pixel and column
     std::span<const double> between;   ///< by column: how much like pixels differ, as far as is known before
     double trust = 1.0;  ///< times the variance between like pixels that is found; below 1 too much is pooled
+    std::span<const std::size_t> leaders =
+        {};  ///< Field::leader() by column, whose shares are taken; empty: of itself
   };
   void shrink(const Shrinkage& how, std::span<float> means, std::span<float> variances) const;
 

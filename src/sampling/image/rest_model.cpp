@@ -1,6 +1,7 @@
 #include "sampling/image/rest_model.h"
 
 #include <cmath>
+#include <numeric>
 
 namespace ifov::sampling {
 
@@ -29,8 +30,13 @@ void solve(std::vector<double>& a, std::vector<double>& b) {
 
 }  // namespace
 
-RestModel::RestModel(std::span<const Pixel> pixels) {
+RestModel::RestModel(std::span<const Pixel> pixels, std::span<const std::size_t> leaders)
+    : leaders_(leaders.begin(), leaders.end()) {
   const std::size_t columns = pixels.front().rest.size();
+  if (leaders_.empty()) {
+    leaders_.resize(columns);
+    std::iota(leaders_.begin(), leaders_.end(), std::size_t{0});
+  }
   const double share = 1.0 / static_cast<double>(pixels.size());
   mean_direct_.assign(columns, 0.0);
   mean_rest_.assign(columns, 0.0);
@@ -55,9 +61,10 @@ RestModel::RestModel(std::span<const Pixel> pixels) {
   }
   std::vector<double> a(count * count), b(count);
   for (std::size_t c = 0; c < columns; ++c) {
+    const std::size_t leader = leaders_[c];
     double spread = 0.0;
     for (const Pixel& pixel : pixels) {
-      const double d = pixel.direct[c] - mean_direct_[c];
+      const double d = pixel.direct[leader] - mean_direct_[leader];
       spread += share * d * d;
     }
     const double unit = spread > 0.0 ? 1.0 / std::sqrt(spread) : 0.0;
@@ -66,7 +73,7 @@ RestModel::RestModel(std::span<const Pixel> pixels) {
     for (std::size_t m = 0; m < materials; ++m)
       for (std::size_t k = 0; k < materials; ++k) a[m * count + k] = products[m * materials + k];
     for (std::size_t p = 0; p < pixels.size(); ++p) {
-      const double direct = unit * (pixels[p].direct[c] - mean_direct_[c]),
+      const double direct = unit * (pixels[p].direct[leader] - mean_direct_[leader]),
                    rest = pixels[p].rest[c] - mean_rest_[c];
       for (std::size_t m = 0; m < materials; ++m) {
         a[materials * count + m] += share * direct * of_pixel[p * materials + m];

@@ -17,7 +17,8 @@ class RestModel {
     std::span<const double> direct, rest;    ///< by column
   };
   RestModel() = default;
-  explicit RestModel(std::span<const Pixel> pixels);
+  /// `leaders`: Field::leader() by column; a column that follows regresses on the first level of its leader, as that does.
+  explicit RestModel(std::span<const Pixel> pixels, std::span<const std::size_t> leaders = {});
 
   /// Of a pixel: `direct` and `rest` by column, as many as the survey had. A material that the survey did not meet counts as all of
   /// them together.
@@ -30,12 +31,13 @@ class RestModel {
         for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += share * of[c];
       }
     for (std::size_t c = 0; c < sum.size(); ++c)
-      rest[c] =
-          static_cast<Value>(sum[c] + of_direct_[c] * (static_cast<double>(direct[c]) - mean_direct_[c]));
+      rest[c] = static_cast<Value>(
+          sum[c] + of_direct_[c] * (static_cast<double>(direct[leaders_[c]]) - mean_direct_[leaders_[c]]));
   }
 
  private:
   std::map<std::uint32_t, std::size_t> materials_;
+  std::vector<std::size_t> leaders_;                         // by column
   std::vector<double> mean_direct_, mean_rest_, of_direct_;  // by column
   std::vector<double> of_share_;                             // by material and column
 };

@@ -79,26 +79,43 @@ StokesRows PolarizedPathLight::light(const PathRecord& record, std::size_t k,
 
 StokesRows PolarizedPathLight::one(const PathRecord& record, std::size_t k, const PolarizationFrame& frame) {
   const PathRecord::Path& path = record.paths[k];
+  list(record, path);
+  start(record, path, frame, true, true);
+  if (vertices_.empty()) return about(arriving_, frame);
+  bring(record, 0);
+  come_through(record, record.vertices[path.first], true, arriving_);
+  return about(arriving_, frame);
+}
+
+void PolarizedPathLight::list(const PathRecord& record, const PathRecord::Path& path) {
   vertices_.clear();
   for (std::uint32_t v = path.first; v != PathVertex::kNone; v = record.vertices[v].next)
     vertices_.push_back(v);
+}
+
+void PolarizedPathLight::start(const PathRecord& record, const PathRecord::Path& path,
+                               const PolarizationFrame& frame, bool sky, bool disc) {
   clear(arriving_, false);
-  if (path.escaped) {
-    PolarizationFrame sky_frame = frame;
-    bool kept = vertices_.empty();
-    if (!kept) {
-      const Directions& last = record.directions[vertices_.back()];
-      kept = last.polarizing != nullptr;
-      if (kept) sky_frame = radiometry::surface_frame(-path.escaped_direction, last.normal);
-    }
-    start_at_sky(path, kept ? &sky_frame : nullptr);
+  if (!path.escaped) return;
+  arriving_.any = true;
+  PolarizationFrame sky_frame = frame;
+  bool kept = vertices_.empty();
+  if (!kept) {
+    const Directions& last = record.directions[vertices_.back()];
+    kept = last.polarizing != nullptr;
+    if (kept) sky_frame = radiometry::surface_frame(-path.escaped_direction, last.normal);
   }
-  if (vertices_.empty()) return about(arriving_, frame);
-  for (std::size_t at = vertices_.size(); at-- > 0;) {
-    leave(record, record.vertices[vertices_[at]], record.directions[vertices_[at]]);
+  if (sky) start_at_sky(path, kept ? &sky_frame : nullptr);
+  if (disc) add_disc(path);
+}
+
+void PolarizedPathLight::bring(const PathRecord& record, std::size_t vertex) {
+  for (std::size_t at = vertices_.size(); at-- > vertex;) {
+    const PathVertex& here = record.vertices[vertices_[at]];
+    leave(record, here, record.directions[vertices_[at]]);
+    if (at > vertex) come_through(record, here, true, out_);
     std::swap(out_, arriving_);
   }
-  return about(arriving_, frame);
 }
 
 StokesRows PolarizedPathLight::first_sunlight(const PathRecord& record, std::size_t k,
@@ -116,7 +133,6 @@ StokesRows PolarizedPathLight::first_sunlight(const PathRecord& record, std::siz
 void PolarizedPathLight::start_at_sky(const PathRecord::Path& path, const PolarizationFrame* frame) {
   const Vec3 direction = path.escaped_direction;
   const SkyDome* dome = scene_.sky_dome();
-  arriving_.any = true;
   if (dome == nullptr || direction.z < 0.0) {
     std::copy_n(direction.z < 0.0 ? scene_.surroundings_radiance() : scene_.sky_radiance(), n_,
                 arriving_.rows[0]);
@@ -150,6 +166,10 @@ void PolarizedPathLight::start_at_sky(const PathRecord::Path& path, const Polari
       adjacent->brighten(path.seen_x_m, path.seen_y_m,
                          arriving_.rows[0]);  // what the ground adds is unpolarized
   }
+}
+
+void PolarizedPathLight::add_disc(const PathRecord::Path& path) {
+  const Vec3 direction = path.escaped_direction;
   const auto& disc = scene_.scene().sun;
   if (path.escaped_sees_sun && disc && disc->half_angle_rad > 0.0 && direction.z > 0.0 &&
       math::length(math::cross(direction, disc->direction)) < std::sin(disc->half_angle_rad) &&
@@ -168,8 +188,6 @@ void PolarizedPathLight::leave(const PathRecord& record, const PathVertex& verte
   if (vertex.sought_weight > 0.0f) add_sought(record, vertex, directions);
   if (vertex.mirrored != PathVertex::kNone) add_mirrored(record, vertex, directions);
   if (vertex.continuation_weight > 0.0f && arriving_.any) add_continuation(record, vertex, directions);
-  if (vertex.segment != PathVertex::kNone)
-    way_.come_through(record.segments[vertex.segment], vertex.segment_shines, out_);
   out_.any = true;
 }
 

@@ -30,7 +30,7 @@ class PolarizedPathLight {
   StokesRows first_sunlight(const PathRecord& record, std::size_t k,
                             const radiometry::PolarizationFrame& frame);
 
- private:
+ protected:
   enum Work {
     kOut,
     kArriving = kOut + 4,
@@ -54,13 +54,27 @@ class PolarizedPathLight {
   float* spectrum(int w) { return spectra_.row(static_cast<std::size_t>(w)); }
   StokesRows rows_from(int w) { return {{spectrum(w), spectrum(w + 1), spectrum(w + 2), spectrum(w + 3)}}; }
   StokesRows one(const PathRecord& record, std::size_t k, const radiometry::PolarizationFrame& frame);
+  /// Leaves in `vertices_` those of a path.
+  void list(const PathRecord& record, const PathRecord::Path& path);
+  /// What its far end sends, into `arriving_`: of the sky, or of the Sun's disc, or of both. `frame` is of who sees it where it met
+  /// nothing.
+  void start(const PathRecord& record, const PathRecord::Path& path,
+             const radiometry::PolarizationFrame& frame, bool sky, bool disc);
+  /// Takes `arriving_` from there to where the segment behind the vertex of that number begins; the medium of that is left out.
+  void bring(const PathRecord& record, std::size_t vertex);
   StokesRows about(Beam& beam, const radiometry::PolarizationFrame& frame);
   void clear(Beam& beam, bool polarized);
   void polarize(Beam& beam);
 
   void start_at_sky(const PathRecord::Path& path, const radiometry::PolarizationFrame* frame);
+  void add_disc(const PathRecord::Path& path);
   /// What leaves a vertex; `arriving_` is what its continuation brings.
   void leave(const PathRecord& record, const PathVertex& vertex, const Directions& directions);
+  /// What then becomes of it in the medium that the path came through.
+  void come_through(const PathRecord& record, const PathVertex& vertex, bool shines, PolarizedBeam& light) {
+    if (vertex.segment != PathVertex::kNone)
+      way_.come_through(record.segments[vertex.segment], shines && vertex.segment_shines, light);
+  }
   void emit(const PathRecord& record, const PathVertex& vertex);
   void add_sun(const PathRecord& record, const PathVertex& vertex, const Directions& directions);
   void add_sought(const PathRecord& record, const PathVertex& vertex, const Directions& directions);

@@ -8,7 +8,7 @@
 #include "core/format.h"
 #include "core/names.h"
 #include "core/overloaded.h"
-#include "io/document/cameras/camera_settings.h"
+#include "io/document/cameras/view_settings.h"
 #include "io/document/document.h"
 #include "io/document/file_materials_document.h"
 #include "io/document/presence_document.h"
@@ -76,14 +76,26 @@ class ReferenceCheck {
   }
 
  private:
-  /// Whoever names products of polarization wants them; "all" are all that there can be.
+  /// Whoever names products that there cannot be wants them; "all" are all that there can be.
   void check_products() const {
-    if (document_.sensor.stokes || !document_.output.products ||
-        *document_.output.products == QuantitySet::all())
-      return;
-    std::vector<std::string> without;
-    for (const Quantity* quantity : *document_.output.products)
-      if (quantity->needs.stokes) without.emplace_back(quantity->name);
+    if (!document_.output.products || *document_.output.products == QuantitySet::all()) return;
+    const auto named = [&](bool Quantity::Needs::*need) {
+      std::vector<std::string> names;
+      for (const Quantity* quantity : *document_.output.products)
+        if (quantity->needs.*need) names.emplace_back(quantity->name);
+      return names;
+    };
+    const std::vector<std::string> parts = named(&Quantity::Needs::parts);
+    if (!parts.empty() &&
+        dynamic_cast<const PointsSensor*>(document_.sensor.camera.settings.get()) != nullptr)
+      throw document_error(
+          document_.sources, document_.output.position,
+          format(
+              "output.products has {}: sensor.points measures irradiance, whose parts are not told; that of "
+              "cameras, distant, hemisphere and rays is radiance",
+              list_names(parts, "and")));
+    const std::vector<std::string> without =
+        document_.sensor.stokes ? std::vector<std::string>{} : named(&Quantity::Needs::stokes);
     if (!without.empty())
       throw document_error(
           document_.sources, document_.output.position,

@@ -35,7 +35,10 @@ ControlVariates::ControlVariates(Field& field, const Lattice& lattice, const Lab
       table_(table),
       seed_(seed),
       columns_(static_cast<std::size_t>(field.columns())),
-      stride_(static_cast<std::size_t>(field.stride())) {}
+      stride_(static_cast<std::size_t>(field.stride())) {
+  for (std::size_t c = 0; c < columns_; ++c)
+    leaders_.push_back(static_cast<std::size_t>(field.leader(static_cast<int>(c))));
+}
 
 ControlVariates::~ControlVariates() = default;
 
@@ -160,6 +163,7 @@ void ControlVariates::fit_labels(const LatticeValues& values, std::size_t labels
     fit.slope.assign(columns_, 0.0f);
     fit.constant.assign(columns_, 0.0f);
     fit.on.assign(columns_, 1);
+    std::vector<std::uint8_t> line(columns_, 0);  // a line is taken
     for (std::size_t c = 0; c < columns_; ++c) {
       double slope = 0.0, constant = sum.y[c] / n;
       if (sum.r[c] > 0.0) {
@@ -170,7 +174,10 @@ void ControlVariates::fit_labels(const LatticeValues& values, std::size_t labels
                      covariance = sum.ry[c] - sum.r[c] * sum.y[c] / n,
                      of_line = sum.yy[c] - sum.y[c] * sum.y[c] / n -
                                (variance > 0.0 ? covariance * covariance / variance : 0.0);
-        if (n >= kManyVertices && variance > 1e-9 * sum.rr[c] && of_line < kBetter * left) {
+        line[c] = leaders_[c] == c
+                      ? n >= kManyVertices && variance > 1e-9 * sum.rr[c] && of_line < kBetter * left
+                      : line[leaders_[c]];
+        if (line[c] != 0) {
           slope = covariance / variance;
           constant = (sum.y[c] - slope * sum.r[c]) / n;
         }
@@ -247,6 +254,10 @@ bool ControlVariates::drop_useless(const LabelSpread& spread, const std::vector<
     constexpr double kTelling = 8.0;
     const bool local = spread.blocks(l) >= kTelling;
     for (std::size_t c = 0; c < columns_; ++c) {
+      if (leaders_[c] != c) {
+        fits_[l].on[c] = fits_[l].on[leaders_[c]];
+        continue;
+      }
       const int column = static_cast<int>(c);
       const double before = local ? spread.local(l, column) : spread.total(l, column),
                    after = local ? spread.rest().local(l, column) : spread.rest().total(l, column);

@@ -86,6 +86,7 @@ class ControlVariates {
   const LabelTable& table_;
   std::uint64_t seed_;
   std::size_t columns_, stride_;
+  std::vector<std::size_t> leaders_;                // Field::leader, by column
   std::vector<Fit> fits_;                           // by label
   std::unordered_map<std::uint64_t, Of> surfaces_;  // by source pixel and label
   mutable std::vector<float> own_, reflectance_;

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "io/quantities/quantity.h"
+
+namespace ifov::io::quantities {
+
+/// What the radiance is made of (transport::LightPart), by channel; the first five add up to it. In the radiance unit but the
+/// transmittance.
+extern const Quantity kEmittedRadiance, kSunRadiance, kSkyRadiance, kSceneRadiance, kPathRadiance,
+    kTransmittance;
+/// Their standard errors.
+extern const Quantity kEmittedRadianceError, kSunRadianceError, kSkyRadianceError, kSceneRadianceError,
+    kPathRadianceError, kTransmittanceError;
+
+}  // namespace ifov::io::quantities
