@@ -355,19 +355,26 @@ class Mistakes(unittest.TestCase):
                     self.assertIn("--inputs-below", said["faults"][0]["text"])
 
 
+def hills(size=400):
+    """A scene with a mesh, and the mesh."""
+    lines = [f"v {x} {y} {(x * y) % 7}" for y in range(size) for x in range(size)]
+    lines += [f"f {y * size + x + 1} {y * size + x + 2} {y * size + x + size + 1}" for y in range(size - 1) for x in range(size - 1)]
+    document = scene()
+    del document["scene"]["origin"]
+    document["scene"]["objects"] = [document["scene"]["objects"][0], {"name": "hills", "mesh": {"file": "hills.obj"}, "material": "lawn"}]
+    document["sensor"]["camera"]["frame"] |= {"position": ["0 m", "0 m", "100 m"], "look_at": ["0 m", "0 m", "0 m"]}
+    return document, {"hills.obj": "\n".join(lines) + "\n"}
+
+
 class Loading(unittest.TestCase):
     def test_progress_is_told(self):
-        size = 400
-        lines = [f"v {x} {y} {(x * y) % 7}" for y in range(size) for x in range(size)]
-        lines += [f"f {y * size + x + 1} {y * size + x + 2} {y * size + x + size + 1}" for y in range(size - 1) for x in range(size - 1)]
-        document = scene()
-        document["scene"]["objects"].append({"name": "hills", "mesh": {"file": "hills.obj"}, "material": "lawn"})
-        with Shown(document, files={"hills.obj": "\n".join(lines) + "\n"}) as shown:
+        document, files = hills()
+        with Shown(document, files=files) as shown:
             phases = []
             while (said := shown.viewer.ask("scene"))["state"] == "loading":
                 if not phases or phases[-1][0] != said["phase"]:
                     phases.append((said["phase"], said["done"], said["of"]))
-            self.assertTrue(any(phase.startswith("'hills' (line ") and (done, of) == (3, 4) for phase, done, of in phases), phases)
+            self.assertTrue(any(phase.startswith("'hills' (line ") and (done, of) == (1, 2) for phase, done, of in phases), phases)
             self.assertGreater(said["elapsed"], 0)
             self.assertIn("triangles", said["statement"])
 
@@ -426,14 +433,32 @@ class Bounds(unittest.TestCase):
                     with self.assertRaisesRegex(Refused, "^404: no document is shown"):
                         viewer.ask(name, **query)
 
+    def test_who_goes_spoils_nothing(self):
+        """Not even while the trees of a large mesh are made, as the first rays come near."""
+        document, files = hills(700)
+        look = {"x": 350, "y": -200, "z": 400, "azimuth": 0, "elevation": -40, "fov": 60, "width": 400, "height": 300, "x0": 0, "y0": 0, "x1": 400, "y1": 300,
+                "step": 1, "paint": "object"}
+        with Shown(document, files=files) as shown:
+            shown.ready()
+            for pause in (0.0, 0.005, 0.01, 0.02, 0.04):
+                for connection in self.send(shown.viewer, {**look, "fov": 1 + 1000 * pause}, 1):
+                    time.sleep(pause)
+                    connection.close()
+            _, values = shown.viewer.ask("look", **look)
+            self.assertEqual({1.0}, set(values[2::3]) & {1.0})
+
+    def send(self, viewer, query, clients):
+        """Connections that have asked and not read."""
+        head = f"GET /api/look?{urllib.parse.urlencode(query)} HTTP/1.1\r\nHost: 127.0.0.1\r\nX-Ifov-Token: {viewer.token}\r\nConnection: close\r\n\r\n"
+        connections = [socket.create_connection((viewer.host, viewer.port)) for _ in range(clients)]
+        for connection in connections:
+            connection.sendall(head.encode())
+        return connections
+
     def rays_of(self, clients, gone):
         """How many rays are traced for clients that ask for the most at once, and then close their connections, or do not."""
-        query = urllib.parse.urlencode({**self.LOOK, "width": 512, "height": 256, "x1": 512, "y1": 256})
-        head = f"GET /api/look?{query} HTTP/1.1\r\nHost: 127.0.0.1\r\nX-Ifov-Token: {self.viewer.token}\r\nConnection: close\r\n\r\n".encode()
         before = self.viewer.ask("scene")["rays"]
-        connections = [socket.create_connection((self.viewer.host, self.viewer.port)) for _ in range(clients)]
-        for connection in connections:
-            connection.sendall(head)
+        connections = self.send(self.viewer, {**self.LOOK, "width": 512, "height": 256, "x1": 512, "y1": 256}, clients)
         for connection in connections:
             if not gone:
                 while connection.recv(1 << 16):

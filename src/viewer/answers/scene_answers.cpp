@@ -181,8 +181,14 @@ Answer Answers::look(const Query& query) {
     if (query.nobody_waits()) throw Refused(408, "nobody waits for the answer");
   const Turn turn(rays_);
   std::vector<float> values(3 * count);
+  // An exception would cancel what is made within the loop as well, the trees of large meshes among it.
+  std::atomic<bool> over{false};
   parallel_for(static_cast<std::int64_t>((count + kBatch - 1) / kBatch), 0, [&](std::int64_t batch) {
-    if (query.nobody_waits()) throw Refused(408, "nobody waits for the answer");
+    if (over) return;
+    if (query.nobody_waits()) {
+      over = true;
+      return;
+    }
     const std::size_t first = static_cast<std::size_t>(batch) * kBatch, end = std::min(first + kBatch, count);
     std::vector<math::Ray> rays;
     for (std::size_t k = first; k < end; ++k)
@@ -198,6 +204,7 @@ Answer Answers::look(const Query& query) {
       values[3 * k + 2] = static_cast<float>(one.object);
     }
   });
+  if (over) throw Refused(408, "nobody waits for the answer");
   return numbers(values, format("{{\"columns\":{},\"rows\":{}}}", columns, rows));
 }
 
