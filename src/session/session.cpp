@@ -102,9 +102,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   p.colour_guesses = std::move(assembled.colour_guesses);
   p.placed = std::move(assembled.placed), p.map_offset_m = assembled.map_offset_m;
   if (cache) p.known_files = cache->known_files();
-  if (document.weather)
-    p.weather = std::make_shared<const atmosphere::WeatherSeries>(
-        assemble_weather(document.sources, *document.weather, document.time));
+  if (document.weather) p.weather = assemble_weather(document.sources, *document.weather, document.time);
   p.channels = assemble_channels(document.sources, document.sensor.channels);
   p.polarimetry = assemble_polarimetry(document.sensor);
   if (p.polarimetry) check_polarized(document.sources, document.scene, p.scene);

@@ -46,7 +46,7 @@ class RoundPlanner {
     std::size_t pixel, stratum;
     double have;
     double wanted = 0.0, freedom = 0.0;  ///< degrees of freedom by which it is known
-    double gain = 1.0;  ///< variance over that of paths drawn apart
+    double gain = 1.0;                   ///< variance over that of paths drawn apart
     double share = 1.0;
     bool hope = false, paths_differ = false;
   };

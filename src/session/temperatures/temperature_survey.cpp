@@ -20,8 +20,6 @@
 namespace ifov::session {
 namespace {
 
-using atmosphere::WeatherSeries;
-
 struct Named {
   std::string name;
   ThermalMaterial thermal;
@@ -102,8 +100,8 @@ io::TemperatureReport survey_temperatures(const io::Document& document, const Te
         "{}: surface temperatures need \"weather\": a file with air temperature, wind and sunlight, such as "
         "\"weather\": {{\"file\": \"amsterdam.epw\"}}",
         file));
-  const WeatherSeries weather = assemble_weather(document.sources, *document.weather, document.time);
-  const DocumentOutdoors about = outdoors_of_document(document, weather);
+  const auto weather = assemble_weather(document.sources, *document.weather, document.time);
+  const DocumentOutdoors about = outdoors_of_document(document, *weather);
   const thermal::OutdoorsOfWeather& outdoors = about.outdoors;
   const thermal::OutdoorsSeries& series = outdoors.series;
 

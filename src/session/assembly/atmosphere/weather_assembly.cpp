@@ -1,7 +1,9 @@
 #include "session/assembly/atmosphere/weather_assembly.h"
 
 #include <numbers>
+#include <utility>
 
+#include "atmosphere/weather_series.h"
 #include "core/format.h"
 #include "io/document/weather_document.h"
 #include "io/weather/weather_file.h"
@@ -38,10 +40,11 @@ std::string span_of(const atmosphere::WeatherSeries& weather) {
 
 }  // namespace
 
-atmosphere::WeatherSeries assemble_weather(const io::DocumentSources& sources,
-                                           const io::WeatherDocument& weather,
-                                           const std::optional<geodesy::UtcTime>& time) {
-  if (!weather.source.file) return inline_weather(weather);
+std::shared_ptr<const atmosphere::WeatherSeries> assemble_weather(
+    const io::DocumentSources& sources, const io::WeatherDocument& weather,
+    const std::optional<geodesy::UtcTime>& time) {
+  using Weather = atmosphere::WeatherSeries;
+  if (!weather.source.file) return std::make_shared<const Weather>(inline_weather(weather));
   const io::DocumentFile& file = *weather.source.file;
   return with_position(sources, file.position, [&] {
     io::WeatherOptions options;
@@ -51,7 +54,7 @@ atmosphere::WeatherSeries assemble_weather(const io::DocumentSources& sources,
     if (time && !series.at(WeatherQuantity::air_temperature_k, *time))
       throw InputError(format("'{}' does not tell the air temperature at {}; {}", file.path,
                               geodesy::format_utc(*time), span_of(series)));
-    return series;
+    return std::make_shared<const Weather>(std::move(series));
   });
 }
 

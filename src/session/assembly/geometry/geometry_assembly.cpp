@@ -304,8 +304,8 @@ class GeometryAssembly {
 
 std::unique_ptr<geometry::World> assemble_geometry(const GeometrySubject& of, AssignmentAssembly& assignments,
                                                    std::span<const PlacedLamp> lamps, const MapFrame& frame,
-                                                    LogSink* log, io::SceneCache* cache, PlacedObjects& placed,
-                                                    ProgressSink* progress) {
+                                                   LogSink* log, io::SceneCache* cache, PlacedObjects& placed,
+                                                   ProgressSink* progress) {
   return GeometryAssembly(of.sources, of.objects, of.prototypes, assignments, frame, of.time, log, cache)
       .assemble(lamps, placed, progress);
 }
