@@ -114,6 +114,7 @@ function setMode(mode) {
 function toWalk() {
   if (!state.info || state.mode === "walk") return;
   setMode("walk");
+  state.fov = FOV;
   state.up = WALKER;
   const on = state.picked && state.picked.hit ? state.picked.scene : state.pivot;
   state.eye = {...state.eye, elevation: -4, at: add(on, [0, 0, WALKER])};
@@ -122,6 +123,7 @@ function toWalk() {
 }
 function toOrbit() {
   if (!state.info || state.mode === "orbit") return;
+  if (state.mode === "sensor") return frame();
   setMode("orbit");
   const {azimuth} = state.eye;
   state.pivot = state.eye.at.slice();
@@ -130,7 +132,7 @@ function toOrbit() {
 // Where the sensor is, with its field of view.
 function through() {
   const s = state.info.sensor, f = s.axis[0].direction, half = Math.max(...s.corners.map(c => Math.acos(Math.min(1, dot(c.direction, f)))));
-  setMode("walk");
+  setMode("sensor");
   state.fov = Math.max(0.01, Math.min(120, 2.2 * half / RAD));
   state.eye = {at: s.axis[0].from, azimuth: (Math.atan2(f[0], f[1]) / RAD + 360) % 360, elevation: Math.asin(Math.max(-1, Math.min(1, f[2]))) / RAD};
   look();

@@ -38,6 +38,10 @@ struct GasModelOutcome {
   double largest_error = 0.0, largest_error_at_cm1 = 0.0, rms_error = 0.0;
   double mean_error = 0.0;      ///< largest over paths of the mean over all bins
   double random_overlap = 0.0;  ///< what gases that overlap at random would be off by, rms over bins
+  std::size_t missed =
+      0;  ///< bins whose largest error is beyond the one asked for: they have all terms that they may
+  /// Of states too far apart, or that do not reach far enough: what the errors above do not hold.
+  std::vector<std::string> warnings;
 };
 
 /// Fits terms to the spectra and writes the file (docs/formats/gas_model.md). Throws InputError for spectra that make no sense or do

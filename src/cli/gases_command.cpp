@@ -41,7 +41,9 @@ double number(const std::string& text, const std::string& what) {
 GasModelQuestion::Spectra& of_gas(GasModelQuestion& question, const std::string& gas,
                                   const std::string& option) {
   const auto found = std::find_if(question.spectra.begin(), question.spectra.end(),
-                                  [&](const GasModelQuestion::Spectra& one) { return one.gas == gas; });
+                                  [&](const GasModelQuestion::Spectra& one) {
+                                    return CLI::detail::to_lower(one.gas) == CLI::detail::to_lower(gas);
+                                  });
   if (found == question.spectra.end())
     throw InputError(format("ifov: {} names '{}', and no spectra are given of it", option, gas));
   return *found;
@@ -73,7 +75,9 @@ ExitCode make(const GasesArguments& arguments) {
   console.phase("gas model");
   const GasModelOutcome made = make_gas_model(question, arguments.to);
   console.finish();
-  if (arguments.quiet) return ExitCode::ok;
+  for (const std::string& warning : made.warnings) console.warn(warning);
+  const ExitCode done = made.warnings.empty() ? ExitCode::ok : ExitCode::warned;
+  if (arguments.quiet) return done;
   say(format("{}  (gas model: {} bins of {:g} cm-1 from {:g} to {:g} cm-1, {:.1f} terms each)\n",
              arguments.to, made.bins, question.step_cm1, made.first_cm1, made.last_cm1, made.terms));
   say(format(
@@ -83,7 +87,11 @@ ExitCode make(const GasesArguments& arguments) {
   if (question.spectra.size() > 1)
     say(format("The gases share their terms; overlapping at random they would be off by {:.2g} (rms).\n",
                made.random_overlap));
-  return ExitCode::ok;
+  if (made.missed > 0)
+    say(format(
+        "{} of the bins are off by more than {:g} somewhere with {} terms: --terms lets them have more.\n",
+        made.missed, question.error, question.most_terms));
+  return done;
 }
 
 }  // namespace
@@ -111,11 +119,13 @@ Command add_gases_command(CLI::App& app) {
   parser
       ->add_option("--self-broadening", arguments->self_broadening,
                    "GAS=TIMES: how much more than air the gas itself broadens its lines")
-      ->type_name("GAS=TIMES");
+      ->type_name("GAS=TIMES")
+      ->allow_extra_args(false);
   parser
       ->add_option("--continuum", arguments->continuum,
                    "GAS whose spectra hold its continuum, so that the built-in one stays out")
-      ->type_name("GAS");
+      ->type_name("GAS")
+      ->allow_extra_args(false);
   add_inputs_below(*parser);
   parser->add_option("-j,--threads", question.threads, "Threads; 0 takes all cores")
       ->check(CLI::Range(0, 4096))

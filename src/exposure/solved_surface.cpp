@@ -45,8 +45,10 @@ SolvedSurface::SolvedSurface(std::shared_ptr<const thermal::SurfaceClasses> clas
                              double sun_radius_rad)
     : classes_(std::move(classes)), scene_(std::move(scene)), sun_radius_rad_(sun_radius_rad) {
   if (!scene_.changes()) return;
+  // The last row stands for all that follows it.
   for (std::size_t row = 0; row < classes_->rows(); ++row)
-    if (scene_.is_otherwise_within(classes_->time_s(row, -1.0), std::min(0.0, classes_->time_s(row, 1.0))))
+    if (scene_.is_otherwise_within(classes_->time_s(row, -1.0),
+                                   row + 1 == classes_->rows() ? 0.0 : classes_->time_s(row, 1.0)))
       changed_rows_.push_back(row);
 }
 

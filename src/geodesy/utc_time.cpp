@@ -115,8 +115,10 @@ std::string format_utc(UtcTime time) {
 }
 
 double seconds_after(UtcTime time, UtcTime other) {
-  constexpr double kDay_s = 86400.0;
-  return kDay_s * ((time.jd1 - other.jd1) + (time.jd2 - other.jd2));
+  // Days hold an instant to some 1e-11 s, and not the same of it in every zone.
+  constexpr double kDay_s = 86400.0, kPerSecond = 1e6;
+  const double seconds = kDay_s * ((time.jd1 - other.jd1) + (time.jd2 - other.jd2));
+  return std::round(kPerSecond * seconds) / kPerSecond;
 }
 
 }  // namespace ifov::geodesy

@@ -26,16 +26,18 @@ SCENE = """{
 }
 """
 USED = ', "gas_model": "m.gases"'
-PRESSURES, TEMPERATURES = (0.5, 5, 50, 250, 600, 1080), (180, 230, 280, 320)
+PRESSURES, TEMPERATURES = (1, 3, 9, 27, 80, 200, 450, 1080), (180, 215, 250, 285, 320)
 
 
-def spectra(lines, first=4296.0, last=4306.0, step=0.01):
+def spectra(lines, first=4296.0, last=4306.0, step=0.01, pressures=PRESSURES, gap=(0.0, 0.0)):
     """Lorentz lines (centre, strength, width at 1013.25 hPa)."""
-    rows = ["cm-1," + ",".join(f"{p} hPa {t} K" for p in PRESSURES for t in TEMPERATURES)]
+    rows = ["cm-1," + ",".join(f"{p} hPa {t} K" for p in pressures for t in TEMPERATURES)]
     for k in range(round((last - first) / step) + 1):
         nu = first + k * step
+        if gap[0] < nu < gap[1]:
+            continue
         row = [f"{nu:.3f}"]
-        for p in PRESSURES:
+        for p in pressures:
             for t in TEMPERATURES:
                 sigma = 0.0
                 for centre, strength, width in lines:
@@ -93,13 +95,17 @@ class Made(Folded):
         with Folder() as folder:
             (folder / "ch4.csv").write_text(METHANE)
             (folder / "other.csv").write_text(spectra([], 4296.0, 4306.0, 0.02))
+            (folder / "gap.csv").write_text(spectra([], gap=(4299.5, 4303.0)))
+            (folder / "nm.csv").write_text(METHANE.replace("cm-1,", "nm,", 1))
             for arguments, said in (
                     (["ch4.csv"], "ifov: GAS=SPECTRA is 'ch4.csv', expected such as CH4=methane.csv"),
                     (["HCl=ch4.csv"], "unknown gas 'HCl'; expected 'H2O'"),
                     (["CH4=ch4.csv", "ch4=ch4.csv"], "the gas ch4 is there twice"),
                     (["CH4=ch4.csv", "H2O=other.csv"], "ch4.csv and other.csv have other wavenumbers: gases of one model share them"),
                     (["CH4=ch4.csv", "--range", "4290,4300"], "bins from 4290 to 4300 cm-1 were asked for; the spectra reach from 4296 to 4306 cm-1"),
-                    (["CH4=ch4.csv", "--bin", "0.1"], "the spectra have 10 points in a bin of 0.1 cm-1; expected 20 at least"),
+                    (["CH4=ch4.csv", "--bin", "0.1"], "the spectra have 10 points in the bin from 4296 to 4296.1 cm-1; expected 20 at least"),
+                    (["CH4=gap.csv"], "the spectra have 0 points in the bin from 4300 to 4301 cm-1; expected 20 at least"),
+                    (["CH4=nm.csv"], "nm.csv:1:1: found 'nm'; expected 'cm-1': the first column holds wavenumbers"),
                     (["CH4=ch4.csv", "--terms", "0"], "0 terms were asked for; expected 1 to 64"),
                     (["CH4=ch4.csv", "--self-broadening", "H2O=5"], "ifov: --self-broadening names 'H2O', and no spectra are given of it")):
                 with self.subTest(arguments):
@@ -107,8 +113,25 @@ class Made(Folded):
                     self.assertEqual((done.returncode, done.stdout), (1, ""), done.stderr)
                     self.assertIn(said, done.stderr)
                     self.assertFalse((folder / "m.gases").exists())
+            done = run("gases", "CH4=ch4.csv", "-o", "./ch4.csv", cwd=folder)
+            self.assertEqual((done.returncode, done.stderr),
+                             (1, "./ch4.csv is to be written, and holds the spectra of CH4; expected another file\n"))
+            self.assertEqual((folder / "ch4.csv").read_text(), METHANE)
+            done = run("gases", "CH4=ch4.csv", "-o", "none/m.gases", cwd=folder)
+            self.assertEqual((done.returncode, done.stderr), (2, "ifov: none/m.gases cannot be written: there is no folder none\n"))
             done = run("gases", "CH4=none.csv", "-o", "m.gases", cwd=folder)
             self.assertEqual((done.returncode, done.stderr), (2, "ifov: cannot read 'none.csv': no such file\n"))
+
+
+    def test_states_far_apart_are_warned_of(self):
+        with Folder() as folder:
+            (folder / "far.csv").write_text(spectra([(4301.5, 2e-20, 0.06)], pressures=(1, 20, 60, 180, 540)))
+            done = run("gases", "--self-broadening", "CH4=1.3", "CH4=far.csv", "-o", "m.gases", "--terms", "1", cwd=folder)
+            self.assertEqual(done.returncode, 6)
+            self.assertIn("from 1 to 20 hPa cross sections are interpolated, which the errors of the terms do not hold; take pressures a factor of 3 "
+                          "apart at most", done.stderr)
+            self.assertIn("the spectra are of 1 to 540 hPa; air beyond that has the nearest of these", done.stderr)
+            self.assertRegex(done.stdout, r"\n[1-9] of the bins are off by more than 0.001 somewhere with 1 terms: --terms lets them have more.\n")
 
 
 class Used(Folded):
@@ -177,8 +200,9 @@ class Used(Folded):
             weights = re.search(r"weights .*\n", text).group()
             (folder / "m.gases").write_text(text.replace(weights, "weights 0.5 0.6\n", 1))
             self.refused(folder, "sum to 1.1, 0.1 more than 1; expected 1 within 0.0001", command=("check",))
-            mars = text.replace("pressures 0.5 5 50 250 600 1080", "pressures 0.001 0.01 0.1 1 5 7")
-            for here, there in zip(PRESSURES, ("0.001", "0.01", "0.1", "1", "5", "7")):
+            thin = ("0.001", "0.003", "0.01", "0.03", "0.1", "1", "5", "7")
+            mars = text.replace(f"pressures {' '.join(map(str, PRESSURES))}", f"pressures {' '.join(thin)}")
+            for here, there in zip(PRESSURES, thin):
                 mars = mars.replace(f"\nCH4 {here:g} ", f"\nCH4 @{there} ")
             (folder / "m.gases").write_text(mars.replace("@", ""))
             self.refused(folder, "is of another air: it holds 0.001 to 7 hPa and 180 to 320 K", "of this air's CH4 lies outside")

@@ -162,6 +162,19 @@ TEST(Presence, ACarThatLeftLeavesItsShadow) {
   EXPECT_GT(warmest - coldest, 5.0);
 }
 
+TEST(Presence, AVisitWithinTheLastStepHidesTheSky) {
+  const Weather weather;
+  const Session minutes = load(weather, "", "1 min");
+  const Session session = load(weather, R"(, "present": [["2026-06-21T14:55:10Z", "2026-06-21T14:59:50Z"]])");
+  const scene::SolvedTemperature& road = *session.parts().scene.solved.at(0);
+  // Beside the car where it is in the Sun.
+  for (const auto& [x, y] : {std::pair{0.0, -1.0}, {-2.3, 0.0}}) {
+    const double visited_k = alone_k(minutes, x, y, 4.8, 0.2), never_k = alone_k(minutes, x, y, -1.0, -2.0);
+    EXPECT_GT(visited_k - never_k, 0.25) << x << " " << y;
+    EXPECT_NEAR(mean_k(road, below(session.parts().scene, x, y), 8000), visited_k, 0.13) << x << " " << y;
+  }
+}
+
 TEST(Presence, ACarThatJustCameDidNotShadeBefore) {
   const Weather weather;
   const Session minutes = load(weather, "", "1 min");  // in which it always stood

@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <string>
+
 #include "core/error.h"
+#include "core/format.h"
 #include "geodesy/utc_seconds.h"
 
 namespace ifov::geodesy::test_utc_time {
@@ -22,6 +26,15 @@ TEST(UtcTime, SecondsBetween) {
   EXPECT_NEAR(seconds_after(parse_utc("2003-10-18T00:00:01.5Z"), parse_utc("2003-10-17T12:00+01:00")),
               46801.5, 1e-4);
   EXPECT_NEAR(seconds_after(parse_utc("2003-10-17"), parse_utc("2003-10-18")), -86400.0, 1e-4);
+}
+
+TEST(UtcTime, AnInstantIsTheSameInAllZones) {
+  for (int zone_h = -12; zone_h <= 14; ++zone_h) {
+    const int day = 17 + (12 + zone_h < 0 ? -1 : (12 + zone_h) / 24), hour = (36 + zone_h) % 24;
+    const std::string text =
+        format("2003-10-{:02}T{:02}:20{}{:02}:00", day, hour, zone_h < 0 ? '-' : '+', std::abs(zone_h));
+    EXPECT_EQ(seconds_after(parse_utc(text), parse_utc("2003-10-17T12:20Z")), 0.0) << text;
+  }
 }
 
 TEST(UtcTime, SaysWhatItExpects) {

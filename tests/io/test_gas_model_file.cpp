@@ -170,6 +170,9 @@ TEST(GasSpectraFile, SaysWhereItIsWrong) {
                   .starts_with("s.csv:3:6: found 'x'; expected a cross section in cm2 per molecule"));
   EXPECT_TRUE(said(head + "4301\n").starts_with("s.csv:3: found 1 columns; expected 2 as in the heading"));
   EXPECT_TRUE(said(head).starts_with("s.csv: it has no two rows"));
+  EXPECT_TRUE(said("# nothing\n").starts_with("s.csv: found an empty file; expected a heading of states"));
+  EXPECT_TRUE(said("um,1 hPa 200 K\n")
+                  .starts_with("s.csv:1:1: found 'um'; expected 'cm-1': the first column holds wavenumbers"));
 }
 
 }  // namespace ifov::io::test_gas_model_file

@@ -36,8 +36,8 @@ ProductOptions options_in(const std::filesystem::path& folder) {
   options.folder = folder;
   options.name = "demo";
   options.cubes = QuantitySet::all();
-  for (const Quantity* quantity : all_quantities())  // the synthetic image has no scene
-    if (quantity->collector != nullptr) options.cubes.remove(*quantity);
+  for (const Quantity* quantity : all_quantities())  // the synthetic image has no scene, nor light in parts
+    if (quantity->collector != nullptr || quantity->needs.parts) options.cubes.remove(*quantity);
   return options;
 }
 

@@ -112,7 +112,7 @@ class LightParts(unittest.TestCase):
                 self.check_without(asked, values["radiance"], name in ("image", "pooled"))
 
     def check_without(self, asked, radiance, in_double_precision):
-        """The same rays and the same radiance where parts are not asked for."""
+        """The same rays, the same radiance and intervals where parts are not asked for."""
         asked["output"] = {"formats": ["envi"], "products": ["samples"]}
         self.run_program(asked, "--no-state", out="without")
         rays = [json.loads((self.folder / out / "image_run.json").read_text())["cost"]["rays"] for out in ("out", "without")]
@@ -121,6 +121,8 @@ class LightParts(unittest.TestCase):
             self.assertLess(max(abs(a / b - 1.0) for a, b in zip(radiance, self.cube("radiance", "without"))), 1e-4)
         else:
             self.assertEqual(radiance, self.cube("radiance", "without"))
+            if (self.folder / "out" / "image_half_width.img").exists():
+                self.assertEqual(self.cube("half_width"), self.cube("half_width", "without"))
 
     def test_sums_in_modelled_air(self):
         light = {"sun": SUN, "sources": LAMPS, "surroundings": {"reflectance": 0.3, "temperature": "290 K"}}

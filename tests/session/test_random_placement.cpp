@@ -44,9 +44,9 @@ class RandomPlacementTest : public testing::Test {
   }
 
   /// A scene about (1040, 2040, 100) m with these objects.
-  Session load(const std::string& objects) {
+  Session load(const std::string& objects, const std::string& time = "") {
     log_.text.clear();
-    return Session::load(io::parse_document(format(R"({{"ifov": 1, "scene": {{
+    return Session::load(io::parse_document(format(R"({{"ifov": 1, {}"scene": {{
  "origin": {{"easting": "1040 m", "northing": "2040 m", "height": "100 m"}},
  "materials": {{"soil": {{"reflectance": 0.2}}, "leaf": {{"reflectance": 0.5}}, "bark": {{"reflectance": 0.1}}}},
  "prototypes": {{
@@ -56,7 +56,7 @@ class RandomPlacementTest : public testing::Test {
  "light": {{"sky": {{"radiance": "50 W m-2 sr-1 um-1"}}, "surroundings": {{"reflectance": 0.2}}}},
  "sensor": {{"camera": {{"orthographic": {{"gsd": "1 m", "pixels": [4, 4]}}}},
   "channels": [{{"name": "red", "monochromatic": {{"at": "0.65 um"}}}}]}}}})",
-                                                   objects),
+                                                   time, objects),
                                             (folder_ / "scene.json").string()),
                          &log_);
   }
@@ -107,6 +107,24 @@ TEST_F(RandomPlacementTest, StandsOnATerrain) {
                    static_cast<double>(trees.size()) / 0.36),
             log_.text);
   EXPECT_EQ(log_.text.find("warning: random placement"), std::string::npos) << log_.text;
+}
+
+TEST_F(RandomPlacementTest, StandsOnWhatIsThereNow) {
+  const auto lawn = [](const char* height_m, const char* from, const char* to) {
+    return format(
+        R"({{"name": "lawn", "plane": {{"height": "{} m"}}, "material": "soil", "present": [["{}", "{}"]]}},)",
+        height_m, from, to);
+  };
+  const std::string stands =
+      R"({"random_placement": {"of": "tree", "density": "0.05 m-2", "on": "lawn", )" + kArea + "}}";
+  const std::string before = lawn("108", "2026-05-21T00:00Z", "2026-06-21T00:00Z"),
+                    now = lawn("103", "2026-06-21T00:00Z", "2026-07-21T00:00Z");
+  for (const auto& [objects, height_m] : {std::pair{before + now, 3.0}, {now + before, 3.0}, {before, 8.0}}) {
+    const Session session = load(objects + stands, R"("time": "2026-06-21T15:00:00Z", )");
+    const std::size_t grounds = height_m == 3.0 ? 1 : 0;
+    ASSERT_GT(copies(session, grounds).size(), 100u);
+    for (const auto& tree : copies(session, grounds)) EXPECT_NEAR(tree.centre_m.z, height_m, 1e-6);
+  }
 }
 
 TEST_F(RandomPlacementTest, LeavesOutPlacesWithoutGround) {

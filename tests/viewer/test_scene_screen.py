@@ -145,6 +145,10 @@ class SceneScreen(InBrowser):
         eye = self.after(lambda: self.find("through").click())
         self.assertEqual(eye["at"], [0, 0, 100])
         self.assertAlmostEqual(eye["elevation"], -90, places=6)
+        # On from there with the field of view of a person, about what the sensor looks at.
+        near = self.after(lambda: self.find("mode-orbit").click())
+        self.assertLess(math.dist(near["at"], [0, 0, 0]), 100)
+        self.assertEqual(near["fov"], 50)
 
     def test_colours(self):
         coloured = lambda: sum(n for colour, n in self.colours().items() if max(rgb := list(map(int, colour.split(",")))) - min(rgb) > 40)

@@ -172,7 +172,7 @@ Paths paths_of(std::span<const GasSpectra> spectra) {
 }
 
 TermFitErrors summed_up(const GasTermTable& table, const std::vector<std::vector<double>>& errors,
-                        const std::vector<double>& overlap) {
+                        const std::vector<double>& overlap, double asked) {
   TermFitErrors all;
   std::vector<double> mean;
   double squares = 0.0, count = 0.0, absorbing = 0.0;
@@ -183,6 +183,7 @@ TermFitErrors summed_up(const GasTermTable& table, const std::vector<std::vector
     if (bin.weight.empty()) continue;
     absorbing += 1.0;
     all.terms += static_cast<double>(bin.terms());
+    all.missed += bin.error > asked ? 1 : 0;
     if (bin.error > all.largest) all.largest = bin.error, all.largest_at_cm1 = table.centre_cm1(b);
     mean.resize(errors[b].size());
     for (std::size_t p = 0; p < errors[b].size(); ++p) {
@@ -223,7 +224,7 @@ FittedTerms fit_terms(std::span<const GasSpectra> spectra, const TermFit& fit) {
     const std::scoped_lock lock(telling);
     fit.progress(++done);
   });
-  made.errors = summed_up(table, errors, overlap);
+  made.errors = summed_up(table, errors, overlap, fit.error);
   return made;
 }
 

@@ -22,8 +22,9 @@ struct TermFit {
 struct TermFitErrors {
   double largest = 0.0, rms = 0.0;  ///< over bins and paths
   double largest_at_cm1 = 0.0;
-  double mean = 0.0;   ///< largest over paths of the mean over all bins: what wide channels see
-  double terms = 0.0;  ///< in a bin, mean over those where something absorbs
+  std::size_t missed = 0;  ///< bins whose error is beyond the one asked for
+  double mean = 0.0;       ///< largest over paths of the mean over all bins: what wide channels see
+  double terms = 0.0;      ///< in a bin, mean over those where something absorbs
   double overlap =
       0.0;  ///< rms over bins: what terms of each gas by itself, overlapping at random, would be off by
 };

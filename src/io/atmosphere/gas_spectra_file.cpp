@@ -1,6 +1,9 @@
 #include "io/atmosphere/gas_spectra_file.h"
 
 #include <algorithm>
+#include <iterator>
+#include <string>
+#include <string_view>
 
 #include "core/format.h"
 
@@ -9,6 +12,7 @@ namespace {
 
 constexpr std::size_t kMostStates = 10000;
 constexpr double kMostK_cm2 = 1e-10;
+constexpr std::string_view kWavenumbers[] = {"cm-1", "cm^-1", "cm**-1", "1/cm", "cm⁻¹", "wavenumber"};
 
 struct State {
   double pressure_hPa, temperature_K;
@@ -38,6 +42,12 @@ atmosphere::StateGrid grid_of(const TextFile& file, int number, const std::vecto
     file.fail(
         number, 0,
         format("found {} columns; expected wavenumbers and 1 to {} states", heading.size(), kMostStates));
+  const std::string first = lower_case(heading.front().text);
+  if (std::none_of(std::begin(kWavenumbers), std::end(kWavenumbers),
+                   [&](std::string_view word) { return first.find(word) != std::string::npos; }))
+    file.fail(
+        number, heading.front().column,
+        format("found '{}'; expected 'cm-1': the first column holds wavenumbers", heading.front().text));
   std::vector<State> states;
   std::vector<double> pressures, temperatures;
   for (std::size_t k = 1; k < heading.size(); ++k) {
@@ -107,6 +117,8 @@ atmosphere::GasSpectra parse_gas_spectra(const TextFile& file) {
       spectra.log_k[place[k - 1]].push_back(atmosphere::log_cross_section(*value));
     }
   }
+  if (separator == '\0')
+    file.fail(0, 0, "found an empty file; expected a heading of states and rows of wavenumbers");
   if (spectra.wavenumber_cm1.size() < 2)
     file.fail(0, 0, "it has no two rows; expected a heading of states and rows of wavenumbers");
   return spectra;

@@ -55,7 +55,7 @@ struct TileTracing::Parts {
         TileRecall& recall)
       : lattice(source_domain(problem, halo_of(*problem.footprint)), options.lattice),
         grid(lattice, *problem.footprint, problem.tile),
-        table(field.columns()),
+        table(field),
         ledger(field, problem.cancel, lattice, table, recall.memory()),
         steering(problem.steering_channels, table.columns()),
         contrast(table, steering.list()),

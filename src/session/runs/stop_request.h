@@ -13,19 +13,18 @@ namespace ifov::session {
 /// earlier run and is taken away, as is one that was heeded.
 class StopRequest {
  public:
-  /// `file` may be empty: then this is the user's token, which may be null, and no more.
+  /// Both may be missing.
   StopRequest(std::filesystem::path file, const CancelToken* user);
   ~StopRequest();
   StopRequest(const StopRequest&) = delete;
   StopRequest& operator=(const StopRequest&) = delete;
 
-  const CancelToken* token() const { return watcher_.joinable() ? &own_ : user_; }
+  const CancelToken* token() const { return &own_; }
 
  private:
   void watch();
 
   std::filesystem::path file_;
-  const CancelToken* user_;
   CancelToken own_;
   std::mutex mutex_;
   std::condition_variable wake_;

@@ -1,15 +1,9 @@
 #include "session/runs/time_limit.h"
 
-#include <algorithm>
-
 namespace ifov::session {
-namespace {
 
-constexpr auto kCheckEvery = std::chrono::milliseconds(20);
-
-}  // namespace
-
-TimeLimit::TimeLimit(std::optional<Clock::time_point> end, const CancelToken* user) : user_(user) {
+TimeLimit::TimeLimit(std::optional<Clock::time_point> end, const CancelToken* user)
+    : user_(user), own_(user) {
   if (end) watcher_ = std::thread([this, when = *end] { watch(when); });
 }
 
@@ -29,14 +23,9 @@ bool TimeLimit::reached() const {
 
 void TimeLimit::watch(Clock::time_point end) {
   std::unique_lock lock(mutex_);
-  while (!leaving_ && !own_.cancelled()) {
-    const bool stopped = user_ != nullptr && user_->cancelled();
-    reached_ = !stopped && Clock::now() >= end;
-    if (stopped || reached_)
-      own_.cancel();
-    else
-      wake_.wait_until(lock, std::min<Clock::time_point>(end, Clock::now() + kCheckEvery));
-  }
+  while (!leaving_ && Clock::now() < end) wake_.wait_until(lock, end);
+  reached_ = !leaving_ && (user_ == nullptr || !user_->cancelled());
+  if (reached_) own_.cancel();
 }
 
 }  // namespace ifov::session

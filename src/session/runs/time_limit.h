@@ -14,13 +14,13 @@ namespace ifov::session {
 class TimeLimit {
  public:
   using Clock = std::chrono::steady_clock;
-  /// `user` may be null. Without an end this is the user's token and no more.
+  /// Both may be missing.
   TimeLimit(std::optional<Clock::time_point> end, const CancelToken* user);
   ~TimeLimit();
   TimeLimit(const TimeLimit&) = delete;
   TimeLimit& operator=(const TimeLimit&) = delete;
 
-  const CancelToken* token() const { return watcher_.joinable() ? &own_ : user_; }
+  const CancelToken* token() const { return &own_; }
   /// Time was up, and the user had not stopped the run.
   bool reached() const;
 

@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
 
 #include "atmosphere/gas/term_fit.h"
 #include "core/call_scope.h"
@@ -64,13 +69,54 @@ void lay_bins(const GasModelQuestion& question, const std::vector<double>& waven
     throw InputError(
         format("no bin of {:g} cm-1 lies between {:g} and {:g} cm-1", step, fit.first_cm1, last));
   fit.bins = static_cast<std::size_t>(bins);
-  const double points = static_cast<double>(wavenumber_cm1.size()) * step / (high - low);
-  constexpr double kFewest = 20.0;
-  if (points < kFewest)
-    throw InputError(format(
-        "the spectra have {:.3g} points in a bin of {:g} cm-1; expected {:g} at least, and some across the "
-        "narrowest line",
-        points, step, kFewest));
+  constexpr std::ptrdiff_t kFewest = 20;
+  for (std::size_t b = 0; b < fit.bins; ++b) {
+    const double from = fit.first_cm1 + step * static_cast<double>(b), to = from + step;
+    const auto at = [&](double edge_cm1) {
+      return std::lower_bound(wavenumber_cm1.begin(), wavenumber_cm1.end(), edge_cm1 * (1.0 - kRounding));
+    };
+    if (const auto points = at(to) - at(from); points < kFewest)
+      throw InputError(format(
+          "the spectra have {} points in the bin from {:.10g} to {:.10g} cm-1; expected {} at least, and some "
+          "across the narrowest line",
+          points, from, to, kFewest));
+  }
+}
+
+/// Between states cross sections are interpolated, which no comparison with the spectra shows.
+std::vector<std::string> warnings_of(const atmosphere::StateGrid& states) {
+  constexpr double kStep = 3.5, kStep_K = 40.0, kLowest_hPa = 3.0, kHighest_hPa = 950.0;
+  constexpr const char* kSo = "which the errors of the terms do not hold";
+  std::vector<std::string> warnings;
+  const std::vector<double>&p = states.pressure_hPa(), &t = states.temperature_K();
+  for (std::size_t k = 1; k < p.size(); ++k)
+    if (p[k] > kStep * p[k - 1] && p[k] > kLowest_hPa)
+      warnings.push_back(
+          format("from {:g} to {:g} hPa cross sections are interpolated, {}; take pressures a factor of 3 "
+                 "apart at most",
+                 p[k - 1], p[k], kSo));
+  for (std::size_t k = 1; k < t.size(); ++k)
+    if (t[k] - t[k - 1] > kStep_K)
+      warnings.push_back(format(
+          "from {:g} to {:g} K cross sections are interpolated, {}; take temperatures 30 K apart at most",
+          t[k - 1], t[k], kSo));
+  if (p.front() > kLowest_hPa || p.back() < kHighest_hPa)
+    warnings.push_back(
+        format("the spectra are of {:g} to {:g} hPa; air beyond that has the nearest of these, {}", p.front(),
+               p.back(), kSo));
+  return warnings;
+}
+
+/// Before the work begins.
+void check_written(const GasModelQuestion& question, const std::filesystem::path& to) {
+  std::error_code none;
+  const std::filesystem::path folder = to.has_parent_path() ? to.parent_path() : ".";
+  if (!std::filesystem::is_directory(folder, none))
+    throw SystemError(format("{} cannot be written: there is no folder {}", to.string(), folder.string()));
+  for (const GasModelQuestion::Spectra& spectra : question.spectra)
+    if (std::filesystem::equivalent(to, spectra.file, none))
+      throw InputError(format("{} is to be written, and holds the spectra of {}; expected another file",
+                              to.string(), spectra.gas));
 }
 
 void check(const GasModelQuestion& question) {
@@ -89,6 +135,7 @@ void check(const GasModelQuestion& question) {
 
 GasModelOutcome make_gas_model(const GasModelQuestion& question, const std::filesystem::path& to) {
   check(question);
+  check_written(question, to);
   const std::vector<GasSpectra> spectra = read(question);
   TermFit fit;
   lay_bins(question, spectra.front().wavenumber_cm1, fit);
@@ -116,7 +163,9 @@ GasModelOutcome make_gas_model(const GasModelQuestion& question, const std::file
           .largest_error_at_cm1 = made.errors.largest_at_cm1,
           .rms_error = made.errors.rms,
           .mean_error = made.errors.mean,
-          .random_overlap = made.errors.overlap};
+          .random_overlap = made.errors.overlap,
+          .missed = made.errors.missed,
+          .warnings = warnings_of(spectra.front().states)};
 }
 
 }  // namespace ifov::session

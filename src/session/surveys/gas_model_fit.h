@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 #include "ifov/gas_model.h"
 
 namespace ifov::session {

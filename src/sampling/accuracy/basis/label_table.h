@@ -13,7 +13,12 @@ namespace ifov::sampling {
 /// The labels met in a tile, numbered in the order of their discovery, with the mean radiance of each.
 class LabelTable {
  public:
-  explicit LabelTable(int columns) : columns_(static_cast<std::size_t>(columns)) {}
+  explicit LabelTable(int columns) : LabelTable(columns, columns) {}
+  /// `deciding`: the first of the columns, which the others are parts of (Field::leader()).
+  LabelTable(int columns, int deciding)
+      : columns_(static_cast<std::size_t>(columns)), deciding_(static_cast<std::size_t>(deciding)) {}
+  /// As large as the field asks.
+  explicit LabelTable(const Field& field) : LabelTable(field.columns(), field.deciding_columns()) {}
 
   std::uint32_t index(Label label) {
     const std::uint32_t known = indices_.find(label);
@@ -25,6 +30,8 @@ class LabelTable {
   std::uint32_t merged(std::uint32_t index) const { return stands_for_[index]; }
 
   std::size_t columns() const { return columns_; }
+  /// Whether what is said of all columns goes by this one, too; its parts follow it.
+  bool decides(int column) const { return static_cast<std::size_t>(column) < deciding_; }
   std::size_t size() const { return labels_.size(); }
   /// Whether there are labels that do not stand for the same.
   bool several() const {
@@ -51,7 +58,7 @@ class LabelTable {
  private:
   std::uint32_t insert(Label label);
 
-  std::size_t columns_;
+  std::size_t columns_, deciding_;
   FlatMap indices_;
   std::vector<Label> labels_;
   std::vector<std::uint32_t> stands_for_;

@@ -117,7 +117,7 @@ void StratumEstimates::of_values(const Stratum& stratum, std::span<const int> co
   }
   out.freedom = std::max(1.0, blocks + std::min(borrowed(blocks), lent_freedom));
   for (std::size_t c = 0; c < n; ++c)
-    if (weighted[c] > 0.0)
+    if (weighted[c] > 0.0 && table_.decides(columns[c]))
       out.freedom = std::min(out.freedom, out.variance[c] * out.variance[c] / weighted[c]);
 }
 

@@ -1,5 +1,6 @@
 #include "session/assembly/geometry/geometry_assembly.h"
 
+#include <algorithm>
 #include <compare>
 #include <map>
 #include <optional>
@@ -192,14 +193,25 @@ class GeometryAssembly {
     }
   }
 
-  /// The objects of a name on their own, for what stands on them.
+  bool is_there_now(const io::ObjectDocument& object) const {
+    const auto presence = time_ ? assemble_presence(object, *time_) : nullptr;
+    return !presence || presence->at(0.0);
+  }
+
+  /// The objects of a name on their own, for what stands on them: those that are there now, or all where none is.
   const geometry::World& ground(const std::string& name, const math::Transform& scene_from_document) {
     std::unique_ptr<geometry::World>& world = grounds_[name];
     if (world) return *world;
     GeometryAssembly alone(sources_, objects_, prototype_documents_, assignments_, frame_, time_, nullptr,
                            cache_);
+    const auto wanted = [&](const io::ObjectDocument& object) {
+      return object.name == name && static_cast<bool>(object.material);
+    };
+    const bool some_now =
+        std::any_of(objects_.begin(), objects_.end(),
+                    [&](const io::ObjectDocument& object) { return wanted(object) && is_there_now(object); });
     for (const io::ObjectDocument& object : objects_)
-      if (object.name == name && object.material)
+      if (wanted(object) && (!some_now || is_there_now(object)))
         with_position(sources_, object.position, [&] { alone.place(object, scene_from_document); });
     world = alone.builder_.build();
     return *world;
