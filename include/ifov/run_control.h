@@ -12,10 +12,8 @@ namespace ifov {
 /// handler.
 class CancelToken {
  public:
-  CancelToken() = default;
-  /// Is cancelled with another, too, which may be null and must outlive it.
-  explicit CancelToken(const CancelToken* other) noexcept : other_(other) {}
-
+  /// Is cancelled with `other`, too, which must outlive it.
+  explicit CancelToken(const CancelToken* other = nullptr) noexcept : other_(other) {}
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
   bool cancelled() const noexcept {
     return cancelled_.load(std::memory_order_relaxed) || (other_ != nullptr && other_->cancelled());

@@ -16,10 +16,9 @@ namespace ifov::geometry {
 struct Presence;
 struct SurfaceSurvey;
 
-/// All geometry of a scene, built once and immutable: the only door to the ray tracer. Batches are traced in
-/// packets; the answer to a ray does not depend on its neighbours in the batch. Objects that are there for a time only are met
-/// by rays of that time. Safe to call from many
-/// threads. Queries throw where memory runs out while a tree is made for them.
+/// All geometry of a scene, built once and immutable: the only door to the ray tracer. Batches are traced in packets; the answer to
+/// a ray does not depend on its neighbours in the batch. Objects that are there for a time only are met by rays of that time.
+/// Safe to call from many threads. Queries throw where memory runs out while a tree is made for them.
 class World {
  public:
   virtual ~World() = default;

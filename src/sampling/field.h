@@ -73,12 +73,6 @@ class Field {
 
   /// The column, itself or one before, that decides how its values are weighed: its parts' too, so that they go on adding up to it.
   virtual int leader(int column) const { return column; }
-  /// How many lead themselves: they come first.
-  int deciding_columns() const {
-    int first = 0;
-    while (first < columns() && leader(first) == first) ++first;
-    return first;
-  }
   virtual void labels(std::span<const FocalPoint> points, std::span<Label> labels) = 0;
 
   /// One path each: its label, and its radiance in every column at values[k * stride() + column].

@@ -9,8 +9,7 @@ struct LightTold {
   const Polarimetry* polarimetry = nullptr;  ///< null: nothing of its polarization
   bool parts = false;                        ///< the parts that it is made of (transport::LightPart)
 
-  LightTold() = default;
-  LightTold(const Polarimetry* of_polarization, bool with_parts = false)
+  LightTold(const Polarimetry* of_polarization = nullptr, bool with_parts = false)
       : polarimetry(of_polarization), parts(with_parts) {}
 };
 

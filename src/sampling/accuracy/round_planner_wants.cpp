@@ -219,7 +219,8 @@ bool RoundPlanner::plan_stratum(Radiance& radiance, const LeafIntegrator& integr
   }
   const bool pilot = stratum.rounds.size() < 2;
   if (!pilot && mostly_met(own, unmet)) wanted = StratumEstimates::with_trend(stratum, steering_, wanted);
-  if (!pilot && have > 0.0 && want.gain < kGains) wanted = have * std::pow(wanted / have, 1.0 / kSequenceFall);
+  if (!pilot && have > 0.0 && want.gain < kGains)
+    wanted = have * std::pow(wanted / have, 1.0 / kSequenceFall);
   const double margin = std::lerp(kUnsureMargin, kMargin, std::min(1.0, want.freedom / kSure)) *
                         (pilot && !want.hope ? kFromPilot : 1.0);
   double more = margin * wanted - have;

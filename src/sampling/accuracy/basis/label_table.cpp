@@ -2,6 +2,11 @@
 
 namespace ifov::sampling {
 
+LabelTable::LabelTable(const Field& field) : LabelTable(field.columns(), 0) {
+  while (deciding_ < columns_ && field.leader(static_cast<int>(deciding_)) == static_cast<int>(deciding_))
+    ++deciding_;
+}
+
 std::uint32_t LabelTable::insert(Label label) {
   const auto fresh = static_cast<std::uint32_t>(labels_.size());
   indices_.find_or_insert(label, fresh);

@@ -18,7 +18,7 @@ class LabelTable {
   LabelTable(int columns, int deciding)
       : columns_(static_cast<std::size_t>(columns)), deciding_(static_cast<std::size_t>(deciding)) {}
   /// As large as the field asks.
-  explicit LabelTable(const Field& field) : LabelTable(field.columns(), field.deciding_columns()) {}
+  explicit LabelTable(const Field& field);
 
   std::uint32_t index(Label label) {
     const std::uint32_t known = indices_.find(label);
