@@ -1,12 +1,9 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <thread>
 
 #include "core/error.h"
 #include "io/document/output_document.h"
@@ -14,121 +11,20 @@
 #include "io/json/json_adapter.h"
 #include "io/json/json_view.h"
 #include "io/product_parts/sha256.h"
-#include "io/products/bil_cube.h"
 #include "io/products/envi_reader.h"
 #include "io/products/geotiff.h"
 #include "io/quantities/location_quantities.h"
 #include "io/quantities/quality_classes.h"
 #include "io/quantities/quality_quantities.h"
 #include "io/quantities/temperature_quantity.h"
-#include "io/synthetic_image.h"
+#include "io/written_image.h"
 #include "truth/location.h"
 #include "truth/view_angles.h"
 
 namespace ifov::io::test_products {
 namespace {
 
-using test::ScratchFolder;
-using test::SyntheticImage;
-
-ProductOptions options_in(const std::filesystem::path& folder) {
-  ProductOptions options;
-  options.folder = folder;
-  options.name = "demo";
-  options.cubes = QuantitySet::all();
-  for (const Quantity* quantity : all_quantities())  // the synthetic image has no scene, nor light in parts
-    if (quantity->collector != nullptr || quantity->needs.parts) options.cubes.remove(*quantity);
-  return options;
-}
-
-/// An order that is neither row by row nor the same for every seed.
-std::vector<sampling::PixelRect> shuffled(std::vector<sampling::PixelRect> tiles, std::uint64_t seed) {
-  for (std::size_t i = tiles.size(); i > 1; --i) {
-    seed = seed * 6364136223846793005u + 1442695040888963407u;
-    std::swap(tiles[i - 1], tiles[(seed >> 33) % i]);
-  }
-  return tiles;
-}
-
-RunRecord write_image(const SyntheticImage& image, const ProductOptions& options,
-                      const std::vector<sampling::PixelRect>& tiles, int threads = 1) {
-  ProductWriter writer(options, image.identity());
-  writer.begin(image.info());
-  std::atomic<std::size_t> next{0};
-  std::vector<std::thread> workers;
-  for (int t = 0; t < threads; ++t)
-    workers.emplace_back([&] {
-      for (std::size_t k; (k = next++) < tiles.size();) writer.write(image.tile(tiles[k]));
-    });
-  for (auto& worker : workers) worker.join();
-  return writer.finish(image.outcome());
-}
-
-template <class Expected>
-void expect_cube(const std::filesystem::path& path, int bands, Expected expected) {
-  const EnviReader reader(path);
-  const EnviHeader& h = reader.header();
-  ASSERT_EQ(h.bands, bands);
-  ASSERT_EQ(std::filesystem::file_size(path), h.data_bytes());
-  std::vector<float> line(static_cast<std::size_t>(h.samples));
-  for (int y = 0; y < h.lines; ++y)
-    for (int b = 0; b < bands; ++b) {
-      reader.read(y, b, line);
-      for (int x = 0; x < h.samples; ++x)
-        ASSERT_FLOAT_EQ(line[static_cast<std::size_t>(x)], expected(x, y, b))
-            << path << ' ' << x << ' ' << y << ' ' << b;
-    }
-}
-
-void expect_all_cubes(const SyntheticImage& image, const std::filesystem::path& folder) {
-  const auto at = [&](const char* ending) { return folder / (std::string("demo") + ending); };
-  expect_cube(at("_radiance.img"), image.channels,
-              [&](int x, int y, int c) { return image.radiance(x, y, c); });
-  expect_cube(at("_half_width.img"), image.channels,
-              [&](int x, int y, int c) { return image.half_width(x, y, c); });
-  expect_cube(at("_standard_error.img"), image.channels,
-              [&](int x, int y, int c) { return image.half_width(x, y, c) / 1.96f; });
-  expect_cube(at("_samples.img"), 3, [&](int x, int y, int b) {
-    return b == 2 ? 4.0f : static_cast<float>(image.samples(x, y) - (b == 1 ? 4u : 0u));
-  });
-  expect_cube(at("_quality.img"), 4, [&](int x, int y, int b) {
-    if (b == 0) return image.ratio(x, y) <= 1.0f ? 1.0f : 0.0f;
-    return b == 1 ? image.ratio(x, y) : b == 2 ? 0.02f : 0.75f;
-  });
-  expect_cube(at("_reasons.img"), 1,
-              [&](int x, int y, int) { return static_cast<float>(image.reasons(x, y)); });
-  expect_cube(at("_quality_class.img"), 1,
-              [&](int x, int y, int) { return static_cast<float>(class_of(image.reasons(x, y))); });
-  expect_cube(at("_abundance.img"), 3, [&](int x, int y, int m) {
-    return m == 0 ? image.fraction(x, y) : m == 2 ? 1.0f - image.fraction(x, y) : 0.0f;
-  });
-  expect_cube(at("_abundance_half_width.img"), 3, [](int, int, int m) {
-    return m == 0 ? 0.01f : m == 2 ? 0.02f : 0.0f;
-  });
-}
-
-std::vector<std::string> names_in(const std::filesystem::path& folder) {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    names.push_back(entry.path().filename());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-TEST(Sha256, PublishedDigests) {  // FIPS 180-4, examples
-  const auto digest = [](const std::string& text) {
-    Sha256 sum;
-    for (std::size_t i = 0; i < text.size(); i += 37)
-      sum.update(text.data() + i, std::min<std::size_t>(37, text.size() - i));
-    return sum.digest();
-  };
-  EXPECT_EQ(digest(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-  EXPECT_EQ(digest("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  EXPECT_EQ(digest("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
-            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
-  EXPECT_EQ(digest(std::string(1000000, 'a')),
-            "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
-}
+using namespace written_image;
 
 TEST(ProductFormats, HaveTheWordsOfDocuments) {
   std::vector<std::string> named;
@@ -162,54 +58,6 @@ TEST(ProductWriter, TilesOfUnequalRowsAreWrittenSegmentBySegment) {
   write_image(image, options_in(folder.path()),
               {{0, 0, 8, 12}, {8, 0, 20, 5}, {8, 5, 14, 12}, {14, 5, 20, 12}});
   expect_all_cubes(image, folder.path());
-}
-
-TEST(BilCube, TellsUpToWhichLineItIsWritten) {
-  const SyntheticImage image{20, 12, 5};
-  const ScratchFolder folder("lines");
-  BilCube cube(folder.path() / "x.img", image.width, image.height, image.channels, BilCube::Values::real);
-  const auto write = [&](sampling::PixelRect tile) {
-    cube.write(tile, std::span<const float>(image.tile(tile).mean));
-  };
-  write({0, 4, 20, 8});
-  EXPECT_EQ(cube.lines_written(), 0) << "what lies before is missing";
-  write({0, 0, 8, 4});
-  EXPECT_EQ(cube.lines_written(), 0) << "half a strip waits in memory";
-  write({8, 0, 20, 4});
-  EXPECT_EQ(cube.lines_written(), 8);
-  write({0, 8, 8, 12});
-  cube.flush();
-  EXPECT_EQ(cube.lines_written(), 8) << "a part of the last strip is missing";
-  write({8, 8, 20, 12});
-  cube.flush();
-  EXPECT_EQ(cube.lines_written(), 12);
-}
-
-TEST(BilCube, BoundedMemoryHoldsWhatComesInAnyOrder) {
-  for (const int width : {256, 100}) {
-    const SyntheticImage image{width, 70, 5};
-    const ScratchFolder folder("bounded");
-    BilCube cube(folder.path() / "x.img", image.width, image.height, image.channels, BilCube::Values::real,
-                 {.buffer_bytes = 1});
-    const auto tiles = shuffled(image.tiles(8), 3);
-    std::atomic<std::size_t> next{0};
-    std::vector<std::thread> workers;
-    for (int t = 0; t < 4; ++t)
-      workers.emplace_back([&] {
-        for (std::size_t k; (k = next++) < tiles.size();)
-          cube.write(tiles[k], std::span<const float>(image.tile(tiles[k]).mean));
-      });
-    for (auto& worker : workers) worker.join();
-    cube.flush();
-    EXPECT_EQ(cube.lines_written(), image.height) << "in pieces or whole";
-    const RasterView view = cube.view();
-    std::vector<float> line(static_cast<std::size_t>(width));
-    for (int y = 0; y < image.height; ++y)
-      for (int c = 0; c < image.channels; ++c) {
-        view.read(y, c, line);
-        for (int x = 0; x < width; ++x) ASSERT_EQ(line[static_cast<std::size_t>(x)], image.radiance(x, y, c));
-      }
-  }
 }
 
 TEST(ProductWriter, SameBytesFromAnyNumberOfThreads) {
@@ -408,101 +256,6 @@ TEST(ProductWriter, PlacesAreWrittenInMapCoordinates) {
   EXPECT_EQ(line[2], 45.25f);
   angles.read(1, 1, line);
   EXPECT_EQ(line[2], 178.25f);
-}
-
-TEST(ProductWriter, StoppingLeavesPartFilesWithTheFinishedTiles) {
-  const SyntheticImage image{40, 40, 3};
-  const ScratchFolder folder("stopped");
-  {
-    ProductWriter writer(options_in(folder.path()), image.identity());
-    writer.begin(image.info());
-    writer.write(image.tile({16, 16, 32, 32}));
-    EXPECT_THROW(writer.finish(image.outcome()), std::logic_error);
-    EXPECT_EQ(writer.part_files().size(), 11u);
-  }
-  for (const auto& name : names_in(folder.path())) EXPECT_TRUE(name.ends_with(".part")) << name;
-  const std::string bytes = test::read_all(folder.path() / "demo_radiance.img.part");
-  ASSERT_EQ(bytes.size(), 4u * 40 * 40 * 3);
-  float value = 0.0f;
-  std::memcpy(&value, bytes.data() + 4 * ((20 * 3 + 1) * 40 + 25), 4);
-  EXPECT_EQ(value, image.radiance(25, 20, 1));
-}
-
-TEST(ProductWriter, AnEarlierRunStaysUntilTheNewOneIsWhole) {
-  const SyntheticImage image{10, 10, 2};
-  const ScratchFolder folder("earlier");
-  write_image(image, options_in(folder.path()), image.tiles(16));
-  {
-    const SyntheticImage other{12, 12, 3};
-    ProductWriter writer(options_in(folder.path()), other.identity());
-    writer.begin(other.info());
-    writer.write(other.tile({0, 0, 12, 6}));
-  }
-  expect_all_cubes(image, folder.path());
-}
-
-TEST(ProductWriter, TwoRunsOfOneNameExcludeEachOther) {
-  const SyntheticImage image{10, 10, 2};
-  const ScratchFolder folder("twice");
-  ProductWriter first(options_in(folder.path()), image.identity());
-  first.begin(image.info());
-  ProductWriter second(options_in(folder.path()), image.identity());
-  try {
-    second.begin(image.info());
-    FAIL() << "no error";
-  } catch (const SystemError& error) {
-    EXPECT_NE(std::string(error.what()).find("another run is writing this file"), std::string::npos)
-        << error.what();
-  }
-  first.write(image.tile({0, 0, 10, 10}));
-  first.finish(image.outcome());
-  expect_all_cubes(image, folder.path());
-}
-
-TEST(ProductWriter, UnusableFoldersAreSaid) {
-  const SyntheticImage image{10, 10, 2};
-  const ScratchFolder folder("unusable");
-  test::read_all(folder.path());
-  std::ofstream(folder.path() / "file") << "not a folder";
-  ProductWriter writer(options_in(folder.path() / "file"), image.identity());
-  try {
-    writer.begin(image.info());
-    FAIL() << "no error";
-  } catch (const SystemError& error) {
-    EXPECT_NE(std::string(error.what()).find((folder.path() / "file").string()), std::string::npos)
-        << error.what();
-  }
-}
-
-TEST(ProductWriter, MorePixelsThanTheDiskHoldsAreRefusedBeforeTheFirstRay) {
-  SyntheticImage image{1000000, 1000000, 3};
-  const ScratchFolder folder("huge");
-  ProductWriter writer(options_in(folder.path()), image.identity());
-  try {
-    writer.begin(image.info());
-    FAIL() << "no error";
-  } catch (const SystemError& error) {
-    EXPECT_NE(std::string(error.what()).find("the disk is full: the products take"), std::string::npos)
-        << error.what();
-  }
-  EXPECT_TRUE(names_in(folder.path()).empty());
-}
-
-TEST(PartFile, DiscardingClosesAndRemoves) {
-  const ScratchFolder folder("discard");
-  PartFile file(folder.path() / "image.bin");
-  write_part(file, "light");
-  const auto open_here = [&] {
-    int count = 0;
-    std::error_code gone;
-    for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd"))
-      count += std::filesystem::read_symlink(entry, gone).string().starts_with(file.part_path().string());
-    return count;
-  };
-  EXPECT_GT(open_here(), 0);
-  file.discard();
-  EXPECT_EQ(open_here(), 0);
-  EXPECT_FALSE(std::filesystem::exists(file.part_path()));
 }
 
 TEST(ProductWriter, WrongTilesAreBugs) {
