@@ -37,6 +37,7 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
                              std::span<const int> columns, std::span<const int> outputs) {
   const std::size_t n = columns.size();
   sums_.clear(outputs, n);
+  leading_.assign(states_.size(), {kNoLabel, 0.0});
   std::vector<StratumMoments> moments;
   std::vector<ClutterRound::Moment> clutter;
   WeighedMoments weighed;
@@ -79,9 +80,11 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
         if (moments[r].sampled && !integrator.unit_box())
           radiance.weigh(pixel.strata[r], integrator.footprint(), integrator.centre(model.outputs[o]),
                          columns, moments[r], weighed);
+        double whole = 0.0;
         for (std::size_t c = 0; c < n; ++c) {
           sum.mean[c] += w * weighed.mean[c];
           const double apart = w * w * moments[r].variance[c] * weighed.share;
+          whole += apart;
           if (weighed.freedom > 0.0) {
             sum.path[c].add(apart, moments[r].freedom);
             sum.replicated[c].add(w * w * weighed.variance[c], weighed.freedom);
@@ -101,6 +104,8 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
           sum.deviation[c] += w * std::sqrt(moments[r].variance[c]);
           sum.deviation_unmet[c] += w * std::sqrt(moments[r].variance[c] + missed * std::max(1.0, count));
         }
+        Leading& leading = leading_[model.outputs[o]];
+        if (whole > leading.variance) leading = {model.labels[r], whole};
       }
       for (std::size_t b = 0; b < model.borders.size(); ++b) {
         const std::size_t in = model.region_of(model.borders[b].inner),
@@ -128,8 +133,19 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
       }
     }
   }
-  for (int o : outputs)
-    for (std::size_t c = 0; c < n; ++c) sums_[o].settle_path(c);
+  settle_paths(outputs, n);
+}
+
+void OutputIntervals::settle_paths(std::span<const int> outputs, std::size_t columns) {
+  for (std::size_t c = 0; c < columns; ++c) {
+    SequenceGains gains;
+    for (int o : outputs) gains.add(leading_[o].label, sums_[o].own_gain(c), sums_[o].values(c));
+    gains.settle();
+    for (int o : outputs) {
+      const OutputSums::Row sum = sums_[o];
+      sum.settle_path(c, gains.moderated(leading_[o].label, sum.own_gain(c), sum.values(c)));
+    }
+  }
 }
 
 double OutputIntervals::half_width(int output, std::size_t column) {

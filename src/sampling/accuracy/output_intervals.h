@@ -38,11 +38,19 @@ class OutputIntervals {
   double half_width(int output, std::size_t column);
 
  private:
+  /// The label that most of an output's variance comes from: of the stratum that has most of it.
+  struct Leading {
+    std::uint32_t label;
+    double variance;
+  };
+  void settle_paths(std::span<const int> outputs, std::size_t columns);
+
   PixelLimits limits_;
   const LabelTable& table_;
   Stopping stopping_;
   std::vector<OutputState> states_;
   OutputSums sums_;
+  std::vector<Leading> leading_;  // of outputs
 };
 
 }  // namespace ifov::sampling

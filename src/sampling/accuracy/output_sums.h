@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sampling/accuracy/basis/stopping.h"
+#include "sampling/accuracy/radiance/sequence_gains.h"
 
 namespace ifov::sampling {
 
@@ -29,16 +30,25 @@ class OutputSums {
       path[column].add(variance, freedom);
       if (replicated != nullptr) replicated[column].add(variance, freedom);
     }
-    /// Leaves in `path` the smaller of the two. Both are too large rather than too small: the one does not know what
-    /// sequences gain, the other what fine grids do.
-    void settle_path(std::size_t column) const {
-      if (replicated == nullptr) return;
+    /// What sequences gain, as this output's own replicates tell; where it has none, of no freedom.
+    SequenceGains::Gain own_gain(std::size_t column) const {
+      const double apart = path[column].variance();
+      if (replicated == nullptr || !(apart > 0.0)) return {1.0, 0.0};
+      return {replicated[column].variance() / apart, std::max(0.0, replicated[column].degrees_of_freedom())};
+    }
+    /// About how many values paths drawn apart would leave the variance of `path` by.
+    double values(std::size_t column) const {
+      const double apart = path[column].variance();
+      return apart > 0.0 ? deviation[column] * deviation[column] / apart : 0.0;
+    }
+    /// Leaves in `path` the smaller of what paths drawn apart and what sequences leave. Both are too large rather than too small:
+    /// the one does not know what sequences gain, the other what fine grids do.
+    void settle_path(std::size_t column, SequenceGains::Gain known) const {
       // Few degrees of freedom widen an interval about as a variance larger by 4 / nu would.
       constexpr double kFewest = 4.0, kWidening = 4.0;
-      const double freedom = replicated[column].degrees_of_freedom(), apart = path[column].variance();
-      if (freedom < kFewest || replicated[column].variance() * (1.0 + kWidening / freedom) >= apart) return;
-      path[column] = replicated[column];
-      gain[column] = path[column].variance() / apart;
+      if (known.freedom < kFewest || known.value * (1.0 + kWidening / known.freedom) >= 1.0) return;
+      path[column] = Satterthwaite(known.value * path[column].variance(), known.freedom);
+      gain[column] = known.value;
     }
 
     bool paths_vary(std::size_t columns) const {

@@ -44,6 +44,9 @@ class Stopping {
 /// taken back from the sum.
 class Satterthwaite {
  public:
+  Satterthwaite() = default;
+  Satterthwaite(double variance, double degrees_of_freedom) { add(variance, degrees_of_freedom); }
+
   void add(double variance, double degrees_of_freedom) {
     sum_ += variance;
     if (degrees_of_freedom > 0.0) weighted_ += variance * variance / (degrees_of_freedom + 2.0);
