@@ -24,6 +24,8 @@ struct AtmosphereQuestion {
   std::filesystem::path gas_model =
       {};  ///< in place of the document's (docs/formats/gas_model.md); empty: as it says
   double ground_reflectance = 0.0;  ///< of AtmosphereEffects::OverGround, 0 to 1
+  /// In its place, a material of the document, whose scattering may depend on direction; or "surroundings", those of the document.
+  std::string ground_material = {};
   bool spectrum =
       false;  ///< at the resolution of the band model, or of the gas model's bins, over the range of the sensor
   bool sky = false;              ///< the whole sky in one channel
@@ -50,8 +52,8 @@ struct AtmosphereEffects {
   /// 45 degrees counterclockwise of that as the sensor sees it.
   double path_q = 0.0, path_u = 0.0;
 
-  /// The same air over level, uniform Lambertian ground of the question's reflectance, which emits nothing. Irradiances of level
-  /// surfaces, sunlight and emission of the air together.
+  /// The same air over level, uniform ground of the question's reflectance (Lambertian) or material, which emits nothing.
+  /// Irradiances of level surfaces, sunlight and emission of the air together.
   struct OverGround {
     double ground_diffuse = 0.0, ground_up = 0.0;  ///< beside direct_irradiance
     double sensor_direct = 0.0, sensor_diffuse = 0.0,

@@ -30,12 +30,12 @@ _WORDS = {
     "spherical_albedo": ("1", "albedo of the air for light from below"),
     "path_q": (_RADIANCE, "Q of solar_path about the vertical plane of the line of sight"),
     "path_u": (_RADIANCE, "U of solar_path"),
-    "ground_diffuse": (_IRRADIANCE, "the sky's light on level ground of the reflectance asked for"),
-    "ground_up": (_IRRADIANCE, "light that level ground of the reflectance asked for reflects"),
+    "ground_diffuse": (_IRRADIANCE, "the sky's light on level ground as asked for"),
+    "ground_up": (_IRRADIANCE, "light that level ground as asked for reflects"),
     "sensor_direct": (_IRRADIANCE, "straight sunlight through the level of the sensor"),
     "sensor_diffuse": (_IRRADIANCE, "other light that comes down through the level of the sensor"),
     "sensor_up": (_IRRADIANCE, "light that goes up through the level of the sensor"),
-    "radiance": (_RADIANCE, "at the sensor, over ground of the reflectance asked for, which emits nothing"),
+    "radiance": (_RADIANCE, "at the sensor, over ground as asked for, which emits nothing"),
     "q": (_RADIANCE, "Q of radiance"),
     "u": (_RADIANCE, "U of radiance"),
 }
@@ -48,7 +48,7 @@ def atmosphere(
     view: tuple[float, float] | None = None,
     night: bool = False,
     altitude: float | None = None,
-    ground: float = 0.0,
+    ground: float | str = 0.0,
     spectrum: bool = False,
     sky: bool = False,
     sky_channel: str = "",
@@ -58,8 +58,8 @@ def atmosphere(
     """What the document's modelled atmosphere does to the light of each channel, over black ground.
 
     sun, view: (zenith, azimuth) of the direction from the ground, degrees, azimuth clockwise from north, in place of the document's;
-    night: no Sun; altitude: of the sensor, km; ground: reflectance below ``radiance``, ``q``, ``u`` and the fluxes
-    ``ground_...`` and ``sensor_...``; spectrum: also at the resolution of the band model; sky: the whole sky in one channel
+    night: no Sun; altitude: of the sensor, km; ground: reflectance, or a material of the document (or
+    ``"surroundings"``), below ``radiance``, ``q``, ``u`` and the fluxes ``ground_...`` and ``sensor_...``; spectrum: also at the resolution of the band model; sky: the whole sky in one channel
 
     Returns a Dataset: transmittances, path radiances (W m-2 sr-1 um-1) and irradiances (W m-2 um-1) along ``channel``; with ``spectrum``
     the same as ``spectral_...`` along ``wavelength``; with ``sky`` ``sky(zenith, azimuth, stokes)``, zenith and azimuth from the Sun's in

@@ -3,6 +3,7 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
 
 #include "bindings.h"
@@ -101,21 +102,25 @@ void add_atmosphere(nb::module_& module) {
       "atmosphere",
       [](const Document& document, const std::optional<std::pair<double, double>>& sun_rad,
          const std::optional<std::pair<double, double>>& view_rad, bool night,
-         std::optional<double> altitude_km, double ground, bool spectrum, bool sky,
-         const std::string& sky_channel, int threads, nb::object progress) {
+         std::optional<double> altitude_km, const std::variant<double, std::string>& ground, bool spectrum,
+         bool sky, const std::string& sky_channel, int threads, nb::object progress) {
         Call call(std::move(progress));
+        const double* reflectance = std::get_if<double>(&ground);
         const AtmosphereReport report = call.run([&] {
-          return survey_atmosphere(document, {.sun = direction(sun_rad),
-                                              .view = direction(view_rad),
-                                              .night = night,
-                                              .sensor_altitude_km = altitude_km,
-                                              .ground_reflectance = ground,
-                                              .spectrum = spectrum,
-                                              .sky = sky,
-                                              .sky_channel = sky_channel,
-                                              .threads = threads,
-                                              .cancel = call.cancel(),
-                                              .progress = &call});
+          return survey_atmosphere(
+              document,
+              {.sun = direction(sun_rad),
+               .view = direction(view_rad),
+               .night = night,
+               .sensor_altitude_km = altitude_km,
+               .ground_reflectance = reflectance != nullptr ? *reflectance : 0.0,
+               .ground_material = reflectance != nullptr ? std::string() : std::get<std::string>(ground),
+               .spectrum = spectrum,
+               .sky = sky,
+               .sky_channel = sky_channel,
+               .threads = threads,
+               .cancel = call.cancel(),
+               .progress = &call});
         });
         return told(report);
       },

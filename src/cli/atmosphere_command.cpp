@@ -21,22 +21,24 @@ constexpr double kLowestSun_deg = 96.0, kLowestView_deg = 80.0;
 
 struct AtmosphereArguments {
   DocumentArguments input;
-  std::string document, plot, csv, sky, sun, view, channel, invert, stem, summary, gases;
-  std::optional<double> altitude_km, ground;
+  std::string document, plot, csv, sky, sun, view, channel, invert, stem, summary, gases, ground;
+  std::optional<double> altitude_km;
   int threads = 0;
   bool quiet = false, wants_plot = false, resolved = false;
 };
+
+/// None where the text is something else.
+std::optional<double> number(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
 
 /// "30,135": zenith angle and azimuth in degrees.
 AtmosphereQuestion::Direction direction(const std::string& option, const std::string& text,
                                         double lowest_deg) {
   const std::size_t comma = text.find(',');
-  const auto number = [&](std::string_view part) -> std::optional<double> {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-    if (error != std::errc() || end != part.data() + part.size()) return std::nullopt;
-    return value;
-  };
   const std::string_view all = text;
   const auto zenith = number(all.substr(0, comma));
   const auto azimuth = comma == std::string::npos ? std::optional<double>() : number(all.substr(comma + 1));
@@ -91,10 +93,12 @@ ExitCode survey(const AtmosphereArguments& arguments) {
   if (!arguments.view.empty()) question.view = direction("--view", arguments.view, kLowestView_deg);
   question.sensor_altitude_km = arguments.altitude_km;
   question.gas_model = arguments.gases;
-  if (arguments.ground) {
-    if (!(*arguments.ground >= 0.0 && *arguments.ground <= 1.0))
-      throw InputError(format("ifov: --ground is {:g}, expected a reflectance of 0 to 1", *arguments.ground));
-    question.ground_reflectance = *arguments.ground;
+  if (const std::optional<double> reflectance = number(arguments.ground)) {
+    if (!(*reflectance >= 0.0 && *reflectance <= 1.0))
+      throw InputError(format("ifov: --ground is {:g}, expected a reflectance of 0 to 1", *reflectance));
+    question.ground_reflectance = *reflectance;
+  } else {
+    question.ground_material = arguments.ground;
   }
   if (!arguments.summary.empty()) {
     const std::string ending = std::filesystem::path(arguments.summary).extension().string();
@@ -167,9 +171,11 @@ Command add_atmosphere_command(CLI::App& app) {
   parser->add_flag("--resolved", arguments->resolved, "Let --summary have the steps of the spectrum as rows")
       ->needs(summary);
   parser
-      ->add_option("--ground", arguments->ground,
-                   "Reflectance of the ground in fluxes and light at the sensor (default: 0)")
-      ->type_name("REFLECTANCE");
+      ->add_option(
+          "--ground", arguments->ground,
+          "The ground in fluxes and light at the sensor: a reflectance (default: 0), one of the document's materials, or "
+          "'surroundings'")
+      ->type_name("REFLECTANCE|MATERIAL");
   parser
       ->add_option("--sun", arguments->sun,
                    "Where the Sun stands instead, in degrees (azimuth from north over east); 'none': night")
@@ -225,6 +231,7 @@ Command add_atmosphere_command(CLI::App& app) {
       "  ifov atmosphere scene.json --plot air.png --channel blue\n"
       "  ifov atmosphere scene.json --sun 70,120 --view 30,300 --altitude 3 --csv air.csv\n"
       "  ifov atmosphere scene.json --ground 0.3 --summary air.nc\n"
+      "  ifov atmosphere scene.json --ground sea\n"
       "  ifov atmosphere scene.json --sky sky.csv --channel blue\n"
       "  ifov atmosphere scene.json --gases swir.gases --csv fine.csv\n"
       "  ifov atmosphere scene.json --sun none\n"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "atmosphere/sensor/channel_scattering.h"
-#include "atmosphere/sensor/sky_directions.h"
+#include "atmosphere/sensor/directions/sky_directions.h"
 
 namespace ifov::atmosphere::test_channel_scattering {
 namespace {

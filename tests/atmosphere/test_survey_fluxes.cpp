@@ -60,7 +60,7 @@ SensorGeometry geometry(double sun_deg, double sensor_km, double view_deg = 0.0,
 AtmosphereEffects survey(const AtmosphereColumn& air, const Channel& channel, const SensorGeometry& where,
                          double ground = 0.0) {
   SurveyControl control;
-  control.ground_reflectance = ground;
+  control.ground = radiometry::Spectrum::constant(ground);
   return survey_effects(air, {&channel, 1}, radiometry::solar_irradiance_1au(), where, control).front();
 }
 

@@ -177,6 +177,43 @@ class Summary(unittest.TestCase):
                 self.assertGreater(there["sensor_up"], dark["sensor_up"])
             self.assertGreater(abs(dark["path_u"]), 1e-3 * dark["solar_path_radiance"])
 
+    def test_a_material_may_be_the_ground(self):
+        """Lambertian through its spectrum; by a BRDF that is Lambert's, as its reflectance; the sea polarizes what the sensor sees."""
+        materials = """"even": {"reflectance": 0.2, "scattering": {"rpv": {"k": 1, "asymmetry": 0, "rho_c": 1}}},
+                       "sea": {"reflectance": 0.01, "scattering": {"sea": {"wind": 7, "wind_from": "30 deg"}}},
+                       "bright": {"reflectance": 0.9, "scattering": {"rpv": {"k": 0.4, "asymmetry": -0.1}}},
+                       "mirror": {"reflectance": 0.9, "scattering": "mirror"},
+                       "leaf": {"reflectance": 0.3, "transmittance": 0.3}, "soil":"""
+        with Folder(yard=YARD.replace('"soil":', materials, 1) % AIR) as folder:
+            found = {}
+            for ground in ("0.2", "soil", "even", "sea"):
+                done = run("atmosphere", "yard.json", "--view", "30,60", "--ground", ground, "--summary", "air.csv", cwd=folder)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                found[ground] = summary(folder / "air.csv")["blue"]
+            self.assertIn("Over ground 'sea' by its BRDF:\n", done.stdout)
+            for name, value in found["0.2"].items():
+                self.assertAlmostEqual(found["soil"][name], value, delta=1e-6 * (1 + abs(value)), msg=name)
+                # Nodes are those of a spectrum that is not constant.
+                self.assertAlmostEqual(found["even"][name], value, delta=2e-3 * max(1, abs(value)), msg=name)
+            # The glint, seen near Brewster's angle, swings level.
+            done = run("atmosphere", "yard.json", "--view", "45,330", "--ground", "sea", "--summary", "air.csv", cwd=folder)
+            glint = summary(folder / "air.csv")["red"]
+            self.assertLess(glint["q"], -0.3 * glint["radiance"])
+            for ground, message in (
+                ("seas", "the ground 'seas' is neither a reflectance nor 'surroundings' nor a material of the document; did you mean 'sea'? "
+                         "Its materials are 'even', 'sea', 'bright', 'mirror', 'leaf' and 'soil'\n"),
+                ("mirror", "the material 'mirror' sends all light in one direction: it is no ground for the air; expected a model that "
+                           "spreads light, such as 'sea', 'rpv' or 'ross_li'\n"),
+                ("leaf", "the material 'leaf' lets light through: it is no ground for the air; expected an opaque one\n"),
+                ("surroundings", "'surroundings' were asked for as the ground, and 'light' has none"),
+            ):
+                done = run("atmosphere", "yard.json", "--ground", ground, cwd=folder)
+                self.assertEqual(done.returncode, 1)
+                self.assertIn(message, done.stderr)
+            done = run("atmosphere", "yard.json", "--ground", "bright", cwd=folder)
+            self.assertRegex(done.stderr, r"^yard.json:6:34: material 'bright': of light that comes 89 deg from the normal it sends back [0-9.]+ "
+                                          r"times as much; its parameters belong to no passive surface\n")
+
     def test_netcdf_holds_the_same(self):
         try:
             import scipy.io

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "atmosphere/scattering/ground/ground_modes.h"
+#include "atmosphere/scattering/reflected_light.h"
 #include "atmosphere/scattering/successive_orders.h"
 
 namespace ifov::atmosphere {
@@ -22,21 +24,6 @@ const ScatteringOptions& checked(const ScatteringOptions& options) {
     throw std::invalid_argument("sublayers, tolerance and orders of the scattering solver must be positive");
   }
   return options;
-}
-
-FluxProfile diffuse_fluxes(const ScatteringColumn& column, const GaussNodes& nodes,
-                           const NodeRadiance& radiance) {
-  const std::size_t levels = column.altitude_km.size();
-  FluxProfile fluxes{column.altitude_km, std::vector<double>(levels), std::vector<double>(levels),
-                     std::vector<double>(levels)};
-  for (std::size_t j = 0; j < nodes.position.size(); ++j) {
-    const double weight = 2.0 * std::numbers::pi * nodes.weight[j] * nodes.position[j];
-    for (std::size_t level = 0; level < levels; ++level) {
-      fluxes.up[level] += weight * radiance.up[j * levels + level];
-      fluxes.diffuse_down[level] += weight * radiance.down[j * levels + level];
-    }
-  }
-  return fluxes;
 }
 
 /// Light in the forward peak travels with the beam, but is not the beam. From below the horizon nothing falls on level ground.
@@ -77,9 +64,19 @@ ColumnSolver::ColumnSolver(const ScatteringOptions& options)
       nodes_(gauss_nodes(options.nodes_per_hemisphere)),
       aerosol_(2 * options.nodes_per_hemisphere, options.aerosol_polarization) {}
 
-ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& optics,
+ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad,
+                                   const GroundModes* ground) const {
+  return solve(levels, optics, sun_zenith_rad, options_, ground);
+}
+
+GroundModes ColumnSolver::modes_of(const DirectionalGround& ground, double wavelength_um,
                                    double sun_zenith_rad) const {
-  return solve(levels, optics, sun_zenith_rad, options_);
+  return {ground,
+          wavelength_um,
+          nodes_,
+          std::cos(sun_zenith_rad),
+          2 * options_.nodes_per_hemisphere,
+          options_.polarized};
 }
 
 ColumnSolution ColumnSolver::solve_first_order(const Levels& levels, const LayerOptics& optics,
@@ -87,11 +84,11 @@ ColumnSolution ColumnSolver::solve_first_order(const Levels& levels, const Layer
   ScatteringOptions once = options_;
   once.most_orders = 1;
   once.polarized = false;
-  return solve(levels, optics, sun_zenith_rad, once);
+  return solve(levels, optics, sun_zenith_rad, once, nullptr);
 }
 
 ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad,
-                                   const ScatteringOptions& options) const {
+                                   const ScatteringOptions& options, const GroundModes* directional) const {
   ScatteringColumn column(levels, optics, sun_zenith_rad, options);
   ColumnPhase phase(column, aerosol_, 2 * options.nodes_per_hemisphere);
   RoundEarthLight round_earth;
@@ -110,6 +107,7 @@ ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& opti
       sunlit_fluxes.diffuse_down[level] *= solved->round_earth.flux_ratio()[level];
   add_beam(solved->column, sunlit_fluxes);
   std::vector<ModeMoments> modes;
+  std::vector<GroundLight> down{std::move(mode.ground_down)};
   // Moments of light scattered once are the source of the second order, which was not asked for.
   if (options.most_orders > 1) {
     modes.push_back(std::move(mode.moments));
@@ -117,6 +115,7 @@ ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& opti
       mode = orders.sunlit(m, reference);
       const double peak = mode.moments.peak();
       modes.push_back(std::move(mode.moments));
+      down.push_back(std::move(mode.ground_down));
       if (m >= 2 && peak < options.tolerance * reference) break;
     }
   }
@@ -127,9 +126,15 @@ ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& opti
   ground_modes.push_back(std::move(ground.moments));
   if (solved->round_earth.any() && solved->column.sun_mu < kLowSun)
     take_flux_of_sky(ScatteredField(solved, modes, sunlit_fluxes, true, sunlit_orders), sunlit_fluxes);
+  std::shared_ptr<const ReflectedLight> reflected;
+  if (directional != nullptr) {
+    if (auto found = reflected_light(solved, orders, nodes_, *directional, down, options.tolerance))
+      reflected = std::make_shared<const ReflectedLight>(*std::move(found));
+  }
   return ColumnSolution(
       ScatteredField(solved, std::move(modes), std::move(sunlit_fluxes), true, sunlit_orders),
-      ScatteredField(solved, std::move(ground_modes), std::move(groundlit_fluxes), false, ground.orders));
+      ScatteredField(solved, std::move(ground_modes), std::move(groundlit_fluxes), false, ground.orders),
+      std::move(reflected));
 }
 
 double ColumnSolution::spherical_albedo() const {
@@ -143,15 +148,42 @@ StokesVector ColumnSolution::diffuse_transmittance(double mu, double observer_km
   return scattered;
 }
 
-ColumnSolution::GroundFlux ColumnSolution::ground_flux(double altitude_km) const {
+double ColumnSolution::reflected_albedo() const {
+  return reflected_->field.fluxes().diffuse_down.back() / std::numbers::pi;
+}
+
+StokesVector ColumnSolution::reflected_transmittance(const Propagation& direction, double observer_km,
+                                                     double surface_km) const {
+  const PathLight light = reflected_->field.line_of_sight(direction, observer_km, surface_km);
+  return light.multiple + (light.peak_transmittance - light.transmittance) *
+                              reflected_->shape.radiance(direction.mu, direction.azimuth_rad);
+}
+
+double ColumnSolution::depth_below(double altitude_km) const {
   const ScatteringColumn& column = groundlit_.solved().column;
   double depth = 0.0;  // scaled: what goes on in the forward peak has not been scattered
   for (std::size_t s = column.sublayers(); s-- > 0;) {
     const double low = column.altitude_km[s + 1], high = column.altitude_km[s];
     depth += column.depth[s] * std::clamp((altitude_km - low) / (high - low), 0.0, 1.0);
   }
+  return depth;
+}
+
+ColumnSolution::GroundFlux ColumnSolution::ground_flux(double altitude_km) const {
   const FluxProfile::Fluxes scattered = groundlit_.fluxes().at(altitude_km);
-  return {straight_flux(depth) + scattered.up / std::numbers::pi, scattered.diffuse_down / std::numbers::pi};
+  return {straight_flux(depth_below(altitude_km)) + scattered.up / std::numbers::pi,
+          scattered.diffuse_down / std::numbers::pi};
+}
+
+ColumnSolution::GroundFlux ColumnSolution::reflected_flux(double altitude_km) const {
+  const double depth = depth_below(altitude_km);
+  const GaussNodes& out = reflected_->shape.out;
+  double straight = 0.0;
+  for (std::size_t j = 0; j < out.position.size(); ++j)
+    straight += 2.0 * out.weight[j] * out.position[j] * std::exp(-depth / out.position[j]) *
+                reflected_->shape.modes[0][j];
+  const FluxProfile::Fluxes scattered = reflected_->field.fluxes().at(altitude_km);
+  return {straight + scattered.up / std::numbers::pi, scattered.diffuse_down / std::numbers::pi};
 }
 
 double straight_flux(double depth) {

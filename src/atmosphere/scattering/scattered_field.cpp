@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "atmosphere/linear_source.h"
+#include "atmosphere/scattering/mode_operator.h"
 #include "atmosphere/scattering/phase/spherical_functions.h"
 #include "atmosphere/scattering/shell_line_of_sight.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "atmosphere/scattering/column_phase.h"
-#include "atmosphere/scattering/mode_operator.h"
+#include "atmosphere/scattering/mode_moments.h"
 #include "atmosphere/scattering/round_earth_light.h"
 #include "atmosphere/scattering/single_scattering.h"
 

@@ -47,22 +47,36 @@ SuccessiveOrders::Mode SuccessiveOrders::sunlit(int mode, double reference) cons
 }
 
 SuccessiveOrders::Mode SuccessiveOrders::groundlit() const {
-  const ModeOperator step(column_, phase_, nodes_, steps_, 0, options_.polarized);
-  const std::size_t levels = column_.sublayers() + 1;
   // Light of the ground changes fast with angle near the horizon, and needs more nodes than what it becomes.
   const GaussNodes fine = gauss_nodes(48);
+  return groundlit(0, fine, std::vector<double>(fine.position.size(), 1.0), 0.0);
+}
+
+SuccessiveOrders::Mode SuccessiveOrders::groundlit(int mode, const GaussNodes& out,
+                                                   std::span<const double> light, double reference) const {
+  const ModeOperator step(column_, phase_, nodes_, steps_, mode, options_.polarized);
+  const std::size_t levels = column_.sublayers() + 1, outs = out.position.size(), given = light.size() / outs;
   ModeMoments moments = step.empty_moments();
-  for (std::size_t j = 0; j < fine.position.size(); ++j) {
-    const SphericalFunctions f = spherical_functions(0, phase_.terms, fine.position[j]);
+  for (std::size_t j = 0; j < outs; ++j) {
+    const SphericalFunctions f = spherical_functions(mode, phase_.terms, out.position[j]);
+    const double i = light[j], q = given > 1 ? light[outs + j] : 0.0,
+                 u = given > 2 ? light[2 * outs + j] : 0.0;
+    const bool polarized = given > 1 && moments.components > 1;
     double depth = 0.0;
     for (std::size_t level = levels; level-- > 0;) {
-      const double light = fine.weight[j] * std::exp(-depth / fine.position[j]);
-      for (int l = 0; l < moments.terms; ++l) moments.at(l, 0)[level] += light * f.p[l];
+      const double weight = out.weight[j] * std::exp(-depth / out.position[j]);
+      for (int l = mode; l < moments.terms; ++l) {
+        const int at = l - mode;
+        moments.at(l, 0)[level] += weight * i * f.p[at];
+        if (!polarized) continue;
+        moments.at(l, 1)[level] += weight * (f.r[at] * q + (moments.components > 2 ? f.t[at] * u : 0.0));
+        if (moments.components > 2) moments.at(l, 2)[level] += weight * (f.t[at] * q + f.r[at] * u);
+      }
       if (level > 0) depth += column_.depth[level - 1];
     }
   }
   ModeField field = step.next(moments);
-  return add_orders(step, std::move(field), std::move(moments), 0.0);
+  return add_orders(step, std::move(field), std::move(moments), reference);
 }
 
 SuccessiveOrders::Mode SuccessiveOrders::emitted(std::span<const double> planck) const {
@@ -109,6 +123,16 @@ bool SuccessiveOrders::is_thick() const {
   return depth > kThick;
 }
 
+void SuccessiveOrders::Mode::take(const ModeOperator& step, ModeField field) {
+  for (int c = 0; c < step.components(); ++c)
+    for (std::size_t j = 0; j < step.nodes(); ++j)
+      ground_down.push_back(field.down_at(c, j)[field.levels - 1]);
+  if (step.mode() != 0) return;
+  field.up.resize(field.stride);
+  field.down.resize(field.stride);
+  radiance = {std::move(field.up), std::move(field.down)};
+}
+
 SuccessiveOrders::Mode SuccessiveOrders::add_orders(const ModeOperator& step, ModeField field,
                                                     ModeMoments sum, double reference) const {
   Mode result;
@@ -116,16 +140,12 @@ SuccessiveOrders::Mode SuccessiveOrders::add_orders(const ModeOperator& step, Mo
     // `sum` holds light that has not been scattered, where that is a source of its own, and `field` what becomes of it.
     const bool has_source = sum.peak() > 0.0;
     AllOrders all = all_orders(step, has_source ? sum : step.moments_of(field), options_.tolerance);
-    if (step.mode() == 0) {
-      ModeField light = step.next(all.moments);
-      if (!has_source) {
-        add_scaled(light.up.size(), 1.0, field.up.data(), light.up.data());
-        add_scaled(light.down.size(), 1.0, field.down.data(), light.down.data());
-      }
-      light.up.resize(light.stride);
-      light.down.resize(light.stride);
-      result.radiance = {std::move(light.up), std::move(light.down)};
+    ModeField light = step.next(all.moments);
+    if (!has_source) {
+      add_scaled(light.up.size(), 1.0, field.up.data(), light.up.data());
+      add_scaled(light.down.size(), 1.0, field.down.data(), light.down.data());
     }
+    result.take(step, std::move(light));
     result.orders = all.scatterings;
     result.moments = std::move(all.moments);
     return result;
@@ -151,11 +171,7 @@ SuccessiveOrders::Mode SuccessiveOrders::add_orders(const ModeOperator& step, Mo
     previous = peak;
     field = step.next(moments);
   }
-  if (step.mode() == 0) {
-    total.up.resize(total.stride);
-    total.down.resize(total.stride);
-    result.radiance = {std::move(total.up), std::move(total.down)};
-  }
+  result.take(step, std::move(total));
   result.moments = std::move(sum);
   return result;
 }

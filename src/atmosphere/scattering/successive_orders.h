@@ -29,7 +29,10 @@ class SuccessiveOrders {
   struct Mode {
     ModeMoments moments;  ///< of all orders, the first included
     NodeRadiance radiance;
+    /// What comes down on the ground, scattered: [component][node].
+    std::vector<double> ground_down;
     int orders = 0;
+    void take(const ModeOperator& step, ModeField field);
   };
   /// Light of a sunbeam of irradiance 1 across itself. `reference` is the peak of mode 0's moments, 0 for
   /// mode 0.
@@ -37,6 +40,9 @@ class SuccessiveOrders {
   /// Light of a ground of radiance 1 in every direction, not polarized (mode 0). The moments include light
   /// that has not been scattered.
   Mode groundlit() const;
+  /// Light of a ground whose radiance is `light` in the directions of `out` (GroundModes::out). The moments include light
+  /// that has not been scattered. `reference` as of sunlit().
+  Mode groundlit(int mode, const GaussNodes& out, std::span<const double> light, double reference) const;
   /// Light that the column itself emits, not polarized (mode 0): at the boundaries of sublayers Planck's radiance is `planck`,
   /// between them linear, and what is not scattered is absorbed. Moments as of groundlit(); `radiance` is what is scattered.
   Mode emitted(std::span<const double> planck) const;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "atmosphere/sensor/channel_points.h"
-#include "atmosphere/sensor/sky_directions.h"
+#include "atmosphere/sensor/directions/sky_directions.h"
 
 namespace ifov::atmosphere {
 

@@ -101,6 +101,9 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
   if (polarized_)
     for (auto* rows : {&result.path_q, &result.path_u, &result.diffuse_q})
       rows->assign(1 + lines_of_sight, std::vector<double>(count));
+  if (ground_ != nullptr)
+    for (auto* rows : {&result.reflected_i, &result.reflected_q, &result.reflected_u})
+      rows->assign(1 + lines_of_sight, std::vector<double>(count));
   result.share.assign(nodes_.size(), std::vector<double>(count, 0.0));
   result.emission_share = result.share;
   const std::vector<double>& levels_km = column_.levels().altitude_km;
@@ -155,6 +158,7 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
         polarize(1 + s, p, parts, along, result.line_of_sight_path[s][p], result.line_of_sight_diffuse[s][p],
                  result);
     }
+    if (ground_ != nullptr) add_reflected(p, parts, result);
     for (std::size_t h = 0; h < heights; ++h)
       result.sky_at_height[h][p] = sunlit_ ? points_.sun_at_height_base(h)[p] *
                                                  ratio([h](const Node& n) { return n.sky_at_height[h]; })

@@ -1,9 +1,11 @@
 // The part of ChannelScattering that keeps solutions and takes them from what was kept.
+#include <memory>
 #include <span>
 
+#include "atmosphere/scattering/ground/ground_modes.h"
 #include "atmosphere/scattering/phase/phase_function.h"
 #include "atmosphere/sensor/channel_scattering.h"
-#include "atmosphere/sensor/sky_directions.h"
+#include "atmosphere/sensor/directions/sky_directions.h"
 
 namespace ifov::atmosphere {
 
@@ -55,6 +57,11 @@ std::vector<double> ChannelScattering::question(const ColumnSolver& solver, cons
     all.insert(all.end(), {line.zenith_rad, line.azimuth_rad, line.height_km, line.sensor_km});
   if (polarized_) all.push_back(1.0);
   if (geometry_.level_fluxes) all.push_back(2.0);
+  if (const std::shared_ptr<const GroundModes> ground = ground_modes(solver, node.wavelength))
+    for (const std::vector<double>* list : {&ground->numbers(), &ground->beam_numbers()}) {
+      all.push_back(static_cast<double>(list->size()));
+      all.insert(all.end(), list->begin(), list->end());
+    }
   return all;
 }
 
@@ -67,8 +74,10 @@ void ChannelScattering::solve(const ColumnSolver& solver, std::size_t solution, 
   if (polarized_)
     count += 3 * (1 + geometry_.lines_of_sight.size()) + 2 * rings - directions_.zenith_rad.size();
   if (geometry_.level_fluxes) count += 3;
+  count += reflected_count();
   std::vector<double> answer(count);
-  if (kept->find(asked, answer)) return node.unpack(answer, geometry_, directions_, polarized_);
+  if (kept->find(asked, answer))
+    return node.unpack(answer, geometry_, directions_, polarized_, reflected_count());
   solve(solver, node);
   kept->keep(asked, node.packed(geometry_.level_fluxes));
 }
@@ -81,11 +90,16 @@ std::vector<double> ChannelScattering::Node::packed(bool level_fluxes) const {
     answer.insert(answer.end(), list->begin(), list->end());
   for (const LinePolarization& line : lines) answer.insert(answer.end(), {line.q, line.u, line.diffuse_q});
   if (level_fluxes) answer.insert(answer.end(), {level_up, ground_up, ground_down});
+  answer.insert(answer.end(), reflected.begin(), reflected.end());
   return answer;
 }
 
 void ChannelScattering::Node::unpack(std::span<const double> answer, const SensorGeometry& geometry,
-                                     const SkyDirections& directions, bool polarized) {
+                                     const SkyDirections& directions, bool polarized,
+                                     std::size_t reflected_count) {
+  const std::span<const double> last = answer.last(reflected_count);
+  reflected.assign(last.begin(), last.end());
+  answer = answer.first(answer.size() - reflected_count);
   path = answer[0];
   sky_irradiance = answer[1];
   diffuse_transmittance = answer[2];

@@ -9,7 +9,7 @@
 
 #include "atmosphere/column/light_limits.h"
 #include "atmosphere/scattering/sky_ring.h"
-#include "atmosphere/sensor/sky_directions.h"
+#include "atmosphere/sensor/directions/sky_directions.h"
 
 namespace ifov::atmosphere {
 namespace {
@@ -38,16 +38,19 @@ double ChannelScattering::emitted_depth(double gas_depth) {
 
 ChannelScattering::ChannelScattering(const AtmosphereColumn& column, const ChannelPoints& points,
                                      const SensorGeometry& geometry, const SkyDirections& directions,
-                                     const ScatteringOptions& options, bool polarized)
+                                     const ScatteringOptions& options, bool polarized,
+                                     const DirectionalGround* ground)
     : column_(column),
       points_(points),
       geometry_(geometry),
       directions_(directions),
       options_(options),
       sunlit_(geometry.sun_zenith_rad && points.points.front().wavelength_um <= kLastSolar_um),
-      polarized_(polarized) {
+      polarized_(polarized),
+      ground_(ground) {
   options_.most_sublayers = 1;  // light scattered once is exact in whole layers
   choose_nodes();
+  make_room_for_modes();
   for (std::size_t w = 0; w < log_wavelength_.size(); ++w)
     for (std::size_t d = 0; d < depth_.size(); ++d) {
       Node& node = nodes_.emplace_back();
@@ -158,7 +161,9 @@ void ChannelScattering::solve_lines_of_sight(const ColumnSolution& solved,
 
 void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
   const double ground_km = column_.levels().altitude_km.front(), sensor_km = geometry_.sensor_altitude_km;
-  const ColumnSolution solved = solver.solve(column_.levels(), node.optics, geometry_.any_sun_zenith_rad());
+  const std::shared_ptr<const GroundModes> ground = ground_modes(solver, node.wavelength);
+  const ColumnSolution solved =
+      solver.solve(column_.levels(), node.optics, geometry_.any_sun_zenith_rad(), ground.get());
   const PathLight path = solved.sunlit().line_of_sight(towards_sensor(), sensor_km, ground_km);
   const double sky_irradiance = solved.sunlit().fluxes().at(ground_km).diffuse_down;
   const double albedo = solved.spherical_albedo();
@@ -201,6 +206,7 @@ void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
   if (polarized_)
     solve_polarization(solved, 1.0 / std::max(sky_sum, kDark),
                        std::numbers::pi / std::max(groundlit_sum, kDark), node);
+  if (ground_ != nullptr) solve_reflected(solved, node);
 }
 
 }  // namespace ifov::atmosphere

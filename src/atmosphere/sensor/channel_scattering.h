@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "atmosphere/scattering/column_solver.h"
@@ -8,6 +9,8 @@
 
 namespace ifov::atmosphere {
 
+class DirectionalGround;
+class GroundModes;
 struct SkyDirections;
 
 /// All numbers that the solution of a column for a sensor depends on: whoever keeps answers keeps them by
@@ -21,10 +24,12 @@ std::vector<double> solution_question(const ScatteringOptions& options, const Se
 /// between the solutions are the ratios of everything else to them, which are smooth in wavelength and depth.
 class ChannelScattering {
  public:
-  /// Decides what is to be solved. Keeps references to the first four. `polarized`: Q and U are told, too.
+  /// Decides what is to be solved. Keeps references to the first four, and to the ground. `polarized`: Q and U are told, too.
+  /// `ground`: what a ground that reflects by direction does to light of the air is told; null: none.
   ChannelScattering(const AtmosphereColumn& column, const ChannelPoints& points,
                     const SensorGeometry& geometry, const SkyDirections& directions,
-                    const ScatteringOptions& options, bool polarized = false);
+                    const ScatteringOptions& options, bool polarized = false,
+                    const DirectionalGround* ground = nullptr);
 
   std::size_t solutions() const { return nodes_.size(); }
   const LayerOptics& optics(std::size_t solution) const { return nodes_[solution].optics; }
@@ -60,6 +65,11 @@ class ChannelScattering {
     /// Where the geometry wants level fluxes: sunlight that goes up through the sensor's level; of all light that leaves level
     /// ground alike in every direction, what goes up there, and what comes down.
     std::vector<double> level_up, ground_up, ground_down;
+    /// Of light that leaves a directional ground with an exitance of pi: I, Q and U that reach the sensor diffusely, the
+    /// geometry's own line of sight first, [line][point]; what comes back to it, over pi; and where the geometry wants level
+    /// fluxes, as ground_up and ground_down. Empty without such a ground.
+    std::vector<std::vector<double>> reflected_i, reflected_q, reflected_u;
+    std::vector<double> reflected_albedo, reflected_up, reflected_down;
   };
   AtPoints at_points() const;
 
@@ -76,6 +86,11 @@ class ChannelScattering {
   };
   const SkyPolarization& sky_polarization(std::size_t solution) const {
     return nodes_[solution].sky_polarization;
+  }
+  /// The sky over directional ground, [component of (I, Q, U)][zenith][azimuth], for an exitance of pi and an albedo of the air
+  /// for it (reflected_albedo) of 1.
+  std::span<const double> reflected_shape(std::size_t solution) const {
+    return std::span(nodes_[solution].reflected).subspan(reflected_head());
   }
 
  private:
@@ -97,9 +112,12 @@ class ChannelScattering {
     // The flux up through the sensor's level over light scattered once towards it, of ground's light what goes up there over what
     // does so straight, and what comes down.
     double level_up = 0.0, ground_up = 0.0, ground_down = 0.0;
+    /// Of directional ground, relative to Lambertian: reflected_albedo, what goes up and comes down at the level; by line diffuse
+    /// transmittance, and its Q and U over its I; then the shape of the sky.
+    std::vector<double> reflected;
     std::vector<double> packed(bool level_fluxes) const;
     void unpack(std::span<const double> answer, const SensorGeometry& geometry,
-                const SkyDirections& directions, bool polarized);
+                const SkyDirections& directions, bool polarized, std::size_t reflected_count);
   };
   /// What a solution counts at a point.
   struct Part {
@@ -111,6 +129,7 @@ class ChannelScattering {
   void solve(const ColumnSolver& solver, Node& node) const;
   std::vector<double> question(const ColumnSolver& solver, const Node& node) const;
   void choose_nodes();
+  void make_room_for_modes();
   LayerOptics optics_at(double log_wavelength, double depth) const;
   void solve_lines_of_sight(const ColumnSolution& solved, const std::optional<ChannelPoints::Beams>& base,
                             Node& node) const;
@@ -127,6 +146,13 @@ class ChannelScattering {
   /// are known.
   void polarize(std::size_t line, std::size_t point, const std::vector<Part>& parts, const StokesVector& once,
                 double path, double diffuse, AtPoints& at) const;
+  /// Numbers of Node::reflected before the shape of the sky, and all.
+  std::size_t reflected_head() const { return 3 + 3 * (1 + geometry_.lines_of_sight.size()); }
+  std::size_t reflected_count() const;
+  /// The ground's modes at a wavelength of the solutions, made once.
+  std::shared_ptr<const GroundModes> ground_modes(const ColumnSolver& solver, std::size_t wavelength) const;
+  void solve_reflected(const ColumnSolution& solved, Node& node) const;
+  void add_reflected(std::size_t point, const std::vector<Part>& parts, AtPoints& at) const;
   /// The geometry's own line of sight, then its lines of sight.
   std::vector<LineOfSight> lines() const;
   Propagation towards_sensor() const;
@@ -143,6 +169,9 @@ class ChannelScattering {
   const SkyDirections& directions_;
   ScatteringOptions options_;
   bool sunlit_, polarized_;
+  const DirectionalGround* ground_;
+  struct Modes;
+  std::shared_ptr<Modes> modes_;
   std::vector<double> log_wavelength_, depth_, scaled_depth_, emitted_depth_;  // of the nodes, rising
   std::vector<Node> nodes_;                                                    // [wavelength][depth]
 };

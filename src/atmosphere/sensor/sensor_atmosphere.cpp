@@ -22,7 +22,7 @@ namespace ifov::atmosphere {
 namespace {
 
 /// Light darker than this share of what a white surface sends into space may err by as much as that would.
-constexpr double kLeastShare = 3e-4;
+constexpr double kLeastOfWhite = 3e-4;
 
 /// Radiance above the air of a white surface of 300 K in the Sun.
 double white_above(double wavelength_um, double irradiance) {
@@ -72,7 +72,7 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
         longest.wavelength_um < kFirstThermal_um)
       continue;
     lights.scattering.emplace(column, lights.points, geometry_, directions_, inputs.scattering,
-                              inputs.polarized);
+                              inputs.polarized, inputs.directional.get());
     for (std::size_t k = 0; k < lights.scattering->solutions(); ++k)
       tasks.push_back({&lights, k, Kind::scattering});
     if (longest.wavelength_um >= kFirstThermal_um) {
@@ -129,8 +129,10 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
     for (auto* rows : {&all.path_q, &all.path_u, &all.diffuse_q})
       rows->assign(lines_of_sight_.known_lines() * nodes, 0.0);
   }
+  if (inputs.directional) make_room_for_directional(*inputs.directional, inputs.polarized);
   parallel_for(static_cast<std::int64_t>(channels.size()), inputs.threads, [&](std::int64_t k) {
     const std::size_t channel = static_cast<std::size_t>(k);
+    if (directional_ && channels[channel].scattering) add_directional(channel, channels[channel]);
     if (channels[channel].scattering) add_scattering(channel, channels[channel]);
     if (channels[channel].emitted) add_emission(channel, channels[channel]);
     if (geometry_.level_fluxes) add_fluxes(channel, channels[channel]);
@@ -138,6 +140,7 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
     if (polarization_ && channels[channel].scattering) add_polarization(channel, channels[channel]);
   });
   normalise_sky();
+  if (directional_) couple_directional();
   if (polarization_) bound_polarization();
   if (!finer) return;
   const SensorGeometry alone = geometry_.alone();
@@ -169,7 +172,7 @@ void SensorAtmosphere::build_nodes(const Inputs& inputs, const std::vector<Chann
       std::transform(seen.begin(), seen.end(), lights.scattered.diffuse_transmittance.begin(), seen.begin(),
                      std::plus<>());
     grids.emplace_back(std::move(wavelengths), points.share, std::move(ground), std::move(sky),
-                       std::move(seen), kLeastShare * white);
+                       std::move(seen), kLeastOfWhite * white);
   }
   nodes_ = radiometry::SpectralNodes::build(grids, inputs.surfaces, inputs.demands);
   sun_.assign(node_count(), 0.0);

@@ -1,16 +1,17 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "atmosphere/scattering/scattering_options.h"
 #include "atmosphere/sensor/atmosphere_error.h"
+#include "atmosphere/sensor/directions/line_of_sight_grid.h"
+#include "atmosphere/sensor/directions/sky_directions.h"
 #include "atmosphere/sensor/kept_solutions.h"
-#include "atmosphere/sensor/line_of_sight_grid.h"
 #include "atmosphere/sensor/sensor_geometry.h"
-#include "atmosphere/sensor/sky_directions.h"
 #include "radiometry/spectral_nodes.h"
 
 namespace ifov::radiometry {
@@ -20,6 +21,8 @@ struct StokesVector;
 namespace ifov::atmosphere {
 
 class AtmosphereColumn;
+class DirectionalGround;
+struct DirectionalLight;
 struct ChannelLights;
 
 /// The atmosphere as one sensor's channels see it: spectral nodes, and what the air does to light in each of
@@ -47,6 +50,8 @@ class SensorAtmosphere {
     /// Whether errors() are wanted, and the reflectance of the ground around the scene, which they depend on.
     bool with_errors = false;
     radiometry::Spectrum ground = radiometry::Spectrum::constant(0.0);
+    /// Ground around the scene that reflects by direction; null: it is Lambertian, and whoever uses the tables couples it.
+    std::shared_ptr<const DirectionalGround> directional = {};
     /// Told how many solutions of how many are there, one call at a time; may throw to end it.
     std::function<void(std::size_t, std::size_t)> progress = {};
   };
@@ -113,6 +118,8 @@ class SensorAtmosphere {
   };
   const LevelFluxes& level_fluxes() const { return level_fluxes_; }
 
+  /// Null where the ground is Lambertian.
+  const DirectionalLight* directional() const { return directional_.get(); }
   /// How far each channel may be off because of how all this is computed; empty where it was not asked for.
   const std::vector<AtmosphereErrors>& errors() const { return errors_; }
 
@@ -128,6 +135,10 @@ class SensorAtmosphere {
   void normalise_sky();
   void add_fluxes(std::size_t channel, const ChannelLights& lights);
   void add_polarization(std::size_t channel, const ChannelLights& lights);
+  void add_directional(std::size_t channel, const ChannelLights& lights);
+  void make_room_for_directional(const DirectionalGround& ground, bool polarized);
+  /// Shapes become radiances, and ground and air exchange light.
+  void couple_directional();
   /// Makes light that interpolation left too polarized wholly polarized.
   void bound_polarization();
   struct Polarization {
@@ -150,6 +161,7 @@ class SensorAtmosphere {
   std::vector<double> sun_at_height_, sky_at_height_;  // [height][node]
   std::optional<Polarization> polarization_;
   LevelFluxes level_fluxes_;
+  std::shared_ptr<DirectionalLight> directional_;
 };
 
 }  // namespace ifov::atmosphere

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "atmosphere/sensor/line_of_sight.h"
+#include "atmosphere/sensor/directions/line_of_sight.h"
 
 namespace ifov::atmosphere {
 

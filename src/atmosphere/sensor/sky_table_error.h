@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "atmosphere/sensor/sky_directions.h"
+#include "atmosphere/sensor/directions/sky_directions.h"
 
 namespace ifov::atmosphere {
 

@@ -19,8 +19,8 @@ struct AtmosphereEffects {
   /// azimuth is read as clockwise.
   double path_q = 0.0, path_u = 0.0;
 
-  /// The same air over level, uniform Lambertian ground of a reflectance that was asked for, which emits nothing. Irradiances
-  /// of level surfaces, sunlight and emission of the air together.
+  /// The same air over level, uniform ground that was asked for, which emits nothing. Irradiances of level surfaces, sunlight and
+  /// emission of the air together.
   struct OverGround {
     double ground_diffuse = 0.0, ground_up = 0.0;                       ///< beside direct_irradiance
     double sensor_direct = 0.0, sensor_diffuse = 0.0, sensor_up = 0.0;  ///< at the sensor's altitude

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/gas/gas_term_table.h"
 #include "atmosphere/sensor/channel_points.h"
+#include "atmosphere/sensor/directional_light.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
+#include "atmosphere/sensor/sky_over_ground.h"
 #include "core/format.h"
 #include "core/parallel.h"
 
@@ -24,12 +27,14 @@ struct Part {
   const AtmosphereColumn& column;
   std::span<const radiometry::Channel> channels;
   SensorAtmosphere::Inputs inputs;
-  double ground_reflectance;
+  const radiometry::Spectrum& ground;
 
   SensorAtmosphere solve(bool sunlit) const {
     SensorAtmosphere::Inputs asked = inputs;
     if (!sunlit) asked.geometry.sun_zenith_rad.reset();
     asked.polarized = sunlit;
+    if (!sunlit && inputs.geometry.sun_zenith_rad)
+      asked.directional = nullptr;  // what the air emits alone is told of it
     asked.geometry.level_fluxes = sunlit || !inputs.geometry.sun_zenith_rad;
     return SensorAtmosphere(column, asked);
   }
@@ -43,25 +48,62 @@ double own_side(const SensorGeometry& geometry, double u) {
   return std::sin(geometry.view_azimuth_rad) > 0.0 ? -u : u;
 }
 
-/// The same light over ground that reflects. Node by node: ground and air pass light back and forth in each as they absorb there.
-void add_over_ground(const SensorAtmosphere& air, double reflectance, std::size_t n, double weight,
-                     AtmosphereEffects::OverGround& to) {
-  const SensorAtmosphere::LevelFluxes& level = air.level_fluxes();
-  const double sine = air.geometry().sun_sine(), albedo = air.spherical_albedo()[n];
-  const double down = air.sun_irradiance()[n] * sine + air.sky_irradiance()[n];
-  const double up = reflectance * down / (1.0 - reflectance * albedo), leaving = up / std::numbers::pi;
-  to.ground_diffuse += weight * (air.sky_irradiance()[n] + albedo * up);
-  to.ground_up += weight * up;
-  to.sensor_direct += weight * level.sun[n] * sine;
-  to.sensor_diffuse += weight * (level.down[n] + level.ground_down[n] * up);
-  to.sensor_up += weight * (level.up[n] + level.ground_up[n] * up);
-  to.radiance += weight * (air.view_radiance()[n] +
-                           leaving * (air.view_transmittance()[n] + air.diffuse_transmittance()[n]));
-  if (!air.polarized()) return;
-  const SensorAtmosphere::LineOfSightPolarization path = air.line_of_sight_polarization(0);
-  to.q += weight * (path.q[n] + leaving * path.diffuse_q[n]);
-  to.u += weight * own_side(air.geometry(), path.u[n]);
-}
+/// The same light over ground that reflects, node by node: ground and air pass light back and forth in each as they absorb there.
+class OverGround {
+ public:
+  OverGround(const SensorAtmosphere& air, const radiometry::Spectrum& ground)
+      : air_(air), reflectance_(air.node_count()) {
+    air.nodes().average_surface(ground, reflectance_);
+    if (air.directional() == nullptr) return;
+    const std::vector<double> none(air.node_count(), 0.0);
+    const SensorGeometry& geometry = air.geometry();
+    // Azimuths there count clockwise.
+    straight_ = SkyOverGround(air, none).towards(std::cos(geometry.view_zenith_rad),
+                                                 -geometry.view_azimuth_rad - std::numbers::pi);
+  }
+
+  void add(std::size_t n, double weight, AtmosphereEffects::OverGround& to) const {
+    const SensorAtmosphere::LevelFluxes& level = air_.level_fluxes();
+    const DirectionalLight* directional = air_.directional();
+    const double sine = air_.geometry().sun_sine(), reflectance = static_cast<double>(reflectance_[n]);
+    const double albedo = directional != nullptr ? directional->albedo[n] : air_.spherical_albedo()[n];
+    const double down = air_.sun_irradiance()[n] * sine + air_.sky_irradiance()[n];
+    const double up = directional != nullptr ? directional->exitance(n, 0.0)
+                                             : reflectance * down / (1.0 - reflectance * albedo);
+    const double leaving = up / std::numbers::pi;
+    to.ground_diffuse += weight * (air_.sky_irradiance()[n] + albedo * up);
+    to.ground_up += weight * up;
+    to.sensor_direct += weight * level.sun[n] * sine;
+    to.sensor_diffuse += weight * (level.down[n] + up * (directional != nullptr ? directional->down[n]
+                                                                                : level.ground_down[n]));
+    to.sensor_up +=
+        weight * (level.up[n] + up * (directional != nullptr ? directional->up[n] : level.ground_up[n]));
+    const double through = air_.view_transmittance()[n];
+    to.radiance +=
+        weight *
+        (air_.view_radiance()[n] + through * (directional != nullptr ? straight(0, n) : leaving) +
+         leaving * (directional != nullptr ? directional->path_i[n] : air_.diffuse_transmittance()[n]));
+    if (!air_.polarized()) return;
+    const SensorAtmosphere::LineOfSightPolarization path = air_.line_of_sight_polarization(0);
+    to.q += weight * path.q[n];
+    to.u += weight * own_side(air_.geometry(), path.u[n]);
+    if (directional == nullptr) {
+      to.q += weight * leaving * path.diffuse_q[n];
+      return;
+    }
+    to.q += weight * (through * straight(1, n) + leaving * directional->path_q[n]);
+    to.u += weight * (through * straight(2, n) + leaving * own_side(air_.geometry(), directional->path_u[n]));
+  }
+
+ private:
+  double straight(std::size_t component, std::size_t n) const {
+    const std::size_t at = component * air_.node_count() + n;
+    return straight_.sun[at] + straight_.sky[at];
+  }
+  const SensorAtmosphere& air_;
+  std::vector<float> reflectance_;
+  SkyOverGround::Radiance straight_;
+};
 
 void survey_part(const Part& part, AtmosphereEffects* light) {
   std::vector<std::vector<ChannelBin>> bins;
@@ -86,14 +128,17 @@ void survey_part(const Part& part, AtmosphereEffects* light) {
         use(light[c], n, nodes.node_weight(n));
   };
   const SensorAtmosphere night = part.solve(false);
+  std::optional<OverGround> by_night;
+  if (!geometry.sun_zenith_rad) by_night.emplace(night, part.ground);
   add(night, [&](AtmosphereEffects& to, std::size_t n, double weight) {
     to.thermal_path += weight * night.view_radiance()[n];
     to.thermal_sky += weight * night.sky_irradiance()[n];
-    if (!geometry.sun_zenith_rad) add_over_ground(night, part.ground_reflectance, n, weight, to.over_ground);
+    if (by_night) by_night->add(n, weight, to.over_ground);
   });
   if (!geometry.sun_zenith_rad) return;
   const double sine = geometry.sun_sine();
   const SensorAtmosphere day = part.solve(true);
+  const OverGround by_day(day, part.ground);
   add(day, [&](AtmosphereEffects& to, std::size_t n, double weight) {
     to.solar_path += weight * day.view_radiance()[n];
     to.solar_sky += weight * day.sky_irradiance()[n];
@@ -102,7 +147,7 @@ void survey_part(const Part& part, AtmosphereEffects* light) {
     to.spherical_albedo += weight * day.spherical_albedo()[n];
     to.path_q += weight * day.line_of_sight_polarization(0).q[n];
     to.path_u += weight * own_side(geometry, day.line_of_sight_polarization(0).u[n]);
-    add_over_ground(day, part.ground_reflectance, n, weight, to.over_ground);
+    by_day.add(n, weight, to.over_ground);
   });
   for (std::size_t c = 0; c < part.channels.size(); ++c) {
     AtmosphereEffects& of = light[c];
@@ -125,12 +170,14 @@ std::vector<AtmosphereEffects> survey_effects(const AtmosphereColumn& column,
   for (std::size_t first = 0; first < channels.size(); first += kPart) {
     if (control.progress) control.progress(first);
     const auto some = channels.subspan(first, std::min(kPart, channels.size() - first));
-    Part part{column, some, {}, control.ground_reflectance};
+    Part part{column, some, {}, control.ground};
     part.inputs.channels = some;
     part.inputs.solar_irradiance = solar_irradiance;
     part.inputs.demands.most_nodes = control.most_nodes;
     part.inputs.geometry = geometry;
-    part.inputs.sky = fewest_directions();
+    if (!control.directional) part.inputs.sky = fewest_directions();
+    part.inputs.directional = control.directional;
+    if (!control.ground.is_constant()) part.inputs.surfaces = {&control.ground, 1};
     part.inputs.threads = control.threads;
     survey_part(part, light.data() + first);
   }

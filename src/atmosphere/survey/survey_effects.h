@@ -2,22 +2,27 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "atmosphere/survey/atmosphere_effects.h"
 #include "radiometry/channel.h"
+#include "radiometry/spectrum.h"
 
 namespace ifov::atmosphere {
 
 class AtmosphereColumn;
+class DirectionalGround;
 struct GasTermTable;
 struct SensorGeometry;
 
 struct SurveyControl {
-  std::size_t most_nodes = 8;       ///< of a channel; 1 for narrow steps
-  double ground_reflectance = 0.0;  ///< of AtmosphereEffects::OverGround, 0 to 1
-  int threads = 0;                  ///< 0: all cores
+  std::size_t most_nodes = 8;  ///< of a channel; 1 for narrow steps
+  /// Of AtmosphereEffects::OverGround: reflectance, 0 to 1, and how the ground reflects by direction; null: it is Lambertian.
+  radiometry::Spectrum ground = radiometry::Spectrum::constant(0.0);
+  std::shared_ptr<const DirectionalGround> directional = {};
+  int threads = 0;  ///< 0: all cores
   /// Told between parts of the work how many channels are done; may throw to end it.
   std::function<void(std::size_t)> progress = {};
 };

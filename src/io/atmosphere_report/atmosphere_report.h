@@ -24,9 +24,9 @@ struct AtmosphereReport {
   std::string body = "Sun";               ///< what shines: Sun or Moon
   std::vector<Channel> channels;
   std::vector<atmosphere::AtmosphereEffects>
-      spectrum;                     ///< from short to long wavelengths; empty if not asked for
-  double step_cm1 = 0.0;            ///< of the spectrum
-  double ground_reflectance = 0.0;  ///< of what is told over ground that reflects
+      spectrum;                             ///< from short to long wavelengths; empty if not asked for
+  double step_cm1 = 0.0;                    ///< of the spectrum
+  std::string ground = "of reflectance 0";  ///< what is told over ground that reflects, after "ground"
   std::optional<atmosphere::SkyView> sky;
   std::string sky_channel;
   bool sky_is_thermal = false;  ///< emission outweighs sunlight: shown as brightness temperature

@@ -52,9 +52,8 @@ std::string correction_text(const AtmosphereReport& report, std::size_t widest) 
 /// Light of level surfaces, and what the sensor receives.
 std::string flux_text(const AtmosphereReport& report, std::size_t widest) {
   const bool day = report.geometry.sun_zenith_rad.has_value();
-  std::string text = format("\nOver ground of reflectance {:g}:\n{:<{}}  {:^17}  {:^26}  {:^26}\n",
-                            report.ground_reflectance, "", widest, "at the ground",
-                            "through the sensor's level", "at the sensor");
+  std::string text = format("\nOver ground {}:\n{:<{}}  {:^17}  {:^26}  {:^26}\n", report.ground, "", widest,
+                            "at the ground", "through the sensor's level", "at the sensor");
   text += format("{:<{}}  {:>8} {:>8}  {:>8} {:>8} {:>8}  {:>8} {:>8} {:>8}\n", "channel", widest, "diffuse",
                  "up", "direct", "diffuse", "up", "radiance", "Q", "U");
   for (const AtmosphereReport::Channel& channel : report.channels) {

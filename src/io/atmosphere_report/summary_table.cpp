@@ -79,8 +79,8 @@ SummaryTable summary_table(const AtmosphereReport& report, bool steps) {
   SummaryTable table;
   table.description = report.description;
   table.description.push_back(format(
-      "ground_ and sensor_ columns, radiance, q and u: over level, uniform ground of reflectance {:g} that emits nothing",
-      report.ground_reflectance));
+      "ground_ and sensor_ columns, radiance, q and u: over level, uniform ground {} that emits nothing",
+      report.ground));
   std::vector<const Light*> lights;
   if (steps) {
     for (const Light& light : report.spectrum) {

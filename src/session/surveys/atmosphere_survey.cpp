@@ -14,6 +14,7 @@
 #include "session/assembly/atmosphere/gas_model_assembly.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/surveys/atmosphere_statement.h"
+#include "session/surveys/survey_ground.h"
 #include "session/surveys/survey_stage.h"
 
 namespace ifov::session {
@@ -109,8 +110,10 @@ io::AtmosphereReport survey_atmosphere(const io::Document& original, const Atmos
     throw InputError(
         format("a ground of reflectance {:g} was asked for; expected 0 to 1", question.ground_reflectance));
   const io::Document document = asked(original, question);
+  const SurveyStage stage(document);
+  const SurveyGround ground =
+      survey_ground(document, question.ground_material, question.ground_reflectance, stage);
   return with_position(document.sources, document.atmosphere.position, [&] {
-    const SurveyStage stage(document);
     check_channels(document.sources, document.sensor.channels, stage.channels);
     const atmosphere::AtmosphereColumn column =
         assemble_column(document.sources, *document.atmosphere.modelled, document.scene.origin);
@@ -150,7 +153,10 @@ io::AtmosphereReport survey_atmosphere(const io::Document& original, const Atmos
     Meter meter(question, stage.channels.size() + steps.size());
     atmosphere::SurveyControl control;
     control.threads = question.threads;
-    control.ground_reflectance = report.ground_reflectance = question.ground_reflectance;
+    control.ground = ground.reflectance;
+    control.directional = ground.directional;
+    report.ground = ground.description;
+    if (!ground.left_out.empty()) report.description.push_back(ground.left_out);
     control.progress = meter.from(0);
     const std::vector<atmosphere::AtmosphereEffects> light =
         atmosphere::survey_effects(column, stage.channels, sunlight, report.geometry, control);

@@ -11,6 +11,7 @@
 #include "render/image_info.h"
 #include "sensor/camera.h"
 #include "sensor/mtf.h"
+#include "sensor/psf.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/whole/detector_assembly.h"
 #include "session/assembly/whole/noise_assembly.h"
@@ -36,20 +37,20 @@ void survey_camera(const sensor::Camera& camera, SensorDescription& told) {
   if (left && right) told.swath_m = math::length(*right - *left);
 }
 
-std::optional<double> psf_mtf(const io::SensorDocument& sensor) {
-  const auto optics = sensor.camera.settings->optics();
-  return std::visit(Overloaded{[](const io::NoPsf&) -> std::optional<double> { return 1.0; },
-                               [](const io::GaussianPsf& psf) -> std::optional<double> {
-                                 return sensor::gaussian_mtf(psf.sigma_px, kNyquist);
-                               },
-                               [&](const io::AiryPsf& psf) -> std::optional<double> {
-                                 if (!optics) return std::nullopt;
-                                 const double q_px = 1e-6 * psf.wavelength_um * optics->focal_length_m /
-                                                     (psf.aperture_m * optics->pitch_m);
-                                 return sensor::diffraction_mtf(q_px, 0.0, kNyquist);
-                               },
-                               [](const io::KernelPsf&) -> std::optional<double> { return std::nullopt; }},
-                    sensor.psf);
+std::optional<double> psf_mtf(const io::SensorDocument& sensor, double wavelength_um) {
+  return std::visit(
+      Overloaded{[](const io::NoPsf&) -> std::optional<double> { return 1.0; },
+                 [](const io::GaussianPsf& psf) -> std::optional<double> {
+                   return sensor::gaussian_mtf(psf.sigma_px, kNyquist);
+                 },
+                 [&](const io::AiryPsf&) -> std::optional<double> {
+                   const sensor::AiryAperture airy = airy_aperture(sensor);
+                   const double um = airy.wavelength_um > 0.0 ? airy.wavelength_um : wavelength_um;
+                   const double q_px = 1e-6 * um * airy.focal_length_m / (airy.diameter_m * airy.pitch_m);
+                   return sensor::diffraction_mtf(q_px, airy.obscuration, kNyquist);
+                 },
+                 [](const io::KernelPsf&) -> std::optional<double> { return std::nullopt; }},
+      sensor.psf);
 }
 
 /// NEdT where the channel sees what is warm.
@@ -99,7 +100,7 @@ SensorDescription survey_sensor(const io::DocumentSources& sources, const io::Se
     SensorDescription::Channel& one = told.channels.emplace_back();
     one.name = channels[c].name, one.centre_um = channels[c].centre_um, one.fwhm_um = channels[c].fwhm_um;
     one.pixel_mtf = sensor::square_mtf(std::sqrt(sensor.fill_factor), kNyquist);
-    one.psf_mtf = psf_mtf(sensor);
+    one.psf_mtf = psf_mtf(sensor, channels[c].centre_um);
     one.nedl = noise[c];
     if (!detectors[c].figures.exists()) {
       tell_nedt(channels[c], kWarm_k, one);

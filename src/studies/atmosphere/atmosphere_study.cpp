@@ -1,8 +1,5 @@
 #include "studies/atmosphere/atmosphere_study.h"
 
-#include <cmath>
-#include <cstdlib>
-
 #include "core/error.h"
 #include "core/format.h"
 #include "studies/atmosphere/atmosphere_results.h"
@@ -19,35 +16,6 @@ constexpr const char* kAbout =
     "there is not "
     "measured. Theory: [the atmosphere](../theory/atmosphere.md) and [light in "
     "it](../theory/atmosphere_scattering.md).";
-
-std::string cell(const std::string& text) {
-  std::string out;
-  for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
-  return out;
-}
-
-std::string markdown(const std::vector<AtmosphereSection>& sections) {
-  std::string out = format("# {}\n\n{}\n", kTitle, kAbout);
-  for (const AtmosphereSection& section : sections) {
-    out += format("\n## {}\n\n{}\n\n| what | found | must be | |\n|---|---|---|---|\n", section.title,
-                  section.text);
-    for (const Figure& f : section.figures.figures())
-      out += format("| {} | {} {} | {} | {} |\n", cell(f.meaning),
-                    std::isfinite(f.value) ? format("{:.3g}", f.value) : "-", cell(f.unit), cell(f.must),
-                    !f.ok   ? ""
-                    : *f.ok ? "yes"
-                            : "**no**");
-    for (const ReportPlot& plot : section.plots)
-      out += format("\n![{}](atmosphere_{}.svg)\n\n{}\n", plot.plot.title, plot.name, plot.caption);
-  }
-  return out;
-}
-
-std::filesystem::path reference_folder(const StudyOptions& options) {
-  if (!options.reference.empty()) return options.reference;
-  const char* given = std::getenv("IFOV_TRUTH");
-  return given != nullptr ? given : "";
-}
 
 }  // namespace
 
@@ -78,7 +46,7 @@ StudyOutcome run_atmosphere_study(const StudyOptions& options) {
   ReportFigures drawn;
   keep("report.html", sections_page(kTitle, sections, drawn));
   for (const auto& file : drawn.write(options.output_folder)) outcome.files.push_back(file);
-  keep("page/atmosphere.md", markdown(sections));
+  keep("page/atmosphere.md", sections_markdown(kTitle, kAbout, "atmosphere", sections));
   for (const AtmosphereSection& section : sections)
     for (const ReportPlot& plot : section.plots)
       keep(format("page/atmosphere_{}.svg", plot.name), draw(plot.plot).svg);

@@ -1,4 +1,4 @@
-#include "atmosphere/sensor/line_of_sight_grid.h"
+#include "atmosphere/sensor/directions/line_of_sight_grid.h"
 
 #include <algorithm>
 #include <array>

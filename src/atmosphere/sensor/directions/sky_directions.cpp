@@ -1,4 +1,4 @@
-#include "atmosphere/sensor/sky_directions.h"
+#include "atmosphere/sensor/directions/sky_directions.h"
 
 #include <algorithm>
 #include <cmath>

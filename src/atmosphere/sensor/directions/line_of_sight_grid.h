@@ -7,7 +7,7 @@
 
 #include "atmosphere/layer_optics.h"
 #include "atmosphere/profile/profile.h"
-#include "atmosphere/sensor/line_of_sight.h"
+#include "atmosphere/sensor/directions/line_of_sight.h"
 
 namespace ifov::atmosphere {
 
