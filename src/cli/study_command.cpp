@@ -63,8 +63,9 @@ Command add_study_command(CLI::App& app) {
   CLI::App* parser = app.add_subcommand("study", "Run a study and write its report");
   parser->add_option("NAME", arguments->name, "Which study")->required();
   parser->add_option("-o,--output", arguments->output, "Folder of the report (default: study-NAME)");
-  parser->add_option("--reference", arguments->reference,
-                     "Folder of reference data (atmosphere; default: the environment variable IFOV_TRUTH)");
+  parser->add_option(
+      "--reference", arguments->reference,
+      "Folder of reference data (atmosphere, sensor; default: the environment variable IFOV_TRUTH)");
   parser->add_option("--scene", arguments->scene,
                      "Document to study instead of the study's own scene (suburb)");
   parser->add_option("--trials", arguments->trials, "Random shifts of each scene; fewer give a quick look")

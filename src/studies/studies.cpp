@@ -2,6 +2,7 @@
 
 #include "studies/aliasing_study.h"
 #include "studies/atmosphere/atmosphere_study.h"
+#include "studies/sensor/sensor_study.h"
 #include "studies/suburb_study.h"
 #include "studies/surfaces/surfaces_study.h"
 #include "studies/thermal_study.h"
@@ -17,6 +18,8 @@ constexpr StudyEntry kStudies[] = {
     {"atmosphere", "the modelled atmosphere against tables and other programs", run_atmosphere_study},
     {"surfaces", "models of scattering against what they promise, by themselves and rendered",
      run_surfaces_study},
+    {"sensor", "orbits, cameras, scanners, optics and detectors against closed forms and published figures",
+     run_sensor_study},
 };
 
 }  // namespace

@@ -2,25 +2,14 @@
 
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <vector>
 
+#include "sensor/detector/detector_checks.h"
 #include "sensor/detector/detector_signal.h"
 #include "sensor/detector/poisson.h"
 
 namespace ifov::sensor::test_detector_signal {
 namespace {
-
-struct Moments {
-  double mean = 0.0, variance = 0.0;
-};
-
-Moments moments(const std::vector<double>& values) {
-  const auto n = static_cast<double>(values.size());
-  Moments m{std::accumulate(values.begin(), values.end(), 0.0) / n, 0.0};
-  for (const double value : values) m.variance += (value - m.mean) * (value - m.mean) / (n - 1.0);
-  return m;
-}
 
 /// k = 1: a radiance is its number of electrons.
 Detector plain() {
@@ -32,14 +21,7 @@ Detector plain() {
 /// Signals of an even image, line after line.
 std::vector<double> image(const Detector& detector, double radiance, int lines, int columns,
                           std::uint64_t seed = 1) {
-  const DetectorSignal signal(detector, seed, 0, columns);
-  const std::vector<float> even(static_cast<std::size_t>(columns), static_cast<float>(radiance));
-  std::vector<double> all, line(even.size());
-  for (int y = 0; y < lines; ++y) {
-    signal.draw(y, even, {}, line);
-    all.insert(all.end(), line.begin(), line.end());
-  }
-  return all;
+  return signal_image(detector, radiance, lines, columns, seed).values;
 }
 
 // ---------- the numbers of photons
@@ -105,11 +87,6 @@ TEST(DetectorSignal, ReadNoiseAndPhotonsTogetherAreAsApart) {
 
 // ---------- photon transfer
 
-/// Fit of a line to variance over mean in counts, in logarithms.
-struct PhotonTransfer {
-  double slope = 0.0, gain = 0.0;
-};
-
 Detector camera() {
   Detector detector = plain();
   detector.full_well = 1e5;
@@ -127,31 +104,8 @@ std::vector<double> counts(const Detector& detector, double radiance, int lines,
   return values;
 }
 
-/// As one who has only counts finds it: mean and variance above those in darkness, from 8 to 8e4 electrons, `faulty` is what one does to a
-/// count.
-PhotonTransfer photon_transfer(const Detector& detector, const std::function<double(double)>& faulty) {
-  const auto measured = [&](double electrons) {
-    std::vector<double> values = counts(detector, electrons, 400, 1000);
-    for (double& value : values) value = faulty(value);
-    return moments(values);
-  };
-  const Moments darkness = measured(0.0);
-  double weights = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
-  for (double electrons = 8.0; electrons < 9e4; electrons *= std::sqrt(10.0)) {
-    const Moments m = measured(electrons);
-    const double mean = m.mean - darkness.mean, variance = m.variance - darkness.variance;
-    // The variance of a variance is 2 variance^2 / n, and there are two.
-    const double relative = std::hypot(m.variance, darkness.variance) / variance;
-    const double weight = 1.0 / (relative * relative);
-    weights += weight, x += weight * std::log(mean), y += weight * std::log(variance);
-    xx += weight * std::log(mean) * std::log(mean), xy += weight * std::log(mean) * std::log(variance);
-  }
-  const double slope = (weights * xy - x * y) / (weights * xx - x * x);
-  return {slope, std::exp((x - y) / weights)};
-}
-
 TEST(PhotonTransfer, HasASlopeOfOneAndShowsTheGain) {
-  const PhotonTransfer found = photon_transfer(camera(), [](double count) { return count; });
+  const PhotonTransfer found = photon_transfer(camera());
   EXPECT_NEAR(found.slope, 1.0, 0.01);
   EXPECT_NEAR(found.gain / camera().gain, 1.0, 0.01);
 }

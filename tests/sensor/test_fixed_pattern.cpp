@@ -1,13 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <complex>
-#include <numbers>
 #include <vector>
 
-#include "math/fft.h"
 #include "sensor/detector/detector.h"
-#include "sensor/detector/detector_signal.h"
+#include "sensor/detector/detector_checks.h"
 #include "sensor/detector/one_over_f.h"
 
 namespace ifov::sensor::test_fixed_pattern {
@@ -28,57 +25,11 @@ Detector patterned() {
   return detector;
 }
 
-struct Image {
-  int lines, columns;
-  std::vector<double> values;  // [line][column]
-};
-
-Image image(const Detector& detector, double radiance, int lines, int columns, std::uint64_t seed = 1) {
-  Image result{lines, columns, {}};
-  const DetectorSignal signal(detector, seed, 0, columns);
-  const std::vector<float> even(static_cast<std::size_t>(columns), static_cast<float>(radiance));
-  std::vector<double> line(even.size());
-  for (int y = 0; y < lines; ++y) {
-    signal.draw(y, even, {}, line);
-    result.values.insert(result.values.end(), line.begin(), line.end());
-  }
-  return result;
-}
-
-struct Spreads {
-  double pixel, row, column;
-};
-
-/// Standard deviations of what elements, rows and columns have of their own (analysis of variance with two factors).
-Spreads spreads(const Image& image) {
-  const auto rows = static_cast<std::size_t>(image.lines), columns = static_cast<std::size_t>(image.columns);
-  std::vector<double> row(rows, 0.0), column(columns, 0.0);
-  double mean = 0.0;
-  for (std::size_t y = 0; y < rows; ++y)
-    for (std::size_t x = 0; x < columns; ++x) {
-      const double value = image.values[y * columns + x];
-      row[y] += value / static_cast<double>(columns);
-      column[x] += value / static_cast<double>(rows);
-      mean += value / static_cast<double>(rows * columns);
-    }
-  const auto variance = [&](const std::vector<double>& means) {
-    double sum = 0.0;
-    for (const double one : means) sum += (one - mean) * (one - mean);
-    return sum / static_cast<double>(means.size() - 1);
-  };
-  double left = 0.0;
-  for (std::size_t y = 0; y < rows; ++y)
-    for (std::size_t x = 0; x < columns; ++x)
-      left += std::pow(image.values[y * columns + x] - row[y] - column[x] + mean, 2);
-  left /= static_cast<double>((rows - 1) * (columns - 1));
-  return {std::sqrt(left), std::sqrt(variance(row) - left / static_cast<double>(columns)),
-          std::sqrt(variance(column) - left / static_cast<double>(rows))};
-}
-
 /// Of what is put in: wide images for columns, tall ones for rows.
-void expect_out_as_put_in(const Detector& detector, double radiance, const Spreads& in, bool is_as_put_in) {
-  const Spreads wide = spreads(image(detector, radiance, 40, 16000));
-  const Spreads tall = spreads(image(detector, radiance, 16000, 40));
+void expect_out_as_put_in(const Detector& detector, double radiance, const PatternSpreads& in,
+                          bool is_as_put_in) {
+  const PatternSpreads wide = pattern_spreads(signal_image(detector, radiance, 40, 16000));
+  const PatternSpreads tall = pattern_spreads(signal_image(detector, radiance, 16000, 40));
   const auto within = [](double found, double expected) { return std::abs(found / expected - 1.0) < 0.03; };
   EXPECT_TRUE(within(wide.pixel, in.pixel));
   EXPECT_TRUE(within(tall.row, in.row)) << tall.row;
@@ -102,10 +53,10 @@ TEST(FixedPattern, OfColumnsSixPercentMoreIsSeen) {
 
 TEST(FixedPattern, StaysFromExposureToExposureAndIsOfTheSpecimen) {
   const Detector detector = patterned();
-  EXPECT_EQ(image(detector, 0.0, 3, 50, 1).values, image(detector, 0.0, 3, 50, 2).values);
+  EXPECT_EQ(signal_image(detector, 0.0, 3, 50, 1).values, signal_image(detector, 0.0, 3, 50, 2).values);
   Detector other = detector;
   other.specimen = 2.0;
-  EXPECT_NE(image(detector, 0.0, 3, 50, 1).values, image(other, 0.0, 3, 50, 1).values);
+  EXPECT_NE(signal_image(detector, 0.0, 3, 50, 1).values, signal_image(other, 0.0, 3, 50, 1).values);
 }
 
 TEST(FixedPattern, DeadAndHotElementsAreAsMany) {
@@ -114,7 +65,7 @@ TEST(FixedPattern, DeadAndHotElementsAreAsMany) {
   detector.dead_share = 0.02;
   detector.hot_share = 0.01;
   detector.hot_dark = 1e6;
-  const Image found = image(detector, 1000.0, 400, 1000);
+  const SignalImage found = signal_image(detector, 1000.0, 400, 1000);
   double dead = 0.0, hot = 0.0;
   for (const double value : found.values) dead += value == 0.0, hot += value > 1e5;
   EXPECT_NEAR(dead / 8000.0, 1.0, 4.0 / std::sqrt(8000.0));
@@ -133,25 +84,6 @@ Detector drifting(double corner) {
   return detector;
 }
 
-/// Power of columns at frequency k / kLines under a Hann window, mean over columns, as a two-sided density.
-std::vector<double> spectrum(const std::vector<float>& noise) {
-  const math::Fft fft(kLines);
-  std::vector<double> power(kLines / 2, 0.0);
-  double norm = 0.0;
-  std::vector<double> window;
-  for (int n = 0; n < kLines; ++n) {
-    window.push_back(1.0 - std::cos(2.0 * std::numbers::pi * n / kLines));
-    norm += window.back() * window.back();
-  }
-  std::vector<std::complex<double>> series(kLines);
-  for (std::size_t x = 0; x < kColumns; ++x) {
-    for (std::size_t y = 0; y < kLines; ++y) series[y] = window[y] * noise[y * kColumns + x];
-    fft.transform(series);
-    for (std::size_t k = 0; k < power.size(); ++k) power[k] += std::norm(series[k]) / (norm * kColumns);
-  }
-  return power;
-}
-
 /// Largest departure of octaves from read_noise^2 corner / f, relative.
 double farthest(const std::vector<double>& power, double corner) {
   double most = 0.0;
@@ -165,7 +97,8 @@ double farthest(const std::vector<double>& power, double corner) {
 }
 
 TEST(OneOverF, HasTheSpectrumThatWasPutIn) {
-  const std::vector<double> power = spectrum(one_over_f_noise(drifting(0.05), 1, 0, kLines, kColumns, 2));
+  const std::vector<double> power =
+      column_spectrum(one_over_f_noise(drifting(0.05), 1, 0, kLines, kColumns, 2), kLines);
   EXPECT_LT(farthest(power, 0.05), 0.03);
   EXPECT_GT(farthest(power, 0.05 / 1.06), 0.03);
 }
@@ -173,7 +106,7 @@ TEST(OneOverF, HasTheSpectrumThatWasPutIn) {
 TEST(OneOverF, ThatIsWhiteIsSeen) {
   std::vector<float> white(static_cast<std::size_t>(kLines) * kColumns);
   for (std::size_t k = 0; k < white.size(); ++k) white[k] = static_cast<float>(k % 2 ? 10.0 : -10.0);
-  EXPECT_GT(farthest(spectrum(white), 0.05), 0.5);
+  EXPECT_GT(farthest(column_spectrum(white, kLines), 0.05), 0.5);
 }
 
 TEST(OneOverF, IsTheSameForAnyThreadsAndNothingWhereNoiseIsWhite) {

@@ -1,10 +1,21 @@
 #include "studies/common/report_section.h"
 
+#include <cmath>
+
 #include "core/format.h"
 #include "studies/common/html_page.h"
 #include "studies/common/report_figures.h"
 
 namespace ifov::studies {
+namespace {
+
+std::string cell(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
+  return out;
+}
+
+}  // namespace
 
 std::string sections_page(std::string_view title, const std::vector<ReportSection>& sections,
                           ReportFigures& figures) {
@@ -17,6 +28,24 @@ std::string sections_page(std::string_view title, const std::vector<ReportSectio
                      html_text(plot.caption));
   }
   return html_page(title, body);
+}
+
+std::string sections_markdown(std::string_view title, std::string_view about, std::string_view prefix,
+                              const std::vector<ReportSection>& sections) {
+  std::string out = format("# {}\n\n{}\n", title, about);
+  for (const ReportSection& section : sections) {
+    out += format("\n## {}\n\n{}\n\n| what | found | must be | |\n|---|---|---|---|\n", section.title,
+                  section.text);
+    for (const Figure& f : section.figures.figures())
+      out += format("| {} | {} {} | {} | {} |\n", cell(f.meaning),
+                    std::isfinite(f.value) ? format("{:.3g}", f.value) : "-", cell(f.unit), cell(f.must),
+                    !f.ok   ? ""
+                    : *f.ok ? "yes"
+                            : "**no**");
+    for (const ReportPlot& plot : section.plots)
+      out += format("\n![{}]({}_{}.svg)\n\n{}\n", plot.plot.title, prefix, plot.name, plot.caption);
+  }
+  return out;
 }
 
 }  // namespace ifov::studies

@@ -35,4 +35,8 @@ struct ReportSection {
 std::string sections_page(std::string_view title, const std::vector<ReportSection>& sections,
                           ReportFigures& figures);
 
+/// The same as Markdown; its plots are PREFIX_name.svg beside it.
+std::string sections_markdown(std::string_view title, std::string_view about, std::string_view prefix,
+                              const std::vector<ReportSection>& sections);
+
 }  // namespace ifov::studies

@@ -133,6 +133,7 @@ double SceneRenderer::render_abundances(int n, const Choices& choices, render::T
   const LabelGrid sampler(n);
   const render::RenderJob own = parts.job();
   render::RenderJob job{own.scene, own.camera, own.footprint, sampler, nullptr, own.transport};
+  job.groups = own.groups;
   job.label_detail = render::LabelDetail::material;
   job.pilot_rays = false;
   job.tile_px = choices.tile_px;

@@ -33,6 +33,7 @@ RenderTimes render_document(const std::string& text, const std::filesystem::path
                         own.steering_channels,
                         own.air};
   job.nodes = own.nodes;
+  job.groups = own.groups;
   job.wings = own.wings;
   job.cut = own.cut;
   image.begin(parts.info);
