@@ -53,7 +53,8 @@ PlainFootprint::PlainFootprint(const io::SensorDocument& sensor) : side_px_(std:
   } else if (const auto* airy = std::get_if<io::AiryPsf>(&sensor.psf)) {
     const auto camera = sensor.camera.settings->optics();
     if (!camera) throw std::runtime_error("an Airy pattern without a frame camera");
-    airy_q_px_ = airy->wavelength_um * 1e-6 * camera->focal_length_m / (airy->aperture_m * camera->pitch_m);
+    airy_q_px_ = airy->wavelength_um.value() * 1e-6 * camera->focal_length_m /
+                 (airy->aperture_m.value() * camera->pitch_m);
     reach_px_ = std::numeric_limits<double>::infinity();
   } else if (std::holds_alternative<io::KernelPsf>(sensor.psf)) {
     throw std::runtime_error("the plain tracer knows no PSF from an image");

@@ -20,6 +20,7 @@
 #include "render/view_renderer.h"
 #include "render/wing_light.h"
 #include "sampling/image/survey.h"
+#include "sampling/pixel_footprint.h"
 #include "sampling/pixel_sampler.h"
 #include "sampling/tile.h"
 #include "scene/scene.h"
@@ -53,7 +54,19 @@ std::vector<math::Vec3> sun_and_its_images(const transport::SpectralScene& scene
   return directions;
 }
 
+/// What is no channel's own has what that of the reference, the first, has.
+std::vector<double> cut_by_column(const std::vector<double>& by_channel, const SceneField& field) {
+  std::vector<double> cut;
+  for (int c = 0; !by_channel.empty() && c < field.columns(); ++c)
+    cut.push_back(by_channel[static_cast<std::size_t>(std::max(0, field.channel_of(c)))]);
+  return cut;
+}
+
 }  // namespace
+
+double RenderJob::reach_px() const {
+  return groups != nullptr ? groups->half_width_px() : footprint.half_width_px();
+}
 
 Progress render_image(const RenderJob& job, const RenderControl& control, TileSink& sink) {
   if (const sensor::ViewListCamera* const views = job.camera.view_list())
@@ -95,6 +108,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     problem.image = {0, 0, width, height};
     problem.seed = job.seed;
     problem.footprint = &job.footprint;
+    problem.groups = job.groups;
     problem.tolerance = job.tolerance;
     problem.steering_channels = steering_channels;
     problem.cancel = control.cancel;
@@ -126,8 +140,8 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     sampling::TileResult result;
     job.sampler.sample(problem, field, result);
     const std::vector<sampling::Reasons> sampled = result.reasons;
-    if (job.wings != nullptr) add_wings(*job.wings, problem, job.tolerance, field, result);
-    widen_by_cut(job.cut, problem.later, job.tolerance, result);
+    if (!job.wings.empty()) add_wings(job.wings, problem, job.tolerance, field, result);
+    widen_by_cut(cut_by_column(job.cut, field), problem.later, job.tolerance, result);
     result.rays = field.counts();
     result.rays += before.rays;
     field.unseen().settle(job.tolerance, problem.later, result);

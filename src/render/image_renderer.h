@@ -11,6 +11,7 @@
 #include "transport/transport_options.h"
 
 namespace ifov::sampling {
+class FootprintGroups;
 class PixelFootprint;
 class PixelSampler;
 }  // namespace ifov::sampling
@@ -48,8 +49,11 @@ struct RenderJob {
   std::vector<int> steering_channels{};        ///< channels that steer the sampler
   std::span<const AtmosphereHalfWidth> air{};  ///< by channel; empty: the air has no error that is known
   std::span<const NodeHalfWidth> nodes{};      ///< by channel; empty: not known, or in those of the air
-  const sensor::PsfWings* wings = nullptr;     ///< of the footprint's PSF; null: it has none
-  double cut = 0.0;            ///< share of the PSF's energy that is cut off and stands in no wings
+  const sampling::FootprintGroups* groups =
+      nullptr;  ///< of channels whose footprints differ; null: that one is of all
+  std::vector<const sensor::PsfWings*> wings{};  ///< of the PSF, by group of footprints; empty: it has none
+  /// By channel: share of the PSF's energy that is cut off and stands in no wings, or that its group's has elsewhere; empty: none.
+  std::vector<double> cut{};
   bool image_wide = false;     ///< the tolerance is of the image, not of each pixel
   bool keep_memory = false;    ///< tiles carry what a run at a tighter tolerance can go on from
   bool keep_variances = true;  ///< else tiles have half-widths alone, unless they are to be gone on from
@@ -57,6 +61,9 @@ struct RenderJob {
   EarlierTiles* earlier = nullptr;                    ///< tiles of a run at a looser tolerance, to go on from
   const Polarimetry* polarimetry = nullptr;           ///< null: radiance alone
   bool parts = false;                                 ///< tiles tell the parts that radiance is made of
+
+  /// Half the width of the widest footprint about its pixel's centre.
+  double reach_px() const;
 };
 
 /// How the work is done; the result does not depend on it.

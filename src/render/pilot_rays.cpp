@@ -10,7 +10,6 @@
 #include "geometry/world.h"
 #include "render/image_renderer.h"
 #include "render/small_pieces.h"
-#include "sampling/pixel_footprint.h"
 #include "sampling/pixel_sampler.h"
 #include "sampling/tile.h"
 #include "sensor/camera.h"
@@ -376,8 +375,6 @@ PilotRays::Near PilotRays::near(sampling::PixelRect tile, double margin_px) cons
   return found;
 }
 
-double PilotRays::margin_px(const RenderJob& job) {
-  return job.sampler.halo_px() + job.footprint.half_width_px();
-}
+double PilotRays::margin_px(const RenderJob& job) { return job.sampler.halo_px() + job.reach_px(); }
 
 }  // namespace ifov::render

@@ -50,6 +50,10 @@ SceneField::~SceneField() = default;
 
 int SceneField::leader(int column) const { return light_->columns().leader(column); }
 
+int SceneField::channel_of(int column) const {
+  return column < blends_.first_column() ? light_->columns().channel_of(column) : -1;
+}
+
 void SceneField::settle(sampling::TileResult& tile) const { light_->columns().settle(tile); }
 
 void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) {

@@ -44,6 +44,7 @@ class SceneField final : public sampling::Field {
   /// are mixed somewhere (BlendColumns), then light that is not sought (UnseenLight).
   int columns() const override { return blends_.first_column() + blends_.count() + unseen_.count(); }
   int leader(int column) const override;
+  int channel_of(int column) const override;
   void labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) override;
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
               std::span<float> values) override;

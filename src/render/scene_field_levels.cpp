@@ -28,13 +28,15 @@ void variance_to_channels(const radiometry::SpectralNodes& nodes, float* in_node
 }  // namespace
 
 void SceneField::levels(const sampling::LevelRequests& of, sampling::LevelSums& sums) {
-  if (light_->polarized()) return Field::levels(of, sums);
+  // Values that weigh unlike by channel are no sums of spectra.
+  if (light_->polarized() || !of.importance.empty()) return Field::levels(of, sums);
   const radiometry::SpectralNodes& nodes = scene_.nodes();
   const std::size_t row_length = static_cast<std::size_t>(stride()), in_nodes = scene_.stride(),
                     channels = nodes.channel_count(), others = static_cast<std::size_t>(columns()) - channels;
   for (std::vector<float>* rows : {&sums.direct, &sums.direct_variance, &sums.rest, &sums.rest_variance})
     rows->assign(of.counts.size() * row_length, 0.0f);
   sums.labels.resize(of.requests.size());
+  sums.label_weights.clear();
   sampling::LevelAccumulator spectra(in_nodes), beside(others);
   // Parts add up to what they are parts of to the last digits only where no sum of many values rounds them off.
   const PartColumns& parts = light_->columns().parts();

@@ -7,6 +7,7 @@
 #include "render/mirrors/glints.h"
 #include "render/mirrors/highlights.h"
 #include "render/mirrors/mirror_images.h"
+#include "render/polarized/stokes_columns.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/unseen/unseen_emitters.h"
 #include "render/unseen/unseen_images.h"
@@ -14,13 +15,17 @@
 #include "sampling/pixel_footprint.h"
 #include "sampling/pixel_limits.h"
 #include "sampling/tile.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::render {
 
 UnsampledLight::UnsampledLight(const RenderJob& job, int threads, const CancelToken* cancel)
     : job_(job), transport_(job.transport) {
-  const double margin_px = job.footprint.half_width_px();
+  const double margin_px = job.reach_px();
   const LightTold told(job.polarimetry, job.parts);
+  const StokesColumns columns(told, job.scene.nodes());
+  for (std::size_t c = 0; c < columns.count(); ++c)
+    channels_.push_back(columns.channel_of(static_cast<int>(c)));
   transport_.sought_only = true;
   if (transport_.maximum_scatterings != 0 && Glints::in(job.scene))
     glints_ = std::make_unique<const Glints>(job.scene, job.camera, margin_px, job.seed, told);
@@ -65,9 +70,10 @@ std::shared_ptr<const sampling::LaterLight> UnsampledLight::tell(const sampling:
 }
 
 void UnsampledLight::add_to(sampling::TileResult& tile) const {
-  if (glints_ != nullptr) glints_->add_to(job_.footprint, job_.tolerance, tile);
-  if (highlights_ != nullptr) highlights_->add_to(job_.footprint, job_.tolerance, tile);
-  if (mirror_images_ != nullptr) mirror_images_->add_to(job_.footprint, job_.tolerance, tile);
+  const sampling::ColumnFootprints footprints(job_.footprint, job_.groups, channels_);
+  if (glints_ != nullptr) glints_->add_to(footprints, job_.tolerance, tile);
+  if (highlights_ != nullptr) highlights_->add_to(footprints, job_.tolerance, tile);
+  if (mirror_images_ != nullptr) mirror_images_->add_to(footprints, job_.tolerance, tile);
 }
 
 void UnsampledLight::settle(sampling::TileResult& tile) const {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "transport/transport_options.h"
 
@@ -48,6 +49,7 @@ class UnsampledLight {
  private:
   const RenderJob& job_;
   transport::TransportOptions transport_;
+  std::vector<int> channels_;  // by column of light
   std::unique_ptr<const Glints> glints_;
   std::unique_ptr<const Highlights> highlights_;
   std::unique_ptr<const MirrorImages> mirror_images_;

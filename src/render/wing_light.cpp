@@ -5,8 +5,11 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include "render/tolerance/accuracy_tolerance.h"
+#include "sampling/pixel_footprint.h"
 #include "sampling/pixel_limits.h"
 #include "sampling/quantiles.h"
 #include "sampling/random.h"
@@ -97,7 +100,7 @@ class Cells {
 
 /// What reaches one pixel by way of the wings.
 struct Gathered {
-  double weight = 0.0;  // of all cells, of the whole response
+  std::vector<double> weight;  // by group: of all cells, of the whole response
   std::vector<double> sum, variance;
   std::map<std::uint32_t, double> materials;
   double mixed = 0.0;  // variance of shares of materials, at most
@@ -105,13 +108,20 @@ struct Gathered {
 
 class Wings {
  public:
-  Wings(const PsfWings& wings, const sampling::TileProblem& problem, sampling::Field& field)
+  Wings(std::span<const PsfWings* const> wings, const sampling::ColumnFootprints& footprints,
+        const sampling::TileProblem& problem, sampling::Field& field)
       : wings_(wings),
+        runs_(wings.size()),
         near_(around(problem.tile, PsfWings::kNear), 1, problem.seed, problem.cancel, field),
         middle_(around(problem.tile, PsfWings::kMiddle), PsfWings::kNear, problem.seed, problem.cancel,
                 field),
         far_(around(problem.tile, PsfWings::kFar), PsfWings::kMiddle, problem.seed, problem.cancel, field),
         columns_(static_cast<std::size_t>(field.columns())) {
+    for (std::size_t c = 0; c < columns_; ++c) {
+      auto& runs = runs_[footprints.group_of(c)];
+      if (runs.empty() || runs.back().second != c) runs.emplace_back(c, c);
+      ++runs.back().second;
+    }
     beyond_.resize(columns_);
     darkest_.assign(columns_, std::numeric_limits<double>::infinity());
     brightest_.assign(columns_, -std::numeric_limits<double>::infinity());
@@ -126,7 +136,8 @@ class Wings {
   }
 
   void gather(int x, int y, Gathered& found) const {
-    found.weight = found.mixed = 0.0;
+    found.weight.assign(wings_.size(), 0.0);
+    found.mixed = 0.0;
     found.sum.assign(columns_, 0.0);
     found.variance.assign(columns_, 0.0);
     found.materials.clear();
@@ -135,10 +146,12 @@ class Wings {
                     far = around(pixel, PsfWings::kFar);
     for (int j = near.y0; j < near.y1; ++j)
       for (int i = near.x0; i < near.x1; ++i) {
-        double weight[4];
-        for (int quarter = 0; quarter < 4; ++quarter)
-          weight[quarter] = wings_.half_cell(2 * (i - x) + quarter % 2, 2 * (j - y) + quarter / 2);
-        add(near_, near_.cell_at(i, j), weight, found);
+        for (std::size_t group = 0; group < wings_.size(); ++group) {
+          double weight[4];
+          for (int quarter = 0; quarter < 4; ++quarter)
+            weight[quarter] = wings_[group]->half_cell(2 * (i - x) + quarter % 2, 2 * (j - y) + quarter / 2);
+          add(near_, near_.cell_at(i, j), weight, group, found);
+        }
       }
     add_squares(middle_, middle, near, x, y, found);
     add_squares(far_, far, middle, x, y, found);
@@ -157,26 +170,32 @@ class Wings {
     for (int j = in.y0; j < in.y1; j += side)
       for (int i = in.x0; i < in.x1; i += side) {
         if (i >= without.x0 && i < without.x1 && j >= without.y0 && j < without.y1) continue;
-        double weight[4];
-        std::fill_n(weight, 4, 0.25 * wings_.square(i - x, j - y, side));
-        add(cells, cells.cell_at(i, j), weight, found);
+        for (std::size_t group = 0; group < wings_.size(); ++group) {
+          double weight[4];
+          std::fill_n(weight, 4, 0.25 * wings_[group]->square(i - x, j - y, side));
+          add(cells, cells.cell_at(i, j), weight, group, found);
+        }
       }
   }
 
-  void add(const Cells& cells, std::size_t cell, const double (&weight)[4], Gathered& found) const {
+  void add(const Cells& cells, std::size_t cell, const double (&weight)[4], std::size_t group,
+           Gathered& found) const {
     const double all = weight[0] + weight[1] + weight[2] + weight[3];
     if (!(all > 0.0)) return;
-    found.weight += all;
+    found.weight[group] += all;
     double squares = 0.0;
     bool one_material = true;
     for (int quarter = 0; quarter < 4; ++quarter) {
       const double w = weight[quarter];
       squares += w * w;
       const float* value = cells.value(cell, quarter);
-      for (std::size_t c = 0; c < columns_; ++c) found.sum[c] += w * value[c];
+      for (const auto& [first, last] : runs_[group])
+        for (std::size_t c = first; c < last; ++c) found.sum[c] += w * value[c];
       one_material = one_material && cells.material(cell, quarter) == cells.material(cell, 0);
     }
-    for (std::size_t c = 0; c < columns_; ++c) found.variance[c] += squares * cells.variance(cell, c);
+    for (const auto& [first, last] : runs_[group])
+      for (std::size_t c = first; c < last; ++c) found.variance[c] += squares * cells.variance(cell, c);
+    if (group != kReference) return;
     if (one_material) {
       found.materials[cells.material(cell, 0)] += all;
     } else {
@@ -186,7 +205,10 @@ class Wings {
     }
   }
 
-  const PsfWings& wings_;
+  static constexpr std::size_t kReference = 0;  // the group whose footprint shares of materials hold for
+
+  std::span<const PsfWings* const> wings_;
+  std::vector<std::vector<std::pair<std::size_t, std::size_t>>> runs_;  // [first, last) of columns, by group
   Cells near_, middle_, far_;
   std::size_t columns_;
   std::vector<double> beyond_, darkest_, brightest_;  // by column
@@ -229,11 +251,16 @@ void add_materials(const Gathered& found, double kept, double scale, double rest
 
 }  // namespace
 
-void add_wings(const PsfWings& wings, const sampling::TileProblem& problem,
+void add_wings(std::span<const PsfWings* const> wings, const sampling::TileProblem& problem,
                const AccuracyTolerance* tolerance, sampling::Field& field, sampling::TileResult& tile) {
-  const Wings around_tile(wings, problem, field);
+  const sampling::ColumnFootprints footprints = problem.footprints(field);
+  const Wings around_tile(wings, footprints, problem, field);
   const std::size_t columns = static_cast<std::size_t>(tile.columns);
   const double normal = sampling::two_sided_normal(tolerance != nullptr ? tolerance->confidence() : 0.95);
+  struct Shares {
+    double rest, scale, core;
+  };
+  std::vector<Shares> shares(wings.size());  // by group
   Gathered found;
   std::vector<double> mean(columns), limit(columns);
   std::vector<sampling::Abundance> abundances;
@@ -243,11 +270,15 @@ void add_wings(const PsfWings& wings, const sampling::TileProblem& problem,
     const int width = tile.tile.width();
     const int x = tile.tile.x0 + static_cast<int>(p) % width, y = tile.tile.y0 + static_cast<int>(p) / width;
     around_tile.gather(x, y, found);
-    // Numerical integration of the wings is right within 1e-4; all shares add up to 1.
-    const double rest = std::max(0.0, 1.0 - wings.kept() - found.weight);
-    const double scale = 1.0 / (wings.kept() + found.weight + rest), core = wings.kept() * scale;
+    for (std::size_t group = 0; group < wings.size(); ++group) {
+      const double kept = wings[group]->kept(), weight = found.weight[group];
+      // Numerical integration of the wings is right within 1e-4; all shares add up to 1.
+      const double rest = std::max(0.0, 1.0 - kept - weight), scale = 1.0 / (kept + weight + rest);
+      shares[group] = {rest, scale, kept * scale};
+    }
     for (std::size_t c = 0; c < columns; ++c) {
       const std::size_t at = p * columns + c;
+      const auto [rest, scale, core] = shares[footprints.group_of(c)];
       tile.mean[at] =
           static_cast<float>(core * tile.mean[at] + scale * (found.sum[c] + rest * around_tile.beyond(c)));
       if (!tile.has_errors()) continue;
@@ -261,8 +292,9 @@ void add_wings(const PsfWings& wings, const sampling::TileProblem& problem,
     if (tile.has_errors() && tolerance != nullptr) judge(*tolerance, problem.later, p, mean, limit, tile);
     const std::size_t first = next;
     while (next < tile.abundances.size() && tile.abundances[next].pixel == p) ++next;
-    add_materials(found, wings.kept(), scale, rest, normal, static_cast<std::uint32_t>(p),
-                  std::span(tile.abundances).subspan(first, next - first), abundances);
+    add_materials(found, wings.front()->kept(), shares.front().scale, shares.front().rest, normal,
+                  static_cast<std::uint32_t>(p), std::span(tile.abundances).subspan(first, next - first),
+                  abundances);
     tile.samples[p] += 4;
     tile.radiance_evaluations[p] += 4;
   }
@@ -270,9 +302,10 @@ void add_wings(const PsfWings& wings, const sampling::TileProblem& problem,
   tile.halo_samples += around_tile.paths() - 4 * tile.samples.size();
 }
 
-void widen_by_cut(double left_out, const sampling::LaterLight* later, const AccuracyTolerance* tolerance,
-                  sampling::TileResult& tile) {
-  if (!(left_out > 0.0) || !tile.has_errors()) return;
+void widen_by_cut(std::span<const double> left_out, const sampling::LaterLight* later,
+                  const AccuracyTolerance* tolerance, sampling::TileResult& tile) {
+  if (std::none_of(left_out.begin(), left_out.end(), [](double share) { return share > 0.0; })) return;
+  if (!tile.has_errors()) return;
   const std::size_t columns = static_cast<std::size_t>(tile.columns), pixels = tile.samples.size();
   std::vector<double> darkest(columns, std::numeric_limits<double>::infinity()),
       brightest(columns, -darkest[0]);
@@ -284,8 +317,9 @@ void widen_by_cut(double left_out, const sampling::LaterLight* later, const Accu
   for (std::size_t p = 0; p < pixels; ++p) {
     for (std::size_t c = 0; c < columns; ++c) {
       const std::size_t at = p * columns + c;
-      tile.half_width[at] += static_cast<float>(
-          left_out * std::max(brightest[c] - tile.mean[at], static_cast<double>(tile.mean[at]) - darkest[c]));
+      tile.half_width[at] +=
+          static_cast<float>(left_out[c] * std::max(brightest[c] - tile.mean[at],
+                                                    static_cast<double>(tile.mean[at]) - darkest[c]));
     }
     if (tolerance != nullptr) judge(*tolerance, later, p, mean, limit, tile);
   }

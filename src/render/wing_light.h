@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "sampling/tile.h"
 
 namespace ifov::sensor {
@@ -17,14 +19,15 @@ inline constexpr double kCutShare = 0.1;
 /// (which must be normalised). The wings' cells are looked at by 2 x 2 stratified paths each; their variance goes into
 /// the tile's, by what a plane through the four leaves over. What lies beyond the wings is taken to be as the mean of
 /// the farthest cells, and half-widths grow by its share times the largest difference to that of any cell; pixels are
-/// judged anew by what was asked for, and those that the wings leave too wide get Reason::psf_cut. Abundances follow.
-/// `tolerance` may be null. Throws Cancelled.
-void add_wings(const sensor::PsfWings& wings, const sampling::TileProblem& problem,
+/// judged anew by what was asked for, and those that the wings leave too wide get Reason::psf_cut. Abundances follow, by the wings
+/// of the reference. `wings`: by group of the problem's footprints; one where it has no groups. `tolerance` may be null. Throws Cancelled.
+void add_wings(std::span<const sensor::PsfWings* const> wings, const sampling::TileProblem& problem,
                const AccuracyTolerance* tolerance, sampling::Field& field, sampling::TileResult& tile);
 
-/// For a cut without wings: half-widths grow by `left_out` of the energy times the largest difference to any other pixel
-/// of the tile, and pixels that are too wide for it get Reason::psf_cut. `later`: light that will join them; may be null.
-void widen_by_cut(double left_out, const sampling::LaterLight* later, const AccuracyTolerance* tolerance,
-                  sampling::TileResult& tile);
+/// For a cut without wings: half-widths grow by `left_out` of the energy, by column, times the largest difference to any other pixel
+/// of the tile, and pixels that are too wide for it get Reason::psf_cut. Nothing where it is empty or all 0. `later`: light that will
+/// join them; may be null.
+void widen_by_cut(std::span<const double> left_out, const sampling::LaterLight* later,
+                  const AccuracyTolerance* tolerance, sampling::TileResult& tile);
 
 }  // namespace ifov::render

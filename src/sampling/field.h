@@ -73,6 +73,8 @@ class Field {
 
   /// The column, itself or one before, that decides how its values are weighed: its parts' too, so that they go on adding up to it.
   virtual int leader(int column) const { return column; }
+  /// The channel whose footprint weighs a column; below 0: none's, it holds for the reference (FootprintGroups).
+  virtual int channel_of(int column) const { return column; }
   virtual void labels(std::span<const FocalPoint> points, std::span<Label> labels) = 0;
 
   /// One path each: its label, and its radiance in every column at values[k * stride() + column].

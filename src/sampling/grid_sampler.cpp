@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
 #include "sampling/hash.h"
 #include "sampling/pixel_accumulator.h"
+#include "sampling/pixel_footprint.h"
 #include "sampling/quantiles.h"
 #include "sampling/sub_element_lattice.h"
 #include "sampling/value_batch.h"
@@ -59,6 +61,62 @@ class GridOrder {
   int first_column_, first_row_, width_, height_;
 };
 
+/// All columns of a field, by group.
+std::vector<std::vector<std::size_t>> columns_by_group(const ColumnFootprints& footprints, int columns) {
+  std::vector<int> all(static_cast<std::size_t>(columns));
+  std::iota(all.begin(), all.end(), 0);
+  return footprints.positions(all);
+}
+
+/// A pixel whose columns weigh samples by group.
+class GroupedPixel {
+ public:
+  /// Keeps a reference.
+  GroupedPixel(const std::vector<std::vector<std::size_t>>& columns_of, int columns)
+      : columns_of_(columns_of), columns_(static_cast<std::size_t>(columns)) {
+    for (const auto& own : columns_of) groups_.emplace_back(static_cast<int>(own.size()));
+  }
+
+  void clear() {
+    for (PixelAccumulator& group : groups_) group.clear();
+  }
+  void add(std::size_t group, double weight, Label label, std::uint32_t material, const float* values) {
+    if (groups_.size() == 1) return groups_[0].add(weight, label, material, values);
+    if (weight == 0.0) return;
+    own_.clear();
+    for (const std::size_t column : columns_of_[group]) own_.push_back(values[column]);
+    groups_[group].add(weight, label, material, own_.data());
+  }
+  /// Samples of the group that has fewest.
+  int fewest() const {
+    int count = groups_.front().count();
+    for (const PixelAccumulator& group : groups_) count = std::min(count, group.count());
+    return count;
+  }
+  /// Shares of materials are those of the reference.
+  PixelEstimate estimate() const {
+    PixelEstimate all = groups_.front().estimate();
+    if (groups_.size() == 1) return all;
+    for (std::vector<double>* row : {&all.mean, &all.variance_geometry, &all.variance_path})
+      row->resize(columns_);
+    for (std::size_t group = groups_.size(); group-- > 0;) {
+      const PixelEstimate own = groups_[group].estimate();
+      for (std::size_t k = 0; k < columns_of_[group].size(); ++k) {
+        all.mean[columns_of_[group][k]] = own.mean[k];
+        all.variance_geometry[columns_of_[group][k]] = own.variance_geometry[k];
+        all.variance_path[columns_of_[group][k]] = own.variance_path[k];
+      }
+    }
+    return all;
+  }
+
+ private:
+  const std::vector<std::vector<std::size_t>>& columns_of_;
+  std::size_t columns_;
+  std::vector<PixelAccumulator> groups_;
+  std::vector<float> own_;
+};
+
 }  // namespace
 
 GridSampler::GridSampler(int columns_per_pixel, int rows_per_pixel)
@@ -69,14 +127,19 @@ GridSampler::GridSampler(int columns_per_pixel, int rows_per_pixel)
 void GridSampler::sample(const TileProblem& problem, Field& field, TileResult& result) const {
   result.reset(problem.tile, field.columns());
   const RayCounts before = field.counts();
-  const SubElementLattice lattice(*problem.footprint, columns_, rows_);
+  const ColumnFootprints footprints = problem.footprints(field);
+  std::vector<SubElementLattice> lattices;
+  for (std::size_t group = 0; group < footprints.groups(); ++group)
+    lattices.emplace_back(footprints, group, columns_, rows_);
+  const SubElementLattice& lattice = lattices.front();  // sub-elements are the same in all
+  const std::vector<std::vector<std::size_t>> columns_of = columns_by_group(footprints, field.columns());
   const GridOrder order(lattice, problem.tile);
   StudentTable student(confidence_of(problem));
   const int tile_width = problem.tile.width();
 
-  const auto write = [&](const PixelAccumulator& pixel, std::size_t index) {
+  const auto write = [&](const GroupedPixel& pixel, std::size_t index) {
     PixelEstimate estimate = pixel.estimate();
-    if (pixel.count() > 1) estimate.quantile = student(pixel.count() - 1);
+    if (pixel.fewest() > 1) estimate.quantile = student(pixel.fewest() - 1);
     estimate.spent = true;
     write_pixel(estimate, problem, index, result);
   };
@@ -108,19 +171,19 @@ void GridSampler::sample(const TileProblem& problem, Field& field, TileResult& r
     const int j1 = std::min(t.y1 - 1, floor_divide(b, rows_));
     for (int j = j0; j <= j1; ++j)
       for (int i = i0; i <= i1; ++i)
-        add(static_cast<std::size_t>((j - t.y0) * tile_width + i - t.x0),
-            lattice.weight(a - i * columns_, b - j * rows_));
+        add(static_cast<std::size_t>((j - t.y0) * tile_width + i - t.x0), a - i * columns_, b - j * rows_);
   };
 
-  std::vector<PixelAccumulator> pixels(order.shared() ? result.samples.size() : 1,
-                                       PixelAccumulator(result.columns));
+  std::vector<GroupedPixel> pixels(order.shared() ? result.samples.size() : 1,
+                                   GroupedPixel(columns_of, result.columns));
   for_each_value(field, problem.cancel, order.count(), request,
                  [&](std::size_t k, Label label, const float* values) {
                    const std::uint32_t material = field.material_of(label);
-                   share_out(k, [&](std::size_t index, double weight) {
-                     PixelAccumulator& pixel = pixels[order.shared() ? index : 0];
-                     pixel.add(weight, label, material, values);
-                     if (order.shared() || pixel.count() < order.per_pixel()) return;
+                   share_out(k, [&](std::size_t index, int a, int b) {
+                     GroupedPixel& pixel = pixels[order.shared() ? index : 0];
+                     for (std::size_t group = 0; group < lattices.size(); ++group)
+                       pixel.add(group, lattices[group].weight(a, b), label, material, values);
+                     if (order.shared() || pixel.fewest() < order.per_pixel()) return;
                      write(pixel, index);
                      pixel.clear();
                    });
@@ -135,26 +198,44 @@ void SingleSampler::sample(const TileProblem& problem, Field& field, TileResult&
   const RayCounts before = field.counts();
   const int width = problem.tile.width();
   const std::size_t columns = static_cast<std::size_t>(field.columns());
+  // Footprints that have one centre have one ray.
+  const ColumnFootprints footprints = problem.footprints(field);
+  std::vector<Point2> centres;
+  std::vector<std::size_t> ray_of_group;
+  for (std::size_t group = 0; group < footprints.groups(); ++group) {
+    const Point2 shift = footprints.shift_px(group);
+    std::size_t ray = 0;
+    while (ray < centres.size() && (centres[ray].x != shift.x || centres[ray].y != shift.y)) ++ray;
+    if (ray == centres.size()) centres.push_back(shift);
+    ray_of_group.push_back(ray);
+  }
+  std::vector<std::vector<std::size_t>> columns_of(centres.size());
+  for (std::size_t c = 0; c < columns; ++c) columns_of[ray_of_group[footprints.group_of(c)]].push_back(c);
   // One point finds a feature of area a with probability a.
   constexpr float kFoundArea = 0.95f;
-  result.samples.assign(result.samples.size(), 1);
-  result.radiance_evaluations.assign(result.samples.size(), 1);
+  const auto rays = static_cast<std::uint32_t>(centres.size());
+  result.samples.assign(result.samples.size(), rays);
+  result.radiance_evaluations.assign(result.samples.size(), rays);
   result.missable_fraction.assign(result.samples.size(), kFoundArea);
   if (problem.tolerance != nullptr)
     result.worst_ratio.assign(result.samples.size(), std::numeric_limits<float>::infinity());
   result.abundances.reserve(result.samples.size());
   for_each_value(
-      field, problem.cancel, static_cast<std::size_t>(problem.tile.count()),
-      [&](std::size_t pixel) {
+      field, problem.cancel, static_cast<std::size_t>(problem.tile.count()) * centres.size(),
+      [&](std::size_t k) {
+        const std::size_t pixel = k / centres.size();
+        const Point2 centre = centres[k % centres.size()];
         const int i = problem.tile.x0 + static_cast<int>(pixel) % width;
         const int j = problem.tile.y0 + static_cast<int>(pixel) / width;
-        return PathRequest{{i + 0.5, j + 0.5}, hash(problem.seed, i, j, kPixelPaths), 0};
+        return PathRequest{
+            {i + 0.5 + centre.x, j + 0.5 + centre.y}, hash(problem.seed, i, j, kPixelPaths), 0};
       },
-      [&](std::size_t pixel, Label label, const float* values) {
-        std::copy(values, values + columns,
-                  result.mean.begin() + static_cast<std::ptrdiff_t>(pixel * columns));
-        result.abundances.push_back({static_cast<std::uint32_t>(pixel), field.material_of(label), 1.0f,
-                                     std::numeric_limits<float>::quiet_NaN()});
+      [&](std::size_t k, Label label, const float* values) {
+        const std::size_t pixel = k / centres.size(), ray = k % centres.size();
+        for (const std::size_t c : columns_of[ray]) result.mean[pixel * columns + c] = values[c];
+        if (ray == 0)
+          result.abundances.push_back({static_cast<std::uint32_t>(pixel), field.material_of(label), 1.0f,
+                                       std::numeric_limits<float>::quiet_NaN()});
       });
   result.rays = rays_since(before, field);
 }

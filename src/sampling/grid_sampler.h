@@ -20,7 +20,7 @@ class GridSampler final : public PixelSampler {
   int columns_, rows_;
 };
 
-/// One ray through the centre of each element, whatever the footprint. A single sample says nothing of its
+/// One ray through the centre of each element, whatever the footprint; one for each centre where those of channels are shifted. A single sample says nothing of its
 /// error: there are no variances and half-widths, and no pixel counts as converged.
 class SingleSampler final : public PixelSampler {
  public:

@@ -5,11 +5,11 @@
 
 namespace ifov::sampling {
 
-SubElementLattice::SubElementLattice(const PixelFootprint& footprint, int columns_per_pixel,
-                                     int rows_per_pixel)
+SubElementLattice::SubElementLattice(const ColumnFootprints& footprints, std::size_t group,
+                                     int columns_per_pixel, int rows_per_pixel)
     : columns_(columns_per_pixel), rows_(rows_per_pixel), width_(columns_per_pixel), height_(rows_per_pixel) {
-  const double reach = footprint.half_width_px();
-  if (footprint.uniform() && reach <= 0.5) {
+  const double reach = footprints.half_width_px();
+  if (footprints.groups() == 1 && footprints.footprint(0).uniform() && reach <= 0.5) {
     side_ = 2.0 * reach;
     weights_.assign(static_cast<std::size_t>(width_ * height_), 1.0 / (width_ * height_));
     return;
@@ -23,7 +23,7 @@ SubElementLattice::SubElementLattice(const PixelFootprint& footprint, int column
     for (int a = 0; a < width_; ++a) {
       const double x = static_cast<double>(first_column_ + a) / columns_ - 0.5;
       const double y = static_cast<double>(first_row_ + b) / rows_ - 0.5;
-      weights_.push_back(footprint.integral(x, y, x + 1.0 / columns_, y + 1.0 / rows_));
+      weights_.push_back(footprints.integral(group, x, y, x + 1.0 / columns_, y + 1.0 / rows_));
       sum += weights_.back();
     }
   for (double& w : weights_) w /= sum;

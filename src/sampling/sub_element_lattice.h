@@ -14,7 +14,9 @@ namespace ifov::sampling {
 /// pixels and are shared by all the pixels whose footprint they lie in.
 class SubElementLattice {
  public:
-  SubElementLattice(const PixelFootprint& footprint, int columns_per_pixel, int rows_per_pixel);
+  /// Weights are of one group of columns; the sub-elements are the same for all groups, as far as any of them reaches.
+  SubElementLattice(const ColumnFootprints& footprints, std::size_t group, int columns_per_pixel,
+                    int rows_per_pixel);
 
   int columns_per_pixel() const { return columns_; }
   int rows_per_pixel() const { return rows_; }

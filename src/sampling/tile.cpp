@@ -1,11 +1,19 @@
 #include "sampling/tile.h"
 
 #include <cmath>
+#include <vector>
 
 #include "core/format.h"
+#include "sampling/pixel_footprint.h"
 #include "sampling/tile_arrays.h"
 
 namespace ifov::sampling {
+
+ColumnFootprints TileProblem::footprints(const Field& field) const {
+  std::vector<int> channels;
+  for (int c = 0; groups != nullptr && c < field.columns(); ++c) channels.push_back(field.channel_of(c));
+  return {*footprint, groups, channels};
+}
 
 void TileResult::reset(PixelRect tile_pixels, int column_count, bool with_errors) {
   tile = tile_pixels;

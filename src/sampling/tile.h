@@ -19,6 +19,8 @@ class CancelToken;
 
 namespace ifov::sampling {
 
+class ColumnFootprints;
+class FootprintGroups;
 class ImageSurvey;
 class PixelFootprint;
 class Tolerance;
@@ -32,8 +34,9 @@ struct TileProblem {
                     ///< the footprint's half width
   std::uint64_t seed = 0;
   const PixelFootprint* footprint = nullptr;
-  const Tolerance* tolerance = nullptr;  ///< null for samplers that follow no accuracy
-  const LaterLight* later = nullptr;     ///< null: none
+  const FootprintGroups* groups = nullptr;  ///< of channels whose footprints differ; null: that one is of all
+  const Tolerance* tolerance = nullptr;     ///< null for samplers that follow no accuracy
+  const LaterLight* later = nullptr;        ///< null: none
   std::span<const int>
       steering_channels;  ///< columns that steer decisions (at most some dozens); all are reported
   /// Projected centres of compact objects smaller than a pixel, of tile and halo.
@@ -45,6 +48,9 @@ struct TileProblem {
   const ImageSurvey* survey = nullptr;  ///< what PixelSampler::survey() found; null where it finds nothing
   /// What an earlier run of the same problem left, with its memory, at a tolerance that is looser by a third at least.
   const TileResult* before = nullptr;
+
+  /// By the columns of a field. Needs a footprint; refers to it.
+  ColumnFootprints footprints(const Field& field) const;
 };
 
 /// Share of a pixel's response that falls on one material, with the half-width of its interval.

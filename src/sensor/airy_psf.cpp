@@ -8,17 +8,10 @@
 namespace ifov::sensor {
 namespace {
 
-/// Share of the energy within v = pi r / q (Born & Wolf, 8.5.2, equation 18).
+/// Share of the energy within v = pi r / q of a circular aperture (Born & Wolf, 8.5.2, equation 18).
 double encircled(double v) {
   const double j0 = std::cyl_bessel_j(0.0, v), j1 = std::cyl_bessel_j(1.0, v);
   return 1.0 - j0 * j0 - j1 * j1;
-}
-
-double radius_of(double energy, double q_px) {
-  double low = 0.0, high = 1.0;
-  while (encircled(high) < energy) high *= 2.0;
-  for (int i = 0; i < 100; ++i) (encircled(0.5 * (low + high)) < energy ? low : high) = 0.5 * (low + high);
-  return high * q_px / std::numbers::pi;
 }
 
 /// Relative intensity [2 J1(v) / v]^2.
@@ -41,9 +34,64 @@ double far_intensity(double v) {
 constexpr double kFar = 25.0;
 constexpr double kCellsPerQ = 24.0;  // the first dark ring lies at 1.22 q
 constexpr int kMostPupilCells = 2048;
+constexpr double kMostObscured = 0.95;
+
+/// A circular aperture whose middle is covered: intensities in those of the open one's centre, so that an aperture of the
+/// same energy has 1 / (1 - e^2) times as much.
+class Pattern {
+ public:
+  explicit Pattern(double obscuration) : e_(obscuration) {}
+
+  double at(double v) const {
+    if (e_ == 0.0) return intensity(v);
+    const double a = amplitude(v) - e_ * e_ * amplitude(e_ * v);
+    return a * a / (1.0 - e_ * e_);
+  }
+  double far(double v) const {
+    if (e_ == 0.0) return v < kFar ? intensity(v) : far_intensity(v);
+    return at(v);
+  }
+  /// Without the rings of its rim; those by which the waves of both rims beat are slower, and stay.
+  double smooth(double v) const {
+    if (e_ == 0.0) return smooth_intensity(v);
+    const double beat = 2.0 * std::sqrt(e_) * std::cos((1.0 - e_) * v);
+    return smooth_intensity(v) * (1.0 + e_ - beat) / (1.0 - e_ * e_);
+  }
+  /// v within which this share of the energy falls.
+  double radius(double energy) const {
+    if (e_ == 0.0) {
+      double low = 0.0, high = 1.0;
+      while (encircled(high) < energy) high *= 2.0;
+      for (int i = 0; i < 100; ++i)
+        (encircled(0.5 * (low + high)) < energy ? low : high) = 0.5 * (low + high);
+      return high;
+    }
+    // dE = I v dv / 2, by Simpson's rule.
+    constexpr double kStep = 0.05;
+    double v = 0.0, sum = 0.0, before = 0.0;
+    for (;;) {
+      const double middle = at(v + 0.5 * kStep) * (v + 0.5 * kStep), end = at(v + kStep) * (v + kStep);
+      const double more = kStep / 12.0 * (before + 4.0 * middle + end);
+      if (sum + more >= energy) return v + kStep * (energy - sum) / more;
+      sum += more, before = end, v += kStep;
+    }
+  }
+
+ private:
+  /// 2 J1(v) / v.
+  static double amplitude(double v) { return v < 1e-4 ? 1.0 - v * v / 8.0 : 2.0 * bessel_1(v) / v; }
+  /// Far out by Hankel's expansion, as far_intensity().
+  static double bessel_1(double v) {
+    if (v < kFar) return std::cyl_bessel_j(1.0, v);
+    const double phase = v - 0.75 * std::numbers::pi, slow = 3.0 / (8.0 * v);
+    return std::sqrt(2.0 / (std::numbers::pi * v)) * (std::cos(phase) - slow * std::sin(phase));
+  }
+
+  double e_;
+};
 
 /// Energy of each cell by 3 x 3 Gauss points, none beyond the cut radius.
-EnergyTable tabulate(double q_px, double radius_px) {
+EnergyTable tabulate(const Pattern& pattern, double q_px, double radius_px) {
   const int cells =
       2 * static_cast<int>(std::ceil(std::min(radius_px / q_px * kCellsPerQ, 0.5 * kMostPupilCells)));
   const double cell_px = 2.0 * radius_px / cells;
@@ -54,7 +102,7 @@ EnergyTable tabulate(double q_px, double radius_px) {
   const int steps = 64 * cells;
   std::vector<double> radial(static_cast<std::size_t>(steps) + 2);
   for (std::size_t i = 0; i < radial.size(); ++i)
-    radial[i] = intensity(std::numbers::pi * radius_px * static_cast<double>(i) / steps / q_px);
+    radial[i] = pattern.at(std::numbers::pi * radius_px * static_cast<double>(i) / steps / q_px);
   const auto at = [&](double r_px) {
     const double t = r_px / radius_px * steps;
     const auto i = static_cast<std::size_t>(t);
@@ -81,8 +129,13 @@ EnergyTable tabulate(double q_px, double radius_px) {
 
 class AiryPsf final : public Psf {
  public:
-  AiryPsf(double q_px, double kept)
-      : q_px_(q_px), kept_(kept), radius_px_(radius_of(kept, q_px)), table_(tabulate(q_px, radius_px_)) {}
+  AiryPsf(double q_px, double obscuration, double kept)
+      : q_px_(q_px),
+        obscuration_(obscuration),
+        kept_(kept),
+        pattern_(obscuration),
+        radius_px_(pattern_.radius(kept) * q_px / std::numbers::pi),
+        table_(tabulate(pattern_, q_px, radius_px_)) {}
 
   double half_width_px() const override { return radius_px_; }
   double detail_px() const override { return 0.5 * q_px_; }
@@ -94,17 +147,24 @@ class AiryPsf final : public Psf {
   double cut_density(double dx_px, double dy_px, bool smooth) const override {
     const double r = std::hypot(dx_px, dy_px), v = std::numbers::pi * r / q_px_;
     if (r <= radius_px_) return 0.0;
-    const double relative = smooth ? smooth_intensity(v) : v < kFar ? intensity(v) : far_intensity(v);
+    const double relative = smooth ? pattern_.smooth(v) : pattern_.far(v);
     return 0.25 * std::numbers::pi / (q_px_ * q_px_) * relative;
   }
   std::string description() const override {
+    if (obscuration_ > 0.0)
+      return format(
+          "Airy pattern of an aperture covered to {:g} of its diameter, wavelength times f-number {:.4g} px, traced to {:.4g} px; "
+          "the {:.2g} % of the energy beyond are wings",
+          obscuration_, q_px_, radius_px_, 100.0 * (1.0 - kept_));
     return format(
         "Airy pattern, first dark ring at {:.4g} px, traced to {:.4g} px; the {:.2g} % of the energy beyond are wings",
         1.2196698912665045 * q_px_, radius_px_, 100.0 * (1.0 - kept_));
   }
 
  private:
-  double q_px_, kept_, radius_px_;
+  double q_px_, obscuration_, kept_;
+  Pattern pattern_;
+  double radius_px_;
   EnergyTable table_;
 };
 
@@ -118,12 +178,15 @@ std::unique_ptr<Psf> make_airy_psf(const AiryAperture& aperture, double encircle
           "an Airy PSF needs a positive wavelength, aperture diameter, focal length and detector pitch");
   if (!(encircled_energy >= 0.5) || !(encircled_energy <= 0.995))
     throw InputError(format("an Airy PSF cut at {} of its energy; expected 0.5 to 0.995", encircled_energy));
+  if (!(aperture.obscuration >= 0.0) || !(aperture.obscuration <= kMostObscured))
+    throw InputError(format("an Airy PSF with {} of its aperture's diameter covered; expected 0 to {}",
+                            aperture.obscuration, kMostObscured));
   const double q_px =
       aperture.wavelength_um * 1e-6 * aperture.focal_length_m / (aperture.diameter_m * aperture.pitch_m);
   if (!(q_px > 1e-3) || !(q_px < 100.0))
     throw InputError(
         format("an Airy PSF with its first dark ring at {:.3g} px; expected 0.001 to 100 px", 1.22 * q_px));
-  return std::make_unique<AiryPsf>(q_px, encircled_energy);
+  return std::make_unique<AiryPsf>(q_px, aperture.obscuration, encircled_energy);
 }
 
 }  // namespace ifov::sensor

@@ -37,8 +37,9 @@ EnergyTable near_energy(const Psf& psf, double half_px, double step_px, bool smo
 
 }  // namespace
 
-PsfWings::PsfWings(const Psf& psf, double fill_factor) : kept_(psf.kept()) {
-  const double side = std::sqrt(fill_factor), half_px = 0.25 * kHalfCells + 0.5 * side;
+PsfWings::PsfWings(const Psf& psf, double fill_factor, sampling::Point2 shift_px) : kept_(psf.kept()) {
+  const double side = std::sqrt(fill_factor), sx = shift_px.x, sy = shift_px.y;
+  const double half_px = 0.25 * kHalfCells + 0.5 * side + std::max(std::abs(sx), std::abs(sy));
   const double wanted_px = psf.detail_px() / kStepsOverDetail;
   const bool smooth = wanted_px < kFinest_px;
   double total = 0.0;
@@ -47,7 +48,8 @@ PsfWings::PsfWings(const Psf& psf, double fill_factor) : kept_(psf.kept()) {
   near_.assign(static_cast<std::size_t>(kHalfCells) * kHalfCells, 0.0);
   for (int row = 0; row < kHalfCells; ++row)
     for (int column = 0; column < kHalfCells; ++column) {
-      const double x = 0.5 * (column - kHalfCells / 2) - 0.5, y = 0.5 * (row - kHalfCells / 2) - 0.5;
+      const double x = 0.5 * (column - kHalfCells / 2) - 0.5 - sx,
+                   y = 0.5 * (row - kHalfCells / 2) - 0.5 - sy;
       double sum = 0.0;
       for (int b = 0; b < kDetectorSteps; ++b)
         for (int a = 0; a < kDetectorSteps; ++a) {
@@ -61,25 +63,30 @@ PsfWings::PsfWings(const Psf& psf, double fill_factor) : kept_(psf.kept()) {
 
   constexpr int kSub = 4;  // points along a pixel's side
   const bool rings_average = psf.detail_px() < 0.5;
+  const auto on_pixel = [&](int x, int y) {
+    double sum = 0.0;
+    for (int b = 0; b < kSub; ++b)
+      for (int a = 0; a < kSub; ++a)
+        sum +=
+            psf.cut_density(x + (a + 0.5) / kSub - 0.5 - sx, y + (b + 0.5) / kSub - 0.5 - sy, rings_average);
+    return sum / (kSub * kSub);
+  };
+  // Alike in all eighths where it stands in the middle.
+  const bool alike = sx == 0.0 && sy == 0.0;
   std::vector<double> quarter(static_cast<std::size_t>(kReach + 1) * (kReach + 1));
-  for (int y = 0; y <= kReach; ++y)
-    for (int x = 0; x <= y; ++x) {
-      double sum = 0.0;
-      for (int b = 0; b < kSub; ++b)
-        for (int a = 0; a < kSub; ++a)
-          sum += psf.cut_density(x + (a + 0.5) / kSub - 0.5, y + (b + 0.5) / kSub - 0.5, rings_average);
+  for (int y = 0; alike && y <= kReach; ++y)
+    for (int x = 0; x <= y; ++x)
       quarter[static_cast<std::size_t>(y * (kReach + 1) + x)] =
-          quarter[static_cast<std::size_t>(x * (kReach + 1) + y)] = sum / (kSub * kSub);
-    }
+          quarter[static_cast<std::size_t>(x * (kReach + 1) + y)] = on_pixel(x, y);
   constexpr std::size_t kStride = 2 * kReach + 1;
   summed_.assign(kStride * kStride, 0.0);
   for (int y = -kReach; y < kReach; ++y)
     for (int x = -kReach; x < kReach; ++x) {
       const std::size_t at =
           static_cast<std::size_t>(y + kReach) * kStride + static_cast<std::size_t>(x + kReach);
-      summed_[at + kStride + 1] =
-          quarter[static_cast<std::size_t>(std::abs(y) * (kReach + 1) + std::abs(x))] +
-          summed_[at + kStride] + summed_[at + 1] - summed_[at];
+      const double own = alike ? quarter[static_cast<std::size_t>(std::abs(y) * (kReach + 1) + std::abs(x))]
+                               : on_pixel(x, y);
+      summed_[at + kStride + 1] = own + summed_[at + kStride] + summed_[at + 1] - summed_[at];
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "sampling/random.h"
+
 namespace ifov::sensor {
 
 class Psf;
@@ -22,7 +24,8 @@ class PsfWings {
   static constexpr int kNear = 4, kMiddle = 16, kFar = 64;  ///< sides of the levels' blocks, px
   static constexpr int kBlocks = 2;                         ///< of them to each side
 
-  PsfWings(const Psf& psf, double fill_factor);
+  /// `shift_px`: from the pixel's centre to the middle of its response.
+  PsfWings(const Psf& psf, double fill_factor, sampling::Point2 shift_px = {});
 
   double kept() const { return kept_; }
   /// Share on the half-pixel cell number (2 dx + 0 or 1, 2 dy + 0 or 1), dx and dy being whole pixels from the

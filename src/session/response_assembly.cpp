@@ -1,28 +1,86 @@
 #include "session/response_assembly.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
 #include "io/document/document.h"
 #include "sampling/pixel_footprint.h"
+#include "sampling/region_interval.h"
 #include "sensor/along_track.h"
 #include "sensor/camera.h"
+#include "sensor/channel_footprints.h"
 #include "sensor/psf.h"
 #include "sensor/psf_wings.h"
 #include "session/assembly/whole/sensor_assembly.h"
 #include "session/loaded/parts.h"
 
 namespace ifov::session {
+namespace {
+
+/// A PSF that is wider than this takes more pixels around each than an image is worth.
+constexpr double kWidest_px = 64.0;
+
+std::vector<sensor::ChannelResponse> responses(const io::SensorDocument& sensor,
+                                               const std::vector<radiometry::Channel>& channels) {
+  const auto* airy = std::get_if<io::AiryPsf>(&sensor.psf);
+  const bool by_channel = airy != nullptr && !airy->wavelength_um;
+  std::vector<sensor::ChannelResponse> responses;
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    sensor::ChannelResponse& response = responses.emplace_back();
+    if (by_channel) response.wavelength_um = channels[c].centre_um;
+    if (const auto& shift = sensor.channels[c].shift_px) response.shift_px = {(*shift)[0], (*shift)[1]};
+  }
+  return responses;
+}
+
+/// How far a group's footprint may be from a channel's, in shares of its energy: nothing where it is the channel's own.
+double apart_from(const sensor::ChannelGroup& group, std::span<const sensor::ChannelResponse> channels,
+                  int channel) {
+  const bool own =
+      channels[static_cast<std::size_t>(group.like)] == channels[static_cast<std::size_t>(channel)];
+  return own ? 0.0 : sensor::kOneFootprint;
+}
+
+}  // namespace
 
 void assemble_response(Parts& parts) {
-  const std::unique_ptr<sensor::Psf> psf = assemble_psf(parts.document.sources, parts.document.sensor);
-  const double fill_factor = parts.document.sensor.fill_factor;
+  const io::SensorDocument& document = parts.document.sensor;
+  const double fill_factor = document.fill_factor;
   const sensor::AlongTrack along = parts.camera->along_track();
-  parts.footprint =
-      std::make_unique<sampling::PixelFootprint>(sensor::make_footprint(psf.get(), fill_factor, along));
-  if (psf == nullptr) return;
-  // Wings are those of a square: along the track of a longer element the cut stands in the interval.
-  if (psf->has_wings() && parts.plan.knows_errors && along.plain())
-    parts.wings = std::make_unique<sensor::PsfWings>(*psf, fill_factor);
-  else
-    parts.psf_cut = 1.0 - psf->kept();
+  const std::vector<sensor::ChannelResponse> channels = responses(document, parts.channels);
+  const std::vector<sensor::ChannelGroup> found =
+      sensor::group_channels(channels, fill_factor, [&](double wavelength_um) {
+        return std::shared_ptr<const sensor::Psf>(
+            assemble_psf(parts.document.sources, document, wavelength_um));
+      });
+  const bool has_wings = parts.plan.knows_errors && along.plain();
+  std::vector<sampling::FootprintGroup> groups;
+  std::vector<int> group_of_channel(channels.size(), 0);
+  std::vector<double> cut(channels.size(), 0.0);
+  for (const sensor::ChannelGroup& group : found) {
+    const sampling::Point2 shift = channels[static_cast<std::size_t>(group.like)].shift_px;
+    const sensor::Psf* const psf = group.psf.get();
+    if (psf != nullptr && found.size() > 1 && psf->half_width_px() > kWidest_px)
+      throw InputError(format("the PSF of channel '{}' reaches {:.3g} px to each side; expected {} at most",
+                              parts.channels[static_cast<std::size_t>(group.like)].name, psf->half_width_px(),
+                              kWidest_px));
+    groups.push_back({sensor::make_footprint(psf, fill_factor, along), shift});
+    // Wings are those of a square: along the track of a longer element the cut stands in the interval.
+    const bool wings = psf != nullptr && psf->has_wings() && has_wings;
+    if (wings) parts.wings.push_back(std::make_unique<sensor::PsfWings>(*psf, fill_factor, shift));
+    for (const int channel : group.channels) {
+      group_of_channel[static_cast<std::size_t>(channel)] = static_cast<int>(groups.size()) - 1;
+      cut[static_cast<std::size_t>(channel)] =
+          (psf != nullptr && !wings ? 1.0 - psf->kept() : 0.0) + apart_from(group, channels, channel);
+    }
+  }
+  parts.footprint = std::make_unique<sampling::PixelFootprint>(groups.front().footprint);
+  if (std::any_of(cut.begin(), cut.end(), [](double share) { return share > 0.0; }))
+    parts.psf_cut = std::move(cut);
+  const sampling::Point2 shift = groups.front().shift_px;
+  if (groups.size() == 1 && shift.x == 0.0 && shift.y == 0.0) return;
+  parts.groups = std::make_unique<sampling::FootprintGroups>(std::move(groups), std::move(group_of_channel));
 }
 
 }  // namespace ifov::session

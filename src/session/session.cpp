@@ -153,6 +153,8 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   tell_noise(document.sources, document.sensor, p.channels, p.info.channels);
   p.info.stokes = document.sensor.stokes;
   p.info.footprint_px = sampling::response_area_px(*p.footprint);
+  for (std::size_t g = 0; p.groups != nullptr && g < p.groups->size(); ++g)
+    p.info.footprint_px = std::max(p.info.footprint_px, sampling::response_area_px((*p.groups)[g].footprint));
   for (std::size_t c = 0; c < p.air.size(); ++c) p.info.channels[c].air = p.air[c];
   tell_of_emitters(*p.spectral_scene, *log);
   refuse_rare_lobes(document.sources, document.scene, *p.spectral_scene);

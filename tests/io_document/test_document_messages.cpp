@@ -245,7 +245,7 @@ TEST(DocumentMessages, WhatSectionsNeedOfEachOther) {
                          "\"psf\": {\"airy\": {\"aperture\": \"1 cm\", \"wavelength\": \"1 um\"}}"),
             "folder/a.json:39:12: an Airy PSF needs a 'frame' camera, whose focal length and pitch give its "
             "size in "
-            "pixels\n"
+            "pixels, or 'optics.focal_length' and 'detector.pitch'\n"
             "   39 |     \"psf\": {\"airy\": {\"aperture\": \"1 cm\", \"wavelength\": \"1 um\"}}\n"
             "      |            ^");
   EXPECT_EQ(message_with("{\"monochromatic\": {\"at\": \"8.5 um\"}}",

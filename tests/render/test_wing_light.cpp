@@ -113,7 +113,7 @@ Edge picture(double q_px, double tolerance, bool with_wings, std::uint64_t seed)
   problem.steering_channels = steering_channels;
   sampling::TileResult tile;
   sampling::AccuracySampler().sample(problem, field, tile);
-  if (with_wings) add_wings(wings, problem, nullptr, field, tile);
+  if (with_wings) add_wings(std::vector<const sensor::PsfWings*>{&wings}, problem, nullptr, field, tile);
   Edge edge;
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
@@ -177,7 +177,7 @@ TEST(WingLight, AnEvenFieldStaysExact) {
   std::fill(tile.mean.begin(), tile.mean.end(), 0.3f);
   tile.reasons.assign(tile.reasons.size(), 0);
   for (std::uint32_t p = 0; p < 30; ++p) tile.abundances.push_back({p, 0, 1.0f, 0.0f});
-  add_wings(wings, problem, nullptr, field, tile);
+  add_wings(std::vector<const sensor::PsfWings*>{&wings}, problem, nullptr, field, tile);
   for (std::size_t p = 0; p < 30; ++p) {
     EXPECT_NEAR(tile.mean[p], 0.3, 1e-6);
     EXPECT_NEAR(tile.half_width[p], 0.0, 1e-6);
@@ -199,7 +199,7 @@ TEST(WingLight, DoesNotDependOnTheTiling) {
     problem.seed = 7;
     sampling::TileResult tile;
     tile.reset(rect, 1);
-    add_wings(wings, problem, nullptr, field, tile);
+    add_wings(std::vector<const sensor::PsfWings*>{&wings}, problem, nullptr, field, tile);
     return tile;
   };
   const sampling::TileResult all = light({0, 0, 16, 16}), part = light({8, 4, 12, 8});
@@ -214,12 +214,12 @@ TEST(WingLight, ACutWithoutWingsIsInTheIntervalByTheContrast) {
   tile.reset({0, 0, 3, 1}, 1);
   tile.mean = {1.0f, 1.0f, 101.0f};
   tile.reasons.assign(3, 0);
-  widen_by_cut(1e-3, nullptr, nullptr, tile);
+  widen_by_cut(std::vector<double>(static_cast<std::size_t>(tile.columns), 1e-3), nullptr, nullptr, tile);
   EXPECT_NEAR(tile.half_width[0], 0.1, 1e-6);
   EXPECT_NEAR(tile.half_width[2], 0.1, 1e-6);
   tile.mean = {5.0f, 5.0f, 5.0f};
   tile.half_width = {0.0f, 0.0f, 0.0f};
-  widen_by_cut(1e-3, nullptr, nullptr, tile);
+  widen_by_cut(std::vector<double>(static_cast<std::size_t>(tile.columns), 1e-3), nullptr, nullptr, tile);
   EXPECT_EQ(tile.half_width[1], 0.0f);
 }
 
@@ -233,7 +233,7 @@ TEST(WingLight, WhatACutMakesTooWideSaysSo) {
   tile.reset({0, 0, 2, 1}, 1);
   tile.mean = {1.0f, 101.0f};
   tile.reasons.assign(2, 0);
-  widen_by_cut(1e-3, nullptr, &percent, tile);
+  widen_by_cut(std::vector<double>(static_cast<std::size_t>(tile.columns), 1e-3), nullptr, &percent, tile);
   EXPECT_NEAR(tile.worst_ratio[0], 0.1 / 0.01, 1e-4);
   EXPECT_NEAR(tile.worst_ratio[1], 0.1 / 1.01, 1e-6);
   EXPECT_EQ(tile.reasons[0], sampling::bit(sampling::Reason::psf_cut));

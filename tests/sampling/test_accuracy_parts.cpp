@@ -147,9 +147,9 @@ TEST(PixelModel, PartsThatWereForgottenLeaveNoWeights) {
   add();
   EXPECT_EQ(model.area[0], 0.0);
   for (std::size_t o = 0; o < 2; ++o) {
-    EXPECT_EQ(model.weight_of(0, o), 0.0);
-    EXPECT_EQ(model.border_variance_of(0, o), 0.0);
-    EXPECT_EQ(model.loose_weight_of(0, o), 0.0);
+    EXPECT_EQ(model.weight_of(0, o, 0), 0.0);
+    EXPECT_EQ(model.border_variance_of(0, o, 0), 0.0);
+    EXPECT_EQ(model.loose_weight_of(0, o, 0), 0.0);
   }
   EXPECT_EQ(model.loose_weight.size(), 2u);
 }

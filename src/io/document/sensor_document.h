@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -60,16 +61,18 @@ struct ChannelDocument {
   std::optional<RetarderDocument> retarder = {};
   std::shared_ptr<const SnrDocument> snr = {};            ///< or a ratio, in place of the noise; null: none
   std::shared_ptr<const DetectorDocument> detector = {};  ///< what it has of its own; null: nothing
+  std::optional<std::array<double, 2>> shift_px = {};     ///< of its pixels' responses, right and down
 };
 
 struct NoPsf {};
 struct GaussianPsf {
   double sigma_px = 0.0;
 };
-/// Diffraction of a circular aperture at one wavelength; with a frame camera only.
+/// Diffraction of a circular aperture. Its size in pixels takes focal length and pitch: of the camera, or of optics and detector.
 struct AiryPsf {
-  double aperture_m = 0.0;
-  double wavelength_um = 0.0;
+  std::optional<double> aperture_m;     ///< that of the optics if not given
+  std::optional<double> wavelength_um;  ///< each channel's own if not given
+  std::optional<double> obscuration;    ///< that of the optics where the aperture is theirs, else 0
 };
 struct KernelPsf {
   DocumentFile file;               ///< an image, its centre at the pixel's centre

@@ -31,10 +31,11 @@ void FocalLights::sort() {
                    [](const Light& a, const Light& b) { return a.at.y_px < b.at.y_px; });
 }
 
-void FocalLights::add_to(const sampling::PixelFootprint& footprint, const sampling::Tolerance* tolerance,
+void FocalLights::add_to(const sampling::ColumnFootprints& footprints, const sampling::Tolerance* tolerance,
                          sampling::TileResult& tile) const {
   if (lights_.empty()) return;
-  const double reach = footprint.half_width_px();
+  const double reach = footprints.half_width_px();
+  std::vector<double> weights(footprints.groups());
   const int width = tile.tile.width();
   std::vector<std::vector<double>> sums(static_cast<std::size_t>(tile.tile.count()));  // [replicate][channel]
   auto light = std::lower_bound(lights_.begin(), lights_.end(), tile.tile.y0 - reach - 1.0,
@@ -49,14 +50,19 @@ void FocalLights::add_to(const sampling::PixelFootprint& footprint, const sampli
     const auto [y0, y1] = range(light->at.y_px, tile.tile.y0, tile.tile.y1);
     for (int y = y0; y <= y1; ++y)
       for (int x = x0; x <= x1; ++x) {
-        const double weight = footprint.density(light->at.x_px - x - 0.5, light->at.y_px - y - 0.5) *
-                              static_cast<double>(light->per_radiance);
-        if (weight <= 0.0) continue;
+        bool any = false;
+        for (std::size_t group = 0; group < weights.size(); ++group) {
+          weights[group] = footprints.density(group, light->at.x_px - x - 0.5, light->at.y_px - y - 0.5) *
+                           static_cast<double>(light->per_radiance);
+          any = any || weights[group] > 0.0;
+        }
+        if (!any) continue;
         auto& sum = sums[static_cast<std::size_t>((y - tile.tile.y0) * width + x - tile.tile.x0)];
         if (sum.empty()) sum.assign(kReplicates * channels_, 0.0);
         for (std::size_t c = 0; c < channels_; ++c)
           sum[light->replicate * channels_ + c] +=
-              weight * static_cast<double>(spectra_[light->spectrum * channels_ + c]);
+              weights[footprints.group_of(c)] *
+              static_cast<double>(spectra_[light->spectrum * channels_ + c]);
       }
   }
   std::vector<double> mean(channels_), limit(channels_);

@@ -7,7 +7,7 @@
 #include "sampling/field.h"
 
 namespace ifov::sampling {
-class PixelFootprint;
+class ColumnFootprints;
 class Tolerance;
 struct TileResult;
 }  // namespace ifov::sampling
@@ -39,7 +39,7 @@ class FocalLights {
 
   /// Into the means of a tile that has channels alone, with the error of their shares in each pixel; `tolerance` may be
   /// null.
-  void add_to(const sampling::PixelFootprint& footprint, const sampling::Tolerance* tolerance,
+  void add_to(const sampling::ColumnFootprints& footprints, const sampling::Tolerance* tolerance,
               sampling::TileResult& tile) const;
 
   std::span<const Light> lights() const { return lights_; }

@@ -40,9 +40,9 @@ class Glints {
   ~Glints();
 
   /// As FocalLights::add_to.
-  void add_to(const sampling::PixelFootprint& footprint, const sampling::Tolerance* tolerance,
+  void add_to(const sampling::ColumnFootprints& footprints, const sampling::Tolerance* tolerance,
               sampling::TileResult& tile) const {
-    lights_.add_to(footprint, tolerance, tile);
+    lights_.add_to(footprints, tolerance, tile);
   }
 
   std::size_t count() const { return lights_.lights().size(); }

@@ -48,9 +48,9 @@ class MirrorImages {
   bool all_settled() const { return all_settled_ && parts_.complete(); }
 
   /// As FocalLights::add_to.
-  void add_to(const sampling::PixelFootprint& footprint, const sampling::Tolerance* tolerance,
+  void add_to(const sampling::ColumnFootprints& footprints, const sampling::Tolerance* tolerance,
               sampling::TileResult& tile) const {
-    lights_.add_to(footprint, tolerance, tile);
+    lights_.add_to(footprints, tolerance, tile);
   }
 
   std::size_t count() const { return lights_.lights().size(); }

@@ -41,6 +41,10 @@ int StokesColumns::leader(int column) const {
   return static_cast<int>((at - parts_->first()) % channels_);
 }
 
+int StokesColumns::channel_of(int column) const {
+  return static_cast<int>(static_cast<std::size_t>(leader(column)) % channels_);
+}
+
 std::size_t StokesColumns::count() const { return polarimetry_.columns(channels_) + parts_->count(); }
 
 bool StokesColumns::told() const { return polarimetry_.stokes; }

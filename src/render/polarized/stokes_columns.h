@@ -35,6 +35,8 @@ class StokesColumns {
   const PartColumns& parts() const { return *parts_; }
   /// As sampling::Field::leader().
   int leader(int column) const;
+  /// As sampling::Field::channel_of().
+  int channel_of(int column) const;
 
   /// Light in nodes, about the focal plane's axes, behind the channels' optics.
   void write(const transport::StokesRows& light, float* row);

@@ -15,6 +15,7 @@ namespace ifov::sampling {
 
 void add_abundances(const Radiance& radiance, const LeafIntegrator& integrator, const LabelTable& table,
                     const Field& field, const std::vector<int>& outputs, double normal, TileResult& result) {
+  constexpr std::size_t kReference = 0;  // the group of columns whose footprint shares hold for
   struct Share {
     std::uint32_t material;
     double fraction = 0.0, variance = 0.0;
@@ -34,8 +35,10 @@ void add_abundances(const Radiance& radiance, const LeafIntegrator& integrator, 
     const PixelModel& model = pixel.model;
     for (std::size_t o = 0; o < model.outputs.size(); ++o) {
       const int output = model.outputs[o];
+      if (model.groups > 1 && integrator.whole_weight(pixel.source, output, kReference) == 0.0) continue;
       if (pixel.cluttered) {
-        const double w = integrator.whole_weight(pixel.source, output), count = pixel.clutter_count();
+        const double w = integrator.whole_weight(pixel.source, output, kReference),
+                     count = pixel.clutter_count();
         std::vector<std::pair<std::uint32_t, double>> seen;
         for (const ClutterRound& round : pixel.rounds)
           for (const auto& [material, hits] : round.materials()) {
@@ -55,16 +58,17 @@ void add_abundances(const Radiance& radiance, const LeafIntegrator& integrator, 
         continue;
       }
       for (std::size_t r = 0; r < model.labels.size(); ++r)
-        if (model.weight_of(r, o) > 0.0) share_of(output, model.labels[r]).fraction += model.weight_of(r, o);
+        if (model.weight_of(r, o, kReference) > 0.0)
+          share_of(output, model.labels[r]).fraction += model.weight_of(r, o, kReference);
       for (std::size_t b = 0; b < model.borders.size(); ++b) {
         const PixelModel::Border& border = model.borders[b];
         if (&share_of(output, border.inner) == &share_of(output, border.outer)) continue;
-        const double variance = model.border_variance_of(b, o);
+        const double variance = model.border_variance_of(b, o, kReference);
         share_of(output, border.inner).variance += variance;
         share_of(output, border.outer).variance += variance;
       }
       for (std::size_t l = 0; l < model.loose.size(); ++l) {
-        const double w = model.loose_weight_of(l, o);
+        const double w = model.loose_weight_of(l, o, kReference);
         for (std::uint32_t corner : model.loose[l].corner)
           share_of(output, corner).variance += 0.25 * w * w / 12.0;
       }

@@ -46,19 +46,27 @@ double footprint_energy(const PixelFootprint& footprint) {
   return sum * 4.0 * h * h / (kSteps * kSteps);
 }
 
+double most_energy(const ColumnFootprints& footprints) {
+  double most = 0.0;
+  for (std::size_t group = 0; group < footprints.groups(); ++group)
+    most = std::max(most, footprint_energy(footprints.footprint(group)));
+  return most;
+}
+
 }  // namespace
 
-AllowedErrors::AllowedErrors(const TileProblem& problem, const SourceGrid& grid, const Lattice& lattice,
-                             const LatticeValues& values, double normal, SteeringColumns& steering,
-                             Contrast& contrast)
+AllowedErrors::AllowedErrors(const TileProblem& problem, const ColumnFootprints& footprints,
+                             const SourceGrid& grid, const Lattice& lattice, const LatticeValues& values,
+                             double normal, SteeringColumns& steering, Contrast& contrast)
     : problem_(problem),
+      footprints_(footprints),
       grid_(grid),
       lattice_(lattice),
       values_(values),
       steering_(steering),
       contrast_(contrast),
       unit_(normal * (problem.keep_memory && problem.before == nullptr ? kForesight : 1.0)),
-      energy_(footprint_energy(*problem.footprint)) {}
+      energy_(most_energy(footprints)) {}
 
 void AllowedErrors::take_from_lattice(StandoutValues& standouts, const LabelSpread& spread) {
   find_lattice_limits();
@@ -89,11 +97,13 @@ void AllowedErrors::find_lattice_limits() {
   const PixelRect& d = lattice_.domain();
   const std::size_t columns = values_.columns;
   const std::vector<double> source_mean = source_means();
-  const int reach = reach_of(*problem_.footprint);
-  std::vector<double> pixel_weight;
+  const int reach = footprints_.reach();
+  const std::size_t groups = footprints_.groups();
+  std::vector<double> pixel_weight;  // [source pixel][group]
   for (int dy = -reach; dy <= reach; ++dy)
     for (int dx = -reach; dx <= reach; ++dx)
-      pixel_weight.push_back(problem_.footprint->integral(dx - 0.5, dy - 0.5, dx + 0.5, dy + 0.5));
+      for (std::size_t group = 0; group < groups; ++group)
+        pixel_weight.push_back(footprints_.integral(group, dx - 0.5, dy - 0.5, dx + 0.5, dy + 0.5));
   PixelLimits limits(*problem_.tolerance, problem_.later);
   std::vector<double> mean(columns), known_mean, limit(columns);
   lattice_limits_.resize(static_cast<std::size_t>(problem_.tile.count()) * columns);
@@ -102,9 +112,9 @@ void AllowedErrors::find_lattice_limits() {
     const int source = grid_.source_of(o);
     const double* w = pixel_weight.data();
     for (int dy = -reach; dy <= reach; ++dy)
-      for (int dx = -reach; dx <= reach; ++dx, ++w) {
+      for (int dx = -reach; dx <= reach; ++dx, w += groups) {
         const double* from = &source_mean[static_cast<std::size_t>(source + dy * d.width() + dx) * columns];
-        for (std::size_t c = 0; c < columns; ++c) mean[c] += *w * from[c];
+        for (std::size_t c = 0; c < columns; ++c) mean[c] += w[footprints_.group_of(c)] * from[c];
       }
     if (mean != known_mean || !limits.alike()) {
       limits.of(static_cast<std::size_t>(o), mean, limit);

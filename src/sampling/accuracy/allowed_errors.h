@@ -5,6 +5,7 @@
 
 namespace ifov::sampling {
 
+class ColumnFootprints;
 class Contrast;
 class LabelSpread;
 class Lattice;
@@ -20,8 +21,9 @@ struct TileProblem;
 class AllowedErrors {
  public:
   /// `normal`: half-widths of intervals in standard errors.
-  AllowedErrors(const TileProblem& problem, const SourceGrid& grid, const Lattice& lattice,
-                const LatticeValues& values, double normal, SteeringColumns& steering, Contrast& contrast);
+  AllowedErrors(const TileProblem& problem, const ColumnFootprints& footprints, const SourceGrid& grid,
+                const Lattice& lattice, const LatticeValues& values, double normal, SteeringColumns& steering,
+                Contrast& contrast);
 
   /// From the means over the lattice, seen through the footprint. Columns that tell neighbours apart, or standouts, steer from here on.
   void take_from_lattice(StandoutValues& standouts, const LabelSpread& spread);
@@ -51,6 +53,7 @@ class AllowedErrors {
   void cover_lattice();
 
   const TileProblem& problem_;
+  const ColumnFootprints& footprints_;
   const SourceGrid& grid_;
   const Lattice& lattice_;
   const LatticeValues& values_;
@@ -60,7 +63,7 @@ class AllowedErrors {
   std::vector<double> inverse_;         // inverse_squares() of the output named last
   int inverse_of_ = -1;
   double unit_;    ///< half-widths are divided by this
-  double energy_;  ///< integral of the footprint's square
+  double energy_;  ///< integral of the footprint's square, of the sharpest
 };
 
 }  // namespace ifov::sampling

@@ -113,7 +113,8 @@ bool ClutterChoice::doubtful(const SourcePixel& pixel) const {
     const Stratum& stratum = pixel.strata[s];
     if (stratum.strays == 0.0) continue;
     double weight = 0.0;
-    for (std::size_t o = 0; o < model.outputs.size(); ++o) weight = std::max(weight, model.weight_of(s, o));
+    for (std::size_t o = 0; o < model.slots(); ++o)
+      weight = std::max(weight, model.weight[s * model.slots() + o]);
     const double share = weight / std::max(static_cast<double>(stratum.count()), stratum.strays);
     for (std::size_t d = 0; d < allowed.size(); ++d) {
       const int c = steering_.list()[d];

@@ -1,6 +1,7 @@
 #include "sampling/accuracy/footprint_draws.h"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "sampling/accuracy/basis/label_table.h"
 #include "sampling/accuracy/basis/lattice.h"
@@ -25,10 +26,12 @@ constexpr std::uint32_t kFirstNet = 4;
 
 void draw_from_footprint(const TileProblem& problem, Field& field, std::uint32_t most_samples,
                          TileResult& result) {
+  if (problem.groups != nullptr)
+    throw std::invalid_argument("rays are drawn from one footprint, not from several groups of channels");
   const std::size_t columns = static_cast<std::size_t>(field.columns());
   const std::size_t stride = static_cast<std::size_t>(field.stride());
   result.reset(problem.tile, field.columns());
-  const Lattice lattice(source_domain(problem, 0), 1);
+  const Lattice lattice(source_domain(problem, ColumnFootprints(*problem.footprint).reach(), 0), 1);
   LabelTable table(field.columns());
   RayLedger ledger(field, problem.cancel, lattice, table, nullptr);
   PixelLimits limits(*problem.tolerance, problem.later);

@@ -11,6 +11,7 @@
 #include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/accuracy/radiance/stratum_moments.h"
 #include "sampling/accuracy/radiance/unseen_values.h"
+#include "sampling/pixel_footprint.h"
 
 namespace ifov::sampling {
 
@@ -26,12 +27,14 @@ double value_variance(const SourcePixel& pixel, const std::vector<StratumMoments
 }  // namespace
 
 OutputIntervals::OutputIntervals(const Tolerance& tolerance, const LaterLight* later, const LabelTable& table,
-                                 int outputs, bool replicates)
+                                 int outputs, const ColumnFootprints& footprints)
     : limits_(tolerance, later),
       table_(table),
+      footprints_(footprints),
       stopping_(tolerance.confidence()),
       states_(static_cast<std::size_t>(outputs)),
-      sums_(states_.size(), replicates) {}
+      // Values that weigh unlike are kept, and their paths' replicates tell a variance.
+      sums_(states_.size(), !footprints.whole_pixel()) {}
 
 void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& integrator,
                              std::span<const int> columns, std::span<const int> outputs) {
@@ -41,6 +44,10 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
   std::vector<StratumMoments> moments;
   std::vector<ClutterRound::Moment> clutter;
   WeighedMoments weighed;
+  const std::vector<std::vector<std::size_t>> by_group = footprints_.positions(columns);
+  std::vector<std::vector<int>> columns_of(by_group.size());
+  for (std::size_t g = 0; g < by_group.size(); ++g)
+    for (const std::size_t c : by_group[g]) columns_of[g].push_back(columns[c]);
   for (const PlainPixel& pixel : radiance.pixels().plain()) {
     const OutputSums::Row sum = sums_[pixel.output];
     for (std::size_t c = 0; c < n; ++c) sum.mean[c] += pixel.weight * table_.mean(pixel.label)[columns[c]];
@@ -51,17 +58,22 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
     if (pixel.cluttered) {
       for (int output : model.outputs) {
         const OutputSums::Row sum = sums_[output];
-        RadianceClutter::moments(pixel, integrator.unit_box() ? nullptr : &integrator.footprint(),
-                                 integrator.centre(output), columns, clutter);
-        const double w = integrator.whole_weight(pixel.source, output), count = pixel.clutter_count();
-        for (std::size_t c = 0; c < n; ++c) {
-          sum.mean[c] += w * clutter[c].mean;
-          const double missed = radiance.unseen().variance(pixel, 0, columns[c]);
-          sum.add_path(c, w * w * clutter[c].variance, clutter[c].freedom);
-          sum.add_path(c, w * w * missed, INFINITY);
-          sum.unmet[c] += w * w * missed;
-          sum.deviation[c] += w * std::sqrt(clutter[c].variance * count);
-          sum.deviation_unmet[c] += w * std::sqrt((clutter[c].variance + missed) * count);
+        const double count = pixel.clutter_count();
+        for (std::size_t g = 0; g < by_group.size(); ++g) {
+          const double w = integrator.whole_weight(pixel.source, output, g);
+          if (by_group[g].empty() || (w == 0.0 && model.groups > 1)) continue;
+          RadianceClutter::moments(pixel, integrator.unit_box() ? nullptr : &integrator.footprint(g),
+                                   integrator.centre(output, g), columns_of[g], clutter);
+          for (std::size_t k = 0; k < by_group[g].size(); ++k) {
+            const std::size_t c = by_group[g][k];
+            sum.mean[c] += w * clutter[k].mean;
+            const double missed = radiance.unseen().variance(pixel, 0, columns[c]);
+            sum.add_path(c, w * w * clutter[k].variance, clutter[k].freedom);
+            sum.add_path(c, w * w * missed, INFINITY);
+            sum.unmet[c] += w * w * missed;
+            sum.deviation[c] += w * std::sqrt(clutter[k].variance * count);
+            sum.deviation_unmet[c] += w * std::sqrt((clutter[k].variance + missed) * count);
+          }
         }
       }
       continue;
@@ -69,69 +81,9 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
     const std::size_t regions = model.labels.size();
     moments.resize(std::max(moments.size(), regions));
     for (std::size_t r = 0; r < regions; ++r) radiance.estimates().moments(pixel, r, columns, moments[r]);
-    for (std::size_t o = 0; o < model.outputs.size(); ++o) {
-      const OutputSums::Row sum = sums_[model.outputs[o]];
-      for (std::size_t r = 0; r < regions; ++r) {
-        const double w = model.weight_of(r, o);
-        if (w == 0.0) continue;
-        weighed.mean = moments[r].mean;
-        weighed.share = moments[r].share;
-        weighed.freedom = 0.0;
-        if (moments[r].sampled && !integrator.unit_box())
-          radiance.weigh(pixel.strata[r], integrator.footprint(), integrator.centre(model.outputs[o]),
-                         columns, moments[r], weighed);
-        double whole = 0.0;
-        for (std::size_t c = 0; c < n; ++c) {
-          sum.mean[c] += w * weighed.mean[c];
-          const double apart = w * w * moments[r].variance[c] * weighed.share;
-          whole += apart;
-          if (weighed.freedom > 0.0) {
-            sum.path[c].add(apart, moments[r].freedom);
-            sum.replicated[c].add(w * w * weighed.variance[c], weighed.freedom);
-          } else {
-            sum.add_path(c, apart, moments[r].freedom);
-          }
-          if (pixel.strata[r].foretold()) {
-            const StratumControl& control = pixel.strata[r].control;
-            const double variance = w * w * control.variance[columns[c]];
-            sum.add_path(c, variance, control.freedom);
-            sum.foretold[c] += variance;
-          }
-          const double count = static_cast<double>(pixel.strata[r].count());
-          const double missed = radiance.unseen().variance(pixel, r, columns[c]);
-          sum.add_path(c, w * w * missed, INFINITY);
-          sum.unmet[c] += w * w * missed;
-          sum.deviation[c] += w * std::sqrt(moments[r].variance[c]);
-          sum.deviation_unmet[c] += w * std::sqrt(moments[r].variance[c] + missed * std::max(1.0, count));
-        }
-        Leading& leading = leading_[model.outputs[o]];
-        if (whole > leading.variance) leading = {model.labels[r], whole};
-      }
-      for (std::size_t b = 0; b < model.borders.size(); ++b) {
-        const std::size_t in = model.region_of(model.borders[b].inner),
-                          out = model.region_of(model.borders[b].outer);
-        const double variance = model.border_variance_of(b, o);
-        for (std::size_t c = 0; c < n; ++c) {
-          const double step = moments[in].mean[c] - moments[out].mean[c];
-          sum.geometry[c] += variance * (step * step + value_variance(pixel, moments, in, c, columns[c]) +
-                                         value_variance(pixel, moments, out, c, columns[c]));
-        }
-      }
-      for (std::size_t l = 0; l < model.loose.size(); ++l) {
-        const double w = model.loose_weight_of(l, o);
-        for (std::size_t c = 0; c < n; ++c) {
-          double low = INFINITY, high = -INFINITY, within = 0.0;
-          for (std::uint32_t corner : model.loose[l].corner) {
-            const std::size_t region = model.region_of(corner);
-            const StratumMoments& m = moments[region];
-            low = std::min(low, m.mean[c]);
-            high = std::max(high, m.mean[c]);
-            within = std::max(within, value_variance(pixel, moments, region, c, columns[c]));
-          }
-          sum.geometry[c] += w * w * ((high - low) * (high - low) / 12.0 + within);
-        }
-      }
-    }
+    for (std::size_t o = 0; o < model.outputs.size(); ++o)
+      for (std::size_t g = 0; g < by_group.size(); ++g)
+        add_traced(radiance, integrator, {pixel, moments, o, g, columns, by_group[g]}, weighed);
   }
   settle_paths(outputs, n);
 }
@@ -144,6 +96,76 @@ void OutputIntervals::settle_paths(std::span<const int> outputs, std::size_t col
     for (int o : outputs) {
       const OutputSums::Row sum = sums_[o];
       sum.settle_path(c, gains.moderated(leading_[o].label, sum.own_gain(c), sum.values(c)));
+    }
+  }
+}
+
+/// What a traced pixel adds to an output, in the columns of a group.
+void OutputIntervals::add_traced(const Radiance& radiance, const LeafIntegrator& integrator, const Traced& of,
+                                 WeighedMoments& weighed) {
+  const SourcePixel& pixel = of.pixel;
+  const PixelModel& model = pixel.model;
+  const std::vector<StratumMoments>& moments = of.moments;
+  const OutputSums::Row sum = sums_[model.outputs[of.output]];
+  for (std::size_t r = 0; r < model.labels.size(); ++r) {
+    const double w = model.weight_of(r, of.output, of.group);
+    if (w == 0.0) continue;
+    weighed.mean = moments[r].mean;
+    weighed.share = moments[r].share;
+    weighed.freedom = 0.0;
+    if (moments[r].sampled && !integrator.unit_box())
+      radiance.weigh(pixel.strata[r], integrator.footprint(of.group),
+                     integrator.centre(model.outputs[of.output], of.group), of.columns, of.own, moments[r],
+                     weighed);
+    const double count = static_cast<double>(pixel.strata[r].count());
+    double whole = 0.0;
+    for (const std::size_t c : of.own) {
+      sum.mean[c] += w * weighed.mean[c];
+      const double apart = w * w * moments[r].variance[c] * weighed.share;
+      whole += apart;
+      if (weighed.freedom > 0.0) {
+        sum.path[c].add(apart, moments[r].freedom);
+        sum.replicated[c].add(w * w * weighed.variance[c], weighed.freedom);
+      } else {
+        sum.add_path(c, apart, moments[r].freedom);
+      }
+      if (pixel.strata[r].foretold()) {
+        const StratumControl& control = pixel.strata[r].control;
+        const double variance = w * w * control.variance[of.columns[c]];
+        sum.add_path(c, variance, control.freedom);
+        sum.foretold[c] += variance;
+      }
+      const double missed = radiance.unseen().variance(pixel, r, of.columns[c]);
+      sum.add_path(c, w * w * missed, INFINITY);
+      sum.unmet[c] += w * w * missed;
+      sum.deviation[c] += w * std::sqrt(moments[r].variance[c]);
+      sum.deviation_unmet[c] += w * std::sqrt(moments[r].variance[c] + missed * std::max(1.0, count));
+    }
+    Leading& leading = leading_[model.outputs[of.output]];
+    if (whole > leading.variance) leading = {model.labels[r], whole};
+  }
+  for (std::size_t b = 0; b < model.borders.size(); ++b) {
+    const std::size_t in = model.region_of(model.borders[b].inner),
+                      out = model.region_of(model.borders[b].outer);
+    const double variance = model.border_variance_of(b, of.output, of.group);
+    for (const std::size_t c : of.own) {
+      const double step = moments[in].mean[c] - moments[out].mean[c];
+      sum.geometry[c] += variance * (step * step + value_variance(pixel, moments, in, c, of.columns[c]) +
+                                     value_variance(pixel, moments, out, c, of.columns[c]));
+    }
+  }
+  for (std::size_t l = 0; l < model.loose.size(); ++l) {
+    const double w = model.loose_weight_of(l, of.output, of.group);
+    for (const std::size_t c : of.own) {
+      double low = INFINITY, high = -INFINITY, within = 0.0;
+      for (std::uint32_t corner : model.loose[l].corner) {
+        const std::size_t region = model.region_of(corner);
+        const StratumMoments& m = moments[region];
+        low = std::min(low, m.mean[c]);
+        high = std::max(high, m.mean[c]);
+        within = std::max(within, value_variance(pixel, moments, region, c, of.columns[c]));
+      }
+      sum.geometry[c] += w * w * ((high - low) * (high - low) / 12.0 + within);
     }
   }
 }

@@ -10,18 +10,23 @@
 
 namespace ifov::sampling {
 
+class ColumnFootprints;
 class LabelTable;
 class LeafIntegrator;
 class Radiance;
+struct SourcePixel;
+struct StratumMoments;
+struct WeighedMoments;
 
 /// The intervals of a tile's output pixels, as the values so far have them.
 class OutputIntervals {
  public:
-  /// `later` may be null. `replicates`: whether paths have replicates that tell their variance.
+  /// `later` may be null.
   OutputIntervals(const Tolerance& tolerance, const LaterLight* later, const LabelTable& table, int outputs,
-                  bool replicates);
+                  const ColumnFootprints& footprints);
 
   const Stopping& stopping() const { return stopping_; }
+  const ColumnFootprints& footprints() const { return footprints_; }
   std::vector<OutputState>& states() { return states_; }
 
   /// Moments of every stratum of a group, per column, weighed into these outputs, which its source pixels reach.
@@ -44,9 +49,20 @@ class OutputIntervals {
     double variance;
   };
   void settle_paths(std::span<const int> outputs, std::size_t columns);
+  /// A traced pixel, one of its outputs, and the group that some of the asked columns are of.
+  struct Traced {
+    const SourcePixel& pixel;
+    const std::vector<StratumMoments>& moments;  ///< by region
+    std::size_t output, group;
+    std::span<const int> columns;      ///< all that are asked
+    std::span<const std::size_t> own;  ///< positions of the group's
+  };
+  void add_traced(const Radiance& radiance, const LeafIntegrator& integrator, const Traced& of,
+                  WeighedMoments& weighed);
 
   PixelLimits limits_;
   const LabelTable& table_;
+  const ColumnFootprints& footprints_;
   Stopping stopping_;
   std::vector<OutputState> states_;
   OutputSums sums_;

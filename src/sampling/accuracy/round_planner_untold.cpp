@@ -10,6 +10,7 @@
 #include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/accuracy/radiance/stratum_moments.h"
 #include "sampling/accuracy/round_planner.h"
+#include "sampling/pixel_footprint.h"
 
 namespace ifov::sampling {
 
@@ -43,7 +44,8 @@ void RoundPlanner::visit_untold(const Radiance& radiance, const Visit& visit) {
         if (outputs_[output].test >= outputs_[output].last_test) continue;
         const OutputSums::Row sum = limits_of(output);
         for (std::size_t d = 0; d < steering_.size(); ++d) {
-          const double share = untold * model.weight_of(s, o) / limit_[steering_[d]];
+          const std::size_t group = intervals_.footprints().group_of(static_cast<std::size_t>(steering_[d]));
+          const double share = untold * model.weight_of(s, o, group) / limit_[steering_[d]];
           const double own = moments.mean[d], all = sum.mean[d];
           double most = std::max(std::abs(own - all), std::sqrt(moments.variance[d]));
           if (told != nullptr && d < told->mean.size())

@@ -15,6 +15,7 @@
 #include "sampling/accuracy/radiance/stratum_moments.h"
 #include "sampling/accuracy/radiance/unseen_values.h"
 #include "sampling/accuracy/round_planner.h"
+#include "sampling/pixel_footprint.h"
 
 namespace ifov::sampling {
 
@@ -42,11 +43,29 @@ constexpr double kManyPaths = 320.0, kManyValues = 16384.0;
 /// and paths (1). A round holds at most this many times the values of those before it.
 constexpr double kClutterFall = 1.35, kClutterGrowth = 6.0;
 
-double weight_of(const LeafIntegrator& integrator, const SourcePixel& pixel, std::size_t stratum,
-                 std::size_t output) {
-  return pixel.cluttered ? integrator.whole_weight(pixel.source, pixel.model.outputs[output])
-                         : pixel.model.weight_of(stratum, output);
-}
+/// By group of columns; valid until the next call.
+class Weights {
+ public:
+  Weights(const LeafIntegrator& integrator, const ColumnFootprints& footprints, std::span<const int> steering)
+      : integrator_(integrator), weights_(footprints.groups()) {
+    for (const int column : steering)
+      groups_.push_back(footprints.group_of(static_cast<std::size_t>(column)));
+  }
+  /// False where all are 0.
+  bool take(const SourcePixel& pixel, std::size_t stratum, std::size_t output) {
+    for (std::size_t g = 0; g < weights_.size(); ++g)
+      weights_[g] = pixel.cluttered ? integrator_.whole_weight(pixel.source, pixel.model.outputs[output], g)
+                                    : pixel.model.weight_of(stratum, output, g);
+    return std::any_of(weights_.begin(), weights_.end(), [](double w) { return w != 0.0; });
+  }
+  /// Of a steering column, by its position.
+  double operator[](std::size_t d) const { return weights_[groups_[d]]; }
+
+ private:
+  const LeafIntegrator& integrator_;
+  std::vector<double> weights_;
+  std::vector<std::size_t> groups_;
+};
 
 /// Whether values differ more than what they have not met makes of it, in all columns.
 bool mostly_met(std::span<const double> own, std::span<const double> unmet) {
@@ -92,6 +111,7 @@ void RoundPlanner::find_wants(const Radiance& radiance, const LeafIntegrator& in
   unmet_.clear();
   StratumMoments moments;
   std::vector<ClutterRound::Moment> clutter;
+  Weights weights(integrator, intervals_.footprints(), steering_);
   for (std::size_t p = 0; p < radiance.pixels().others().size(); ++p) {
     const SourcePixel& pixel = radiance.pixels().others()[p];
     const PixelModel& model = pixel.model;
@@ -116,12 +136,12 @@ void RoundPlanner::find_wants(const Radiance& radiance, const LeafIntegrator& in
         if (!is_open(model.outputs[o])) continue;
         const OutputState& output = outputs_[model.outputs[o]];
         const OutputSums::Row sum = intervals_.sum(model.outputs[o]);
-        const double weight = weight_of(integrator, pixel, s, o);
+        weights.take(pixel, s, o);
         for (std::size_t d = 0; d < n; ++d) {
           const double g = output.growth[d], a = sum.deviation[d], b = sum.deviation_unmet[d];
           const double all = std::sqrt(a * a + (b * b - a * a) / g);
           const double alone =
-              sum.gain[d] * weight * std::sqrt(own[d] + unmet[d] / g) * all / output.path_budget[d];
+              sum.gain[d] * weights[d] * std::sqrt(own[d] + unmet[d] / g) * all / output.path_budget[d];
           if (alone <= want.wanted) continue;
           want.wanted = alone;
           want.freedom = sum.path[d].degrees_of_freedom();
@@ -146,10 +166,12 @@ void RoundPlanner::ease_wants(const Radiance& radiance, const LeafIntegrator& in
         if (is_open(pixel.model.outputs[o])) at(w, pixel, o);
     }
   };
+  Weights weights(integrator, intervals_.footprints(), steering_);
   visit([&](std::size_t w, const SourcePixel& pixel, std::size_t o) {
-    const double weight = weight_of(integrator, pixel, wants_[w].stratum, o),
-                 have = std::max(1.0, wants_[w].have), more = std::max(have, wants_[w].wanted);
+    weights.take(pixel, wants_[w].stratum, o);
+    const double have = std::max(1.0, wants_[w].have), more = std::max(have, wants_[w].wanted);
     for (std::size_t d = 0; d < n; ++d) {
+      const double weight = weights[d];
       const std::size_t to = static_cast<std::size_t>(pixel.model.outputs[o]) * n + d;
       const double own = weight * weight * own_[w * n + d], unmet = weight * weight * unmet_[w * n + d];
       now_[to] += (own + unmet) / have;
@@ -160,12 +182,12 @@ void RoundPlanner::ease_wants(const Radiance& radiance, const LeafIntegrator& in
   });
   for (Want& want : wants_) want.share = 0.0;
   visit([&](std::size_t w, const SourcePixel& pixel, std::size_t o) {
-    if (weight_of(integrator, pixel, wants_[w].stratum, o) == 0.0) return;
+    if (!weights.take(pixel, wants_[w].stratum, o)) return;
     const int output = pixel.model.outputs[o];
     const OutputSums::Row sum = intervals_.sum(output);
     for (std::size_t d = 0; d < n; ++d) {
       const std::size_t at = static_cast<std::size_t>(output) * n + d;
-      if (now_[at] <= 0.0) continue;
+      if (now_[at] <= 0.0 || weights[d] == 0.0) continue;
       const double left = (sum.path[d].variance() - sum.foretold[d]) * then_[at] / now_[at];
       wants_[w].share = std::max(wants_[w].share, left / outputs_[output].path_budget[d]);
     }

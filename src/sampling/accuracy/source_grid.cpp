@@ -9,12 +9,7 @@
 
 namespace ifov::sampling {
 
-int reach_of(const PixelFootprint& footprint) {
-  return std::max(0, static_cast<int>(std::ceil(footprint.half_width_px() - 0.5 - 1e-12)));
-}
-
-PixelRect source_domain(const TileProblem& problem, int halo) {
-  const int reach = reach_of(*problem.footprint);
+PixelRect source_domain(const TileProblem& problem, int reach, int halo) {
   const PixelRect &t = problem.tile, &i = problem.image;
   return {std::max(t.x0 - reach - halo, i.x0 - reach), std::max(t.y0 - reach - halo, i.y0 - reach),
           std::min(t.x1 + reach + halo, i.x1 + reach), std::min(t.y1 + reach + halo, i.y1 + reach)};
@@ -37,8 +32,11 @@ double SourceGrid::relative_weight(int source) const {
   const int x = d.x0 + source % d.width(), y = d.y0 + source / d.width();
   const int dx = x - std::clamp(x, tile_.x0, tile_.x1 - 1), dy = y - std::clamp(y, tile_.y0, tile_.y1 - 1);
   if (dx == 0 && dy == 0) return 1.0;
-  return footprint_.integral(dx - 0.5, dy - 0.5, dx + 0.5, dy + 0.5) /
-         footprint_.integral(-0.5, -0.5, 0.5, 0.5);
+  double most = 0.0;
+  for (std::size_t group = 0; group < footprints_.groups(); ++group)
+    most = std::max(most, footprints_.integral(group, dx - 0.5, dy - 0.5, dx + 0.5, dy + 0.5) /
+                              footprints_.footprint(group).integral(-0.5, -0.5, 0.5, 0.5));
+  return std::min(most, 1.0);
 }
 
 }  // namespace ifov::sampling

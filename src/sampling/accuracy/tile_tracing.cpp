@@ -1,5 +1,6 @@
 #include "sampling/accuracy/tile_tracing.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sampling/accuracy/allowed_errors.h"
@@ -41,10 +42,17 @@ constexpr double kLeastProbed = 0.4;
 constexpr double kNegligibleRim = 1e-3;
 
 /// Pixels around those that the footprints reach.
-int halo_of(const PixelFootprint& footprint) {
-  const double rim = std::ceil(footprint.half_width_px() - 0.5 - 1e-12);
-  const double weight = footprint.integral(rim - 0.5, -0.5, rim + 0.5, 0.5);
-  return weight < kNegligibleRim * footprint.integral(-0.5, -0.5, 0.5, 0.5) ? 0 : 1;
+int halo_of(const ColumnFootprints& footprints) {
+  const double rim = footprints.reach();
+  for (std::size_t group = 0; group < footprints.groups(); ++group) {
+    const Point2 shift = footprints.shift_px(group);
+    const double side =
+        std::max(std::abs(shift.x), std::abs(shift.y));  // as if it were shifted straight there
+    const PixelFootprint& footprint = footprints.footprint(group);
+    const double weight = footprint.integral(rim - side - 0.5, -0.5, rim - side + 0.5, 0.5);
+    if (!(weight < kNegligibleRim * footprint.integral(-0.5, -0.5, 0.5, 0.5))) return 1;
+  }
+  return 0;
 }
 
 }  // namespace
@@ -52,9 +60,9 @@ int halo_of(const PixelFootprint& footprint) {
 /// Each knows those above it that it needs, and none below.
 struct TileTracing::Parts {
   Parts(const TileProblem& problem, Field& field, const AccuracyOptions& options, const AccuracyParts& parts,
-        TileRecall& recall)
-      : lattice(source_domain(problem, halo_of(*problem.footprint)), options.lattice),
-        grid(lattice, *problem.footprint, problem.tile),
+        const ColumnFootprints& footprints, TileRecall& recall)
+      : lattice(source_domain(problem, footprints.reach(), halo_of(footprints)), options.lattice),
+        grid(lattice, footprints, problem.tile),
         table(field),
         ledger(field, problem.cancel, lattice, table, recall.memory()),
         steering(problem.steering_channels, table.columns()),
@@ -63,8 +71,8 @@ struct TileTracing::Parts {
         tracer(lattice, ledger, table, contrast, options, *dither, problem.seed),
         prober(tracer, ledger, options, problem.seed),
         look(grid, lattice, options.random_rays_per_side, problem.seed),
-        errors(problem, grid, lattice, values, Stopping(problem.tolerance->confidence()).normal(), steering,
-               contrast),
+        errors(problem, footprints, grid, lattice, values, Stopping(problem.tolerance->confidence()).normal(),
+               steering, contrast),
         clutter(lattice, values, contrast, recall, steering),
         standouts(lattice, values),
         controls(parts.controls(field, lattice, table, problem.seed)) {}
@@ -91,11 +99,12 @@ struct TileTracing::Parts {
 };
 
 TileTracing::TileTracing(const TileProblem& problem, Field& field, const AccuracyOptions& options,
-                         const AccuracyParts& parts, TileRecall& recall)
+                         const AccuracyParts& parts, const ColumnFootprints& footprints, TileRecall& recall)
     : problem_(problem),
       options_(options),
       parts_of_method_(parts),
-      parts_(std::make_unique<Parts>(problem, field, options, parts, recall)) {}
+      footprints_(footprints),
+      parts_(std::make_unique<Parts>(problem, field, options, parts, footprints, recall)) {}
 
 TileTracing::~TileTracing() = default;
 
@@ -138,7 +147,7 @@ void TileTracing::trace_lattice() {
   }
   parts_->errors.take_from_lattice(parts_->standouts, spread);
   // Where a footprint weighs the values of a pixel unlike, it would have to weigh what is foretold as well.
-  if (problem_.footprint->whole_pixel())
+  if (footprints_.whole_pixel())
     parts_->controls->fit(values, *parts_->spread,
                           [this](int p) { return parts_->errors.inverse_squares(p); });
   for (int p = 0; p < lattice.domain().count(); ++p)

@@ -9,6 +9,7 @@ namespace ifov::sampling {
 class AccuracyParts;
 class AllowedErrors;
 class ClutterChoice;
+class ColumnFootprints;
 class EdgeTracer;
 class ControlVariates;
 class Field;
@@ -31,7 +32,7 @@ struct TileProblem;
 class TileTracing {
  public:
   TileTracing(const TileProblem& problem, Field& field, const AccuracyOptions& options,
-              const AccuracyParts& parts, TileRecall& recall);
+              const AccuracyParts& parts, const ColumnFootprints& footprints, TileRecall& recall);
   ~TileTracing();
 
   void trace_lattice();   ///< labels and values at the vertices; limits from the first means
@@ -65,6 +66,7 @@ class TileTracing {
   const TileProblem& problem_;
   const AccuracyOptions& options_;
   const AccuracyParts& parts_of_method_;
+  const ColumnFootprints& footprints_;
   std::unique_ptr<Parts> parts_;
 };
 

@@ -20,7 +20,6 @@
 #include "sampling/accuracy/radiance/stratum_moments.h"
 #include "sampling/accuracy/radiance/unseen_values.h"
 #include "sampling/accuracy/round_planner.h"
-#include "sampling/pixel_footprint.h"
 #include "sampling/tile.h"
 
 namespace ifov::sampling {
@@ -32,11 +31,11 @@ TileWork::TileWork(const TileProblem& problem, Field& field, const AccuracyOptio
       parts_(parts),
       result_(result),
       columns_(field.columns()),
+      footprints_(problem.footprints(field)),
       recall_(problem, columns_),
-      tracing_(problem, field, options, parts, recall_),
+      tracing_(problem, field, options, parts, footprints_, recall_),
       sources_(tracing_.lattice().domain().count()),
-      intervals_(*problem.tolerance, problem.later, tracing_.table(), problem.tile.count(),
-                 !problem.footprint->whole_pixel()),
+      intervals_(*problem.tolerance, problem.later, tracing_.table(), problem.tile.count(), footprints_),
       report_(tracing_.prober(), tracing_.ledger(), tracing_.table(), options.max_samples_per_pixel, result) {
   result.reset(problem.tile, columns_);
   recall_.recall_tests(intervals_.states());
@@ -73,7 +72,7 @@ void TileWork::tighten_borders() {
   std::vector<int> every_output(intervals_.states().size());
   std::iota(every_output.begin(), every_output.end(), 0);
   for (int pass = 0; pass < 4; ++pass) {
-    const LeafIntegrator integrator(tracing_.tracer(), *problem_.footprint, problem_.tile);
+    const LeafIntegrator integrator(tracing_.tracer(), footprints_, problem_.tile);
     if (radiance_ == nullptr || !radiance_->refresh(integrator)) begin_radiance(0, sources_, integrator);
     tracing_.tracer().pixels().forget_changes();
     if (pass == 0) tracing_.errors().cover(radiance_->pixels());
@@ -84,12 +83,12 @@ void TileWork::tighten_borders() {
       return;
     tracing_.tracer().settle();
   }
-  const LeafIntegrator integrator(tracing_.tracer(), *problem_.footprint, problem_.tile);
+  const LeafIntegrator integrator(tracing_.tracer(), footprints_, problem_.tile);
   if (!radiance_->refresh(integrator)) radiance_.reset();
 }
 
 void TileWork::estimate() {
-  const LeafIntegrator integrator(tracing_.tracer(), *problem_.footprint, problem_.tile);
+  const LeafIntegrator integrator(tracing_.tracer(), footprints_, problem_.tile);
   // Pixels of a box footprint are independent of each other: they are finished in groups, so that few values
   // are in memory at a time. A wider footprint ties them together.
   const int group =

@@ -6,6 +6,7 @@
 #include "sampling/accuracy/tile_recall.h"
 #include "sampling/accuracy/tile_report.h"
 #include "sampling/accuracy/tile_tracing.h"
+#include "sampling/pixel_footprint.h"
 
 namespace ifov::sampling {
 
@@ -33,6 +34,7 @@ class TileWork {
   const AccuracyParts& parts_;
   TileResult& result_;
   int columns_;
+  ColumnFootprints footprints_;
   TileRecall recall_;
   TileTracing tracing_;
   int sources_;

@@ -11,6 +11,7 @@
 #include "sampling/image/audit.h"
 #include "sampling/image/pixel_points.h"
 #include "sampling/image/spread_places.h"
+#include "sampling/pixel_footprint.h"
 #include "sampling/pixel_sampler.h"
 #include "sampling/random.h"
 #include "sampling/value_batch.h"
@@ -95,14 +96,24 @@ void measure(const TileProblem& image, const Place& place, Field& field, Audited
   const PixelPlan plan{Audit::kSide, Audit::kSide, 0};
   for (std::size_t h = 0; h < 2; ++h) {
     points.clear();
-    points.add(*image.footprint, place.i, place.j, hash(image.seed, place.i, place.j, kAuditPaths, h), plan);
+    points.add(image, place.i, place.j, hash(image.seed, place.i, place.j, kAuditPaths, h), plan);
     pixel.half[h].assign(columns, 0.0);
     const double share = 1.0 / static_cast<double>(points.requests.size());
+    const ColumnFootprints footprints = image.footprints(field);
+    std::vector<double> shares(footprints.groups() * points.requests.size(), share);  // [request][group]
+    if (!points.importance.empty())
+      for (std::size_t g = 0, groups = footprints.groups(); g < groups; ++g) {
+        double all = 0.0;
+        for (std::size_t k = g; k < shares.size(); k += groups) all += points.importance[k];
+        for (std::size_t k = g; k < shares.size() && all > 0.0; k += groups)
+          shares[k] = points.importance[k] / all;
+      }
     for_each_value(
         field, image.cancel, points.requests.size(), [&](std::size_t k) { return points.requests[k]; },
-        [&](std::size_t, Label, const float* values) {
+        [&](std::size_t k, Label, const float* values) {
           for (std::size_t c = 0; c < columns; ++c)
-            pixel.half[h][c] += share * static_cast<double>(values[c]);
+            pixel.half[h][c] +=
+                shares[k * footprints.groups() + footprints.group_of(c)] * static_cast<double>(values[c]);
         });
   }
 }

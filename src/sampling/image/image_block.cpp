@@ -22,6 +22,7 @@ ImageBlock::ImageBlock(const TileProblem& problem, const ImagePlan& plan, Field&
       trust_(trust),
       columns_(static_cast<std::size_t>(field.columns())),
       stride_(static_cast<std::size_t>(field.stride())),
+      footprints_(problem.footprints(field)),
       student_(confidence_of(problem)) {}
 
 std::span<SampledPixel> ImageBlock::sample(std::span<const Place> places) {
@@ -51,9 +52,9 @@ void ImageBlock::draw(std::uint64_t purpose, PlanOf plan_of, LevelSums& sums) {
   points_.clear();
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const auto [i, j] = places_[k];
-    points_.add(*problem_.footprint, i, j, hash(problem_.seed, i, j, purpose), plan_of(k));
+    points_.add(problem_, i, j, hash(problem_.seed, i, j, purpose), plan_of(k));
   }
-  field_.levels({points_.requests, points_.whole, points_.counts}, sums);
+  field_.levels({points_.requests, points_.whole, points_.counts, points_.importance, &footprints_}, sums);
 }
 
 std::span<const Label> ImageBlock::pilot_labels(std::size_t k) const {
@@ -109,9 +110,15 @@ void ImageBlock::take_materials(std::size_t k, std::size_t first_label) {
   const std::span<const Label> pilot = pilot_labels(k),
                                main = std::span<const Label>(main_.labels).subspan(first_label, count);
   auto& materials = pixels_[k].estimate.materials;
-  for (const Label label : pilot)
-    materials[field_.material_of(label)].fraction += weight / static_cast<double>(pilot.size());
-  for (const Label label : main) materials[field_.material_of(label)].fraction += (1.0 - weight) / count;
+  const auto counts_for = [](const LevelSums& sums, std::size_t at) {
+    return sums.label_weights.empty() ? 1.0 : static_cast<double>(sums.label_weights[at]);
+  };
+  for (std::size_t n = 0; n < pilot.size(); ++n)
+    materials[field_.material_of(pilot[n])].fraction +=
+        counts_for(pilot_, k * pilot.size() + n) * weight / static_cast<double>(pilot.size());
+  for (std::size_t n = 0; n < main.size(); ++n)
+    materials[field_.material_of(main[n])].fraction +=
+        counts_for(main_, first_label + n) * (1.0 - weight) / count;
   for (auto& [material, share] : materials) {
     const double of_one = std::max(0.0, share.fraction * (1.0 - share.fraction));
     share.variance = of_one * (weight * weight / static_cast<double>(pilot.size()) +

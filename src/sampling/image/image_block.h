@@ -7,6 +7,7 @@
 #include "sampling/image/image_plan.h"
 #include "sampling/image/levels.h"
 #include "sampling/image/spread_places.h"
+#include "sampling/pixel_footprint.h"
 #include "sampling/pixel_writer.h"
 #include "sampling/quantiles.h"
 
@@ -43,6 +44,7 @@ class ImageBlock {
   Field& field_;
   double trust_;
   std::size_t columns_, stride_;
+  ColumnFootprints footprints_;
   StudentTable student_;
   std::span<const Place> places_;
   PixelPoints points_;

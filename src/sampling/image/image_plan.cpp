@@ -10,6 +10,7 @@
 #include "sampling/hash.h"
 #include "sampling/image/levels.h"
 #include "sampling/image/spread_places.h"
+#include "sampling/pixel_footprint.h"
 #include "sampling/tolerance.h"
 
 namespace ifov::sampling {
@@ -66,10 +67,11 @@ void look(const SurveyRequest& request, std::span<const Place> places, Field& fi
   PixelPoints points;
   for (const Place& place : places)
     for (const int half : {0, 1})
-      points.add(*image.footprint, place.i, place.j, hash(image.seed, place.i, place.j, kSurveyPaths, half),
+      points.add(image, place.i, place.j, hash(image.seed, place.i, place.j, kSurveyPaths, half),
                  Allocation::pilot());
   LevelSums sums;
-  field.levels({points.requests, points.whole, points.counts}, sums);
+  const ColumnFootprints footprints = image.footprints(field);
+  field.levels({points.requests, points.whole, points.counts, points.importance, &footprints}, sums);
   const std::size_t columns = static_cast<std::size_t>(field.columns()),
                     stride = static_cast<std::size_t>(field.stride()),
                     labels = 2 * Allocation::pilot().count();

@@ -1,6 +1,9 @@
 #include "sampling/image/levels.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "sampling/pixel_footprint.h"
 
 namespace ifov::sampling {
 
@@ -93,6 +96,46 @@ void add_up(const LevelRequests& of, const std::vector<float>& values, std::size
   }
 }
 
+/// Makes of values v that count w the values m + w (v - m) / W, with m = sum(w v) / sum(w) over the group and W the mean of w: their
+/// mean is m, and they differ by what the ratio's error comes from (Cochran, Sampling Techniques, 3rd ed. 1977, 6.3).
+void weigh(const LevelRequests& of, std::size_t columns, std::size_t stride, std::vector<float>& values,
+           LevelSums& sums) {
+  const std::size_t groups = of.footprints->groups();
+  std::size_t first = 0;
+  for (const std::uint32_t count : of.counts) {
+    std::vector<double> all(groups, 0.0), squares(groups, 0.0);
+    for (std::size_t k = first; k < first + count; ++k)
+      for (std::size_t g = 0; g < groups; ++g) {
+        const double w = of.importance[k * groups + g];
+        all[g] += w;
+        squares[g] += w * w;
+      }
+    const auto weight = [&](std::size_t k, std::size_t g) {
+      // Where no point lies under a footprint, all of them stand for it.
+      return all[g] > 0.0 ? static_cast<double>(of.importance[k * groups + g]) * count / all[g] : 1.0;
+    };
+    // Values differ less from a mean of their own than from the true one, by as many as count for them.
+    const auto wider = [&](std::size_t g) {
+      constexpr double kFewest = 0.1;
+      const double own = all[g] > 0.0 ? squares[g] / (all[g] * all[g]) : 1.0;
+      return 1.0 / std::sqrt(std::max(kFewest, 1.0 - own));
+    };
+    for (std::size_t k = first; k < first + count; ++k)
+      sums.label_weights[k] = static_cast<float>(weight(k, 0));
+    for (std::size_t c = 0; c < columns; ++c) {
+      const std::size_t g = of.footprints->group_of(c);
+      double mean = 0.0;
+      for (std::size_t k = first; k < first + count; ++k)
+        mean += weight(k, g) * static_cast<double>(values[k * stride + c]) / count;
+      for (std::size_t k = first; k < first + count; ++k) {
+        float& value = values[k * stride + c];
+        value = static_cast<float>(mean + wider(g) * weight(k, g) * (static_cast<double>(value) - mean));
+      }
+    }
+    first += count;
+  }
+}
+
 }  // namespace
 
 void Field::levels(const LevelRequests& of, LevelSums& sums) {
@@ -100,6 +143,11 @@ void Field::levels(const LevelRequests& of, LevelSums& sums) {
   std::vector<float> values(of.requests.size() * stride);
   sums.labels.resize(of.requests.size());
   this->values(of.requests, sums.labels, values);
+  sums.label_weights.clear();
+  if (!of.importance.empty()) {
+    sums.label_weights.resize(of.requests.size());
+    weigh(of, static_cast<std::size_t>(columns()), stride, values, sums);
+  }
   for (std::vector<float>* rows : {&sums.direct, &sums.direct_variance, &sums.rest, &sums.rest_variance})
     rows->assign(of.counts.size() * stride, 0.0f);
   // Columns that add up to others do so to the last digits only where no sum of many values rounds them off.

@@ -8,6 +8,8 @@
 
 namespace ifov::sampling {
 
+class ColumnFootprints;
+
 /// Values in two levels: what a point sends that was lit straight (direct), and the rest, which comes by what else a path meets.
 /// Requests stand group by group (a pixel, say). Those of a group come in fours, of neighbouring strata: the first two side by
 /// side, the others below them.
@@ -15,6 +17,10 @@ struct LevelRequests {
   std::span<const PathRequest> requests;
   std::span<const std::uint8_t> whole;    ///< by request, 0 where only its direct part is wanted
   std::span<const std::uint32_t> counts;  ///< by group, of its requests: a multiple of 4
+  /// [request][group of columns]: what values count for in the columns that have their footprint (FootprintGroups::importance());
+  /// empty: all alike. Means are then sums of these over those of their weights.
+  std::span<const float> importance = {};
+  const ColumnFootprints* footprints = nullptr;  ///< of the columns; not null with importance
 };
 
 /// By group and column, in rows of Field::stride() floats.
@@ -25,6 +31,8 @@ struct LevelSums {
   /// the group's mean; 0 where fewer than two are wanted whole.
   std::vector<float> direct_variance, rest_variance;
   std::vector<Label> labels;  ///< by request
+  std::vector<float>
+      label_weights;  ///< by request, 1 on average over a group, by the reference's footprint; empty: all 1
 };
 
 /// Adds values of one group up, in the precision of `Sum`. Rows are of any length.

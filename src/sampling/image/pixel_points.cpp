@@ -8,6 +8,7 @@
 #include "sampling/pixel_footprint.h"
 #include "sampling/random.h"
 #include "sampling/sub_element_lattice.h"
+#include "sampling/tile.h"
 
 namespace ifov::sampling {
 
@@ -27,6 +28,17 @@ void PixelPoints::clear() {
   requests.clear();
   whole.clear();
   counts.clear();
+  importance.clear();
+}
+
+void PixelPoints::add(const TileProblem& problem, int i, int j, std::uint64_t key, const PixelPlan& plan) {
+  const FootprintGroups* const groups = problem.groups;
+  add(groups == nullptr ? *problem.footprint : groups->mixture(), i, j, key, plan);
+  if (groups == nullptr) return;
+  for (std::size_t k = requests.size() - plan.count(); k < requests.size(); ++k)
+    for (std::size_t g = 0; g < groups->size(); ++g)
+      importance.push_back(static_cast<float>(
+          groups->importance(g, requests[k].point.x_px - i - 0.5, requests[k].point.y_px - j - 0.5)));
 }
 
 void PixelPoints::add(const PixelFootprint& footprint, int i, int j, std::uint64_t key,

@@ -7,7 +7,9 @@
 
 namespace ifov::sampling {
 
+class FootprintGroups;
 class PixelFootprint;
+struct TileProblem;
 
 /// How many values a pixel gets: of the first level one in each of across x down equal cells of its footprint, both even; of the
 /// second at `whole` of these.
@@ -22,8 +24,11 @@ struct PixelPoints {
   std::vector<PathRequest> requests;
   std::vector<std::uint8_t> whole;
   std::vector<std::uint32_t> counts;
+  std::vector<float> importance;  ///< LevelRequests::importance
 
   void clear();
+  /// Of a pixel of this problem, under its footprint or, where channels have several, their mixture.
+  void add(const TileProblem& problem, int i, int j, std::uint64_t key, const PixelPlan& plan);
   /// Of pixel (i, j): one in each cell, in fours of cells side by side, and one in each of as many thin columns and rows as there are
   /// cells (multi-jittered sampling: Chiu, Shirley and Wang 1994). Of which cells the path is followed is drawn so that each has the
   /// same chance and every four about as many. `key`: of the pixel's random numbers and paths.

@@ -33,8 +33,9 @@ struct Polarimetry;
 struct RenderJob;
 }  // namespace ifov::render
 namespace ifov::sampling {
+class FootprintGroups;
 class PixelFootprint;
-}
+}  // namespace ifov::sampling
 namespace ifov::sensor {
 class Camera;
 class PsfWings;
@@ -74,8 +75,10 @@ struct Parts {
   std::unique_ptr<radiometry::SpectralNodes> own_nodes;      ///< null with either
   const radiometry::SpectralNodes* nodes = nullptr;
   std::unique_ptr<sampling::PixelFootprint> footprint;
-  std::unique_ptr<sensor::PsfWings> wings;  ///< null where the PSF has none
-  double psf_cut = 0.0;  ///< share of its energy that stands neither in the footprint nor in wings
+  std::unique_ptr<sampling::FootprintGroups> groups;  ///< of channels whose footprints differ; null: none do
+  std::vector<std::unique_ptr<sensor::PsfWings>> wings;  ///< by group; empty where the PSF has none
+  /// By channel: share of its energy that stands neither in the footprint nor in wings, or elsewhere than in the group's; empty: none.
+  std::vector<double> psf_cut;
   std::unique_ptr<transport::SpectralScene> spectral_scene;
   std::unique_ptr<render::ChannelBrightness> brightness;
   std::vector<render::AtmosphereHalfWidth> air;  ///< by channel; empty without a modelled atmosphere

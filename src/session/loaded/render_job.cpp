@@ -15,7 +15,8 @@ render::RenderJob Parts::job(const SamplingPlan& sampling, const render::Accurac
   render::RenderJob job{*spectral_scene, *camera, *footprint, *sampling.sampler};
   job.tolerance = limits;
   job.polarimetry = polarimetry.get();
-  job.wings = wings.get();
+  job.groups = groups.get();
+  for (const auto& of_group : wings) job.wings.push_back(of_group.get());
   job.cut = psf_cut;
   job.nodes = node_errors;
   job.air = air;
@@ -44,7 +45,7 @@ std::unique_ptr<render::AccuracyTolerance> Parts::tolerance_of(const SamplingPla
     for (std::size_t c = 0; c < polarimetry->optics.size(); ++c) passed.push_back(polarimetry->passed(c));
     limits->judge_stokes(polarimetry->stokes, std::move(passed));
   }
-  limits->leave_room(node_errors, wings ? render::kCutShare : 0.0);
+  limits->leave_room(node_errors, !wings.empty() ? render::kCutShare : 0.0);
   return limits;
 }
 

@@ -147,7 +147,7 @@ void warn_of_surroundings(const Parts& parts, LogSink& log) {
         "light.surroundings are not declared: rays that leave the scene below the horizon meet black at 0 K");
     return;
   }
-  if (parts.wings) warn_of_wings(parts, log);
+  if (!parts.wings.empty()) warn_of_wings(parts, log);
   const Leaving leaving = leaving_below(parts);
   if (leaving.seen < kNoticed && leaving.met < kNoticed) return;
   log.warn(format(

@@ -101,7 +101,7 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
   set_contents(plan, job);
   const std::unique_ptr<io::KeptTiles> earlier = open_kept(folder, plan, options.log);
   const int wanted = static_cast<int>(std::sqrt(area / kWantedPieces));
-  const double margin_px = job.sampler.halo_px() + job.footprint.half_width_px();
+  const double margin_px = job.sampler.halo_px() + job.reach_px();
   const int least = margin_px > kWideMargin_px ? kLeastPieceWithWideMargin_px : kLeastPiece_px;
   // Tiles that are refined are as large as they were.
   job.tile_px = earlier ? plan.tile_px : std::min(plan.tile_px, std::max(wanted, least));

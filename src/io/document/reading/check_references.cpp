@@ -9,6 +9,7 @@
 #include "core/names.h"
 #include "core/overloaded.h"
 #include "io/document/cameras/view_settings.h"
+#include "io/document/detector_document.h"
 #include "io/document/document.h"
 #include "io/document/file_materials_document.h"
 #include "io/document/presence_document.h"
@@ -280,10 +281,21 @@ class ReferenceCheck {
 
   void check_psf() const {
     const SensorDocument& sensor = document_.sensor;
-    if (!std::holds_alternative<AiryPsf>(sensor.psf) || sensor.camera.settings->optics()) return;
+    const auto* airy = std::get_if<AiryPsf>(&sensor.psf);
+    if (airy == nullptr) return;
+    const OpticsDocument none;
+    const OpticsDocument& optics = sensor.optics ? *sensor.optics : none;
+    if (!airy->aperture_m && !optics.aperture_m && !optics.f_number)
+      throw document_error(document_.sources, sensor.psf_position,
+                           "the Airy PSF has no aperture: give it 'aperture', or the sensor 'optics' with "
+                           "'aperture' or 'f_number'");
+    if (sensor.camera.settings->optics()) return;
+    const bool focal = optics.focal_length_m || (!airy->aperture_m && optics.f_number);
+    if (focal && sensor.detector && sensor.detector->pitch_m) return;
     throw document_error(
         document_.sources, sensor.psf_position,
-        "an Airy PSF needs a 'frame' camera, whose focal length and pitch give its size in pixels");
+        "an Airy PSF needs a 'frame' camera, whose focal length and pitch give its size in pixels, or "
+        "'optics.focal_length' and 'detector.pitch'");
   }
 
   const Document& document_;

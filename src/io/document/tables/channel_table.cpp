@@ -30,6 +30,7 @@ struct ChannelEntry {
   std::optional<RetarderDocument> retarder;
   std::shared_ptr<const SnrDocument> snr;
   std::shared_ptr<const DetectorDocument> detector;
+  std::optional<std::array<double, 2>> shift_px;
 };
 
 SchemaType<double> wavelength() { return quantity(kWavelength, Range::above(0.0, "um")); }
@@ -184,7 +185,11 @@ SchemaType<ChannelEntry> entry_type() {
                 "what stands before it; the channel's radiance is what is let through")
       .optional("retarder", &ChannelEntry::retarder, retarder_type(), "what stands before the polarizer")
       .optional("detector", shared(&ChannelEntry::detector), detector_type(),
-                "what its detector has of its own, in place of the sensor's");
+                "what its detector has of its own, in place of the sensor's")
+      .optional(
+          "shift", &ChannelEntry::shift_px,
+          tuple<double, 2>(quantity(kPixels, Range::between(-8.0, 8.0, "px"))),
+          "of what its pixels respond to, right and down on the focal plane: bands that do not lie on each other");
   return record.type();
 }
 
@@ -258,6 +263,7 @@ class ChannelEntries {
     entry.retarder = channels_[k].retarder;
     entry.snr = channels_[k].snr;
     entry.detector = channels_[k].detector;
+    entry.shift_px = channels_[k].shift_px;
     return entry;
   }
 
@@ -276,6 +282,7 @@ class ChannelEntries {
           channels_[end].noise_k != channels_[from].noise_k ||
           channels_[end].polarizer != channels_[from].polarizer ||
           channels_[end].retarder != channels_[from].retarder ||
+          channels_[end].shift_px != channels_[from].shift_px ||
           name_in_series(channels_[end]) != name_in_series(channels_[from]))
         break;
     }
@@ -291,30 +298,31 @@ class ChannelEntries {
 SchemaType<std::vector<ChannelDocument>> channels_type() {
   const SchemaType<ChannelEntry> entry_of = entry_type();
   const auto entries = list(entry_of, 1, kMostChannels);
-  return {entries.description,
-          [description = entries.description, read = entry_of.read](const DocumentNode& node) {
-            check_list(node, *description);
-            std::vector<ChannelDocument> channels;
-            for (const DocumentNode& item : node.items()) {
-              ChannelEntry entry = read(item);
-              if (channels.size() + entry.responses.size() > kMostChannels) {
-                item.fail(format("{} brings the number of channels above {}", item.title(), kMostChannels));
-              }
-              const bool series = entry.responses.size() > 1;
-              for (Response& response : entry.responses) {
-                const std::string own = name_from(response);
-                const std::string name = entry.name.empty() ? own
-                                         : series           ? format("{} {}", entry.name, own)
-                                                            : entry.name;
-                channels.push_back({name, std::move(response), entry.position, entry.noise, entry.noise_k,
-                                    entry.polarizer, entry.retarder, entry.snr, entry.detector});
-              }
-            }
-            return channels;
-          },
-          [write = entries.write](const std::vector<ChannelDocument>& channels, Writing& writing) {
-            return write(ChannelEntries(channels, writing).all(), writing);
-          }};
+  return {
+      entries.description,
+      [description = entries.description, read = entry_of.read](const DocumentNode& node) {
+        check_list(node, *description);
+        std::vector<ChannelDocument> channels;
+        for (const DocumentNode& item : node.items()) {
+          ChannelEntry entry = read(item);
+          if (channels.size() + entry.responses.size() > kMostChannels) {
+            item.fail(format("{} brings the number of channels above {}", item.title(), kMostChannels));
+          }
+          const bool series = entry.responses.size() > 1;
+          for (Response& response : entry.responses) {
+            const std::string own = name_from(response);
+            const std::string name = entry.name.empty() ? own
+                                     : series           ? format("{} {}", entry.name, own)
+                                                        : entry.name;
+            channels.push_back({name, std::move(response), entry.position, entry.noise, entry.noise_k,
+                                entry.polarizer, entry.retarder, entry.snr, entry.detector, entry.shift_px});
+          }
+        }
+        return channels;
+      },
+      [write = entries.write](const std::vector<ChannelDocument>& channels, Writing& writing) {
+        return write(ChannelEntries(channels, writing).all(), writing);
+      }};
 }
 
 }  // namespace ifov::io

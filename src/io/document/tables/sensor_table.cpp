@@ -19,10 +19,19 @@ SchemaType<PsfEntry> psf_type() {
   Record<GaussianPsf> gaussian("Gaussian PSF", "A bell.");
   gaussian.required("sigma", &GaussianPsf::sigma_px, quantity(kPixels, positive_px),
                     "its standard deviation");
-  Record<AiryPsf> airy("Airy PSF", "Diffraction of a circular aperture; with a frame camera.");
-  airy.required("aperture", &AiryPsf::aperture_m, quantity(kLength, Range::above(0.0, "m")), "diameter")
-      .required("wavelength", &AiryPsf::wavelength_um, quantity(kWavelength, Range::above(0.0, "um")),
-                "for which it is computed");
+  Record<AiryPsf> airy(
+      "Airy PSF",
+      "Diffraction of a circular aperture. Its size in pixels follows from focal length and pitch: the camera's, or those of "
+      "`optics` and `detector`.");
+  airy.optional("aperture", &AiryPsf::aperture_m, quantity(kLength, Range::above(0.0, "m")),
+                "diameter; that of the sensor's `optics` if not given")
+      .optional(
+          "wavelength", &AiryPsf::wavelength_um, quantity(kWavelength, Range::above(0.0, "um")),
+          "for which it is computed, one for all channels; of each channel its own, the middle of its response, if not given")
+      .optional(
+          "obscuration", &AiryPsf::obscuration, fraction({0.0, 0.95, false, false, {}}),
+          "diameter of what covers the middle of the aperture, over the aperture's; if not given that of `optics` where the "
+          "aperture is theirs, else 0");
   Record<KernelPsf> kernel("kernel PSF", "An image of the PSF, its centre at the pixel's centre.");
   kernel.required("file", &KernelPsf::file, file(), "the image")
       .required("samples_per_pixel", &KernelPsf::samples_per_pixel, number(Range::above(0.0)),
@@ -68,6 +77,12 @@ void refuse_for_views(const SensorDocument& sensor, const DocumentNode& node) {
     if (const DocumentNode* own = node.find(key))
       own->fail_at_key(
           format("'{}' is of the pixels of a picture, and '{}' makes none", key, sensor.camera.model));
+  for (const ChannelDocument& channel : sensor.channels)
+    if (channel.shift_px)
+      node.given("channels")
+          .fail_at_key(
+              format("channel '{}' has a shift, which is of the pixels of a picture, and '{}' makes none",
+                     channel.name, sensor.camera.model));
   for (const ChannelDocument& channel : sensor.channels)
     if (channel.polarizer || channel.retarder)
       node.given("channels")

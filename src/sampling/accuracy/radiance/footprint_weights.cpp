@@ -10,12 +10,13 @@
 namespace ifov::sampling {
 
 void weigh_by_footprint(const Stratum& stratum, const KeptValues& kept, const PixelFootprint& footprint,
-                        Point2 centre, std::span<const int> columns, const StratumMoments& moments,
-                        WeighedMoments& out) {
-  const std::size_t n = columns.size();
+                        Point2 centre, std::span<const int> columns, std::span<const std::size_t> own,
+                        const StratumMoments& moments, WeighedMoments& out) {
+  const std::size_t n = own.size();
   out.share = 1.0;
   out.freedom = 0.0;
-  out.variance.assign(n, 0.0);
+  out.variance.resize(columns.size());
+  for (const std::size_t c : own) out.variance[c] = 0.0;
   struct Replicate {
     double weight = 0.0, squares = 0.0;
     std::size_t count = 0;
@@ -45,41 +46,40 @@ void weigh_by_footprint(const Stratum& stratum, const KeptValues& kept, const Pi
   std::size_t i = 0;
   for (std::size_t round = 0; round < stratum.rounds.size(); ++round)
     for (const std::size_t end = i + static_cast<std::size_t>(stratum.rounds[round].count()); i < end; ++i) {
-      const std::size_t k = stratum.samples[i];
-      const float* value = &kept.values[k * stride];
-      double* sum = &sums[(round * RadianceRounds::kReplicates + kept.replicates[k]) * n];
-      for (std::size_t c = 0; c < n; ++c) sum[c] += weights[i] * value[columns[c]];
+      const std::size_t sample = stratum.samples[i];
+      const float* value = &kept.values[sample * stride];
+      double* sum = &sums[(round * RadianceRounds::kReplicates + kept.replicates[sample]) * n];
+      for (std::size_t k = 0; k < n; ++k) sum[k] += weights[i] * value[columns[own[k]]];
     }
-  for (std::size_t c = 0; c < n; ++c) {
+  for (std::size_t k = 0; k < n; ++k) {
     double sum = 0.0;
-    for (std::size_t r = 0; r < replicates.size(); ++r) sum += sums[r * n + c];
-    out.mean[c] = sum / total;
+    for (std::size_t r = 0; r < replicates.size(); ++r) sum += sums[r * n + k];
+    out.mean[own[k]] = sum / total;
   }
 
   constexpr double kFreedom = RadianceRounds::kReplicates - 1.0;
   for (std::size_t round = 0; round < stratum.rounds.size(); ++round) {
-    const std::span<const Replicate> own(&replicates[round * RadianceRounds::kReplicates],
-                                         RadianceRounds::kReplicates);
+    const std::span<const Replicate> of_round(&replicates[round * RadianceRounds::kReplicates],
+                                              RadianceRounds::kReplicates);
     double weight = 0.0, own_squares = 0.0;
-    for (const Replicate& replicate : own) weight += replicate.weight, own_squares += replicate.squares;
+    for (const Replicate& replicate : of_round) weight += replicate.weight, own_squares += replicate.squares;
     // Sequences of a few values stratify nothing, and a round without all of them cannot tell.
     constexpr std::size_t kFewest = 4;
-    if (std::any_of(own.begin(), own.end(),
+    if (std::any_of(of_round.begin(), of_round.end(),
                     [](const Replicate& r) { return r.count < kFewest || r.weight == 0.0; })) {
-      for (std::size_t c = 0; c < n; ++c)
-        out.variance[c] += moments.variance[c] * own_squares / (total * total);
+      for (const std::size_t c : own) out.variance[c] += moments.variance[c] * own_squares / (total * total);
       continue;
     }
     out.freedom = kFreedom;
-    for (std::size_t c = 0; c < n; ++c) {
-      const double* sum = &sums[round * RadianceRounds::kReplicates * n + c];
+    for (std::size_t k = 0; k < n; ++k) {
+      const double* sum = &sums[round * RadianceRounds::kReplicates * n + k];
       double all = 0.0, apart = 0.0;
       for (std::uint32_t r = 0; r < RadianceRounds::kReplicates; ++r) all += sum[r * n];
       for (std::uint32_t r = 0; r < RadianceRounds::kReplicates; ++r) {
-        const double difference = (sum[r * n] - all / weight * own[r].weight) / total;
+        const double difference = (sum[r * n] - all / weight * of_round[r].weight) / total;
         apart += difference * difference;
       }
-      out.variance[c] += RadianceRounds::kReplicates / kFreedom * apart;
+      out.variance[own[k]] += RadianceRounds::kReplicates / kFreedom * apart;
     }
   }
 }

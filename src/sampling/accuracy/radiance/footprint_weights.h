@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -21,10 +22,10 @@ struct WeighedMoments {
   double freedom = 0.0;          ///< degrees of freedom behind `variance`; 0: values are too few for it
 };
 
-/// Moments of a stratum's kept values as the footprint about `centre` weighs them; leaves the mean as it is where they
-/// weigh nothing. `moments`: of the values that weigh alike.
+/// Moments of a stratum's kept values as the footprint about `centre` weighs them, in the asked columns at the positions `own`;
+/// leaves the mean as it is where they weigh nothing. `moments`: of the values that weigh alike.
 void weigh_by_footprint(const Stratum& stratum, const KeptValues& kept, const PixelFootprint& footprint,
-                        Point2 centre, std::span<const int> columns, const StratumMoments& moments,
-                        WeighedMoments& out);
+                        Point2 centre, std::span<const int> columns, std::span<const std::size_t> own,
+                        const StratumMoments& moments, WeighedMoments& out);
 
 }  // namespace ifov::sampling

@@ -9,14 +9,14 @@
 
 namespace ifov::sampling {
 
-LeafIntegrator::LeafIntegrator(const EdgeTracer& tracer, const PixelFootprint& footprint, PixelRect tile)
+LeafIntegrator::LeafIntegrator(const EdgeTracer& tracer, const ColumnFootprints& footprints, PixelRect tile)
     : tree_(tracer.tree()),
       edge_cells_(tracer.edge_cells()),
       model_(tracer.model()),
       lattice_(tracer.lattice()),
-      footprint_(footprint),
+      footprints_(footprints),
       tile_(tile),
-      unit_box_(footprint.whole_pixel()) {
+      unit_box_(footprints.whole_pixel()) {
   // Added up as for any other pixel, so that it makes no difference which way a pixel went.
   const double side = lattice_.side_px(0);
   for (int i = 0; i < lattice_.cells_per_pixel() * lattice_.cells_per_pixel(); ++i)
@@ -58,25 +58,34 @@ void LeafIntegrator::leaves_of(int source) const {
   std::sort(leaves_.begin(), leaves_.end());
 }
 
-Point2 LeafIntegrator::centre(int output) const {
-  return {tile_.x0 + output % tile_.width() + 0.5, tile_.y0 + output / tile_.width() + 0.5};
+Point2 LeafIntegrator::centre(int output, std::size_t group) const {
+  const Point2 shift = footprints_.shift_px(group);
+  return {tile_.x0 + output % tile_.width() + 0.5 + shift.x,
+          tile_.y0 + output / tile_.width() + 0.5 + shift.y};
 }
 
-void LeafIntegrator::outputs_of(int source, SmallVector<int, 1>& outputs) const {
+void LeafIntegrator::outputs_of(int source, PixelModel& model) const {
   const PixelRect& domain = lattice_.domain();
   const int x = domain.x0 + source % domain.width(), y = domain.y0 + source / domain.width();
-  const int reach = std::max(0, static_cast<int>(std::ceil(footprint_.half_width_px() - 0.5 - 1e-12)));
-  outputs.clear();
+  const int reach = footprints_.reach();
+  model.groups = footprints_.groups();
+  model.outputs.clear();
+  slots_.clear();
   for (int j = std::max(tile_.y0, y - reach); j <= std::min(tile_.y1 - 1, y + reach); ++j)
-    for (int i = std::max(tile_.x0, x - reach); i <= std::min(tile_.x1 - 1, x + reach); ++i)
-      outputs.push_back((j - tile_.y0) * tile_.width() + i - tile_.x0);
+    for (int i = std::max(tile_.x0, x - reach); i <= std::min(tile_.x1 - 1, x + reach); ++i) {
+      const int output = (j - tile_.y0) * tile_.width() + i - tile_.x0;
+      for (std::size_t group = 0; group < model.groups; ++group)
+        if (footprints_.reaches(group, x - i, y - j))
+          slots_.push_back({model.slots() + group, group, centre(output, group)});
+      model.outputs.push_back(output);
+    }
 }
 
-double LeafIntegrator::whole_weight(int source, int output) const {
+double LeafIntegrator::whole_weight(int source, int output, std::size_t group) const {
   const PixelRect& domain = lattice_.domain();
-  const Point2 c = centre(output);
+  const Point2 c = centre(output, group);
   const double x = domain.x0 + source % domain.width() - c.x, y = domain.y0 + source / domain.width() - c.y;
-  return footprint_.integral(x, y, x + 1.0, y + 1.0);
+  return footprint(group).integral(x, y, x + 1.0, y + 1.0);
 }
 
 namespace {
@@ -98,42 +107,44 @@ double over_fan(const Polygon& polygon, const Density& density) {
 
 }  // namespace
 
-double LeafIntegrator::over_polygon(const Polygon& polygon, Point2 c) const {
-  if (footprint_.uniform()) {
-    const double h = footprint_.half_width_px();
+double LeafIntegrator::over_polygon(const Polygon& polygon, const Slot& slot) const {
+  const PixelFootprint& footprint_of_slot = footprint(slot.group);
+  const Point2 c = slot.centre;
+  if (footprint_of_slot.uniform()) {
+    const double h = footprint_of_slot.half_width_px();
     const Polygon inside = polygon.clipped(-1.0, 0.0, -(c.x - h))
                                .clipped(1.0, 0.0, c.x + h)
                                .clipped(0.0, -1.0, -(c.y - h))
                                .clipped(0.0, 1.0, c.y + h);
     return inside.signed_area() * 0.25 / (h * h);
   }
-  if (!footprint_.pieces().empty()) {
-    const double h = footprint_.half_width_x_px();
+  if (!footprint_of_slot.pieces().empty()) {
+    const double h = footprint_of_slot.half_width_x_px();
     const Polygon inside = polygon.clipped(-1.0, 0.0, -(c.x - h)).clipped(1.0, 0.0, c.x + h);
     double low = INFINITY, high = -INFINITY, sum = 0.0;
     for (int i = 0; i < inside.count; ++i)
       low = std::min(low, inside.vertex[i].y - c.y), high = std::max(high, inside.vertex[i].y - c.y);
-    for (const PixelFootprint::Piece& piece : footprint_.pieces()) {
+    for (const PixelFootprint::Piece& piece : footprint_of_slot.pieces()) {
       if (!(piece.y0 < high) || !(piece.y1 > low)) continue;
       const Polygon strip = inside.clipped(0.0, -1.0, -(c.y + piece.y0)).clipped(0.0, 1.0, c.y + piece.y1);
       sum += over_fan(strip, [&](Point2 m) { return piece.at(m.y - c.y); });
     }
     return 0.5 * sum / h;
   }
-  return over_fan(polygon, [&](Point2 m) { return footprint_.density(m.x - c.x, m.y - c.y); });
+  return over_fan(polygon, [&](Point2 m) { return footprint_of_slot.density(m.x - c.x, m.y - c.y); });
 }
 
 /// Integral of an output's footprint over a cell.
-double LeafIntegrator::cell_weight(const Cell& cell, const PixelModel& model, std::size_t output) const {
+double LeafIntegrator::cell_weight(const Cell& cell, const Slot& slot) const {
   const double side = lattice_.side_px(cell.level);
   if (unit_box_) return side * side;
   const double x0 = lattice_.x_px(cell.x), y0 = lattice_.y_px(cell.y);
-  const Point2 c = centre(model.outputs[output]);
-  return footprint_.integral(x0 - c.x, y0 - c.y, x0 + side - c.x, y0 + side - c.y);
+  const Point2 c = slot.centre;
+  return footprint(slot.group).integral(x0 - c.x, y0 - c.y, x0 + side - c.x, y0 + side - c.y);
 }
 
 void LeafIntegrator::pixel(int source, PixelModel& model) const {
-  outputs_of(source, model.outputs);
+  outputs_of(source, model);
   model.forget_parts();
   leaves_of(source);
   for (const std::uint32_t leaf : leaves_) {
@@ -150,10 +161,10 @@ void LeafIntegrator::pixel(int source, PixelModel& model) const {
 }
 
 void LeafIntegrator::add_uniform(const Cell& cell, PixelModel& model) const {
-  const std::size_t region = model.add_region(cell.corner[0]), outputs = model.outputs.size();
+  const std::size_t region = model.add_region(cell.corner[0]), slots = model.slots();
   const double side = lattice_.side_px(cell.level);
   model.area[region] += side * side;
-  for (std::size_t o = 0; o < outputs; ++o) model.weight[region * outputs + o] += cell_weight(cell, model, o);
+  for (const Slot& slot : slots_) model.weight[region * slots + slot.at] += cell_weight(cell, slot);
 }
 
 void LeafIntegrator::add_complex(const Cell& cell, PixelModel& model) const {
@@ -168,11 +179,11 @@ void LeafIntegrator::add_complex(const Cell& cell, PixelModel& model) const {
   }
   std::size_t region[4];
   for (int i = 0; i < 4; ++i) region[i] = model.add_region(cell.corner[i]);
-  const std::size_t outputs = model.outputs.size();
-  for (std::size_t o = 0; o < outputs; ++o) {
-    const double w = cell_weight(cell, model, o);
-    model.loose_weight[entry * outputs + o] += w;
-    for (const std::size_t r : region) model.weight[r * outputs + o] += 0.25 * w;
+  const std::size_t slots = model.slots();
+  for (const Slot& slot : slots_) {
+    const double w = cell_weight(cell, slot);
+    model.loose_weight[entry * slots + slot.at] += w;
+    for (const std::size_t r : region) model.weight[r * slots + slot.at] += 0.25 * w;
   }
   const double side = lattice_.side_px(cell.level);
   for (const std::size_t r : region) model.area[r] += 0.25 * (side * side);
@@ -191,17 +202,16 @@ void LeafIntegrator::add_junction(const Cell& cell, PixelModel& model) const {
     variance[s] = model_.border_variance(cell, s);
     model.area[region[s]] += area[s];
   }
-  const std::size_t outputs = model.outputs.size();
-  for (std::size_t o = 0; o < outputs; ++o) {
-    const Point2 c = centre(model.outputs[o]);
-    const double density = unit_box_ ? 1.0 : footprint_.density(junction.at.x - c.x, junction.at.y - c.y);
+  const std::size_t slots = model.slots();
+  for (const Slot& slot : slots_) {
+    const double at_point = unit_box_ ? 1.0 : density(junction.at, slot);
     double inside[3], sum = 0.0;
     for (int s = 0; s < 3; ++s)
-      sum += inside[s] = unit_box_ ? area[s] : std::abs(over_polygon(polygon[s], c));
-    const double scale = sum > 0.0 ? cell_weight(cell, model, o) / sum : 0.0;
+      sum += inside[s] = unit_box_ ? area[s] : std::abs(over_polygon(polygon[s], slot));
+    const double scale = sum > 0.0 ? cell_weight(cell, slot) / sum : 0.0;
     for (int s = 0; s < 3; ++s) {
-      model.weight[region[s] * outputs + o] += scale * inside[s];
-      model.border_variance[border[s] * outputs + o] += variance[s] * density * density;
+      model.weight[region[s] * slots + slot.at] += scale * inside[s];
+      model.border_variance[border[s] * slots + slot.at] += variance[s] * at_point * at_point;
     }
   }
 }
@@ -209,7 +219,7 @@ void LeafIntegrator::add_junction(const Cell& cell, PixelModel& model) const {
 void LeafIntegrator::add_curve(const Cell& cell, PixelModel& model) const {
   const Curve& curve = model_.curve_of(cell);
   const std::size_t in = model.add_region(curve.inner), out = model.add_region(curve.outer);
-  const std::size_t border = model.add_border(curve.inner, curve.outer), outputs = model.outputs.size();
+  const std::size_t border = model.add_border(curve.inner, curve.outer), slots = model.slots();
   const CurveShape shape = model_.shape_of(cell);
   const Polygon polygon = model_.inner_region(cell, shape);
   const double side = lattice_.side_px(cell.level), whole = side * side;
@@ -220,20 +230,19 @@ void LeafIntegrator::add_curve(const Cell& cell, PixelModel& model) const {
   const Point2 middle = 0.5 * (polygon.vertex[0] + polygon.vertex[curve.side[1] - curve.side[0] + 1]);
   model.area[in] += area;
   model.area[out] += whole - area;
-  for (std::size_t o = 0; o < outputs; ++o) {
-    const double weight = cell_weight(cell, model, o);
-    double inner = area, density = 1.0;
+  for (const Slot& slot : slots_) {
+    const double weight = cell_weight(cell, slot);
+    double inner = area, at_middle = 1.0;
     if (!unit_box_) {
-      const Point2 c = centre(model.outputs[o]);
-      density = footprint_.density(middle.x - c.x, middle.y - c.y);
-      inner = over_polygon(polygon, c) + beyond * density;
+      at_middle = density(middle, slot);
+      inner = over_polygon(polygon, slot) + beyond * at_middle;
     }
-    model.weight[in * outputs + o] += inner;
-    model.weight[out * outputs + o] += weight - inner;
-    model.border_variance[border * outputs + o] += variance * density * density;
+    model.weight[in * slots + slot.at] += inner;
+    model.weight[out * slots + slot.at] += weight - inner;
+    model.border_variance[border * slots + slot.at] += variance * at_middle * at_middle;
     if (curve.loose_area > 0.0)
-      model.loose_weight[model.add_loose_pair(curve.inner, curve.outer) * outputs + o] +=
-          std::sqrt(12.0) * curve.loose_area * density;
+      model.loose_weight[model.add_loose_pair(curve.inner, curve.outer) * slots + slot.at] +=
+          std::sqrt(12.0) * curve.loose_area * at_middle;
   }
 }
 

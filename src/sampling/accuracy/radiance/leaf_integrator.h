@@ -18,10 +18,10 @@ class Lattice;
 struct Cell;
 struct Polygon;
 
-/// Integrates the leaves of the traced model against the footprint. No rays.
+/// Integrates the leaves of the traced model against the footprints, each for its group of columns. No rays.
 class LeafIntegrator {
  public:
-  LeafIntegrator(const EdgeTracer& tracer, const PixelFootprint& footprint, PixelRect tile);
+  LeafIntegrator(const EdgeTracer& tracer, const ColumnFootprints& footprints, PixelRect tile);
 
   /// The model of the source pixel with this index in the tracer's domain.
   void pixel(int source, PixelModel& model) const;
@@ -31,33 +31,42 @@ class LeafIntegrator {
   bool plain(int source, int& output, std::uint32_t& label, double& weight) const;
 
   /// Integral of an output pixel's footprint over the whole source pixel.
-  double whole_weight(int source, int output) const;
+  double whole_weight(int source, int output, std::size_t group) const;
 
   /// Image position of the footprint's centre for an output pixel.
-  Point2 centre(int output) const;
+  Point2 centre(int output, std::size_t group) const;
 
   bool unit_box() const { return unit_box_; }
-  const PixelFootprint& footprint() const { return footprint_; }
+  const PixelFootprint& footprint(std::size_t group) const { return footprints_.footprint(group); }
 
  private:
-  void outputs_of(int source, SmallVector<int, 1>& outputs) const;
+  /// An output and a group of columns whose footprint reaches the pixel at hand.
+  struct Slot {
+    std::size_t at, group;  ///< position in the model's lists
+    Point2 centre;
+  };
+  void outputs_of(int source, PixelModel& model) const;
   void leaves_of(int source) const;
-  double cell_weight(const Cell& cell, const PixelModel& model, std::size_t output) const;
+  double cell_weight(const Cell& cell, const Slot& slot) const;
   void add_uniform(const Cell& cell, PixelModel& model) const;
   void add_complex(const Cell& cell, PixelModel& model) const;
   void add_junction(const Cell& cell, PixelModel& model) const;
   void add_curve(const Cell& cell, PixelModel& model) const;
-  double over_polygon(const Polygon& polygon, Point2 centre) const;
+  double over_polygon(const Polygon& polygon, const Slot& slot) const;
+  double density(Point2 at, const Slot& slot) const {
+    return footprint(slot.group).density(at.x - slot.centre.x, at.y - slot.centre.y);
+  }
 
   const CellTree& tree_;
   const EdgeCells& edge_cells_;
   const BorderModel& model_;
   const Lattice& lattice_;
-  const PixelFootprint& footprint_;
+  const ColumnFootprints& footprints_;
   PixelRect tile_;
   bool unit_box_;
   double plain_weight_ = 0.0;
   mutable std::vector<std::uint32_t> leaves_;  // of the pixel at hand
+  mutable std::vector<Slot> slots_;
 };
 
 }  // namespace ifov::sampling

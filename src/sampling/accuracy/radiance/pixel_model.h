@@ -9,7 +9,8 @@
 namespace ifov::sampling {
 
 /// What tracing says about one source pixel (a pixel of the focal plane), and how much each part weighs in
-/// the output pixels whose footprints reach it. Weights of one part in all outputs follow each other.
+/// the output pixels whose footprints reach it, by groups of columns that have one. Weights of one part in all outputs follow each
+/// other, those of an output by group.
 struct PixelModel {
   struct Border {
     std::uint32_t inner, outer;
@@ -18,24 +19,27 @@ struct PixelModel {
     std::uint32_t corner[4];
     bool two_labels;
   };
+  std::size_t groups = 1;                ///< of columns
   SmallVector<int, 1> outputs;           ///< row-major indices in the tile
   SmallVector<std::uint32_t, 2> labels;  ///< one region per label
   SmallVector<double, 2> area;           ///< of each region, px^2
-  SmallVector<double, 2> weight;         ///< [region][output]: integral of the footprint over the region
-  SmallVector<Border, 1> borders;        ///< pairs of labels that share traced borders
-  /// [pair][output]: variance of the weight that lies on the wrong side
+  SmallVector<double, 2> weight;   ///< [region][output][group]: integral of the footprint over the region
+  SmallVector<Border, 1> borders;  ///< pairs of labels that share traced borders
+  /// [pair][output][group]: variance of the weight that lies on the wrong side
   SmallVector<double, 1> border_variance;
   SmallVector<Loose, 1> loose;  ///< cells counted by their corners, those of the same two labels together
-  SmallVector<double, 1> loose_weight;  ///< [cell][output]
+  SmallVector<double, 1> loose_weight;  ///< [cell][output][group]
 
-  double weight_of(std::size_t region, std::size_t output) const {
-    return weight[region * outputs.size() + output];
+  /// Outputs and their groups.
+  std::size_t slots() const { return outputs.size() * groups; }
+  double weight_of(std::size_t region, std::size_t output, std::size_t group) const {
+    return weight[region * slots() + output * groups + group];
   }
-  double border_variance_of(std::size_t pair, std::size_t output) const {
-    return border_variance[pair * outputs.size() + output];
+  double border_variance_of(std::size_t pair, std::size_t output, std::size_t group) const {
+    return border_variance[pair * slots() + output * groups + group];
   }
-  double loose_weight_of(std::size_t cell, std::size_t output) const {
-    return loose_weight[cell * outputs.size() + output];
+  double loose_weight_of(std::size_t cell, std::size_t output, std::size_t group) const {
+    return loose_weight[cell * slots() + output * groups + group];
   }
 
   std::uint32_t region_of(std::uint32_t label) const {
@@ -90,7 +94,7 @@ struct PixelModel {
  private:
   template <std::size_t Inline>
   void append(SmallVector<double, Inline>& weights) const {
-    for (std::size_t o = 0; o < outputs.size(); ++o) weights.push_back(0.0);
+    for (std::size_t o = 0; o < slots(); ++o) weights.push_back(0.0);
   }
 };
 

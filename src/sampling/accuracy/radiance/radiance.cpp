@@ -70,8 +70,9 @@ void Radiance::trace() {
 }
 
 void Radiance::weigh(const Stratum& stratum, const PixelFootprint& footprint, Point2 centre,
-                     std::span<const int> columns, const StratumMoments& moments, WeighedMoments& out) const {
-  weigh_by_footprint(stratum, parts_->kept, footprint, centre, columns, moments, out);
+                     std::span<const int> columns, std::span<const std::size_t> own,
+                     const StratumMoments& moments, WeighedMoments& out) const {
+  weigh_by_footprint(stratum, parts_->kept, footprint, centre, columns, own, moments, out);
 }
 
 }  // namespace ifov::sampling

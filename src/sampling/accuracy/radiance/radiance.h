@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -63,9 +64,10 @@ class Radiance {
 
   const StratumEstimates& estimates() const { return judges_.estimates; }
   const UnseenValues& unseen() const { return judges_.unseen; }
-  /// Moments of a stratum as the footprint weighs its values (weigh_by_footprint).
+  /// Moments of a stratum as the footprint weighs its values, in the columns at these positions (weigh_by_footprint).
   void weigh(const Stratum& stratum, const PixelFootprint& footprint, Point2 centre,
-             std::span<const int> columns, const StratumMoments& moments, WeighedMoments& out) const;
+             std::span<const int> columns, std::span<const std::size_t> own, const StratumMoments& moments,
+             WeighedMoments& out) const;
   const RadianceMemory& memory() const;
 
  private:

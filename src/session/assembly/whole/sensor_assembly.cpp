@@ -5,6 +5,7 @@
 #include "core/overloaded.h"
 #include "geometry/world.h"
 #include "io/document/cameras/camera_settings.h"
+#include "io/document/detector_document.h"
 #include "io/document/sensor_document.h"
 #include "io/raster/raster.h"
 #include "io/spectra/channel_table.h"
@@ -107,8 +108,27 @@ std::shared_ptr<const render::Polarimetry> assemble_polarimetry(const io::Sensor
   return polarimetry;
 }
 
+sensor::AiryAperture airy_aperture(const io::SensorDocument& sensor) {
+  const auto& airy = std::get<io::AiryPsf>(sensor.psf);
+  const io::OpticsDocument none;
+  const io::OpticsDocument& optics = sensor.optics ? *sensor.optics : none;
+  const auto camera = sensor.camera.settings->optics();
+  sensor::AiryAperture made;
+  made.wavelength_um = airy.wavelength_um.value_or(0.0);
+  made.pitch_m = camera ? camera->pitch_m : sensor.detector->pitch_m.value();
+  const std::optional<double> focal_length_m =
+                                  camera ? std::optional(camera->focal_length_m) : optics.focal_length_m,
+                              aperture_m = airy.aperture_m ? airy.aperture_m : optics.aperture_m;
+  if (aperture_m && focal_length_m)
+    made.diameter_m = *aperture_m, made.focal_length_m = *focal_length_m;
+  else
+    made.diameter_m = 1.0, made.focal_length_m = optics.f_number.value();
+  made.obscuration = airy.obscuration.value_or(airy.aperture_m ? 0.0 : optics.obscuration);
+  return made;
+}
+
 std::unique_ptr<sensor::Psf> assemble_psf(const io::DocumentSources& sources,
-                                          const io::SensorDocument& sensor) {
+                                          const io::SensorDocument& sensor, double wavelength_um) {
   return with_position(sources, sensor.psf_position, [&] {
     using Made = std::unique_ptr<sensor::Psf>;
     return std::visit(
@@ -116,10 +136,10 @@ std::unique_ptr<sensor::Psf> assemble_psf(const io::DocumentSources& sources,
                    [](const io::GaussianPsf& gaussian) -> Made {
                      return sensor::make_gaussian_psf(gaussian.sigma_px);
                    },
-                   [&](const io::AiryPsf& airy) -> Made {
-                     const auto optics = sensor.camera.settings->optics().value();
-                     return sensor::make_airy_psf(
-                         {airy.wavelength_um, airy.aperture_m, optics.focal_length_m, optics.pitch_m});
+                   [&](const io::AiryPsf&) -> Made {
+                     sensor::AiryAperture aperture = airy_aperture(sensor);
+                     if (!(aperture.wavelength_um > 0.0)) aperture.wavelength_um = wavelength_um;
+                     return sensor::make_airy_psf(aperture);
                    },
                    [](const io::KernelPsf& kernel) -> Made {
                      const io::Raster raster = io::read_raster(kernel.file.path);

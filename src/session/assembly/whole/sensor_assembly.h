@@ -28,6 +28,7 @@ struct Scene;
 namespace ifov::sensor {
 class Camera;
 class Psf;
+struct AiryAperture;
 }  // namespace ifov::sensor
 
 namespace ifov::session {
@@ -41,9 +42,11 @@ std::vector<radiometry::Channel> assemble_channels(const io::DocumentSources& so
                                                    std::span<const io::ChannelDocument> written);
 /// Whether polarization is told, and what stands before the channels.
 std::shared_ptr<const render::Polarimetry> assemble_polarimetry(const io::SensorDocument& sensor);
-/// Null without one: perfect optics.
+/// Diffraction as an Airy PSF has it, in lengths whose ratios are right; the wavelength 0 where it is each channel's own.
+sensor::AiryAperture airy_aperture(const io::SensorDocument& sensor);
+/// At a wavelength, where the document says none; null without one: perfect optics.
 std::unique_ptr<sensor::Psf> assemble_psf(const io::DocumentSources& sources,
-                                          const io::SensorDocument& sensor);
+                                          const io::SensorDocument& sensor, double wavelength_um);
 
 /// Names, channels and map information for products; `map_offset_m` as of MapFrame.
 render::ImageInfo image_info(const io::OriginDocument& origin, const sensor::Camera& camera,
