@@ -5,6 +5,7 @@
 #include "geometry/world.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
+#include "thermal/wind_profile.h"
 
 namespace ifov::exposure {
 namespace {
@@ -29,6 +30,10 @@ ExposedPoint::ExposedPoint(const PastScene& scene, const geometry::SurfacePoint&
   }
   origin_m_ = point.position_m + point.offset_m * outward_;
   if (scene.changes()) presence_ = scene.world().presence(point.instance);
+}
+
+thermal::Pose ExposedPoint::pose() const {
+  return {normal_, scene_.height_above_ground_m(origin_m_, thermal::kLowestWind_m)};
 }
 
 double ExposedPoint::time_here_s(double time_s) const {

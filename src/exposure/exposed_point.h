@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "math/vec3.h"
+#include "thermal/surface_classes.h"
 
 namespace ifov::geometry {
 struct Presence;
@@ -21,6 +22,8 @@ class ExposedPoint {
   ExposedPoint(const PastScene& scene, const geometry::SurfacePoint& point);
 
   math::Vec3 normal() const { return normal_; }  ///< shading normal, out of the side that was met
+  /// That, and how high above ground the point is, which may take a ray.
+  thermal::Pose pose() const;
 
   /// 1 where nothing stands in a direction that leaves the surface, 0 where something does or it does not leave. `times_s`: when,
   /// after the picture's time; empty: now. A point of what was elsewhere then is told how it was at the nearest time at which

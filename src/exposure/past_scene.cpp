@@ -3,10 +3,14 @@
 #include <algorithm>
 
 #include "geometry/presence.h"
+#include "geometry/surface_point.h"
 #include "geometry/world.h"
 
 namespace ifov::exposure {
 namespace {
+
+constexpr double kFacesUp = 0.1;  // cosine: a ray up along a wall may meet it, by rounding
+constexpr int kMostBelow = 64;    // surfaces that face down, on the way
 
 struct LeftRays {
   std::vector<math::Ray> rays;
@@ -25,6 +29,9 @@ PastScene::PastScene(const geometry::World& world, const geometry::World* depart
         for (const double edge_s : {begin_s, end_s})
           if (edge_s <= 0.0) changes_s_.push_back(edge_s);
   }
+  const geometry::World::Heights heights = world_.heights();
+  low_m_ = heights.low_m;
+  high_m_ = heights.high_m;
   std::sort(changes_s_.begin(), changes_s_.end());
   changes_s_.erase(std::unique(changes_s_.begin(), changes_s_.end()), changes_s_.end());
 }
@@ -36,6 +43,22 @@ bool PastScene::is_otherwise_within(double low_s, double high_s) const {
                        [&](const geometry::Presence& one) { return one.is_otherwise_within(low_s, high_s); });
   };
   return any_of(&world_) || any_of(departed_);
+}
+
+double PastScene::height_above_ground_m(math::Point3 place_m, double least_m) const {
+  if (!(place_m.z - low_m_ > least_m)) return 0.0;
+  constexpr double kBelow_m = 1.0;
+  math::Ray up{.origin_m = {place_m.x, place_m.y, low_m_ - kBelow_m}, .direction = {0.0, 0.0, 1.0}};
+  up.t_max_m = place_m.z - least_m - up.origin_m.z;
+  for (int k = 0; k < kMostBelow; ++k) {
+    geometry::SurfacePoint met;
+    world_.intersect({&up, 1}, {&met, 1});
+    if (!met.hit()) return 0.0;
+    if (met.geometric_normal.as_vector().z > kFacesUp || met.shared_with != geometry::kNoMaterial)
+      return place_m.z - met.position_m.z;
+    up.t_min_m = met.distance_m + met.offset_m;
+  }
+  return 0.0;
 }
 
 void PastScene::occluded(std::span<const math::Ray> rays, std::span<std::uint8_t> blocked) const {

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "math/vec3.h"
+
 namespace ifov::geometry {
 class World;
 }
@@ -28,6 +30,12 @@ class PastScene {
   /// Whether something is not as it is now at some time between these.
   bool is_otherwise_within(double low_s, double high_s) const;
 
+  /// How high a place is above the lowest surface below it that faces up, or what lies in the place of a foundation: by a ray from below
+  /// that passes what faces down. 0 where that is no more than `least_m`, or nothing is there.
+  double height_above_ground_m(math::Point3 place_m, double least_m) const;
+  /// No place is higher.
+  double highest_m() const { return high_m_ - low_m_; }
+
   /// 1 where anything was in a ray's way.
   void occluded(std::span<const math::Ray> rays, std::span<std::uint8_t> blocked) const;
 
@@ -35,6 +43,7 @@ class PastScene {
   const geometry::World& world_;
   const geometry::World* departed_;
   std::vector<double> changes_s_;
+  double low_m_, high_m_;  ///< of everything
 };
 
 }  // namespace ifov::exposure

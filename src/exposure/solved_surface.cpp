@@ -66,7 +66,7 @@ scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& poin
   const std::uint64_t key = sampling::hash(draw, bits(point.position_m.x), bits(point.position_m.y),
                                            bits(point.position_m.z), point.front);
   const ExposedPoint exposed(scene_, point);
-  const math::Vec3 normal = exposed.normal();
+  const thermal::Pose pose = exposed.pose();
   std::vector<math::Vec3>& directions = scratch.directions;
   exposed.sky_directions(sampling::hash(key, Draw::sky), kSkyPairs, directions);
   scratch.is_free.resize(std::max<std::size_t>(directions.size(), 2 * kSunPairs));
@@ -78,11 +78,11 @@ scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& poin
 
   std::vector<double>& sums_k = scratch.weight_k;
   sums_k.resize(classes_->sunlit_rows());
-  const auto [shaded_k, of_sky_k] = classes_->shaded(normal, sky.mean, sums_k);
+  const auto [shaded_k, of_sky_k] = classes_->shaded(pose, sky.mean, sums_k);
   double variance_k2 = sky.variance * of_sky_k * of_sky_k;
   PastSky past;
   if (!changed_rows_.empty() && !directions.empty()) {
-    past = past_sky(exposed, key, directions, scratch.is_free, of_sky_k);
+    past = past_sky(exposed, pose, key, directions, scratch.is_free, of_sky_k);
     variance_k2 = past.variance_k2;
   }
   std::partial_sum(sums_k.begin(), sums_k.end(), sums_k.begin());
@@ -106,7 +106,7 @@ scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& poin
   double second = 0.0;
   if (sun.mean > 0.0 && sun.mean < 1.0) {
     scratch.per_pair.resize(sums_k.size());
-    classes_->bends(normal, sums_k, scratch.per_pair);
+    classes_->bends(pose, sums_k, scratch.per_pair);
   }
   for (std::size_t k = 0; k < scratch.rows.size(); ++k)
     for (std::size_t j = 1 - k % 2; j < scratch.rows.size(); j += 2)
@@ -117,13 +117,13 @@ scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& poin
   return {shaded_k + past_k + (sun.mean + second) * rise_k, std::sqrt(variance_k2)};
 }
 
-SolvedSurface::PastSky SolvedSurface::past_sky(const ExposedPoint& exposed, std::uint64_t key,
-                                               std::span<const math::Vec3> directions,
+SolvedSurface::PastSky SolvedSurface::past_sky(const ExposedPoint& exposed, const thermal::Pose& pose,
+                                               std::uint64_t key, std::span<const math::Vec3> directions,
                                                std::span<const std::uint8_t> is_free, double of_sky_k) const {
   static thread_local std::vector<double> weight_k, bend_k, sums_k;
   weight_k.resize(classes_->rows());
   bend_k.resize(classes_->rows());
-  classes_->past_sky(exposed.normal(), weight_k, bend_k);
+  classes_->past_sky(pose, weight_k, bend_k);
   sums_k.clear();
   for (const std::size_t row : changed_rows_)
     sums_k.push_back((sums_k.empty() ? 0.0 : sums_k.back()) + std::abs(weight_k[row]));
@@ -185,6 +185,7 @@ SolvedSurface::Exposure SolvedSurface::exposure(const geometry::SurfacePoint& po
                                                 int sky_pairs, int sun_rays) const {
   const ExposedPoint exposed(scene_, point);
   Exposure result;
+  result.height_m = exposed.pose().height_m;
   std::vector<math::Vec3> directions;
   std::vector<double> times_s;
   exposed.sky_directions(sampling::hash(key, Draw::sky), sky_pairs, directions);
@@ -216,11 +217,11 @@ math::Vec3 SolvedSurface::normal_at(const geometry::SurfacePoint& point) const {
 
 double SolvedSurface::temperature_k(const geometry::SurfacePoint& point, const Exposure& exposure) const {
   std::vector<double> weight_k(classes_->sunlit_rows());
-  const math::Vec3 normal = normal_at(point);
-  const double shaded_k = classes_->shaded(normal, exposure.free_sky, weight_k).kelvin;
+  const thermal::Pose pose(normal_at(point), exposure.height_m);
+  const double shaded_k = classes_->shaded(pose, exposure.free_sky, weight_k).kelvin;
   std::vector<double> per_pair(weight_k.size()), sums_k(weight_k.size());
   std::partial_sum(weight_k.begin(), weight_k.end(), sums_k.begin());
-  classes_->bends(normal, sums_k, per_pair);
+  classes_->bends(pose, sums_k, per_pair);
   double all_k = 0.0, lit_k = 0.0, bent_k = 0.0;
   for (std::size_t k = 0; k < weight_k.size(); ++k) {
     const double part_k = weight_k[k] * exposure.visibility[k], hidden_k = weight_k[k] - part_k;
@@ -232,7 +233,7 @@ double SolvedSurface::temperature_k(const geometry::SurfacePoint& point, const E
   double past_k = 0.0;
   if (!exposure.past_free_sky.empty()) {
     std::vector<double> sky_k(exposure.past_free_sky.size()), sky_bend_k(sky_k.size());
-    classes_->past_sky(normal, sky_k, sky_bend_k);
+    classes_->past_sky(pose, sky_k, sky_bend_k);
     for (std::size_t row = 0; row < sky_k.size(); ++row)
       past_k +=
           (sky_k[row] + 0.5 * of_sun * sky_bend_k[row]) * (exposure.past_free_sky[row] - exposure.free_sky);

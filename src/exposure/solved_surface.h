@@ -30,8 +30,9 @@ class SolvedSurface final : public scene::SolvedTemperature {
   double coldest_k() const override { return classes_->coldest_k(); }
   double hottest_k() const override { return classes_->hottest_k(); }
 
-  /// What a point sees: the free share of its sky, and of the Sun's disc by sunlit row of the classes.
+  /// What a point is exposed to: how high the wind is that it meets, the free share of its sky, and of the Sun's disc by sunlit row of the classes.
   struct Exposure {
+    double height_m = 0.0;  ///< above ground
     double free_sky = 1.0;
     std::vector<double> visibility;
     std::vector<double> past_free_sky{};  ///< by row of the series, where things came and went; else empty
@@ -58,8 +59,9 @@ class SolvedSurface final : public scene::SolvedTemperature {
     double in_shade_k = 0.0, of_sun_k = 0.0;  ///< without the Sun, and by what it changes with half of u
     double variance_k2 = 0.0;
   };
-  PastSky past_sky(const ExposedPoint& exposed, std::uint64_t key, std::span<const math::Vec3> directions,
-                   std::span<const std::uint8_t> is_free, double of_sky_k) const;
+  PastSky past_sky(const ExposedPoint& exposed, const thermal::Pose& pose, std::uint64_t key,
+                   std::span<const math::Vec3> directions, std::span<const std::uint8_t> is_free,
+                   double of_sky_k) const;
   std::vector<double> past_free_sky(const ExposedPoint& exposed,
                                     std::span<const math::Vec3> directions) const;
 

@@ -11,10 +11,11 @@ namespace ifov::thermal {
 namespace {
 
 constexpr int kTilts = 12, kAzimuths = 12;  // steps of half and of a whole turn
-constexpr double kLeastRise_k = 0.1;        // of a surface that the Sun warms
-constexpr double kLeastBend = 0.01;         // below it the kernels are one
-constexpr double kLeastLeft = 0.01;         // of all weights: what is older meets nothing yet older
-constexpr int kSides = 4;                   // of the directions that tell what is coldest and hottest
+constexpr std::size_t kDirections = 2 + (kTilts - 1) * kAzimuths;
+constexpr double kLeastRise_k = 0.1;  // of a surface that the Sun warms
+constexpr double kLeastBend = 0.01;   // below it the kernels are one
+constexpr double kLeastLeft = 0.01;   // of all weights: what is older meets nothing yet older
+constexpr int kSides = 4;             // of the directions that tell what is coldest and hottest
 // Of the largest rise, as the Sun may stand 33 degrees from the nearest of those, in front of a direction between them; and of
 // what shade differs by among them, as the wind may.
 constexpr double kBetween = 0.2;
@@ -33,8 +34,12 @@ math::Vec3 facing(double tilt_rad, double azimuth_rad) {
 }  // namespace
 
 SurfaceClasses::SurfaceClasses(std::shared_ptr<const OutdoorsSeries> series, ClassSurface surface,
-                               int threads, bool past_sky)
-    : series_(std::move(series)), surface_(std::move(surface)), places_(2 + (kTilts - 1) * kAzimuths) {
+                               int threads, bool past_sky, double highest_m)
+    : series_(std::move(series)),
+      surface_(std::move(surface)),
+      levels_(surface_.stand.terrain),
+      top_level_(static_cast<int>(std::ceil(levels_.place(highest_m)))),
+      places_(kDirections * static_cast<std::size_t>(top_level_ + 1)) {
   const std::size_t count = series_->rows.size();
   if (past_sky)
     for (const Outdoors& now : series_->rows)
@@ -47,14 +52,15 @@ SurfaceClasses::SurfaceClasses(std::shared_ptr<const OutdoorsSeries> series, Cla
                      sun_of(series_->rows[std::min(i + 1, count - 1)]),
                      surface_.skin.solar_absorptance * now.direct_w_m2});
   }
-  // Up, down, and to four sides half and wholly upright.
+  // Up, down, and to four sides half and wholly upright, in the weakest wind and the strongest.
   constexpr std::array<int, 4> kRings{0, kTilts, kTilts / 4, kTilts / 2};
-  std::vector<const Node*> bounding(2 + 2 * kSides);
+  constexpr int kBounding = 2 + 2 * kSides;
+  std::vector<const Node*> bounding(static_cast<std::size_t>(top_level_ > 0 ? 2 * kBounding : kBounding));
   parallel_for(static_cast<std::int64_t>(bounding.size()), threads, [&](std::int64_t index) {
-    const auto k = static_cast<int>(index);
-    bounding[static_cast<std::size_t>(k)] =
-        k < 2 ? &node_at(kRings[static_cast<std::size_t>(k)], 0)
-              : &node_at(kRings[static_cast<std::size_t>(2 + (k - 2) / kSides)],
+    const int k = static_cast<int>(index) % kBounding, level = index < kBounding ? 0 : top_level_;
+    bounding[static_cast<std::size_t>(index)] =
+        k < 2 ? &node_at(level, kRings[static_cast<std::size_t>(k)], 0)
+              : &node_at(level, kRings[static_cast<std::size_t>(2 + (k - 2) / kSides)],
                          (k - 2) % kSides * (kAzimuths / kSides));
   });
   coldest_k_ = hottest_k_ = bounding[0]->shaded_k[0];
@@ -71,8 +77,9 @@ SurfaceClasses::SurfaceClasses(std::shared_ptr<const OutdoorsSeries> series, Cla
   hottest_k_ += of_shaded_k + kBetween * most_k;
 }
 
-void SurfaceClasses::solve(Node& node, double tilt_rad, double azimuth_rad) const {
+void SurfaceClasses::solve(Node& node, double height_m, double tilt_rad, double azimuth_rad) const {
   Stand stand = surface_.stand;
+  stand.height_m = height_m;
   stand.tilt_rad = tilt_rad;
   stand.azimuth_rad = azimuth_rad;
   const math::Vec3 normal = facing(tilt_rad, azimuth_rad);
@@ -131,20 +138,22 @@ math::Vec3 SurfaceClasses::sun_at(std::size_t row, double steps) const {
   return math::normalized(between);
 }
 
-const SurfaceClasses::Node& SurfaceClasses::node_at(int ring, int azimuth) const {
+const SurfaceClasses::Node& SurfaceClasses::node_at(int level, int ring, int azimuth) const {
   const std::size_t index = ring == 0        ? 0
                             : ring == kTilts ? 1
                                              : static_cast<std::size_t>(2 + (ring - 1) * kAzimuths + azimuth);
-  Place& place = places_[index];
+  Place& place = places_[kDirections * static_cast<std::size_t>(level) + index];
   if (!place.solved.load(std::memory_order_acquire))
     std::call_once(place.once, [&] {
-      solve(place.node, ring * kTiltStep_rad, ring % kTilts == 0 ? 0.0 : azimuth * kAzimuthStep_rad);
+      solve(place.node, levels_.height_m(level), ring * kTiltStep_rad,
+            ring % kTilts == 0 ? 0.0 : azimuth * kAzimuthStep_rad);
       place.solved.store(true, std::memory_order_release);
     });
   return place.node;
 }
 
-SurfaceClasses::Corners SurfaceClasses::corners(math::Vec3 normal) const {
+SurfaceClasses::Corners SurfaceClasses::corners(const Pose& pose) const {
+  const math::Vec3& normal = pose.normal;
   const double tilt = std::acos(std::clamp(normal.z, -1.0, 1.0)) / kTiltStep_rad;
   const int low = std::clamp(static_cast<int>(tilt), 0, kTilts - 1);
   double turn = std::atan2(normal.x, normal.y) / kAzimuthStep_rad;
@@ -153,25 +162,33 @@ SurfaceClasses::Corners SurfaceClasses::corners(math::Vec3 normal) const {
   const double up = std::clamp(tilt - low, 0.0, 1.0), east = std::clamp(turn - west, 0.0, 1.0);
   Corners found;
   constexpr double kRounding = 1e-9;  // a wall is not solved for what leans by less
-  const auto add = [&](int ring, double share) {
+  const auto add = [&](int level, int ring, double share) {
     const auto one = [&](int azimuth, double of_ring) {
-      if (share * of_ring > kRounding) found.all[found.count++] = {&node_at(ring, azimuth), share * of_ring};
+      if (share * of_ring > kRounding)
+        found.all[found.count++] = {&node_at(level, ring, azimuth), share * of_ring};
     };
     if (ring % kTilts == 0) return one(0, 1.0);
     one(west, 1.0 - east);
     one((west + 1) % kAzimuths, east);
   };
-  add(low, 1.0 - up);
-  add(low + 1, up);
+  const double wind = top_level_ > 0 ? levels_.place(pose.height_m) : 0.0;
+  const int level = std::clamp(static_cast<int>(wind), 0, std::max(0, top_level_ - 1));
+  const double stronger = std::clamp(wind - level, 0.0, 1.0);
+  add(level, low, (1.0 - stronger) * (1.0 - up));
+  add(level, low + 1, (1.0 - stronger) * up);
+  if (stronger > 0.0) {
+    add(level + 1, low, stronger * (1.0 - up));
+    add(level + 1, low + 1, stronger * up);
+  }
   return found;
 }
 
-void SurfaceClasses::bends(math::Vec3 normal, std::span<const double> sum_k,
+void SurfaceClasses::bends(const Pose& pose, std::span<const double> sum_k,
                            std::span<double> per_pair) const {
   static thread_local std::vector<double> kernel, bent;
   kernel.assign(rows_.size(), 0.0);
   bent.assign(rows_.size(), 0.0);
-  for (const Corners::Corner& corner : corners(normal)) {
+  for (const Corners::Corner& corner : corners(pose)) {
     const Node& node = *corner.node;
     const double shift = 0.5 * (node.shift[0] + node.shift[1]), factor = corner.share * (1.0 + 2.0 * shift);
     for (std::size_t k = 0; k < rows_.size(); ++k) {
@@ -188,11 +205,11 @@ void SurfaceClasses::bends(math::Vec3 normal, std::span<const double> sum_k,
   }
 }
 
-SurfaceClasses::Shade SurfaceClasses::shaded(math::Vec3 normal, double free_sky,
+SurfaceClasses::Shade SurfaceClasses::shaded(const Pose& pose, double free_sky,
                                              std::span<double> weight_k) const {
   Shade shade;
   std::fill(weight_k.begin(), weight_k.end(), 0.0);
-  for (const Corners::Corner& corner : corners(normal)) {
+  for (const Corners::Corner& corner : corners(pose)) {
     const Node& node = *corner.node;
     shade.kelvin += corner.share * std::lerp(node.shaded_k[0], node.shaded_k[1], free_sky);
     shade.of_sky_k += corner.share * (node.shaded_k[1] - node.shaded_k[0]);
@@ -201,15 +218,15 @@ SurfaceClasses::Shade SurfaceClasses::shaded(math::Vec3 normal, double free_sky,
     for (std::size_t k = 0; k < rows_.size(); ++k) weight_k[k] += factor * node.kernel_at(k, shift);
   }
   for (std::size_t k = 0; k < rows_.size(); ++k)
-    weight_k[k] *= rows_[k].absorbed_w_m2 * std::max(0.0, math::dot(normal, rows_[k].sun));
+    weight_k[k] *= rows_[k].absorbed_w_m2 * std::max(0.0, math::dot(pose.normal, rows_[k].sun));
   return shade;
 }
 
-void SurfaceClasses::past_sky(math::Vec3 normal, std::span<double> weight_k, std::span<double> bend_k) const {
-  const double open = 0.5 * (1.0 + normal.z);
+void SurfaceClasses::past_sky(const Pose& pose, std::span<double> weight_k, std::span<double> bend_k) const {
+  const double open = 0.5 * (1.0 + pose.normal.z);
   std::fill(weight_k.begin(), weight_k.end(), 0.0);
   std::fill(bend_k.begin(), bend_k.end(), 0.0);
-  for (const Corners::Corner& corner : corners(normal))
+  for (const Corners::Corner& corner : corners(pose))
     for (std::size_t row = 0; row < weight_k.size(); ++row) {
       const double difference = static_cast<double>(corner.node->past_difference[row]);
       weight_k[row] += corner.share * (static_cast<double>(corner.node->past_kernel[row]) - 0.5 * difference);

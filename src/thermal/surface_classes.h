@@ -16,12 +16,19 @@
 
 namespace ifov::thermal {
 
-/// A surface that is solved for: what it is made of and what is about it. Of `stand` all but how it stands.
+/// A surface that is solved for: what it is made of and what is about it. Of `stand` all but how and how high it stands.
 struct ClassSurface {
   Solid solid;
   Skin skin;
   Stand stand;
   Start start = Start::steady;
+};
+
+/// How a surface stands: its outward normal (unit, ENU), and how high above ground, for the wind.
+struct Pose {
+  Pose(math::Vec3 outward, double above_ground_m = 0.0) : normal(outward), height_m(above_ground_m) {}
+  math::Vec3 normal;
+  double height_m;
 };
 
 /// The temperature at the end of a series of surfaces of one material, however they stand, by how much of the sky is free
@@ -42,7 +49,8 @@ struct ClassSurface {
 /// with q of the later time. That the kernel is K_1 where V is 1 throughout, and K_0 where it is 0, tells q: with p the sum of the w
 /// after a time and W that of all, b = q (W - p) + the integral of q over p, hence dq/dp = (db/dp) / (W - p).
 ///
-/// T_0, the kernels and r are bilinear between directions, T_0 and r linear in the free share of the sky.
+/// T_0, the kernels and r are bilinear between directions, T_0 and r linear in the free share of the sky. All are linear between levels
+/// of wind (WindLevels), of which there is one unless surfaces stand higher than kLowestWind_m.
 ///
 /// Where that share f was otherwise at times than it is now, with what a free sky is worth g (SurfaceBalance::of_free_sky_w_m2) and
 /// its share F of the view of a surface in the open, the temperature changes by the sum over all rows of
@@ -51,15 +59,16 @@ struct ClassSurface {
 ///
 /// what hides the sky mostly hides the Sun, so that half of u is what came after.
 ///
-/// A direction is solved when first asked for; any number of threads may ask, and what they are told does not depend on it.
+/// A direction at a level is solved when first asked for; any number of threads may ask, and what they are told does not depend on it.
 class SurfaceClasses {
  public:
   static constexpr double kTiltStep_rad = 0.2617993877991494;     // 15 degrees
   static constexpr double kAzimuthStep_rad = 0.5235987755982988;  // 30 degrees
 
-  /// `past_sky`: whether the s_k will be asked for, which takes the kernel of all rows. Throws InputError as solve_surface does.
+  /// `past_sky`: whether the s_k will be asked for, which takes the kernel of all rows. `highest_m`: no surface is asked for that
+  /// stands higher above ground. Throws InputError as solve_surface does.
   SurfaceClasses(std::shared_ptr<const OutdoorsSeries> series, ClassSurface surface, int threads,
-                 bool past_sky = false);
+                 bool past_sky = false, double highest_m = 0.0);
 
   /// Of the times at which the Sun shone, in order.
   std::size_t sunlit_rows() const { return rows_.size(); }
@@ -74,13 +83,12 @@ class SurfaceClasses {
   struct Shade {
     double kelvin = 0.0, of_sky_k = 0.0;
   };
-  /// Of a surface with this outward normal (unit, ENU) and share of the sky above its horizon that is free; w_k by sunlit row,
-  /// kelvins, none below 0.
-  Shade shaded(math::Vec3 normal, double free_sky, std::span<double> weight_k) const;
+  /// Of a surface with this share of the sky above its horizon that is free; w_k by sunlit row, kelvins, none below 0.
+  Shade shaded(const Pose& pose, double free_sky, std::span<double> weight_k) const;
   /// q by sunlit row, per kelvin; `sum_k`: of the w_k that shaded() gave, up to each and with it.
-  void bends(math::Vec3 normal, std::span<const double> sum_k, std::span<double> per_pair) const;
+  void bends(const Pose& pose, std::span<const double> sum_k, std::span<double> per_pair) const;
   /// s_k by row of the series without the Sun (u = 0), and by what it changes with u / 2; only with `past_sky`.
-  void past_sky(math::Vec3 normal, std::span<double> weight_k, std::span<double> bend_k) const;
+  void past_sky(const Pose& pose, std::span<double> weight_k, std::span<double> bend_k) const;
   /// The row of the series that a sunlit row is.
   std::size_t row_of_series(std::size_t sunlit_row) const { return rows_[sunlit_row].index; }
 
@@ -104,13 +112,13 @@ class SurfaceClasses {
       return std::max(0.0, static_cast<double>(kernel[row]) + between * static_cast<double>(difference[row]));
     }
   };
-  /// Those of a share above 0.
+  /// Of directions and levels, those of a share above 0.
   struct Corners {
     struct Corner {
       const Node* node = nullptr;
       double share = 0.0;
     };
-    std::array<Corner, 4> all;
+    std::array<Corner, 8> all;
     std::size_t count = 0;
     const Corner* begin() const { return all.data(); }
     const Corner* end() const { return all.data() + count; }
@@ -120,15 +128,17 @@ class SurfaceClasses {
     std::atomic<bool> solved = false;
     Node node;
   };
-  Corners corners(math::Vec3 normal) const;
-  const Node& node_at(int ring, int azimuth) const;
-  void solve(Node& node, double tilt_rad, double azimuth_rad) const;
+  Corners corners(const Pose& pose) const;
+  const Node& node_at(int level, int ring, int azimuth) const;
+  void solve(Node& node, double height_m, double tilt_rad, double azimuth_rad) const;
 
   std::shared_ptr<const OutdoorsSeries> series_;
   ClassSurface surface_;
+  WindLevels levels_;
+  int top_level_;
   std::vector<double> of_free_sky_w_m2_;  ///< g by row of the series; empty without `past_sky`
   std::vector<Row> rows_;
-  mutable std::vector<Place> places_;  ///< facing up, facing down, and rings between
+  mutable std::vector<Place> places_;  ///< level by level: facing up, facing down, and rings between
   double coldest_k_ = 0.0, hottest_k_ = 0.0;
 };
 

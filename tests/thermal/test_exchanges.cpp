@@ -99,6 +99,30 @@ TEST(WindProfile, OtherTerrainsShareTheWindAt60Metres) {
               1e-12);
 }
 
+/// By the law itself, written out: ln(z / z0) of all levels is that of the lowest times a power of one ratio.
+TEST(WindLevels, StandAtEqualRatiosOfTheWind) {
+  for (const Terrain terrain :
+       {Terrain::sea, Terrain::smooth, Terrain::open, Terrain::rough, Terrain::suburb}) {
+    const WindLevels levels(terrain);
+    const double z0 = roughness_length_m(terrain);
+    ASSERT_GE(levels.highest(), 1);
+    EXPECT_EQ(levels.height_m(0), 0.0);
+    EXPECT_NEAR(levels.height_m(levels.highest()), 60.0, 1e-9);
+    const double all = std::log(60.0 / z0) / std::log(2.0 / z0);
+    const double ratio = std::pow(all, 1.0 / levels.highest());
+    EXPECT_LE(ratio, 1.2 + 1e-12);
+    EXPECT_GT(std::pow(all, 1.0 / std::max(1, levels.highest() - 1)), levels.highest() > 1 ? 1.2 : 1.0);
+    for (int level = 1; level <= levels.highest(); ++level) {
+      EXPECT_NEAR(std::log(levels.height_m(level) / z0) / std::log(2.0 / z0), std::pow(ratio, level), 1e-9);
+      EXPECT_NEAR(levels.place(levels.height_m(level)), level, 1e-9);
+    }
+    for (const double height_m : {0.0, 1.0, 2.0}) EXPECT_EQ(levels.place(height_m), 0.0);
+    EXPECT_NEAR(levels.place(20.0), std::log(std::log(20.0 / z0) / std::log(2.0 / z0)) / std::log(ratio),
+                1e-9);
+    EXPECT_NEAR(levels.place(300.0), levels.highest(), 1e-12);
+  }
+}
+
 TEST(SkyLongwave, PrataAndCloud) {
   // Dry air: 1 - exp(-sqrt(1.2)). 288.15 K and 10 hPa: w = 1.6137.
   EXPECT_NEAR(clear_sky_emissivity(280.0, 0.0), 1.0 - std::exp(-std::sqrt(1.2)), 1e-12);

@@ -7,6 +7,7 @@
 #include "thermal/linear_kernel.h"
 #include "thermal/solid.h"
 #include "thermal/surface_classes.h"
+#include "thermal/wind_profile.h"
 
 namespace ifov::thermal::test_surface_classes {
 namespace {
@@ -36,13 +37,13 @@ double full_k(const Solid& solid, const OutdoorsSeries& series, double tilt_deg,
   return solve_surface(solid, {}, stand, series, Start::steady, visibility).history.nodes.back().surface_k;
 }
 
-double class_k(const SurfaceClasses& classes, math::Vec3 normal, double free_sky,
+double class_k(const SurfaceClasses& classes, const Pose& pose, double free_sky,
                const std::vector<double>& visibility) {
   std::vector<double> weight_k(classes.sunlit_rows());
-  const double shaded_k = classes.shaded(normal, free_sky, weight_k).kelvin;
+  const double shaded_k = classes.shaded(pose, free_sky, weight_k).kelvin;
   std::vector<double> per_pair(weight_k.size()), sum_k_to(weight_k.size());
   std::partial_sum(weight_k.begin(), weight_k.end(), sum_k_to.begin());
-  classes.bends(normal, sum_k_to, per_pair);
+  classes.bends(pose, sum_k_to, per_pair);
   const auto seen = [&](std::size_t k) { return visibility[classes.row_of_series(k)]; };
   double sum_k = shaded_k;
   for (std::size_t k = 0; k < weight_k.size(); ++k) {
@@ -114,6 +115,52 @@ TEST(SurfaceClasses, BetweenDirectionsSharesOfTheSkyAndHoursOfSun) {
   EXPECT_LT(std::sqrt(squares / count), 0.2);
   EXPECT_LT(worst, 0.5);
   EXPECT_GT(most, 1.0);  // a share of the sky that is not looked at would be noticed
+}
+
+/// Between levels of the wind: each height against the whole solution there. Twenty metres up a sunlit surface is cooler than at the
+/// ground; a class that did not know would be noticed.
+TEST(SurfaceClasses, HigherUpTheWindTakesMore) {
+  const OutdoorsSeries series = afternoon();
+  const Solid solid = road();
+  for (const Terrain terrain : {Terrain::open, Terrain::suburb}) {
+    Stand stand;
+    stand.terrain = terrain;
+    const ClassSurface surface{solid, Skin{}, stand};
+    const auto shared = std::make_shared<const OutdoorsSeries>(series);
+    const SurfaceClasses classes(shared, surface, 0, false, 80.0), low(shared, surface, 0);
+    const auto full = [&](double height_m, double tilt_deg, const std::vector<double>& visibility) {
+      Stand here = stand;
+      here.height_m = height_m;
+      here.tilt_rad = tilt_deg * kDegree;
+      here.azimuth_rad = 200.0 * kDegree;
+      return solve_surface(solid, {}, here, series, Start::steady, visibility).history.nodes.back().surface_k;
+    };
+    double least_drop_k = INFINITY;
+    for (const double tilt : {0.0, 30.0, 90.0})
+      for (const int hours : {3, 24 * 4}) {
+        std::vector<double> visibility(series.rows.size());
+        for (std::size_t i = 0; i < visibility.size(); ++i)
+          visibility[i] = (static_cast<int>(i) / (12 * hours)) % 2 == 0 ? 1.0 : 0.0;
+        const math::Vec3 normal = facing(tilt, 200.0);
+        for (const double height_m : {3.0, 6.0, 11.0, 20.0, 45.0, 75.0})
+          EXPECT_NEAR(class_k(classes, {normal, height_m}, 1.0, visibility), full(height_m, tilt, visibility),
+                      0.1)
+              << tilt << " " << height_m << " " << hours;
+        // As low as the lowest wind nothing has changed, to the last bit.
+        EXPECT_EQ(class_k(classes, {normal, 1.9}, 0.6, visibility), class_k(low, normal, 0.6, visibility));
+        if (hours > 24)
+          least_drop_k = std::min(least_drop_k, class_k(low, {normal, 20.0}, 1.0, visibility) -
+                                                    class_k(classes, {normal, 20.0}, 1.0, visibility));
+      }
+    EXPECT_GT(least_drop_k, terrain == Terrain::open ? 1.0 : 3.0);
+    // What one level alone is off by between: halfway to the next it is much more than what is left.
+    const WindLevels levels(terrain);
+    const double between_m = std::sqrt(levels.height_m(1) * 2.0);
+    const std::vector<double> sunlit(series.rows.size(), 1.0);
+    EXPECT_NEAR(class_k(classes, {{0.0, 0.0, 1.0}, between_m}, 1.0, sunlit), full(between_m, 0.0, sunlit),
+                0.03);
+    EXPECT_GT(class_k(low, {{0.0, 0.0, 1.0}, between_m}, 1.0, sunlit) - full(between_m, 0.0, sunlit), 0.2);
+  }
 }
 
 /// At the ends of days and at noon, of thin steel, which follows the Sun, and of a road.

@@ -83,6 +83,7 @@ double full_solution_k(const Solved& solved, const thermal::OutdoorsSeries& seri
   stand.tilt_rad = std::acos(std::clamp(normal.z, -1.0, 1.0));
   stand.azimuth_rad = std::atan2(normal.x, normal.y);
   stand.free_sky = exposure.free_sky;
+  stand.height_m = exposure.height_m;
   std::vector<double> visibility(series.rows.size(), 0.0);
   for (std::size_t k = 0; k < exposure.visibility.size(); ++k)
     visibility[solved.classes->row_of_series(k)] = exposure.visibility[k];
@@ -128,11 +129,12 @@ geometry::SurfacePoint made_up_point(std::size_t number) {
   return point;
 }
 
-/// Half of the sky's light, and the Sun some hours of a day, others not.
-exposure::SolvedSurface::Exposure made_up_exposure(std::size_t number, std::size_t rows) {
+/// Half of the sky's light, and the Sun some hours of a day, others not; at heights up to that.
+exposure::SolvedSurface::Exposure made_up_exposure(std::size_t number, std::size_t rows, double highest_m) {
   constexpr std::size_t kHours = 5;
   exposure::SolvedSurface::Exposure exposure;
   exposure.free_sky = 0.5 + 0.5 * static_cast<double>(number % 2);
+  exposure.height_m = highest_m * static_cast<double>(number % 4) / 3.0;
   for (std::size_t row = 0; row < rows; ++row)
     exposure.visibility.push_back((kHours * row / std::max<std::size_t>(rows, 1) + number) % 2 == 0 ? 1.0
                                                                                                     : 0.0);
@@ -172,9 +174,9 @@ void measure(TemperatureErrors& errors, const ByMaterial& by_material, std::vect
     const auto number = static_cast<std::size_t>(k);
     Measured& point = points[number];
     const exposure::SolvedSurface surface(point.solved->classes, past, kSunRadius_rad);
-    const auto exposure = point.made_up
-                              ? made_up_exposure(number, point.solved->classes->sunlit_rows())
-                              : surface.exposure(point.at, static_cast<std::uint64_t>(k), kSkyPairs, 1);
+    const auto exposure =
+        point.made_up ? made_up_exposure(number, point.solved->classes->sunlit_rows(), past.highest_m())
+                      : surface.exposure(point.at, static_cast<std::uint64_t>(k), kSkyPairs, 1);
     point.off_k = surface.temperature_k(point.at, exposure) -
                   full_solution_k(*point.solved, series, stand, surface.normal_at(point.at), exposure);
   });
@@ -225,7 +227,7 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
         thermal_of(document, document.scene.materials[material], scene, material, about.mean_air_k);
     solved.classes = std::make_shared<const thermal::SurfaceClasses>(
         kept, thermal::ClassSurface{solved.thermal.solid, solved.thermal.skin, stand, solved.thermal.start},
-        threads, past.changes());
+        threads, past.changes(), past.highest_m());
     scene.solved[material] =
         std::make_shared<const exposure::SolvedSurface>(solved.classes, past, kSunRadius_rad);
   }

@@ -1,0 +1,150 @@
+// The wind of a surface is that of its height above ground: heights by hand, and a roof against one dimension solved alone in a
+// wind that the logarithmic law has raised here.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "core/format.h"
+#include "exposure/past_scene.h"
+#include "exposure/solved_surface.h"
+#include "geometry/world.h"
+#include "io/document/document.h"
+#include "session/assembly/surfaces/thermal_assembly.h"
+#include "session/loaded/parts.h"
+#include "session/session.h"
+#include "session/solved/document_outdoors.h"
+#include "thermal/surface_solution.h"
+
+namespace ifov::session::test_wind_by_height {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+class WindyDay {
+ public:
+  WindyDay() : path_(std::filesystem::temp_directory_path() / format("ifov_windy_{}.csv", ::getpid())) {
+    std::ofstream file(path_);
+    file
+        << "time,air_temperature_c,relative_humidity_pct,wind_speed_m_s,cloud_fraction,global_irradiance_w_m2\n";
+    for (int hour = 0; hour <= 48; ++hour) {
+      const double turn = kPi / 12.0;
+      const double height = 0.3134 + 0.5648 * std::cos(turn * (hour + 0.3 - 12.0));  // 52 N, 5 E, June
+      file << format("2026-06-{:02d}T{:02d}:00:00Z,{:.2f},60,3,0,{:.1f}\n", 20 + hour / 24, hour % 24,
+                     18.0 - 5.0 * std::cos(turn * (hour - 3.0)), std::max(0.0, 1000.0 * height - 30.0));
+    }
+  }
+  ~WindyDay() { std::filesystem::remove(path_); }
+  std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+Session load(const WindyDay& day, const std::string& objects, const char* terrain = "open") {
+  return Session::load(
+      io::parse_document(format(R"({{"ifov": 1, "time": "2026-06-21T14:00:00Z", "weather": {{"file": "{}"}},
+          "temperatures": {{"spin_up": "1 d", "step": "10 min", "repeat_first_day": true, "terrain": "{}"}},
+          "scene": {{"origin": {{"latitude": "52 deg", "longitude": "5 deg"}},
+            "materials": {{"tar": {{"emissivity": 1, "temperature": "solved",
+                "thermal": {{"layers": [{{"thickness": "3 cm", "library": "asphalt"}}, {{"thickness": "20 cm", "library": "concrete"}}],
+                            "solar_absorptance": 0.9}}}},
+              "paint": {{"emissivity": 0.9, "temperature": "300 K"}}}},
+            "objects": [{}]}},
+          "light": {{"sky": {{"none": {{}}}}}},
+          "sensor": {{"camera": {{"orthographic": {{"gsd": "2 m", "pixels": [12, 12]}}}},
+            "channels": [{{"name": "thermal", "top_hat": {{"from": "10 um", "to": "11 um"}}}}]}},
+          "sampling": {{"accuracy": {{"error": "2 K"}}}}}})",
+                                day.path(), terrain, objects),
+                         "windy.json"),
+      nullptr);
+}
+
+std::string box(double low_x, double low_y, double low_z, double high_x, double high_y, double high_z,
+                const char* material = "tar") {
+  return format(
+      R"({{"box": {{"low": ["{} m", "{} m", "{} m"], "high": ["{} m", "{} m", "{} m"]}}, "material": "{}"}})",
+      low_x, low_y, low_z, high_x, high_y, high_z, material);
+}
+const std::string kGround = R"({"plane": {}, "material": "tar"})";
+
+double height_m(const Session& session, double x, double y, double z) {
+  return exposure::PastScene(*session.parts().scene.world).height_above_ground_m({x, y, z}, 2.0);
+}
+
+TEST(WindByHeight, CountsFromTheGroundBelow) {
+  const WindyDay day;
+  // A tower that stands on the plane, one with a foundation, a deck on nothing with a hut on it.
+  const Session session =
+      load(day, kGround + ", " + box(-4, -4, 0, 4, 4, 20) + ", " + box(10, -4, -3, 18, 4, 12) + ", " +
+                    box(-20, -4, 6, -10, 4, 7) + ", " + box(-18, -2, 7, -14, 2, 11));
+  EXPECT_NEAR(height_m(session, 0, 0, 20), 20.0, 1e-6);  // roof
+  EXPECT_NEAR(height_m(session, 4.0, 0, 9), 9.0, 1e-6);  // on a wall, and before it
+  EXPECT_NEAR(height_m(session, 4.001, 0, 9), 9.0, 1e-6);
+  EXPECT_NEAR(height_m(session, 14, 0, 12), 12.0, 1e-6);  // not from the bottom of its foundation
+  EXPECT_NEAR(height_m(session, -12, 0, 7), 7.0, 1e-6);   // upon the deck, and below it
+  EXPECT_NEAR(height_m(session, -12, 0, 6), 6.0, 1e-6);
+  EXPECT_NEAR(height_m(session, -16, 0, 11), 11.0, 1e-6);  // the hut: above ground, not above the deck
+  EXPECT_EQ(height_m(session, 7, 0, 0.0), 0.0);
+  EXPECT_EQ(height_m(session, 4.0, 0, 1.9), 0.0);  // as low as the lowest wind
+  EXPECT_EQ(height_m(session, 7, 0, 0.5), 0.0);
+}
+
+TEST(WindByHeight, GroundMayBeABlock) {
+  const WindyDay day;
+  // A deep block for ground, whose bottom is not: a house on it, and the block itself.
+  const Session block = load(day, box(-50, -50, -30, 50, 50, 5, "paint") + ", " + box(-4, -4, 5, 4, 4, 14));
+  EXPECT_NEAR(height_m(block, 0, 0, 14), 9.0, 1e-6);
+  EXPECT_EQ(height_m(block, 20, 0, 5), 0.0);
+  // Nothing faces up below the roof of a house that stands on nothing: it counts as ground.
+  EXPECT_EQ(height_m(load(day, box(-4, -4, 0, 4, 4, 9)), 0, 0, 9), 0.0);
+}
+
+geometry::SurfacePoint from_above(const Session& session, double x, double y) {
+  const math::Ray down{{x, y, 100.0}, {0.0, 0.0, -1.0}};
+  geometry::SurfacePoint hit;
+  session.parts().scene.world->intersect({&down, 1}, {&hit, 1});
+  return hit;
+}
+
+/// One dimension, level and in the open, in the weather's wind times a factor.
+double alone_k(const Session& of, double wind_factor) {
+  const DocumentOutdoors about = outdoors_of_document(of.parts().document, *of.parts().weather);
+  const ThermalMaterial tar =
+      *assemble_thermal(of.parts().document.sources, of.parts().document.scene.materials[0],
+                        of.parts().scene.materials[0], 285.0);
+  thermal::OutdoorsSeries series = about.outdoors.series;
+  for (thermal::Outdoors& now : series.rows) now.wind_m_s *= wind_factor;
+  series.anemometer = {
+      10.0, thermal::Terrain::open};  // of the document, where 10 m of open terrain is the factor 1
+  thermal::Stand stand;
+  stand.height_m = 10.0;
+  return thermal::solve_surface(tar.solid, tar.skin, stand, series, tar.start).history.nodes.back().surface_k;
+}
+
+TEST(WindByHeight, ARoofConvectsMoreThanTheStreet) {
+  const WindyDay day;
+  for (const char* terrain : {"open", "suburb"}) {
+    const double z0 = std::string(terrain) == "open" ? 0.03 : 1.0;
+    // Of the wind at 10 m over open terrain, by way of the one at 60 m.
+    const auto factor = [&](double z) {
+      return std::log(60.0 / 0.03) / std::log(10.0 / 0.03) * std::log(z / z0) / std::log(60.0 / z0);
+    };
+    for (const double roof_m : {20.0, 7.0}) {
+      const Session session = load(day, kGround + ", " + box(-6, -6, 0, 6, 6, roof_m), terrain);
+      const scene::SolvedTemperature& tar = *session.parts().scene.solved.at(0);
+      const double roof_k = tar.at(from_above(session, 0.0, 0.0), 1).kelvin,
+                   street_k = tar.at(from_above(session, 9000.0, -9000.0), 1).kelvin;
+      EXPECT_NEAR(roof_k, alone_k(session, factor(roof_m)), 0.05) << terrain << roof_m;
+      EXPECT_NEAR(street_k, alone_k(session, factor(2.0)), 0.05) << terrain << roof_m;
+      EXPECT_GT(alone_k(session, factor(2.0)) - roof_k, 0.5)
+          << terrain << roof_m;  // as if it were the street
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ifov::session::test_wind_by_height
