@@ -1,0 +1,248 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/format.h"
+#include "exposure/past_scene.h"
+#include "io/document/document.h"
+#include "io/document/presence_document.h"
+#include "io/document/thermal_document.h"
+#include "session/loaded/parts.h"
+#include "studies/temperature/solved_scene.h"
+#include "studies/temperature/temperature_checks.h"
+#include "thermal/sky_longwave.h"
+
+namespace ifov::studies {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// A box on the ground about the origin, by its outline alone: nothing of the program's rays.
+struct OutlinedBox {
+  double half_x_m, half_y_m, top_m;
+
+  /// Whether it stands in a direction from a place on the ground.
+  bool is_in(double x_m, double y_m, math::Vec3 d) const {
+    double first = 0.0, last = 1e9;
+    const auto slab = [&](double from, double along, double low, double high) {
+      if (std::abs(along) < 1e-12) {
+        if (from < low || from > high) last = -1.0;
+        return;
+      }
+      const double a = (low - from) / along, b = (high - from) / along;
+      first = std::max(first, std::min(a, b));
+      last = std::min(last, std::max(a, b));
+    };
+    slab(x_m, d.x, -half_x_m, half_x_m);
+    slab(y_m, d.y, -half_y_m, half_y_m);
+    slab(0.0, d.z, 0.0, top_m);
+    return first < last;
+  }
+
+  /// The share of the sky beside it that is free, by cosines.
+  double free_sky(double x_m, double y_m) const {
+    constexpr int kRings = 200, kTurn = 720;
+    double sum = 0.0;
+    for (int r = 0; r < kRings; ++r)
+      for (int a = 0; a < kTurn; ++a) {
+        const double sine = std::sqrt((r + 0.5) / kRings), turn = 2.0 * kPi * (a + 0.5) / kTurn;
+        sum += !is_in(x_m, y_m, {sine * std::cos(turn), sine * std::sin(turn), std::sqrt(1.0 - sine * sine)});
+      }
+    return sum / (kRings * kTurn);
+  }
+};
+
+math::Vec3 to_sun(const thermal::Outdoors& now) {
+  const double level = std::cos(now.sun_elevation_rad);
+  return {level * std::sin(now.sun_azimuth_rad), level * std::cos(now.sun_azimuth_rad),
+          std::sin(now.sun_elevation_rad)};
+}
+
+/// Shares of the Sun's disc that a box leaves free at a place, by row; means over what is linear between rows.
+std::vector<double> free_sun(const OutlinedBox& box, const thermal::OutdoorsSeries& series, double x_m,
+                             double y_m) {
+  constexpr int kTimes = 40, kDisc = 9;
+  const auto place = [&](std::size_t row) { return to_sun(series.rows[std::min(row, series.rows.size() - 1)]); };
+  std::vector<double> shares(series.rows.size(), 1.0);
+  for (std::size_t row = 0; row < shares.size(); ++row) {
+    if (!(series.rows[row].sun_elevation_rad > 0.0)) continue;
+    double sum = 0.0, all = 0.0;
+    for (int t = 0; t < kTimes; ++t) {
+      const double steps = (t + 0.5) / kTimes * 2.0 - 1.0;
+      const std::size_t other = steps < 0.0 ? (row > 0 ? row - 1 : 0) : row + 1;
+      const math::Vec3 middle = (1.0 - std::abs(steps)) * place(row) + std::abs(steps) * place(other);
+      const math::Vec3 across = math::normalized(math::cross(middle, {0.0, 0.0, 1.0}));
+      for (int k = 0; k < kDisc; ++k) {  // across the disc, by the area of its stripes
+        const double offset = -1.0 + (k + 0.5) * 2.0 / kDisc;
+        const double weight = (1.0 - std::abs(steps)) * std::sqrt(1.0 - offset * offset);
+        sum += weight * !box.is_in(x_m, y_m, math::normalized(middle + 0.00465 * offset * across));
+        all += weight;
+      }
+    }
+    shares[row] = sum / all;
+  }
+  return shares;
+}
+
+int draws_of(const StudyOptions& options) { return options.is_quick() ? 4000 : 20000; }
+
+}  // namespace
+
+thermal::OutdoorsSeries planted(const thermal::OutdoorsSeries& series, Fault fault) {
+  thermal::OutdoorsSeries wrong = series;
+  const auto two_hours = static_cast<std::size_t>(7200.0 / series.step_s),
+             a_day = static_cast<std::size_t>(86400.0 / series.step_s);
+  for (std::size_t i = 0; i < wrong.rows.size(); ++i) {
+    thermal::Outdoors& now = wrong.rows[i];
+    const thermal::Outdoors& before = series.rows[i >= two_hours ? i - two_hours : i + a_day - two_hours];
+    switch (fault) {
+      case Fault::none:
+        break;
+      case Fault::no_diffuse_light:
+        now.diffuse_w_m2 = 0.0;
+        break;
+      case Fault::wind_of_10_m:
+        now.wind_m_s *= std::log(10.0 / 0.03) / std::log(2.0 / 0.03);
+        break;
+      case Fault::local_clock:
+        now.sun_azimuth_rad = before.sun_azimuth_rad;
+        now.sun_elevation_rad = before.sun_elevation_rad;
+        now.direct_w_m2 = before.direct_w_m2;
+        now.diffuse_w_m2 = before.diffuse_w_m2;
+        break;
+      case Fault::sky_as_air:
+        now.longwave_w_m2 = thermal::kStefanBoltzmann_w_m2_k4 * std::pow(now.air.temperature_k, 4);
+        break;
+      case Fault::other_yesterday:
+        if (i + a_day < wrong.rows.size()) now.direct_w_m2 = 0.0;
+        break;
+    }
+  }
+  return wrong;
+}
+
+PlacesOffK pole_shadow(const StudyOptions& options, Fault fault) {
+  constexpr OutlinedBox kPole{0.25, 0.25, 5.0};
+  io::Document document = solved_document(write_june(options), "15:00");
+  document.scene.objects = {solved_ground(), solved_box({-0.25, -0.25, 0.0}, {0.25, 0.25, 5.0}, "brick")};
+  const SolvedScene scene(document, options);
+  const exposure::SolvedSurface other = scene.surface_under(0, planted(scene.series(), fault));
+  PlacesOffK found;
+  double coldest_k = INFINITY, warmest_k = 0.0;
+  for (const double y_m : {0.7, 1.3, 1.9, 2.5, 3.1})  // north of the pole
+    for (const double x_m : {-1.0, 0.0, 1.0}) {
+      thermal::Stand stand;
+      stand.free_sky = kPole.free_sky(x_m, y_m);
+      const double expected_k = scene.full_k(0, stand, free_sun(kPole, scene.series(), x_m, y_m));
+      const exposure::SolvedSurface& asked = fault == Fault::none ? *scene.surface(0) : other;
+      found.worst_k = std::max(
+          found.worst_k,
+          std::abs(mean_estimate_k(asked, scene.from_above(x_m, y_m), draws_of(options), options.seed) -
+                   expected_k));
+      coldest_k = std::min(coldest_k, expected_k);
+      warmest_k = std::max(warmest_k, expected_k);
+    }
+  found.range_k = warmest_k - coldest_k;
+  return found;
+}
+
+CarTrace car_trace(int left_min, const StudyOptions& options) {
+  constexpr OutlinedBox kCar{2.2, 0.9, 1.5};
+  constexpr double kCame_min = 530.0;
+  const std::string weather = write_june(options);
+  io::Document document = solved_document(weather, "15:00", 300.0);
+  document.scene.objects = {solved_ground(), solved_box({-2.2, -0.9, 0.0}, {2.2, 0.9, 1.5}, "brick")};
+  const auto clock = [](double before_min) {
+    const int minute = 15 * 60 - static_cast<int>(before_min);
+    return geodesy::parse_utc(format("2026-06-21T{:02d}:{:02d}Z", minute / 60, minute % 60));
+  };
+  auto present = std::make_shared<io::PresenceDocument>();
+  present->intervals = {{clock(kCame_min), clock(left_min)}};
+  document.scene.objects[1].present = std::move(present);
+  const SolvedScene scene(document, options);
+  io::Document bare = solved_document(weather, "15:00", 60.0);
+  bare.scene.objects = {solved_ground()};
+  const SolvedScene minutes(bare, options);
+  const exposure::SolvedSurface never = minutes.surface_under(0, scene.series());
+  CarTrace trace;
+  for (const auto& [x_m, y_m] : {std::pair{0.0, 0.0}, {2.0, 0.3}, {-1.0, 1.3}}) {
+    const std::vector<thermal::Outdoors>& rows = minutes.series().rows;
+    std::vector<double> sun(rows.size(), 1.0), sky(rows.size(), 1.0);
+    const bool under = std::abs(x_m) < kCar.half_x_m && std::abs(y_m) < kCar.half_y_m;
+    const double beside = under ? 0.0 : kCar.free_sky(x_m, y_m);
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      const double before_min = static_cast<double>(rows.size() - 1 - row);
+      // A minute at which it comes or goes is half of both.
+      const double there = before_min < kCame_min && before_min > left_min     ? 1.0
+                           : before_min == kCame_min || before_min == left_min ? 0.5
+                                                                               : 0.0;
+      if (under || kCar.is_in(x_m, y_m, to_sun(rows[row]))) sun[row] = 1.0 - there;
+      sky[row] = 1.0 - there * (1.0 - beside);
+    }
+    const double expected_k = minutes.full_k(0, {}, sun, sky);
+    const geometry::SurfacePoint point = scene.from_above(x_m, y_m);
+    trace.worst_k = std::max(
+        trace.worst_k,
+        std::abs(mean_estimate_k(*scene.surface(0), point, draws_of(options), options.seed) - expected_k));
+    trace.without_k =
+        std::max(trace.without_k, std::abs(mean_estimate_k(never, point, 100, options.seed) - expected_k));
+  }
+  return trace;
+}
+
+RoofWind roof_wind(bool suburb, const StudyOptions& options, bool blind) {
+  const double z0_m = suburb ? 1.0 : 0.03;
+  // Of the wind at 10 m over open terrain, by way of that at 60 m, which all terrains share.
+  const auto factor = [&](double z_m) {
+    return std::log(60.0 / 0.03) / std::log(10.0 / 0.03) * std::log(z_m / z0_m) / std::log(60.0 / z0_m);
+  };
+  RoofWind found;
+  io::Document document = solved_document(write_june(options), "14:00");
+  auto how = std::make_shared<io::TemperaturesDocument>(*document.temperatures);
+  how->terrain = suburb ? "suburb" : "open";
+  document.temperatures = std::move(how);
+  document.scene.objects = {solved_ground()};
+  const std::vector<double> heights_m{4.0, 7.0, 12.0, 20.0, 33.0, 50.0};
+  for (std::size_t k = 0; k < heights_m.size(); ++k) {  // far from each other
+    const double x_m = 1e4 * static_cast<double>(k + 1);
+    document.scene.objects.push_back(solved_box({x_m, -6.0, 0.0}, {x_m + 12.0, 6.0, heights_m[k]}, "road"));
+  }
+  const SolvedScene scene(document, options);
+  const auto compare = [&](double x_m, double height_m) {
+    // Measured at 60 m and asked for there, it is taken as it is.
+    thermal::OutdoorsSeries series = scene.series();
+    series.anemometer = {60.0, suburb ? thermal::Terrain::suburb : thermal::Terrain::open};
+    for (thermal::Outdoors& now : series.rows) now.wind_m_s *= factor(blind ? 2.0 : height_m);
+    thermal::Stand stand;
+    stand.height_m = 60.0;
+    const double expected_k =
+        scene.full_k(0, stand, series, std::vector<double>(series.rows.size(), 1.0));
+    const double found_k = mean_estimate_k(*scene.surface(0), scene.from_above(x_m, 0.0), 8, options.seed);
+    found.worst_k = std::max(found.worst_k, std::abs(found_k - expected_k));
+    found.height_m.push_back(height_m);
+    found.roof_k.push_back(found_k);
+    found.expected_k.push_back(expected_k);
+  };
+  compare(-1e4, 2.0);
+  for (std::size_t k = 0; k < heights_m.size(); ++k) compare(1e4 * static_cast<double>(k + 1) + 6.0, heights_m[k]);
+  return found;
+}
+
+double closed_room_drift_k(const StudyOptions& options) {
+  io::Document document = solved_document(write_june(options, false), "15:00");
+  document.scene.objects = {solved_box({-5.0, -5.0, 0.0}, {5.0, 5.0, 10.0}, "brick"),
+                            solved_box({-1.0, -1.0, 3.0}, {1.0, 1.0, 5.0}, "brick")};
+  auto how = std::make_shared<io::TemperaturesDocument>(*document.temperatures);
+  how->spin_up_s = 9.0 * 86400.0;
+  document.temperatures = std::move(how);
+  const SolvedScene scene(document, options);
+  double worst_k = 0.0;
+  for (const math::Vec3& direction :
+       {math::Vec3{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.6, 0.0, -0.8}, {0.0, 1.0, 0.0}, {-0.6, 0.0, -0.8}}) {
+    const geometry::SurfacePoint wall = scene.met_by({-3.0, 0.5, 4.0}, direction);
+    worst_k = std::max(worst_k, std::abs(scene.surface(1)->at(wall, options.seed).kelvin - 290.0));
+  }
+  return worst_k;
+}
+
+}  // namespace ifov::studies
