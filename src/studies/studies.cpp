@@ -5,6 +5,7 @@
 #include "studies/sensor/sensor_study.h"
 #include "studies/suburb_study.h"
 #include "studies/surfaces/surfaces_study.h"
+#include "studies/temperature/temperature_study.h"
 #include "studies/thermal_study.h"
 
 namespace ifov::studies {
@@ -20,6 +21,8 @@ constexpr StudyEntry kStudies[] = {
      run_surfaces_study},
     {"sensor", "orbits, cameras, scanners, optics and detectors against closed forms and published figures",
      run_sensor_study},
+    {"temperature", "temperatures solved under weather, against closed forms and full solutions of points",
+     run_temperature_study},
 };
 
 }  // namespace

@@ -57,7 +57,8 @@ double steady_plate_k(double absorbed_w_m2, double sky_k, double convection_w_m2
 }
 
 double heat_unaccounted() {
-  const thermal::Solid road{{{0.06, 0.75, 2360.0, 920.0}, {0.5, 0.30, 1600.0, 800.0}}, thermal::DeepGround{290.0}};
+  const thermal::Solid road{{{0.06, 0.75, 2360.0, 920.0}, {0.5, 0.30, 1600.0, 800.0}},
+                            thermal::DeepGround{290.0}};
   thermal::Skin wet;
   wet.wetness = {0.4, 70.0};
   double worst = 0.0;

@@ -40,14 +40,10 @@ GivenExchange exchange_of(SlabCase of) {
   const auto wave = [](double t) { return kWave_w_m2 * std::cos(kOmega * t); };
   const auto nothing = [](double) { return 0.0; };
   switch (of) {
-    case SlabCase::periodic_flux:
-      return {wave};
-    case SlabCase::step_flux:
-      return {[](double) { return kStep_w_m2; }};
-    case SlabCase::air_step:
-      return {nothing, kAirStep_w_m2_k, kBase_k + kAirStep_k};
-    case SlabCase::periodic_flux_in_air:
-      break;
+    case SlabCase::periodic_flux: return {wave};
+    case SlabCase::step_flux: return {[](double) { return kStep_w_m2; }};
+    case SlabCase::air_step: return {nothing, kAirStep_w_m2_k, kBase_k + kAirStep_k};
+    case SlabCase::periodic_flux_in_air: break;
   }
   return {wave, kWaveAir_w_m2_k, kBase_k};
 }
@@ -112,10 +108,10 @@ double closed_form_k(SlabCase of, double time_s, double depth_m) {
              kStep_w_m2 * depth_m / k * std::erfc(z);
     case SlabCase::air_step: {
       const double h = kAirStep_w_m2_k / k;
-      return kAirStep_k * (std::erfc(z) - std::exp(h * depth_m + h * h * root * root) * std::erfc(z + h * root));
+      return kAirStep_k *
+             (std::erfc(z) - std::exp(h * depth_m + h * h * root * root) * std::erfc(z + h * root));
     }
-    case SlabCase::periodic_flux_in_air:
-      break;
+    case SlabCase::periodic_flux_in_air: break;
   }
   const double b = inertia * std::sqrt(0.5 * kOmega);
   return kWave_w_m2 / std::hypot(kWaveAir_w_m2_k + b, b) * std::exp(-depths) *
@@ -134,16 +130,17 @@ double slab_error_k(SlabCase of, double step_s, double conductivity_factor) {
                              {-10.0 * kDay_s, step_s, static_cast<int>(10.0 * kDay_s / step_s)})
                 .cells_k;
   const bool wave = of == SlabCase::periodic_flux || of == SlabCase::periodic_flux_in_air;
-  const std::vector<double> times_s = wave ? std::vector<double>{10800.0, 21600.0, 32400.0, 43200.0, 54000.0, 64800.0, 75600.0}
-                                           : std::vector<double>{600.0, 3600.0, 21600.0};
+  const std::vector<double> times_s =
+      wave ? std::vector<double>{10800.0, 21600.0, 32400.0, 43200.0, 54000.0, 64800.0, 75600.0}
+           : std::vector<double>{600.0, 3600.0, 21600.0};
   double worst_k = 0.0;
   for (const double time_s : times_s) {
     if (std::fmod(time_s, step_s) != 0.0) continue;
     const int steps = static_cast<int>(std::round(time_s / step_s));
     const thermal::History history = thermal::conduct(cells, start, exchange, {0.0, step_s, steps});
     for (const double depth_m : kDepths_m)
-      worst_k = std::max(worst_k, std::abs(thermal::temperature_at_depth_k(cells, history, depth_m) - kBase_k -
-                                           closed_form_k(of, time_s, depth_m)));
+      worst_k = std::max(worst_k, std::abs(thermal::temperature_at_depth_k(cells, history, depth_m) -
+                                           kBase_k - closed_form_k(of, time_s, depth_m)));
   }
   return worst_k;
 }
@@ -188,8 +185,9 @@ double layered_error_k(double step_s, double capacity_factor) {
       mean_k += history.nodes[i].surface_k / static_cast<double>(a_day);
     const std::complex<double> wave = kFlux_w_m2 * wave_through(layers);
     for (std::size_t i = last; i < history.nodes.size(); ++i)
-      worst_k = std::max(worst_k, std::abs(history.nodes[i].surface_k - mean_k -
-                                           (wave * std::polar(1.0, kOmega * history.nodes[i].time_s)).imag()));
+      worst_k =
+          std::max(worst_k, std::abs(history.nodes[i].surface_k - mean_k -
+                                     (wave * std::polar(1.0, kOmega * history.nodes[i].time_s)).imag()));
   }
   return worst_k;
 }

@@ -44,8 +44,9 @@ std::string write_june(const StudyOptions& options, bool sunny) {
       "time,air_temperature_c,relative_humidity_pct,wind_speed_m_s,cloud_fraction,global_irradiance_w_m2\n";
   for (int hour = 0; hour <= 48; ++hour) {
     constexpr double kTurn = std::numbers::pi / 12.0, kDeclination = 0.409;
-    const double height = std::sin(kLatitude_rad) * std::sin(kDeclination) +
-                          std::cos(kLatitude_rad) * std::cos(kDeclination) * std::cos(kTurn * (hour + 0.3 - 12.0));
+    const double height =
+        std::sin(kLatitude_rad) * std::sin(kDeclination) +
+        std::cos(kLatitude_rad) * std::cos(kDeclination) * std::cos(kTurn * (hour + 0.3 - 12.0));
     text += format("2026-06-{:02d}T{:02d}:00:00Z,{:.2f},60,{},0,{:.1f}\n", 20 + hour / 24, hour % 24,
                    sunny ? 18.0 - 5.0 * std::cos(kTurn * (hour - 3.0)) : 16.85, sunny ? 2.5 : 1.0,
                    sunny ? std::max(0.0, 1000.0 * height - 30.0) : 0.0);
@@ -66,9 +67,8 @@ io::Document solved_document(const std::string& weather, const std::string& hour
   how->step_s = step_s;
   how->repeat_first_day = true;
   document.temperatures = std::move(how);
-  document.scene.materials = {
-      solved_material_of("road", {{0.1, "asphalt"}, {0.5, "dry soil"}}, 0.9, true),
-      solved_material_of("brick", {{0.2, "brick"}}, 0.7, false)};
+  document.scene.materials = {solved_material_of("road", {{0.1, "asphalt"}, {0.5, "dry soil"}}, 0.9, true),
+                              solved_material_of("brick", {{0.2, "brick"}}, 0.7, false)};
   return document;
 }
 
@@ -83,15 +83,15 @@ io::ObjectDocument solved_box(math::Point3 low_m, math::Point3 high_m, const std
 
 SolvedScene::SolvedScene(const io::Document& document, const StudyOptions& options)
     : session_(session::Session::load(
-          io::parse_document(study_text(document), (options.output_folder / "study.json").string()), nullptr)),
+          io::parse_document(study_text(document), (options.output_folder / "study.json").string()),
+          nullptr)),
       about_(session::outdoors_of_document(session_.parts().document, *session_.parts().weather)) {
   const session::Parts& all = parts();
   thermal_.resize(all.document.scene.materials.size());
   for (std::size_t k = 0; k < thermal_.size(); ++k)
     if (surface(k) != nullptr)
-      thermal_[k] = std::make_unique<session::ThermalMaterial>(
-          *session::assemble_thermal(all.document.sources, all.document.scene.materials[k],
-                                     all.scene.materials[k], about_.mean_air_k));
+      thermal_[k] = std::make_unique<session::ThermalMaterial>(*session::assemble_thermal(
+          all.document.sources, all.document.scene.materials[k], all.scene.materials[k], about_.mean_air_k));
 }
 
 const exposure::SolvedSurface* SolvedScene::surface(std::size_t material) const {
@@ -115,7 +115,9 @@ std::size_t SolvedScene::solved_material(const geometry::SurfacePoint& point) co
   return by == 0 ? kNone : by - 1;
 }
 
-const session::ThermalMaterial& SolvedScene::thermal(std::size_t material) const { return *thermal_[material]; }
+const session::ThermalMaterial& SolvedScene::thermal(std::size_t material) const {
+  return *thermal_[material];
+}
 
 double SolvedScene::full_k(std::size_t material, thermal::Stand stand, std::vector<double> visibility,
                            std::vector<double> free_sky) const {

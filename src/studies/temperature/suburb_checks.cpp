@@ -93,7 +93,8 @@ std::vector<FoundPoint> random_points(const SolvedScene& scene, std::size_t coun
     const auto number = [&](int n) { return sampling::unit_double(sampling::hash(seed, k, n)); };
     const double zenith = std::acos(std::lerp(1.0, std::cos(kSteepest_rad), number(2))),
                  turn = 2.0 * std::numbers::pi * number(3);
-    const math::Vec3 up{std::sin(zenith) * std::cos(turn), std::sin(zenith) * std::sin(turn), std::cos(zenith)};
+    const math::Vec3 up{std::sin(zenith) * std::cos(turn), std::sin(zenith) * std::sin(turn),
+                        std::cos(zenith)};
     const math::Point3 ground{kHalf_m * (2.0 * number(0) - 1.0), kHalf_m * (2.0 * number(1) - 1.0), 0.0};
     const geometry::SurfacePoint hit = scene.met_by(ground + kFar_m * up, -up);
     const std::size_t material = scene.solved_material(hit);
@@ -137,7 +138,8 @@ SuburbPoints suburb_points(std::size_t points_an_hour, const StudyOptions& optio
       full_k[k] = full_point_k(scene, points[k], exposure);
       off_k[k] = surface.temperature_k(points[k].at, exposure) - full_k[k];
       estimate_k[k] =
-          mean_estimate_k(surface, points[k].at, kDraws, sampling::hash(options.seed, index) >> 24) - full_k[k];
+          mean_estimate_k(surface, points[k].at, kDraws, sampling::hash(options.seed, index) >> 24) -
+          full_k[k];
     });
     for (std::size_t k = 0; k < points.size(); ++k) {
       squares_k2 += off_k[k] * off_k[k];

@@ -78,9 +78,10 @@ double closed_room_drift_k(const StudyOptions& options);
 struct SuburbPoints {
   std::size_t points = 0;
   double rms_k = 0.0, worst_k = 0.0, bias_k = 0.0;
-  double estimate_bias_k = 0.0, estimate_error_k = 0.0;  ///< of what rays by chance tell, and its standard error
-  double covered = 0.0;                                  ///< by the half-width that is stated
-  std::array<double, 4> half_width_k{};                  ///< stated, by hour
+  double estimate_bias_k = 0.0,
+         estimate_error_k = 0.0;         ///< of what rays by chance tell, and its standard error
+  double covered = 0.0;                  ///< by the half-width that is stated
+  std::array<double, 4> half_width_k{};  ///< stated, by hour
   std::vector<double> full_k, off_k;
 };
 SuburbPoints suburb_points(std::size_t points_an_hour, const StudyOptions& options);

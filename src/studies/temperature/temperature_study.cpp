@@ -22,8 +22,9 @@ StudyOutcome run_temperature_study(const StudyOptions& options) {
   const ReferenceData reference(reference_folder(options));
   const TemperatureOptions choices{reference, options};
   std::vector<ReportSection> sections;
-  for (const auto section : {conduction_section, balance_section, shadow_section, fault_section, height_section,
-                             suburb_section, measured_day_section, query_section, unmeasured_section}) {
+  for (const auto section :
+       {conduction_section, balance_section, shadow_section, fault_section, height_section, suburb_section,
+        measured_day_section, query_section, unmeasured_section}) {
     if (options.cancel != nullptr && options.cancel->cancelled()) throw Cancelled();
     sections.push_back(section(choices));
     if (options.log != nullptr) options.log->info(sections.back().title);
@@ -39,7 +40,8 @@ StudyOutcome run_temperature_study(const StudyOptions& options) {
   ReportFigures drawn;
   keep("report.html", sections_page(kTemperatureTitle, sections, drawn));
   for (const auto& file : drawn.write(options.output_folder)) outcome.files.push_back(file);
-  keep("page/temperature.md", sections_markdown(kTemperatureTitle, kTemperatureAbout, "temperature", sections));
+  keep("page/temperature.md",
+       sections_markdown(kTemperatureTitle, kTemperatureAbout, "temperature", sections));
   for (const ReportSection& section : sections)
     for (const ReportPlot& plot : section.plots)
       keep(format("page/temperature_{}.svg", plot.name), draw(plot.plot).svg);
