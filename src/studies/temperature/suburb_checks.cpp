@@ -20,7 +20,7 @@
 namespace ifov::studies {
 namespace {
 
-constexpr int kSkyPairs = 128, kTimeRays = 512, kDraws = 16;
+constexpr int kSkyPairs = 128, kTimeRays = 512, kDrawsOfPoint = 16;
 constexpr double kSteepest_rad = 60.0 * math::kDegree;  // of the rays that look for points
 
 /// What a material of the suburb stands on, by what its name says.
@@ -138,7 +138,7 @@ SuburbPoints suburb_points(std::size_t points_an_hour, const StudyOptions& optio
       full_k[k] = full_point_k(scene, points[k], exposure);
       off_k[k] = surface.temperature_k(points[k].at, exposure) - full_k[k];
       estimate_k[k] =
-          mean_estimate_k(surface, points[k].at, kDraws, sampling::hash(options.seed, index) >> 24) -
+          mean_estimate_k(surface, points[k].at, kDrawsOfPoint, sampling::hash(options.seed, index) >> 24) -
           full_k[k];
     });
     for (std::size_t k = 0; k < points.size(); ++k) {
