@@ -24,7 +24,7 @@ TEST(TemperatureStudy, SolidsAreAsTheirClosedForms) {
   for (int k = 0; k < kSlabCases; ++k) {
     const auto of = static_cast<SlabCase>(k);
     EXPECT_LT(slab_error_k(of, 300.0), 0.1) << name_of(of);
-    EXPECT_GT(slab_error_k(of, 300.0, 1.05), 0.1) << name_of(of);
+    EXPECT_GT(slab_error_k(of, 300.0, 1.2), 0.1) << name_of(of);
   }
   EXPECT_LT(layered_error_k(900.0), 0.2);
   EXPECT_GT(layered_error_k(900.0, 1.5), 0.2);
@@ -58,7 +58,7 @@ TEST(TemperatureStudy, EachWrongWeatherIsNoticed) {
 
 TEST(TemperatureStudy, PointsOfASuburbAreAsEachSolvedInFull) {
   const StudyOptions options = in_a_folder("ifov_test_temperature_suburb");
-  const SuburbPoints found = suburb_points(25, options);
+  const SuburbPoints found = suburb_points(100, std::span(kSuburbHours).subspan(2, 1), options);
   EXPECT_EQ(found.points, 100u);
   EXPECT_LT(found.rms_k, 0.15);
   EXPECT_LT(std::abs(found.bias_k), 0.02);

@@ -13,9 +13,9 @@
 namespace ifov::studies {
 namespace {
 
-io::TemperatureReport surveyed(const io::Document& document, const StudyOptions& options) {
-  return session::survey_temperatures(
-      io::parse_document(study_text(document), (options.output_folder / "study.json").string()), {});
+io::TemperatureReport surveyed(const io::Document& document, const std::string& name,
+                               const StudyOptions& options) {
+  return session::survey_temperatures(kept_document(document, name, options), {});
 }
 
 io::MaterialDocument day_material(const char* name, std::vector<io::ThermalLayerDocument> layers,
@@ -54,7 +54,7 @@ void add_crossovers(const TemperatureOptions& options, ReportSection& section) {
       day_material("roof", {{0.015, "concrete tile"}, {0.2, "insulation"}}, 0.85, false),
       day_material("car", {{0.001, "steel"}}, 0.85, false)};
   document.scene.objects = {solved_ground()};
-  const io::TemperatureReport report = surveyed(document, options.study);
+  const io::TemperatureReport report = surveyed(document, "day", options.study);
   double dawn_h[4], dusk_h[4];
   for (const std::size_t one : {roof, car}) {
     const std::string& name = document.scene.materials[one].name;
@@ -102,7 +102,7 @@ void add_alamosa(const TemperatureOptions& options, ReportSection& section) {
   soil.spectrum.source = io::LibrarySource{"soil, bare", 0};
   document.scene.materials = {std::move(soil)};
   document.scene.objects = {object_of(io::PlanePrimitive(), "soil")};
-  const io::TemperatureReport report = surveyed(document, options.study);
+  const io::TemperatureReport report = surveyed(document, "alamosa", options.study);
   const io::TemperatureReport::Day& day = report.materials.front().sunlit;
   Plot plot;
   plot.title = "A measured day";

@@ -87,7 +87,7 @@ ReportSection suburb_section(const TemperatureOptions& options) {
       "A suburb as `ifov make suburb` writes it, its opaque materials solved for by what their names say they are made of. Random points of roofs, walls, "
       "ground and cars at 5, 9, 14 and 20 h, each solved in full by itself from 512 rays to the Sun's past places and 256 to the sky, against its class "
       "with the same exposure; and what estimates by 10 rays are off on average.";
-  const SuburbPoints found = suburb_points(an_hour, options.study);
+  const SuburbPoints found = suburb_points(an_hour, kSuburbHours, options.study);
   section.figures.at_most("suburb_rms", found.rms_k, 0.15, "K",
                           format("{} points: root mean square of the difference", found.points));
   section.figures.at_most("suburb_worst", found.worst_k, 1.0, "K", "the worst of them");

@@ -124,7 +124,7 @@ PlacesOffK pole_shadow(const StudyOptions& options, Fault fault) {
   constexpr OutlinedBox kPole{0.25, 0.25, 5.0};
   io::Document document = solved_document(write_june(options), "15:00");
   document.scene.objects = {solved_ground(), solved_box({-0.25, -0.25, 0.0}, {0.25, 0.25, 5.0}, "brick")};
-  const SolvedScene scene(document, options);
+  const SolvedScene scene(document, "pole", options);
   const exposure::SolvedSurface other = scene.surface_under(0, planted(scene.series(), fault));
   const exposure::SolvedSurface& asked = fault == Fault::none ? *scene.surface(0) : other;
   std::vector<std::pair<double, double>> places_m;  // north of the pole
@@ -164,10 +164,10 @@ CarTrace car_trace(int left_min, const StudyOptions& options) {
   auto present = std::make_shared<io::PresenceDocument>();
   present->intervals = {{clock(kCame_min), clock(left_min)}};
   document.scene.objects[1].present = std::move(present);
-  const SolvedScene scene(document, options);
+  const SolvedScene scene(document, format("car_{}_min", left_min), options);
   io::Document bare = solved_document(weather, "15:00", 60.0);
   bare.scene.objects = {solved_ground()};
-  const SolvedScene minutes(bare, options);
+  const SolvedScene minutes(bare, "bare", options);
   const exposure::SolvedSurface never = minutes.surface_under(0, scene.series());
   CarTrace trace;
   for (const auto& [x_m, y_m] : {std::pair{0.0, 0.0}, {2.0, 0.3}, {-1.0, 1.3}}) {
@@ -212,7 +212,7 @@ RoofWind roof_wind(bool suburb, const StudyOptions& options, bool blind) {
     const double x_m = 1e4 * static_cast<double>(k + 1);
     document.scene.objects.push_back(solved_box({x_m, -6.0, 0.0}, {x_m + 12.0, 6.0, heights_m[k]}, "road"));
   }
-  const SolvedScene scene(document, options);
+  const SolvedScene scene(document, suburb ? "roofs_suburb" : "roofs_open", options);
   const auto compare = [&](double x_m, double height_m) {
     // Measured at 60 m and asked for there, it is taken as it is.
     thermal::OutdoorsSeries series = scene.series();
@@ -240,7 +240,7 @@ double closed_room_drift_k(const StudyOptions& options) {
   auto how = std::make_shared<io::TemperaturesDocument>(*document.temperatures);
   how->spin_up_s = 9.0 * 86400.0;
   document.temperatures = std::move(how);
-  const SolvedScene scene(document, options);
+  const SolvedScene scene(document, "room", options);
   double worst_k = 0.0;
   for (const math::Vec3& direction :
        {math::Vec3{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.6, 0.0, -0.8}, {0.0, 1.0, 0.0}, {-0.6, 0.0, -0.8}}) {

@@ -38,6 +38,14 @@ io::MaterialDocument solved_material_of(const std::string& name, std::vector<io:
 
 }  // namespace
 
+io::Document kept_document(const io::Document& document, const std::string& name,
+                           const StudyOptions& options) {
+  const std::filesystem::path path = options.output_folder / (name + ".json");
+  const std::string text = study_text(document);
+  write_file(path, text);
+  return io::parse_document(text, path.string());
+}
+
 std::string write_june(const StudyOptions& options, bool sunny) {
   const std::string name = sunny ? "june.csv" : "still.csv";
   std::string text =
@@ -81,10 +89,8 @@ io::ObjectDocument solved_box(math::Point3 low_m, math::Point3 high_m, const std
   return object_of(std::move(box), material);
 }
 
-SolvedScene::SolvedScene(const io::Document& document, const StudyOptions& options)
-    : session_(session::Session::load(
-          io::parse_document(study_text(document), (options.output_folder / "study.json").string()),
-          nullptr)),
+SolvedScene::SolvedScene(const io::Document& document, const std::string& name, const StudyOptions& options)
+    : session_(session::Session::load(kept_document(document, name, options), nullptr)),
       about_(session::outdoors_of_document(session_.parts().document, *session_.parts().weather)) {
   const session::Parts& all = parts();
   thermal_.resize(all.document.scene.materials.size());

@@ -29,10 +29,15 @@ io::Document solved_document(const std::string& weather, const std::string& hour
 io::ObjectDocument solved_ground();
 io::ObjectDocument solved_box(math::Point3 low_m, math::Point3 high_m, const std::string& material);
 
+/// The document as it is read again from the study's folder, where it is kept by this name.
+io::Document kept_document(const io::Document& document, const std::string& name,
+                           const StudyOptions& options);
+
 /// A document that is loaded, to ask its points how warm they are, and to solve for them in full beside it.
 class SolvedScene {
  public:
-  SolvedScene(const io::Document& document, const StudyOptions& options);
+  /// Keeps the document in the study's folder, by this name.
+  SolvedScene(const io::Document& document, const std::string& name, const StudyOptions& options);
 
   const session::Parts& parts() const { return session_.parts(); }
   const thermal::OutdoorsSeries& series() const { return about_.outdoors.series; }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/format.h"
 #include "core/parallel.h"
 #include "io/document/document.h"
 #include "io/document/thermal_document.h"
@@ -120,13 +121,16 @@ double full_point_k(const SolvedScene& scene, const FoundPoint& point,
 
 }  // namespace
 
-SuburbPoints suburb_points(std::size_t points_an_hour, const StudyOptions& options) {
+SuburbPoints suburb_points(std::size_t points_an_hour, std::span<const char* const> hours,
+                           const StudyOptions& options) {
   SuburbPoints found;
   double squares_k2 = 0.0, estimates_k = 0.0, estimate_squares_k2 = 0.0, covered = 0.0;
-  for (std::size_t hour = 0; hour < kSuburbHours.size(); ++hour) {
+  for (std::size_t hour = 0; hour < hours.size(); ++hour) {
     if (options.cancel != nullptr && options.cancel->cancelled()) throw Cancelled();
-    const SolvedScene scene(suburb_solved(kSuburbHours[hour], options), options);
-    found.half_width_k[hour] = scene.parts().temperature_errors->half_width_k();
+    const std::string name = format("suburb_{}", std::string(hours[hour]).substr(0, 2));
+    const SolvedScene scene(suburb_solved(hours[hour], options), name, options);
+    const double half_width_k = scene.parts().temperature_errors->half_width_k();
+    found.half_width_k.push_back(half_width_k);
     const std::vector<FoundPoint> points = random_points(scene, points_an_hour, options.seed + hour);
     std::vector<double> full_k(points.size()), off_k(points.size()), estimate_k(points.size());
     parallel_for(static_cast<std::int64_t>(points.size()), options.threads, [&](std::int64_t index) {
@@ -145,7 +149,7 @@ SuburbPoints suburb_points(std::size_t points_an_hour, const StudyOptions& optio
       squares_k2 += off_k[k] * off_k[k];
       found.bias_k += off_k[k];
       found.worst_k = std::max(found.worst_k, std::abs(off_k[k]));
-      covered += std::abs(off_k[k]) <= found.half_width_k[hour];
+      covered += std::abs(off_k[k]) <= half_width_k;
       estimates_k += estimate_k[k];
       estimate_squares_k2 += estimate_k[k] * estimate_k[k];
     }
@@ -168,7 +172,7 @@ QueryCost query_cost(std::size_t queries, const StudyOptions& options) {
   cost.same = true;
   std::vector<std::uint64_t> first;
   for (const int threads : {2, 1, 7}) {
-    const SolvedScene scene(suburb_solved("14:00", options), options);
+    const SolvedScene scene(suburb_solved("14:00", options), "query", options);
     const std::vector<FoundPoint> points = random_points(scene, kPoints, options.seed);
     const auto at = [&](std::size_t k, std::uint64_t draw) {
       const FoundPoint& point = points[k % points.size()];

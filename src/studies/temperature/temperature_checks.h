@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "studies/common/study_options.h"
@@ -74,17 +75,18 @@ RoofWind roof_wind(bool suburb, const StudyOptions& options, bool blind = false)
 /// Drift of a closed room as warm as the air, and of what is in it.
 double closed_room_drift_k(const StudyOptions& options);
 
-/// Random points of the suburb at four hours, each solved in full by itself, of the same exposure.
+/// Random points of the suburb at these hours ("14:00"), each solved in full by itself, of the same exposure.
 struct SuburbPoints {
   std::size_t points = 0;
   double rms_k = 0.0, worst_k = 0.0, bias_k = 0.0;
   double estimate_bias_k = 0.0,
-         estimate_error_k = 0.0;         ///< of what rays by chance tell, and its standard error
-  double covered = 0.0;                  ///< by the half-width that is stated
-  std::array<double, 4> half_width_k{};  ///< stated, by hour
+         estimate_error_k = 0.0;     ///< of what rays by chance tell, and its standard error
+  double covered = 0.0;              ///< by the half-width that is stated
+  std::vector<double> half_width_k;  ///< stated, by hour
   std::vector<double> full_k, off_k;
 };
-SuburbPoints suburb_points(std::size_t points_an_hour, const StudyOptions& options);
+SuburbPoints suburb_points(std::size_t points_an_hour, std::span<const char* const> hours,
+                           const StudyOptions& options);
 inline constexpr std::array<const char*, 4> kSuburbHours{"05:00", "09:00", "14:00", "20:00"};
 
 /// Seconds for a million estimates of a point's temperature on two threads, and whether 1, 2 and 7 threads tell the same.
