@@ -7,7 +7,7 @@
 #include "io/document/thermal_document.h"
 #include "session/temperatures/temperature_survey.h"
 #include "studies/common/study_document.h"
-#include "studies/temperature/solved_scene.h"
+#include "studies/temperature/solved_documents.h"
 #include "studies/temperature/temperature_sections.h"
 
 namespace ifov::studies {

@@ -4,11 +4,11 @@
 
 #include "core/format.h"
 #include "core/parallel.h"
-#include "exposure/past_scene.h"
+#include "exposure/solved_surface.h"
 #include "io/document/document.h"
 #include "io/document/presence_document.h"
 #include "io/document/thermal_document.h"
-#include "session/loaded/parts.h"
+#include "studies/temperature/solved_documents.h"
 #include "studies/temperature/solved_scene.h"
 #include "studies/temperature/temperature_checks.h"
 #include "thermal/sky_longwave.h"
@@ -125,8 +125,9 @@ PlacesOffK pole_shadow(const StudyOptions& options, Fault fault) {
   io::Document document = solved_document(write_june(options), "15:00");
   document.scene.objects = {solved_ground(), solved_box({-0.25, -0.25, 0.0}, {0.25, 0.25, 5.0}, "brick")};
   const SolvedScene scene(document, "pole", options);
-  const exposure::SolvedSurface other = scene.surface_under(0, planted(scene.series(), fault));
-  const exposure::SolvedSurface& asked = fault == Fault::none ? *scene.surface(0) : other;
+  const std::unique_ptr<const exposure::SolvedSurface> other =
+      scene.surface_under(0, planted(scene.series(), fault));
+  const exposure::SolvedSurface& asked = fault == Fault::none ? *scene.surface(0) : *other;
   std::vector<std::pair<double, double>> places_m;  // north of the pole
   for (const double y_m : {0.7, 1.3, 1.9, 2.5, 3.1})
     for (const double x_m : {-1.0, 0.0, 1.0}) places_m.emplace_back(x_m, y_m);
@@ -168,7 +169,7 @@ CarTrace car_trace(int left_min, const StudyOptions& options) {
   io::Document bare = solved_document(weather, "15:00", 60.0);
   bare.scene.objects = {solved_ground()};
   const SolvedScene minutes(bare, "bare", options);
-  const exposure::SolvedSurface never = minutes.surface_under(0, scene.series());
+  const std::unique_ptr<const exposure::SolvedSurface> never = minutes.surface_under(0, scene.series());
   CarTrace trace;
   for (const auto& [x_m, y_m] : {std::pair{0.0, 0.0}, {2.0, 0.3}, {-1.0, 1.3}}) {
     const std::vector<thermal::Outdoors>& rows = minutes.series().rows;
@@ -190,7 +191,7 @@ CarTrace car_trace(int left_min, const StudyOptions& options) {
         std::max(trace.worst_k,
                  std::abs(mean_estimate_k(*scene.surface(0), point, kDraws, options.seed) - expected_k));
     trace.without_k =
-        std::max(trace.without_k, std::abs(mean_estimate_k(never, point, 100, options.seed) - expected_k));
+        std::max(trace.without_k, std::abs(mean_estimate_k(*never, point, 100, options.seed) - expected_k));
   }
   return trace;
 }

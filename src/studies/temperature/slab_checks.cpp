@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <fstream>
 #include <functional>
 #include <numbers>
 #include <sstream>
 
+#include "io/files/input_file.h"
 #include "studies/temperature/temperature_checks.h"
 #include "thermal/cells.h"
 #include "thermal/conduction.h"
@@ -147,7 +147,7 @@ double slab_error_k(SlabCase of, double step_s, double conductivity_factor) {
 
 FileDifference closed_forms_off_file(const std::filesystem::path& file) {
   FileDifference result;
-  std::ifstream in(file);
+  std::istringstream in(io::read_input(file));
   for (std::string line; std::getline(in, line);)
     for (int k = 0; k < kSlabCases; ++k) {
       const auto of = static_cast<SlabCase>(k);

@@ -1,107 +1,58 @@
 #include "studies/temperature/solved_scene.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "atmosphere/weather_series.h"
-#include "core/format.h"
-#include "exposure/past_scene.h"
+#include "exposure/solved_surface.h"
 #include "geometry/world.h"
 #include "io/document/document.h"
-#include "io/document/shapes/box_primitive.h"
-#include "io/document/shapes/flat_primitives.h"
-#include "io/document/thermal_document.h"
-#include "math/angle.h"
 #include "scene/scene.h"
+#include "session/assembly/surfaces/thermal_assembly.h"
 #include "session/loaded/parts.h"
-#include "studies/common/study_document.h"
-#include "studies/common/study_files.h"
+#include "session/session.h"
+#include "session/solved/document_outdoors.h"
+#include "studies/temperature/solved_documents.h"
 #include "thermal/surface_solution.h"
 
 namespace ifov::studies {
 namespace {
 
 constexpr double kStudySun_rad = 0.00465;  // radius of the disc
-constexpr double kLatitude_rad = 52.0 * math::kDegree, kLongitude_rad = 5.0 * math::kDegree;
-
-io::MaterialDocument solved_material_of(const std::string& name, std::vector<io::ThermalLayerDocument> layers,
-                                        double absorptance, bool on_ground) {
-  io::MaterialDocument material = black(name, {io::SolvedTemperatureDocument{}, {}});
-  auto thermal = std::make_shared<io::ThermalDocument>();
-  thermal->layers = std::move(layers);
-  if (on_ground) thermal->back.ground = {285.15};
-  thermal->solar_absorptance = absorptance;
-  material.thermal = std::move(thermal);
-  return material;
-}
 
 }  // namespace
 
-io::Document kept_document(const io::Document& document, const std::string& name,
-                           const StudyOptions& options) {
-  const std::filesystem::path path = options.output_folder / (name + ".json");
-  const std::string text = study_text(document);
-  write_file(path, text);
-  return io::parse_document(text, path.string());
+struct SolvedScene::Inside {
+  session::Session session;
+  session::DocumentOutdoors about;
+  std::vector<std::unique_ptr<session::ThermalMaterial>> thermal{};  ///< by material; null: not solved
+
+  explicit Inside(session::Session loaded)
+      : session(std::move(loaded)),
+        about(session::outdoors_of_document(session.parts().document, *session.parts().weather)) {}
+};
+
+SolvedScene::SolvedScene(const io::Document& document, const std::string& name, const StudyOptions& options) {
+  auto inside =
+      std::make_unique<Inside>(session::Session::load(kept_document(document, name, options), nullptr));
+  const session::Parts& all = inside->session.parts();
+
+  std::vector<std::unique_ptr<session::ThermalMaterial>>& thermal = inside->thermal;
+  thermal.resize(all.document.scene.materials.size());
+  for (std::size_t k = 0; k < thermal.size(); ++k)
+    if (k < all.scene.solved.size() && all.scene.solved[k] != nullptr)
+      thermal[k] = std::make_unique<session::ThermalMaterial>(
+          *session::assemble_thermal(all.document.sources, all.document.scene.materials[k],
+                                     all.scene.materials[k], inside->about.mean_air_k));
+  inside_ = std::move(inside);
 }
 
-std::string write_june(const StudyOptions& options, bool sunny) {
-  const std::string name = sunny ? "june.csv" : "still.csv";
-  std::string text =
-      "time,air_temperature_c,relative_humidity_pct,wind_speed_m_s,cloud_fraction,global_irradiance_w_m2\n";
-  for (int hour = 0; hour <= 48; ++hour) {
-    constexpr double kTurn = std::numbers::pi / 12.0, kDeclination = 0.409;
-    const double height =
-        std::sin(kLatitude_rad) * std::sin(kDeclination) +
-        std::cos(kLatitude_rad) * std::cos(kDeclination) * std::cos(kTurn * (hour + 0.3 - 12.0));
-    text += format("2026-06-{:02d}T{:02d}:00:00Z,{:.2f},60,{},0,{:.1f}\n", 20 + hour / 24, hour % 24,
-                   sunny ? 18.0 - 5.0 * std::cos(kTurn * (hour - 3.0)) : 16.85, sunny ? 2.5 : 1.0,
-                   sunny ? std::max(0.0, 1000.0 * height - 30.0) : 0.0);
-  }
-  write_file(options.output_folder / name, text);
-  return name;
-}
+SolvedScene::~SolvedScene() = default;
 
-io::Document solved_document(const std::string& weather, const std::string& hour, double step_s) {
-  io::Document document =
-      nadir_document(nadir_camera(24, 16, -12.0, 8.0), "thermal", 10.5, single_sampling(), 1);
-  document.time = geodesy::parse_utc("2026-06-21T" + hour + ":00Z");
-  document.scene.origin.geographic = {kLatitude_rad, kLongitude_rad};
-  document.weather.emplace();
-  document.weather->source.file = {weather, {}};
-  auto how = std::make_shared<io::TemperaturesDocument>();
-  how->spin_up_s = 86400.0;
-  how->step_s = step_s;
-  how->repeat_first_day = true;
-  document.temperatures = std::move(how);
-  document.scene.materials = {solved_material_of("road", {{0.1, "asphalt"}, {0.5, "dry soil"}}, 0.9, true),
-                              solved_material_of("brick", {{0.2, "brick"}}, 0.7, false)};
-  return document;
-}
+const thermal::OutdoorsSeries& SolvedScene::series() const { return inside_->about.outdoors.series; }
 
-io::ObjectDocument solved_ground() { return object_of(io::PlanePrimitive(), "road"); }
-
-io::ObjectDocument solved_box(math::Point3 low_m, math::Point3 high_m, const std::string& material) {
-  io::BoxPrimitive box;
-  box.low_m = low_m;
-  box.high_m = high_m;
-  return object_of(std::move(box), material);
-}
-
-SolvedScene::SolvedScene(const io::Document& document, const std::string& name, const StudyOptions& options)
-    : session_(session::Session::load(kept_document(document, name, options), nullptr)),
-      about_(session::outdoors_of_document(session_.parts().document, *session_.parts().weather)) {
-  const session::Parts& all = parts();
-  thermal_.resize(all.document.scene.materials.size());
-  for (std::size_t k = 0; k < thermal_.size(); ++k)
-    if (surface(k) != nullptr)
-      thermal_[k] = std::make_unique<session::ThermalMaterial>(*session::assemble_thermal(
-          all.document.sources, all.document.scene.materials[k], all.scene.materials[k], about_.mean_air_k));
+double SolvedScene::half_width_k() const {
+  return inside_->session.parts().temperature_errors->half_width_k();
 }
 
 const exposure::SolvedSurface* SolvedScene::surface(std::size_t material) const {
-  const auto& solved = parts().scene.solved;
+  const auto& solved = inside_->session.parts().scene.solved;
   return material < solved.size() ? dynamic_cast<const exposure::SolvedSurface*>(solved[material].get())
                                   : nullptr;
 }
@@ -109,20 +60,16 @@ const exposure::SolvedSurface* SolvedScene::surface(std::size_t material) const 
 geometry::SurfacePoint SolvedScene::met_by(math::Point3 from_m, math::Vec3 direction) const {
   const math::Ray ray{.origin_m = from_m, .direction = direction};
   geometry::SurfacePoint hit;
-  parts().scene.world->intersect({&ray, 1}, {&hit, 1});
+  inside_->session.parts().scene.world->intersect({&ray, 1}, {&hit, 1});
   return hit;
 }
 
 std::size_t SolvedScene::solved_material(const geometry::SurfacePoint& point) const {
   if (!point.hit()) return kNone;
-  const scene::Scene& scene = parts().scene;
+  const scene::Scene& scene = inside_->session.parts().scene;
   const scene::ResolvedSurface resolved = scene.resolve_without_temperature(point);
   const std::uint32_t by = scene.states[resolved.constituents[0].state].solved;
   return by == 0 ? kNone : by - 1;
-}
-
-const session::ThermalMaterial& SolvedScene::thermal(std::size_t material) const {
-  return *thermal_[material];
 }
 
 double SolvedScene::full_k(std::size_t material, thermal::Stand stand, std::vector<double> visibility,
@@ -132,24 +79,25 @@ double SolvedScene::full_k(std::size_t material, thermal::Stand stand, std::vect
 
 double SolvedScene::full_k(std::size_t material, thermal::Stand stand, const thermal::OutdoorsSeries& series,
                            std::vector<double> visibility, std::vector<double> free_sky) const {
-  const session::ThermalMaterial& of = thermal(material);
-  stand.terrain = about_.terrain;
+  const session::ThermalMaterial& of = *inside_->thermal[material];
+  stand.terrain = inside_->about.terrain;
   return thermal::solve_surface(of.solid, of.skin, stand, series, of.start, std::move(visibility),
                                 std::move(free_sky))
       .history.nodes.back()
       .surface_k;
 }
 
-exposure::SolvedSurface SolvedScene::surface_under(std::size_t material,
-                                                   const thermal::OutdoorsSeries& series) const {
-  const session::ThermalMaterial& of = thermal(material);
+std::unique_ptr<const exposure::SolvedSurface> SolvedScene::surface_under(
+    std::size_t material, const thermal::OutdoorsSeries& series) const {
+  const session::ThermalMaterial& of = *inside_->thermal[material];
   thermal::Stand stand;
-  stand.terrain = about_.terrain;
-  const exposure::PastScene past(*parts().scene.world);
-  return {std::make_shared<const thermal::SurfaceClasses>(
-              std::make_shared<const thermal::OutdoorsSeries>(series),
-              thermal::ClassSurface{of.solid, of.skin, stand, of.start}, 1, false, past.highest_m()),
-          past, kStudySun_rad};
+  stand.terrain = inside_->about.terrain;
+  const exposure::PastScene past(*inside_->session.parts().scene.world);
+  return std::make_unique<const exposure::SolvedSurface>(
+      std::make_shared<const thermal::SurfaceClasses>(
+          std::make_shared<const thermal::OutdoorsSeries>(series),
+          thermal::ClassSurface{of.solid, of.skin, stand, of.start}, 1, false, past.highest_m()),
+      past, kStudySun_rad);
 }
 
 double mean_estimate_k(const exposure::SolvedSurface& surface, const geometry::SurfacePoint& point, int draws,

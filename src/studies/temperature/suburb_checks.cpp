@@ -7,14 +7,12 @@
 
 #include "core/format.h"
 #include "core/parallel.h"
+#include "exposure/solved_surface.h"
 #include "io/document/document.h"
-#include "io/document/thermal_document.h"
 #include "math/angle.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
-#include "session/loaded/parts.h"
-#include "studies/common/study_document.h"
-#include "studies/common/suburb_scene.h"
+#include "studies/temperature/solved_documents.h"
 #include "studies/temperature/solved_scene.h"
 #include "studies/temperature/temperature_checks.h"
 
@@ -23,64 +21,6 @@ namespace {
 
 constexpr int kSkyPairs = 128, kTimeRays = 512, kDrawsOfPoint = 16;
 constexpr double kSteepest_rad = 60.0 * math::kDegree;  // of the rays that look for points
-
-/// What a material of the suburb stands on, by what its name says.
-struct MadeOf {
-  const char* word;
-  std::vector<io::ThermalLayerDocument> layers;
-  bool on_ground;
-};
-const std::vector<MadeOf>& made_of() {
-  static const std::vector<MadeOf> kMadeOf{
-      {"asphalt", {{0.06, "asphalt"}, {0.3, "gravel"}, {1.0, "dry soil"}}, true},
-      {"road paint", {{0.06, "asphalt"}, {0.3, "gravel"}, {1.0, "dry soil"}}, true},
-      {"court", {{0.05, "asphalt"}, {0.3, "gravel"}, {1.0, "dry soil"}}, true},
-      {"concrete", {{0.12, "concrete"}, {1.0, "dry soil"}}, true},
-      {"water", {{1.5, "mixed water"}, {0.2, "concrete"}, {1.0, "moist soil"}}, true},
-      {"lawn", {{1.0, "moist soil"}}, true},
-      {"clover", {{1.0, "moist soil"}}, true},
-      {"soil", {{1.0, "dry soil"}}, true},
-      {"shingle", {{0.005, "bitumen"}, {0.02, "softwood"}, {0.2, "insulation"}}, false},
-      {"tile", {{0.015, "concrete tile"}, {0.2, "insulation"}}, false},
-      {"brick", {{0.1, "brick"}, {0.1, "insulation"}, {0.1, "brick"}}, false},
-      {"paint", {{0.02, "mortar"}, {0.2, "brick"}}, false},
-      {"glass", {{0.004, "glass"}}, false},
-      {"car", {{0.001, "steel"}}, false},
-      {"steel", {{0.003, "steel"}}, false},
-      {"aluminium", {{0.002, "aluminium"}}, false},
-      {"", {{0.04, "softwood"}}, false}};
-  return kMadeOf;
-}
-
-io::Document suburb_solved(const std::string& hour, const StudyOptions& options) {
-  io::Document document = suburb_document(options, true);
-  const io::Document like = solved_document(write_june(options), hour);
-  document.time = like.time;
-  document.scene.origin = like.scene.origin;
-  document.weather = like.weather;
-  document.temperatures = like.temperatures;
-  document.sensor.channels = like.sensor.channels;
-  document.sampling = like.sampling;
-  document.atmosphere = {};
-  document.output.quicklook_channels.clear();
-  for (io::MaterialDocument& material : document.scene.materials) {
-    if (material.transmittance || material.sides || material.name.rfind("leaf", 0) == 0) continue;
-    const auto found = std::find_if(made_of().begin(), made_of().end(), [&](const MadeOf& one) {
-      return material.name.find(one.word) != std::string::npos;
-    });
-    auto thermal = std::make_shared<io::ThermalDocument>();
-    thermal->layers = found->layers;
-    if (found->on_ground) thermal->back.ground = {std::nullopt};
-    if (material.name.find("lawn") != std::string::npos) {
-      thermal->wetness = 1.0;
-      thermal->resistance_s_m = 70.0;
-      thermal->roughness = "very rough";
-    }
-    material.thermal = std::move(thermal);
-    material.temperature = io::TemperatureDocument{io::SolvedTemperatureDocument{}, {}};
-  }
-  return document;
-}
 
 /// A surface that is solved for, somewhere in the suburb, from above at up to 60 degrees: roads and roofs, walls too.
 struct FoundPoint {
@@ -129,7 +69,7 @@ SuburbPoints suburb_points(std::size_t points_an_hour, std::span<const char* con
     if (options.cancel != nullptr && options.cancel->cancelled()) throw Cancelled();
     const std::string name = format("suburb_{}", std::string(hours[hour]).substr(0, 2));
     const SolvedScene scene(suburb_solved(hours[hour], options), name, options);
-    const double half_width_k = scene.parts().temperature_errors->half_width_k();
+    const double half_width_k = scene.half_width_k();
     found.half_width_k.push_back(half_width_k);
     const std::vector<FoundPoint> points = random_points(scene, points_an_hour, options.seed + hour);
     std::vector<double> full_k(points.size()), off_k(points.size()), estimate_k(points.size());

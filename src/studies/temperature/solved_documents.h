@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "math/vec3.h"
+#include "studies/common/study_options.h"
+
+namespace ifov::io {
+struct Document;
+struct ObjectDocument;
+}  // namespace ifov::io
+
+namespace ifov::studies {
+
+/// Two days of June at 52 N, 5 E, hour by hour, in a file of the study's folder, by its name there: clear, with 2.5 m/s of wind; or
+/// without Sun, in air of 290 K that hardly moves.
+std::string write_june(const StudyOptions& options, bool sunny = true);
+
+/// A scene of `road` (asphalt on soil) and `brick`, both solved and black, under that weather, seen from above. `hour`: "15:00".
+io::Document solved_document(const std::string& weather, const std::string& hour, double step_s = 600.0);
+io::ObjectDocument solved_ground();
+io::ObjectDocument solved_box(math::Point3 low_m, math::Point3 high_m, const std::string& material);
+/// A suburb whose opaque materials are solved for, by what their names say they are made of, under that weather.
+io::Document suburb_solved(const std::string& hour, const StudyOptions& options);
+
+/// The document as it is read again from the study's folder, where it is kept by this name.
+io::Document kept_document(const io::Document& document, const std::string& name,
+                           const StudyOptions& options);
+
+}  // namespace ifov::studies
