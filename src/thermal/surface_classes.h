@@ -13,6 +13,7 @@
 #include "thermal/solid.h"
 #include "thermal/surface_balance.h"
 #include "thermal/surface_solution.h"
+#include "thermal/wind_levels.h"
 
 namespace ifov::thermal {
 

@@ -26,26 +26,14 @@ struct Anemometer {
 /// Nothing is lower: correlations of convection want the wind that blows over a surface, and at the ground itself there is none.
 inline constexpr double kLowestWind_m = 2.0;
 
+/// What all terrains share the wind at.
+inline constexpr double kBlending_m = 60.0;
+/// ln(z / z0), of heights that the law holds for.
+double log_height(double height_m, double roughness_m);
+
 /// The wind at a height over terrain by the logarithmic law u = (u* / 0.4) ln(z / z0) of neutral air, from one measured
 /// over other terrain by what both have at 60 m (Wieringa 1986, Q. J. R. Meteorol. Soc. 112, 867: the blending height).
 /// Heights count from kLowestWind_m and twice the roughness length on.
 double wind_at_m_s(double measured_m_s, const Anemometer& anemometer, double height_m, Terrain terrain);
-
-/// Heights over a terrain, from the lowest wind up to 60 m, each with the same ratio of wind speed to the one below, at most
-/// kMostRatio. Level 0 is all that is as low as the lowest wind or lower.
-class WindLevels {
- public:
-  static constexpr double kMostRatio = 1.2;
-
-  explicit WindLevels(Terrain terrain);
-  int highest() const { return highest_; }  ///< of the levels' numbers: that at 60 m
-  double height_m(int level) const;
-  /// Between levels by the logarithm of the wind: 2.5 is midway from level 2 to 3.
-  double place(double height_m) const;
-
- private:
-  double roughness_m_, lowest_ln_, ln_ratio_;  ///< ln(z / z0) of level 0; of the wind from one to the next
-  int highest_;
-};
 
 }  // namespace ifov::thermal

@@ -10,7 +10,7 @@
 #include "thermal/evaporation.h"
 #include "thermal/sky_longwave.h"
 #include "thermal/sun_split.h"
-#include "thermal/wind_profile.h"
+#include "thermal/wind_levels.h"
 
 namespace ifov::thermal::test_exchanges {
 namespace {

@@ -7,7 +7,7 @@
 #include "thermal/linear_kernel.h"
 #include "thermal/solid.h"
 #include "thermal/surface_classes.h"
-#include "thermal/wind_profile.h"
+#include "thermal/wind_levels.h"
 
 namespace ifov::thermal::test_surface_classes {
 namespace {

@@ -3,20 +3,14 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
-#include "io/document/shapes/flat_primitives.h"
 #include "io/document/thermal_document.h"
-#include "session/temperatures/temperature_survey.h"
+#include "io/temperature_report/temperature_report.h"
 #include "studies/common/study_document.h"
 #include "studies/temperature/solved_documents.h"
 #include "studies/temperature/temperature_sections.h"
 
 namespace ifov::studies {
 namespace {
-
-io::TemperatureReport surveyed(const io::Document& document, const std::string& name,
-                               const StudyOptions& options) {
-  return session::survey_temperatures(kept_document(document, name, options), {});
-}
 
 io::MaterialDocument day_material(const char* name, std::vector<io::ThermalLayerDocument> layers,
                                   double absorptance, bool on_ground, bool grass = false) {
@@ -54,7 +48,7 @@ void add_crossovers(const TemperatureOptions& options, ReportSection& section) {
       day_material("roof", {{0.015, "concrete tile"}, {0.2, "insulation"}}, 0.85, false),
       day_material("car", {{0.001, "steel"}}, 0.85, false)};
   document.scene.objects = {solved_ground()};
-  const io::TemperatureReport report = surveyed(document, "day", options.study);
+  const io::TemperatureReport report = surveyed_day(document, "day", options.study);
   double dawn_h[4], dusk_h[4];
   for (const std::size_t one : {roof, car}) {
     const std::string& name = document.scene.materials[one].name;
@@ -98,11 +92,11 @@ void add_alamosa(const TemperatureOptions& options, ReportSection& section) {
   document.scene.origin.height_m = 2317.0;
   document.weather->source = {
       io::DocumentFile{std::filesystem::absolute(*file).string(), {}}, "2016-01-01", {}};
-  io::MaterialDocument soil = grey("soil", 0.1);
+  io::MaterialDocument soil = grey("road", 0.1);
   soil.spectrum.source = io::LibrarySource{"soil, bare", 0};
   document.scene.materials = {std::move(soil)};
-  document.scene.objects = {object_of(io::PlanePrimitive(), "soil")};
-  const io::TemperatureReport report = surveyed(document, "alamosa", options.study);
+  document.scene.objects = {solved_ground()};
+  const io::TemperatureReport report = surveyed_day(document, "alamosa", options.study);
   const io::TemperatureReport::Day& day = report.materials.front().sunlit;
   Plot plot;
   plot.title = "A measured day";

@@ -2,14 +2,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/format.h"
 #include "core/parallel.h"
 #include "exposure/solved_surface.h"
-#include "io/document/document.h"
-#include "io/document/presence_document.h"
-#include "io/document/thermal_document.h"
-#include "studies/temperature/solved_documents.h"
-#include "studies/temperature/solved_scene.h"
+#include "studies/temperature/study_scenes.h"
 #include "studies/temperature/temperature_checks.h"
 #include "thermal/sky_longwave.h"
 
@@ -122,9 +117,10 @@ thermal::OutdoorsSeries planted(const thermal::OutdoorsSeries& series, Fault fau
 
 PlacesOffK pole_shadow(const StudyOptions& options, Fault fault) {
   constexpr OutlinedBox kPole{0.25, 0.25, 5.0};
-  io::Document document = solved_document(write_june(options), "15:00");
-  document.scene.objects = {solved_ground(), solved_box({-0.25, -0.25, 0.0}, {0.25, 0.25, 5.0}, "brick")};
-  const SolvedScene scene(document, "pole", options);
+
+  const SolvedScenePtr kept = pole_scene(options);
+  const SolvedScene& scene = *kept;
+
   const std::unique_ptr<const exposure::SolvedSurface> other =
       scene.surface_under(0, planted(scene.series(), fault));
   const exposure::SolvedSurface& asked = fault == Fault::none ? *scene.surface(0) : *other;
@@ -154,21 +150,9 @@ PlacesOffK pole_shadow(const StudyOptions& options, Fault fault) {
 
 CarTrace car_trace(int left_min, const StudyOptions& options) {
   constexpr OutlinedBox kCar{2.2, 0.9, 1.5};
-  constexpr double kCame_min = 530.0;
-  const std::string weather = write_june(options);
-  io::Document document = solved_document(weather, "15:00", 300.0);
-  document.scene.objects = {solved_ground(), solved_box({-2.2, -0.9, 0.0}, {2.2, 0.9, 1.5}, "brick")};
-  const auto clock = [](double before_min) {
-    const int minute = 15 * 60 - static_cast<int>(before_min);
-    return geodesy::parse_utc(format("2026-06-21T{:02d}:{:02d}Z", minute / 60, minute % 60));
-  };
-  auto present = std::make_shared<io::PresenceDocument>();
-  present->intervals = {{clock(kCame_min), clock(left_min)}};
-  document.scene.objects[1].present = std::move(present);
-  const SolvedScene scene(document, format("car_{}_min", left_min), options);
-  io::Document bare = solved_document(weather, "15:00", 60.0);
-  bare.scene.objects = {solved_ground()};
-  const SolvedScene minutes(bare, "bare", options);
+  constexpr int kCame_min = 530;
+  const SolvedScenePtr kept = car_scene(kCame_min, left_min, options), bare = bare_scene(options);
+  const SolvedScene &scene = *kept, &minutes = *bare;
   const std::unique_ptr<const exposure::SolvedSurface> never = minutes.surface_under(0, scene.series());
   CarTrace trace;
   for (const auto& [x_m, y_m] : {std::pair{0.0, 0.0}, {2.0, 0.3}, {-1.0, 1.3}}) {
@@ -203,17 +187,9 @@ RoofWind roof_wind(bool suburb, const StudyOptions& options, bool blind) {
     return std::log(60.0 / 0.03) / std::log(10.0 / 0.03) * std::log(z_m / z0_m) / std::log(60.0 / z0_m);
   };
   RoofWind found;
-  io::Document document = solved_document(write_june(options), "14:00");
-  auto how = std::make_shared<io::TemperaturesDocument>(*document.temperatures);
-  how->terrain = suburb ? "suburb" : "open";
-  document.temperatures = std::move(how);
-  document.scene.objects = {solved_ground()};
   const std::vector<double> heights_m{4.0, 7.0, 12.0, 20.0, 33.0, 50.0};
-  for (std::size_t k = 0; k < heights_m.size(); ++k) {  // far from each other
-    const double x_m = 1e4 * static_cast<double>(k + 1);
-    document.scene.objects.push_back(solved_box({x_m, -6.0, 0.0}, {x_m + 12.0, 6.0, heights_m[k]}, "road"));
-  }
-  const SolvedScene scene(document, suburb ? "roofs_suburb" : "roofs_open", options);
+  const SolvedScenePtr kept = roof_scene(suburb, heights_m, options);
+  const SolvedScene& scene = *kept;
   const auto compare = [&](double x_m, double height_m) {
     // Measured at 60 m and asked for there, it is taken as it is.
     thermal::OutdoorsSeries series = scene.series();
@@ -235,13 +211,8 @@ RoofWind roof_wind(bool suburb, const StudyOptions& options, bool blind) {
 }
 
 double closed_room_drift_k(const StudyOptions& options) {
-  io::Document document = solved_document(write_june(options, false), "15:00");
-  document.scene.objects = {solved_box({-5.0, -5.0, 0.0}, {5.0, 5.0, 10.0}, "brick"),
-                            solved_box({-1.0, -1.0, 3.0}, {1.0, 1.0, 5.0}, "brick")};
-  auto how = std::make_shared<io::TemperaturesDocument>(*document.temperatures);
-  how->spin_up_s = 9.0 * 86400.0;
-  document.temperatures = std::move(how);
-  const SolvedScene scene(document, "room", options);
+  const SolvedScenePtr kept = room_scene(options);
+  const SolvedScene& scene = *kept;
   double worst_k = 0.0;
   for (const math::Vec3& direction :
        {math::Vec3{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.6, 0.0, -0.8}, {0.0, 1.0, 0.0}, {-0.6, 0.0, -0.8}}) {

@@ -8,6 +8,7 @@
 namespace ifov::io {
 struct Document;
 struct ObjectDocument;
+struct TemperatureReport;
 }  // namespace ifov::io
 
 namespace ifov::studies {
@@ -26,5 +27,8 @@ io::Document suburb_solved(const std::string& hour, const StudyOptions& options)
 /// The document as it is read again from the study's folder, where it is kept by this name.
 io::Document kept_document(const io::Document& document, const std::string& name,
                            const StudyOptions& options);
+/// What `ifov temperature` tells of it.
+io::TemperatureReport surveyed_day(const io::Document& document, const std::string& name,
+                                   const StudyOptions& options);
 
 }  // namespace ifov::studies

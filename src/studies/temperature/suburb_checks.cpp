@@ -8,12 +8,10 @@
 #include "core/format.h"
 #include "core/parallel.h"
 #include "exposure/solved_surface.h"
-#include "io/document/document.h"
 #include "math/angle.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
-#include "studies/temperature/solved_documents.h"
-#include "studies/temperature/solved_scene.h"
+#include "studies/temperature/study_scenes.h"
 #include "studies/temperature/temperature_checks.h"
 
 namespace ifov::studies {
@@ -68,7 +66,8 @@ SuburbPoints suburb_points(std::size_t points_an_hour, std::span<const char* con
   for (std::size_t hour = 0; hour < hours.size(); ++hour) {
     if (options.cancel != nullptr && options.cancel->cancelled()) throw Cancelled();
     const std::string name = format("suburb_{}", std::string(hours[hour]).substr(0, 2));
-    const SolvedScene scene(suburb_solved(hours[hour], options), name, options);
+    const SolvedScenePtr kept = suburb_scene(hours[hour], name, options);
+    const SolvedScene& scene = *kept;
     const double half_width_k = scene.half_width_k();
     found.half_width_k.push_back(half_width_k);
     const std::vector<FoundPoint> points = random_points(scene, points_an_hour, options.seed + hour);
@@ -112,7 +111,8 @@ QueryCost query_cost(std::size_t queries, const StudyOptions& options) {
   cost.same = true;
   std::vector<std::uint64_t> first;
   for (const int threads : {2, 1, 7}) {
-    const SolvedScene scene(suburb_solved("14:00", options), "query", options);
+    const SolvedScenePtr kept = suburb_scene("14:00", "query", options);
+    const SolvedScene& scene = *kept;
     const std::vector<FoundPoint> points = random_points(scene, kPoints, options.seed);
     const auto at = [&](std::size_t k, std::uint64_t draw) {
       const FoundPoint& point = points[k % points.size()];
