@@ -19,6 +19,8 @@ constexpr std::array<RoughnessRow, kRoughnesses> kRoughnessRows{{{"very rough", 
                                                                  {"smooth", 1.11},
                                                                  {"very smooth", 1.0}}};
 
+constexpr double kFlat_rad = 8.0 * std::numbers::pi / 180.0, kWindward_rad = 100.0 * std::numbers::pi / 180.0;
+
 }  // namespace
 
 std::string_view name_of(Roughness roughness) {
@@ -39,23 +41,28 @@ Coefficient natural_convection(double warmer_k, double cos_tilt) {
   return {h, std::copysign(h / (3.0 * size_k), warmer_k)};
 }
 
-double forced_convection(double wind_m_s, bool windward) {
-  return windward ? 3.26 * std::pow(wind_m_s, 0.89) : 3.55 * std::pow(wind_m_s, 0.617);
+double forced_convection(double wind_m_s, double windward) {
+  if (windward == 1.0) return 3.26 * std::pow(wind_m_s, 0.89);
+  if (windward == 0.0) return 3.55 * std::pow(wind_m_s, 0.617);
+  return std::lerp(forced_convection(wind_m_s, 0.0), forced_convection(wind_m_s, 1.0), windward);
 }
 
-Coefficient convection(double warmer_k, double cos_tilt, double wind_m_s, bool windward,
-                       Roughness roughness) {
+Coefficient convection(double warmer_k, double cos_tilt, double forced, Roughness roughness) {
   const Coefficient natural = natural_convection(warmer_k, cos_tilt);
-  const double forced = forced_convection(wind_m_s, windward), factor = roughness_factor(roughness);
+  const double factor = roughness_factor(roughness);
   const double both = std::hypot(natural.h_w_m2_k, forced);
   const double by_natural = both > 0.0 ? 1.0 + factor * (natural.h_w_m2_k / both - 1.0) : 1.0;
   return {natural.h_w_m2_k + factor * (both - natural.h_w_m2_k), natural.slope_w_m2_k2 * by_natural};
 }
 
 bool faces_wind(double tilt_rad, double azimuth_rad, double wind_from_rad) {
-  constexpr double kDeg = std::numbers::pi / 180.0;
-  if (tilt_rad < 8.0 * kDeg) return true;
-  return std::abs(std::remainder(azimuth_rad - wind_from_rad, 2.0 * std::numbers::pi)) <= 100.0 * kDeg;
+  if (tilt_rad < kFlat_rad) return true;
+  return std::abs(std::remainder(azimuth_rad - wind_from_rad, 2.0 * std::numbers::pi)) <= kWindward_rad;
+}
+
+double windward_share(double tilt_rad, double azimuth_rad, double wind_from_rad) {
+  if (std::isnan(wind_from_rad) && tilt_rad >= kFlat_rad) return kWindward_rad / std::numbers::pi;
+  return faces_wind(tilt_rad, azimuth_rad, wind_from_rad) ? 1.0 : 0.0;
 }
 
 }  // namespace ifov::thermal

@@ -31,13 +31,16 @@ Coefficient natural_convection(double warmer_k, double cos_tilt);
 
 /// Forced convection at glass, a V^b: Yazdanian and Klems (1994), ASHRAE Transactions 100(1), 1087, of walls of the mobile
 /// window thermal test facility (MoWiTT): 3.26 V^0.89 to windward, 3.55 V^0.617 to leeward; V in m/s at the surface's height.
-double forced_convection(double wind_m_s, bool windward);
+/// `windward`: 1, to leeward 0, and between for a mean over both.
+double forced_convection(double wind_m_s, double windward);
 
 /// Both, as in DOE-2: h = h_n + R (sqrt(h_n^2 + h_f^2) - h_n) with the roughness factor R.
-Coefficient convection(double warmer_k, double cos_tilt, double wind_m_s, bool windward, Roughness roughness);
+Coefficient convection(double warmer_k, double cos_tilt, double forced_w_m2_k, Roughness roughness);
 
 /// Whether the wind blows against a surface: all that lies flatter than 8 degrees, and walls that it meets at up to 100
 /// degrees from their normal (Walton 1983). Azimuths clockwise from north; the wind's is where it comes from.
 bool faces_wind(double tilt_rad, double azimuth_rad, double wind_from_rad);
+/// The same as a share: of all directions that the wind may come from where that is not known (not a number).
+double windward_share(double tilt_rad, double azimuth_rad, double wind_from_rad);
 
 }  // namespace ifov::thermal

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -21,6 +22,7 @@ using atmosphere::WeatherSeries;
 constexpr double kWeatherDay_s = 86400.0;
 constexpr double kDarkest_rad = -6.0 * std::numbers::pi / 180.0, kNightLight_w_m2 = 10.0;
 constexpr int kParts = 5;  // of a step, for its means
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 geodesy::UtcTime instant(double time_s) { return {2440587.5, time_s / kWeatherDay_s}; }
 std::string clock_text(double time_s) { return geodesy::format_utc(instant(std::round(time_s))); }
@@ -105,7 +107,7 @@ class Sampler {
     now.air.pressure_pa =
         mean(WeatherQuantity::pressure_pa, time_s).value_or(standard_pressure_pa(place_.height_m));
     now.wind_m_s = std::max(0.0, needed(WeatherQuantity::wind_speed_m_s, time_s));
-    now.wind_from_rad = mean(WeatherQuantity::wind_direction_rad, time_s).value_or(0.0);
+    now.wind_from_rad = mean(WeatherQuantity::wind_direction_rad, time_s).value_or(kUnknown);
     sunlight(now, sun, time_s);
     longwave(now, time_s);
     return now;
@@ -189,6 +191,8 @@ std::vector<std::string> notes_of(const Sampler& weather, const WeatherSeries& s
     notes.push_back("air pressure: of the standard atmosphere at the place's height");
   if (!weather.has(WeatherQuantity::relative_humidity))
     notes.push_back("humidity is not told: the air is taken to be dry");
+  if (!weather.has(WeatherQuantity::wind_direction_rad))
+    notes.push_back("wind direction is not told: what slopes meets the wind as on average of all directions");
   const auto& knots = series.knots(WeatherQuantity::air_temperature_k);
   if (span.repeat_first_day && !knots.empty() && weather.looked_up_s(weather.begin_s()) > weather.begin_s())
     notes.push_back(

@@ -53,7 +53,8 @@ SurfaceBalance::Row SurfaceBalance::row_of(const OutdoorsSeries& series, const S
   row.given.power = skin_.power_w_m2;
   row.air = now.air;
   row.wind_m_s = wind_at_m_s(now.wind_m_s, series.anemometer, stand.height_m, stand.terrain);
-  row.windward = faces_wind(stand.tilt_rad, stand.azimuth_rad, now.wind_from_rad);
+  row.windward = windward_share(stand.tilt_rad, stand.azimuth_rad, now.wind_from_rad);
+  row.forced_w_m2_k = forced_convection(row.wind_m_s, row.windward);
   return row;
 }
 
@@ -80,6 +81,7 @@ SurfaceBalance::Row SurfaceBalance::at(double time_s) const {
   row.air.vapour_pa = mix(a.air.vapour_pa, b.air.vapour_pa, share);
   row.air.pressure_pa = mix(a.air.pressure_pa, b.air.pressure_pa, share);
   row.wind_m_s = mix(a.wind_m_s, b.wind_m_s, share);
+  row.forced_w_m2_k = forced_convection(row.wind_m_s, row.windward);
   return row;
 }
 
@@ -88,7 +90,7 @@ Fluxes SurfaceBalance::complete(const Row& row, double surface_k, double& slope)
   fluxes.emitted = -skin_.emissivity * black_w_m2(surface_k);
   slope = 4.0 * fluxes.emitted / std::max(surface_k, 1.0);
   const double warmer_k = surface_k - row.air.temperature_k;
-  const Coefficient h = convection(warmer_k, cos_tilt_, row.wind_m_s, row.windward, skin_.roughness);
+  const Coefficient h = convection(warmer_k, cos_tilt_, row.forced_w_m2_k, skin_.roughness);
   fluxes.convection = -skin_.convecting_faces * h.h_w_m2_k * warmer_k;
   slope -= skin_.convecting_faces * (h.h_w_m2_k + h.slope_w_m2_k2 * warmer_k);
   const LatentHeat latent = latent_heat(skin_.wetness, surface_k, row.air, h);

@@ -16,8 +16,8 @@ struct Outdoors {
   double sun_azimuth_rad = 0.0, sun_elevation_rad = -1.0;
   double longwave_w_m2 = 0.0;  ///< of the sky on a level plane
   MoistAir air;
-  double wind_m_s = 0.0;  ///< as measured
-  double wind_from_rad = 0.0;
+  double wind_m_s = 0.0;       ///< as measured
+  double wind_from_rad = 0.0;  ///< not a number: it is not known
 };
 
 /// The same over time at equal distances, linear between; the first and last hold beyond.
@@ -82,7 +82,7 @@ class SurfaceBalance : public SurfaceExchange {
     Fluxes given;
     MoistAir air;
     double wind_m_s = 0.0;
-    bool windward = true;
+    double windward = 1.0, forced_w_m2_k = 0.0;  ///< of forced convection, at glass
   };
   Row row_of(const OutdoorsSeries& series, const Stand& stand, std::size_t index, double visibility,
              double free_sky);

@@ -61,23 +61,49 @@ TEST(Convection, NaturalOfWallsAndRoofs) {
 TEST(Convection, SlopesAreDerivatives) {
   for (const double warmer : {-12.0, -0.5, 0.5, 12.0})
     for (const double wind : {0.0, 1.0, 6.0}) {
-      const auto h = [&](double t) { return convection(t, 0.7, wind, true, Roughness::very_rough).h_w_m2_k; };
-      EXPECT_NEAR(convection(warmer, 0.7, wind, true, Roughness::very_rough).slope_w_m2_k2,
+      const auto h = [&](double t) {
+        return convection(t, 0.7, forced_convection(wind, 1.0), Roughness::very_rough).h_w_m2_k;
+      };
+      EXPECT_NEAR(convection(warmer, 0.7, forced_convection(wind, 1.0), Roughness::very_rough).slope_w_m2_k2,
                   (h(warmer + 1e-5) - h(warmer - 1e-5)) / 2e-5, 1e-6);
     }
 }
 
 TEST(Convection, ForcedByWindAndRoughness) {
-  EXPECT_NEAR(forced_convection(4.0, true), 3.26 * 3.434, 0.01);   // 4^0.89
-  EXPECT_NEAR(forced_convection(4.0, false), 3.55 * 2.352, 0.01);  // 4^0.617
+  EXPECT_NEAR(forced_convection(4.0, 1.0), 3.26 * 3.434, 0.01);  // 4^0.89
+  EXPECT_NEAR(forced_convection(4.0, 0.0), 3.55 * 2.352, 0.01);  // 4^0.617
   const double natural = natural_convection(5.0, 1.0).h_w_m2_k;
   const double glass = std::hypot(natural, forced_convection(3.0, true));
-  EXPECT_NEAR(convection(5.0, 1.0, 3.0, true, Roughness::very_smooth).h_w_m2_k, glass, 1e-12);
-  EXPECT_NEAR(convection(5.0, 1.0, 3.0, true, Roughness::rough).h_w_m2_k, natural + 1.67 * (glass - natural),
+  EXPECT_NEAR(convection(5.0, 1.0, forced_convection(3.0, 1.0), Roughness::very_smooth).h_w_m2_k, glass,
               1e-12);
+  EXPECT_NEAR(convection(5.0, 1.0, forced_convection(3.0, 1.0), Roughness::rough).h_w_m2_k,
+              natural + 1.67 * (glass - natural), 1e-12);
   EXPECT_TRUE(faces_wind(0.1, 0.0, kPi));
   EXPECT_FALSE(faces_wind(0.5 * kPi, 0.0, kPi));
   EXPECT_TRUE(faces_wind(0.5 * kPi, 0.1, 2.0 * kPi - 0.1));
+}
+
+/// Where the wind's direction is not known, a wall is as on average over all of them, whatever it faces; a roof that is flat is to windward.
+TEST(Convection, WindOfUnknownDirection) {
+  constexpr int kDirections = 720;
+  for (const double tilt : {0.1, 0.5, 0.5 * kPi})
+    for (const double azimuth : {0.0, 1.3, 4.0}) {
+      double mean = 0.0;
+      for (int k = 0; k < kDirections; ++k)
+        mean += forced_convection(
+                    4.0, faces_wind(tilt, azimuth, 2.0 * kPi * (k + 0.5) / kDirections) ? 1.0 : 0.0) /
+                kDirections;
+      const double share = windward_share(tilt, azimuth, NAN);
+      // Air as warm as the surface: forced convection alone, of glass.
+      EXPECT_NEAR(
+          convection(0.0, std::cos(tilt), forced_convection(4.0, share), Roughness::very_smooth).h_w_m2_k,
+          mean, 0.005)
+          << tilt << " " << azimuth;
+      EXPECT_EQ(windward_share(tilt, azimuth, 0.3), faces_wind(tilt, azimuth, 0.3) ? 1.0 : 0.0);
+    }
+  // A fault: taken for a wind from the north, a wall that faces south would be to leeward.
+  EXPECT_LT(forced_convection(4.0, windward_share(0.5 * kPi, kPi, 0.0)),
+            0.9 * forced_convection(4.0, windward_share(0.5 * kPi, kPi, NAN)));
 }
 
 TEST(WindProfile, LogarithmicOverOneTerrain) {

@@ -90,9 +90,12 @@ TEST(OutdoorsSeries, RowsOfADay) {
   EXPECT_EQ(now.longwave_w_m2, 180.0);
   EXPECT_NEAR(now.air.vapour_pa, 0.5 * atmosphere::saturation_pressure_pa(280.0), 1e-6);
   EXPECT_NEAR(now.air.pressure_pa, 76480.0, 200.0);  // of the standard atmosphere at 2317 m
-  ASSERT_EQ(found.notes.size(), 3u);
+  EXPECT_TRUE(std::isnan(now.wind_from_rad));        // nobody told
+  ASSERT_EQ(found.notes.size(), 4u);
   EXPECT_EQ(found.notes[0], "direct and diffuse sunlight: from the global, by Erbs et al. (1982)");
   EXPECT_EQ(found.notes[1], "long-wave of the sky: measured");
+  EXPECT_EQ(found.notes[3],
+            "wind direction is not told: what slopes meets the wind as on average of all directions");
 }
 
 TEST(OutdoorsSeries, SkyByPrataWhereItIsNotMeasured) {
