@@ -58,7 +58,7 @@ TEST(TemperatureStudy, EachWrongWeatherIsNoticed) {
 
 TEST(TemperatureStudy, PointsOfASuburbAreAsEachSolvedInFull) {
   const StudyOptions options = in_a_folder("ifov_test_temperature_suburb");
-  const SuburbPoints found = suburb_points(100, std::span(kSuburbHours).subspan(2, 1), options);
+  const SuburbPoints found = suburb_points(100, std::span(kSuburbHours).subspan(2, 1), false, options);
   EXPECT_EQ(found.points, 100u);
   EXPECT_LT(found.rms_k, 0.15);
   EXPECT_LT(std::abs(found.bias_k), 0.02);

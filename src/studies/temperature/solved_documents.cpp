@@ -39,18 +39,21 @@ io::Document kept_document(const io::Document& document, const std::string& name
   return io::parse_document(text, path.string());
 }
 
-std::string write_june(const StudyOptions& options, bool sunny) {
-  const std::string name = sunny ? "june.csv" : "still.csv";
+std::string write_june(const StudyOptions& options, June june) {
+  const bool sunny = june != June::still, directed = june != June::clear_without_direction;
+  const std::string name = !sunny ? "still.csv" : directed ? "june.csv" : "june_without_direction.csv";
   std::string text =
-      "time,air_temperature_c,relative_humidity_pct,wind_speed_m_s,cloud_fraction,global_irradiance_w_m2\n";
+      "time,air_temperature_c,relative_humidity_pct,wind_speed_m_s,cloud_fraction,global_irradiance_w_m2";
+  text += directed ? ",wind_direction_deg\n" : "\n";
   for (int hour = 0; hour <= 48; ++hour) {
     constexpr double kTurn = std::numbers::pi / 12.0, kDeclination = 0.409;
     const double height =
         std::sin(kLatitude_rad) * std::sin(kDeclination) +
         std::cos(kLatitude_rad) * std::cos(kDeclination) * std::cos(kTurn * (hour + 0.3 - 12.0));
-    text += format("2026-06-{:02d}T{:02d}:00:00Z,{:.2f},60,{},0,{:.1f}\n", 20 + hour / 24, hour % 24,
+    text += format("2026-06-{:02d}T{:02d}:00:00Z,{:.2f},60,{},0,{:.1f}", 20 + hour / 24, hour % 24,
                    sunny ? 18.0 - 5.0 * std::cos(kTurn * (hour - 3.0)) : 16.85, sunny ? 2.5 : 1.0,
                    sunny ? std::max(0.0, 1000.0 * height - 30.0) : 0.0);
+    text += directed ? format(",{:.0f}\n", 240.0 + 40.0 * std::sin(kTurn * (hour - 9.0))) : std::string("\n");
   }
   write_file(options.output_folder / name, text);
   return name;

@@ -60,7 +60,7 @@ SolvedScenePtr roof_scene(bool suburb, const std::vector<double>& heights_m, con
 }
 
 SolvedScenePtr room_scene(const StudyOptions& options) {
-  io::Document document = solved_document(write_june(options, false), "15:00");
+  io::Document document = solved_document(write_june(options, June::still), "15:00");
   document.scene.objects = {solved_box({-5.0, -5.0, 0.0}, {5.0, 5.0, 10.0}, "brick"),
                             solved_box({-1.0, -1.0, 3.0}, {1.0, 1.0, 5.0}, "brick")};
   auto how = how_of(document);
@@ -69,8 +69,10 @@ SolvedScenePtr room_scene(const StudyOptions& options) {
   return loaded(document, "room", options);
 }
 
-SolvedScenePtr suburb_scene(const std::string& hour, const std::string& name, const StudyOptions& options) {
-  return loaded(suburb_solved(hour, options), name, options);
+SolvedScenePtr suburb_scene(const std::string& hour, bool wind_direction, const std::string& name,
+                            const StudyOptions& options) {
+  return loaded(suburb_solved(hour, wind_direction ? June::clear : June::clear_without_direction, options),
+                name, options);
 }
 
 }  // namespace ifov::studies

@@ -22,6 +22,8 @@ SolvedScenePtr roof_scene(bool suburb, const std::vector<double>& heights_m, con
 /// A closed room of brick, and a box in it, in still air of 290 K, 10 days on.
 SolvedScenePtr room_scene(const StudyOptions& options);
 /// A suburb whose opaque materials are solved for, by what their names say they are made of.
-SolvedScenePtr suburb_scene(const std::string& hour, const std::string& name, const StudyOptions& options);
+/// `wind_direction`: whether the weather tells it.
+SolvedScenePtr suburb_scene(const std::string& hour, bool wind_direction, const std::string& name,
+                            const StudyOptions& options);
 
 }  // namespace ifov::studies

@@ -60,13 +60,14 @@ double full_point_k(const SolvedScene& scene, const FoundPoint& point,
 }  // namespace
 
 SuburbPoints suburb_points(std::size_t points_an_hour, std::span<const char* const> hours,
-                           const StudyOptions& options) {
+                           bool wind_direction, const StudyOptions& options) {
   SuburbPoints found;
   double squares_k2 = 0.0, estimates_k = 0.0, estimate_squares_k2 = 0.0, covered = 0.0;
   for (std::size_t hour = 0; hour < hours.size(); ++hour) {
     if (options.cancel != nullptr && options.cancel->cancelled()) throw Cancelled();
-    const std::string name = format("suburb_{}", std::string(hours[hour]).substr(0, 2));
-    const SolvedScenePtr kept = suburb_scene(hours[hour], name, options);
+    const std::string name = format("suburb_{}{}", std::string(hours[hour]).substr(0, 2),
+                                    wind_direction ? "" : "_without_direction");
+    const SolvedScenePtr kept = suburb_scene(hours[hour], wind_direction, name, options);
     const SolvedScene& scene = *kept;
     const double half_width_k = scene.half_width_k();
     found.half_width_k.push_back(half_width_k);
@@ -111,7 +112,7 @@ QueryCost query_cost(std::size_t queries, const StudyOptions& options) {
   cost.same = true;
   std::vector<std::uint64_t> first;
   for (const int threads : {2, 1, 7}) {
-    const SolvedScenePtr kept = suburb_scene("14:00", "query", options);
+    const SolvedScenePtr kept = suburb_scene("14:00", true, "query", options);
     const SolvedScene& scene = *kept;
     const std::vector<FoundPoint> points = random_points(scene, kPoints, options.seed);
     const auto at = [&](std::size_t k, std::uint64_t draw) {

@@ -38,9 +38,9 @@ const std::vector<MadeOf>& made_of() {
 
 }  // namespace
 
-io::Document suburb_solved(const std::string& hour, const StudyOptions& options) {
+io::Document suburb_solved(const std::string& hour, June june, const StudyOptions& options) {
   io::Document document = suburb_document(options, true);
-  const io::Document like = solved_document(write_june(options), hour);
+  const io::Document like = solved_document(write_june(options, june), hour);
   document.time = like.time;
   document.scene.origin = like.scene.origin;
   document.weather = like.weather;

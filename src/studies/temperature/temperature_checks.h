@@ -85,8 +85,9 @@ struct SuburbPoints {
   std::vector<double> half_width_k;  ///< stated, by hour
   std::vector<double> full_k, off_k;
 };
+/// `wind_direction`: whether the weather tells it.
 SuburbPoints suburb_points(std::size_t points_an_hour, std::span<const char* const> hours,
-                           const StudyOptions& options);
+                           bool wind_direction, const StudyOptions& options);
 inline constexpr std::array<const char*, 4> kSuburbHours{"05:00", "09:00", "14:00", "20:00"};
 
 /// Seconds for a million estimates of a point's temperature on two threads, and whether 1, 2 and 7 threads tell the same.
