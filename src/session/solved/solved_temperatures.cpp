@@ -16,6 +16,7 @@
 #include "session/assembly/surfaces/thermal_assembly.h"
 #include "session/assembly/whole/camera_grid.h"
 #include "session/solved/document_outdoors.h"
+#include "thermal/wind_profile.h"
 
 namespace ifov::session {
 namespace {
@@ -113,7 +114,8 @@ double step_error_k(const Solved& solved, const thermal::OutdoorsSeries& series,
 struct Measured {
   const Solved* solved = nullptr;
   geometry::SurfacePoint at;
-  bool made_up = false;  ///< the camera sees too few of the material
+  bool made_up = false;   ///< the camera sees too few of the material
+  double height_m = 0.0;  ///< above ground, of one made up
   double off_k = 0.0;
 };
 using ByMaterial = std::map<std::uint32_t, Solved>;
@@ -129,12 +131,12 @@ geometry::SurfacePoint made_up_point(std::size_t number) {
   return point;
 }
 
-/// Half of the sky's light, and the Sun some hours of a day, others not; at heights up to that.
-exposure::SolvedSurface::Exposure made_up_exposure(std::size_t number, std::size_t rows, double highest_m) {
+/// Half of the sky's light, and the Sun some hours of a day, others not.
+exposure::SolvedSurface::Exposure made_up_exposure(std::size_t number, std::size_t rows, double height_m) {
   constexpr std::size_t kHours = 5;
   exposure::SolvedSurface::Exposure exposure;
   exposure.free_sky = 0.5 + 0.5 * static_cast<double>(number % 2);
-  exposure.height_m = highest_m * static_cast<double>(number % 4) / 3.0;
+  exposure.height_m = height_m;
   for (std::size_t row = 0; row < rows; ++row)
     exposure.visibility.push_back((kHours * row / std::max<std::size_t>(rows, 1) + number) % 2 == 0 ? 1.0
                                                                                                     : 0.0);
@@ -143,7 +145,7 @@ exposure::SolvedSurface::Exposure made_up_exposure(std::size_t number, std::size
 
 /// Points that the camera sees, evenly over the image, of each material about as many as it fills; made up where those are few.
 std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor::Camera& camera,
-                                         const ByMaterial& by_material) {
+                                         const ByMaterial& by_material, const exposure::PastScene& past) {
   const std::vector<geometry::SurfacePoint> seen = hits_of_camera(*scene.world, camera, kAcross);
   std::map<std::uint32_t, std::vector<const geometry::SurfacePoint*>> of_material;
   std::size_t all = 0;
@@ -161,7 +163,12 @@ std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor
     const std::size_t share = all > kMeasured ? kMeasured * found.size() / all : found.size();
     const std::size_t count = std::min(found.size(), std::max(share, kLeastMeasured));
     for (std::size_t k = 0; k < count; ++k) points.push_back({&solved, *found[k * found.size() / count]});
-    for (std::size_t k = count; k < kLeastMeasured; ++k) points.push_back({&solved, made_up_point(k), true});
+    // As high as what is seen of the material, else anywhere.
+    for (std::size_t k = count; k < kLeastMeasured; ++k)
+      points.push_back({&solved, made_up_point(k), true,
+                        found.empty() ? past.highest_m() * static_cast<double>(k % 4) / 3.0
+                                      : past.height_above_ground_m(found[k % found.size()]->position_m,
+                                                                   thermal::kLowestWind_m)});
   }
   return points;
 }
@@ -174,9 +181,9 @@ void measure(TemperatureErrors& errors, const ByMaterial& by_material, std::vect
     const auto number = static_cast<std::size_t>(k);
     Measured& point = points[number];
     const exposure::SolvedSurface surface(point.solved->classes, past, kSunRadius_rad);
-    const auto exposure =
-        point.made_up ? made_up_exposure(number, point.solved->classes->sunlit_rows(), past.highest_m())
-                      : surface.exposure(point.at, static_cast<std::uint64_t>(k), kSkyPairs, 1);
+    const auto exposure = point.made_up
+                              ? made_up_exposure(number, point.solved->classes->sunlit_rows(), point.height_m)
+                              : surface.exposure(point.at, static_cast<std::uint64_t>(k), kSkyPairs, 1);
     point.off_k = surface.temperature_k(point.at, exposure) -
                   full_solution_k(*point.solved, series, stand, surface.normal_at(point.at), exposure);
   });
@@ -235,7 +242,8 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
   TemperatureErrors errors;
   for (const auto& [material, solved] : by_material)
     errors.step_k = std::max(errors.step_k, step_error_k(solved, series, stand));
-  measure(errors, by_material, points_by_material(scene, camera, by_material), series, stand, past, threads);
+  measure(errors, by_material, points_by_material(scene, camera, by_material, past), series, stand, past,
+          threads);
   errors.weather = about.statement;
   for (const std::string& note : about.outdoors.notes) errors.weather += "; " + note;
   if (log != nullptr) warn_of_another_sun(scene, series.rows.back(), *log);
