@@ -230,12 +230,16 @@ void LeafIntegrator::add_curve(const Cell& cell, PixelModel& model) const {
   const Point2 middle = 0.5 * (polygon.vertex[0] + polygon.vertex[curve.side[1] - curve.side[0] + 1]);
   model.area[in] += area;
   model.area[out] += whole - area;
+  // Of the smaller part: what the rule is off by over the larger may be as much as the smaller is.
+  const bool outside = area > 0.5 * whole;
+  const Polygon rest = outside ? model_.outer_region(cell, shape) : Polygon{};
   for (const Slot& slot : slots_) {
     const double weight = cell_weight(cell, slot);
     double inner = area, at_middle = 1.0;
     if (!unit_box_) {
       at_middle = density(middle, slot);
-      inner = over_polygon(polygon, slot) + beyond * at_middle;
+      inner = outside ? weight - over_polygon(rest, slot) : over_polygon(polygon, slot);
+      inner += beyond * at_middle;
     }
     model.weight[in * slots + slot.at] += inner;
     model.weight[out * slots + slot.at] += weight - inner;
