@@ -11,6 +11,7 @@
 #include "io/files/input_file.h"
 #include "session/session.h"
 #include "studies/common/study_document.h"
+#include "studies/common/study_files.h"
 #include "studies/common/suburb_scene.h"
 #include "studies/sensor/sensor_checks.h"
 #include "studies/sensor/sensor_sections.h"
@@ -22,7 +23,9 @@ namespace {
 class TimedRun {
  public:
   TimedRun(const io::Document& document, std::string name, const StudyOptions& options)
-      : session_(session::Session::load(document, nullptr)), name_(std::move(name)), options_(options) {}
+      : session_(session::Session::load(document, nullptr)), name_(std::move(name)), options_(options) {
+    write_file(options.output_folder / (name_ + ".json"), study_text(document));
+  }
   /// Seconds of processor time of one thread, products and all.
   double seconds() const {
     session::RunOptions run;
