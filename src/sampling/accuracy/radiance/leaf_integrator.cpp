@@ -124,6 +124,26 @@ double over_fan(const Polygon& polygon, const Density& density, double longest =
   return sum / 6.0;
 }
 
+/// Of an area; of points, their mean. None of what crosses itself lies beyond the polygon.
+Point2 centroid_of(const Polygon& polygon) {
+  const Point2 o = polygon.vertex[0];
+  Point2 moment{}, mean{}, low = o, high = o;
+  double twice = 0.0;
+  for (int i = 1; i + 1 < polygon.count; ++i) {
+    const Point2 p = polygon.vertex[i] - o, q = polygon.vertex[i + 1] - o;
+    const double part = cross(p, q);
+    moment = moment + part / 3.0 * (p + q);
+    twice += part;
+  }
+  for (int i = 1; i < polygon.count; ++i) {
+    const Point2 p = polygon.vertex[i];
+    mean = mean + 1.0 / polygon.count * (p - o);
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)}, high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const Point2 at = twice > 0.0 ? o + 1.0 / twice * moment : o + mean;
+  return {std::clamp(at.x, low.x, high.x), std::clamp(at.y, low.y, high.y)};
+}
+
 }  // namespace
 
 double LeafIntegrator::over_polygon(const Polygon& polygon, const Slot& slot) const {
@@ -255,14 +275,18 @@ void LeafIntegrator::add_curve(const Cell& cell, PixelModel& model) const {
   model.area[out] += whole - area;
   // Of the smaller part: what the rule is off by over the larger may be as much as the smaller is.
   const bool outside = area > 0.5 * whole;
-  const Polygon rest = outside ? model_.outer_region(cell, shape) : Polygon{};
+  const Polygon part = outside ? model_.outer_region(cell, shape) : polygon;
+  const Point2 centroid = unit_box_ ? middle : centroid_of(part);
+  const double part_area = part.signed_area();
   for (const Slot& slot : slots_) {
     const double weight = cell_weight(cell, slot);
     double inner = area, at_middle = 1.0;
     if (!unit_box_) {
-      at_middle = density(middle, slot);
-      inner = outside ? weight - over_polygon(rest, slot) : over_polygon(polygon, slot);
-      inner += beyond * at_middle;
+      // Where the footprint is straight over the cell one place says it all.
+      const bool straight = side <= footprint(slot.group).cell_px();
+      at_middle = density(straight ? centroid : middle, slot);
+      const double over_part = straight ? part_area * at_middle : over_polygon(part, slot);
+      inner = (outside ? weight - over_part : over_part) + beyond * at_middle;
     }
     model.weight[in * slots + slot.at] += inner;
     model.weight[out * slots + slot.at] += weight - inner;
