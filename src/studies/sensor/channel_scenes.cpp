@@ -84,7 +84,7 @@ ChannelEdges channel_edges(const ChannelOptics& optics, const StudyOptions& opti
                      {2.0 * size_m, size_m, kAbove_m},
                      {lean_m, size_m, kAbove_m}};
   ChannelEdges found{{0.45, 2.2}, {}, {}};
-  const io::Document document = channels_document(width_px, width_px / 2, object_of(half, "hot"), kHot_k,
+  const io::Document document = channels_document(width_px, width_px / 4, object_of(half, "hot"), kHot_k,
                                                   found.wavelength_um, 5e-4, optics, options);
   const CubeValues cube = read_product(run_sensor(document, "channel_edges", options), "radiance");
   EdgeChoices choices;

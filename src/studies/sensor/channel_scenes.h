@@ -16,7 +16,7 @@ struct ChannelOptics {
   bool one_footprint = false;
 };
 
-/// Slanted edges in 0.45 and 2.2 um of one image.
+/// Slanted edges in 0.45 and 2.2 um of one image, four times as wide as high.
 struct ChannelEdges {
   std::vector<double> wavelength_um;
   std::vector<EdgeResponse> edges;
