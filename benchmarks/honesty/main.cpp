@@ -85,7 +85,7 @@ std::vector<std::pair<std::string, HonestyCase>> planted_faults(int seeds, std::
                       seeds,       first_seed, {}};
   HonestyCase undithered{"aligned_edge", false,      true, make_sampler<SamplerOf<Undithered>>,
                          10 * seeds,     first_seed, {}};
-  HonestyCase unshifted{"texture", false, true, kReal, seeds, first_seed, {}};
+  HonestyCase unshifted{"gable_roof", false, true, kReal, seeds, first_seed, {}};
   unshifted.groups = unshifted.unshifted = true;
   return {{"fault_no_sun_state", no_sun_state},
           {"fault_unshifted_channels", unshifted},
