@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/format.h"
+#include "io/document/document.h"
 #include "io/document/samplers/error_size.h"
 #include "io/document/shapes/flat_primitives.h"
 #include "math/angle.h"

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "io/document/document.h"
 #include "studies/sensor/slanted_edge.h"
 
 /// Scenes whose channels have footprints of their own, in one run.
