@@ -27,7 +27,7 @@ using namespace ifov::benchmarks;
 constexpr auto kReal = make_sampler<ifov::sampling::AccuracySampler>;
 
 std::string name_of(const HonestyCase& which) {
-  return which.scene + (which.stokes ? "_stokes" : which.psf ? "_psf" : "");
+  return which.scene + (which.stokes ? "_stokes" : which.psf ? "_psf" : which.groups ? "_groups" : "");
 }
 
 /// Scenes that are judged with the polarization of their light as well.
@@ -85,7 +85,10 @@ std::vector<std::pair<std::string, HonestyCase>> planted_faults(int seeds, std::
                       seeds,       first_seed, {}};
   HonestyCase undithered{"aligned_edge", false,      true, make_sampler<SamplerOf<Undithered>>,
                          10 * seeds,     first_seed, {}};
+  HonestyCase unshifted{"gable_roof", false, true, kReal, seeds, first_seed, {}};
+  unshifted.groups = unshifted.unshifted = true;
   return {{"fault_no_sun_state", no_sun_state},
+          {"fault_unshifted_channels", unshifted},
           {"fault_certain_single_samples", certain},
           {"fault_undithered_brackets", undithered}};
 }
@@ -111,7 +114,9 @@ int main(int argc, char** argv) {
   app.add_option("--work", work, "folder for the files that scenes name");
   app.add_option("--seeds", seeds, "renderings of each scene (--wild: 3)")->check(CLI::Range(1, 100000));
   app.add_option("--first-seed", first_seed, "seed of the first; the others follow");
-  app.add_option("--only", only, "one scene (SCENE_psf: with the PSF only), or 'faults', or one fault");
+  app.add_option(
+      "--only", only,
+      "one scene (SCENE_psf, SCENE_groups: with the PSF, or one of each channel, only), or 'faults', or one fault");
   app.add_option("--rows", rows_folder, "folder for every pixel's errors and intervals, a CSV file a scene");
   app.add_option("--rows-study", rows_steps, "nothing but rows of N pitches as maps, boxes and meshes")
       ->check(CLI::Range(1, 100000));
@@ -164,10 +169,11 @@ int main(int argc, char** argv) {
     std::vector<FigureRow> rows;
     for (const char* scene : {"penumbra", "leaf_crown", "wall_foot", "gable_roof", "texture", "mirror",
                               "street_canyon", "glossy_car", "waves", "glass_front", "wet_road"})
-      for (const char* kind : {"", "psf", "stokes"}) {
+      for (const char* kind : {"", "psf", "groups", "stokes"}) {
         HonestyCase which;
         which.scene = scene;
         which.psf = kind == std::string("psf"), which.stokes = kind == std::string("stokes");
+        which.groups = kind == std::string("groups");
         which.seeds = seeds, which.first_seed = first_seed;
         if (which.stokes && !polarizes(scene)) continue;
         if (!only.empty() && only != scene && only != name_of(which)) continue;
@@ -181,6 +187,7 @@ int main(int argc, char** argv) {
         if (!only.empty() && only != "faults" && only != name) continue;
         HonestyCase without = which;
         without.sun_state = true;
+        without.unshifted = false;
         without.sampler = kReal;
         if (!rows_folder.empty()) without.rows = std::filesystem::path(rows_folder) / (name + "_without.csv");
         std::printf("    %s, then the same without it\n", name.c_str());

@@ -63,9 +63,9 @@ struct Sums {
 }  // namespace
 
 PlainMeans plain_means(const FieldFactory& make_field, int first_columns,
-                       const sampling::PixelFootprint& footprint, std::span<const PixelIndex> pixels,
-                       std::span<const double> wanted_error, std::int64_t least_paths,
-                       std::int64_t most_paths, std::uint64_t seed, int threads) {
+                       const sampling::PixelFootprint& footprint, sampling::Point2 shift_px,
+                       std::span<const PixelIndex> pixels, std::span<const double> wanted_error,
+                       std::int64_t least_paths, std::int64_t most_paths, std::uint64_t seed, int threads) {
   constexpr std::int64_t kBatch = 2048;
   const double bound = density_bound(footprint);
   const auto columns = static_cast<std::size_t>(first_columns);
@@ -97,7 +97,10 @@ PlainMeans plain_means(const FieldFactory& make_field, int first_columns,
       values.assign(batch * stride, 0.0f);
       for (auto& request : requests) {
         const auto offset = draw_offset(footprint, bound, random);
-        request = {{pixels[p].x + 0.5 + offset.x_px, pixels[p].y + 0.5 + offset.y_px}, random.bits(), 0};
+        request = {
+            {pixels[p].x + 0.5 + shift_px.x + offset.x_px, pixels[p].y + 0.5 + shift_px.y + offset.y_px},
+            random.bits(),
+            0};
       }
       field->values(requests, ignored, values);
       for (std::size_t n = 0; n < batch; ++n)

@@ -36,7 +36,11 @@ session::Session load(const HonestyCase& which, const std::filesystem::path& wor
   std::stringstream text;
   text << file.rdbuf();
   io::Document document = io::parse_document(text.str(), (work / name).string());
-  if (which.psf) document.sensor.psf = io::GaussianPsf{kPsfSigma_px};
+  if (which.psf || which.groups) document.sensor.psf = io::GaussianPsf{kPsfSigma_px};
+  for (std::size_t c = 0; which.groups && c < document.sensor.channels.size(); ++c) {
+    const double k = static_cast<double>(c);
+    document.sensor.channels[c].shift_px = {{0.3 - 0.45 * k, 0.2 * k}};
+  }
   document.sensor.stokes = which.stokes;
   return session::Session::load(document, nullptr);
 }
@@ -89,6 +93,7 @@ class Trial {
     job.pilot_rays = plan.pilot_rays;
     job.steering_channels = plan.steering_channels;
     job.polarimetry = plan.polarimetry;
+    job.groups = plan.groups;
     const sampling::TileResult tile = render_tile(job);
     return which_.stokes ? with_stokes(tile) : tile;
   }
@@ -102,8 +107,27 @@ class Trial {
       return std::make_unique<render::SceneField>(*p.spectral_scene, *p.camera, p.job().transport,
                                                   render::LabelDetail::material, p.job().polarimetry);
     };
-    return plain_means(make_field, channels() * (which_.stokes ? 3 : 1), *p.footprint, pixels, wanted, least,
-                       most, seed, 0);
+    if (p.groups == nullptr)
+      return plain_means(make_field, channels() * (which_.stokes ? 3 : 1), *p.footprint, {}, pixels, wanted,
+                         least, most, seed, 0);
+    // Each channel about its own footprint; the others' values are not looked at.
+    PlainMeans all;
+    const auto columns = static_cast<std::size_t>(channels());
+    for (std::size_t c = 0; c < columns; ++c) {
+      const sampling::FootprintGroup& group = (*p.groups)[p.groups->group_of(static_cast<int>(c))];
+      std::vector<double> own(wanted.size(), INFINITY);
+      for (std::size_t k = c; k < wanted.size(); k += columns) own[k] = wanted[k];
+      const PlainMeans found = plain_means(make_field, channels(), group.footprint,
+                                           which_.unshifted ? sampling::Point2{} : group.shift_px, pixels,
+                                           own, least, most, seed + c, 0);
+      if (c == 0) all = found;
+      for (std::size_t k = c; k < found.mean.size(); k += columns) {
+        all.mean[k] = found.mean[k];
+        all.standard_error[k] = found.standard_error[k];
+        all.spread[k] = found.spread[k];
+      }
+    }
+    return all;
   }
 
  private:

@@ -28,6 +28,8 @@ struct HonestyCase {
   std::uint64_t first_seed = 5000;
   std::filesystem::path rows;  ///< file that takes every judged pixel, seed and channel as CSV; empty: none
   bool stokes = false;         ///< I, Q and U are judged
+  bool groups = false;         ///< a Gaussian PSF that stands elsewhere in each channel
+  bool unshifted = false;      ///< a planted fault: of groups, the reference knows no shifts
 };
 
 struct HonestyOutcome {

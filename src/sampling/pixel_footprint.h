@@ -30,6 +30,8 @@ class PixelFootprint {
   bool uniform() const { return cells_ == 0 && pieces_.empty(); }
   /// Of striped(), the density along y; integrals over polygons are exact piece by piece. Else empty.
   const std::vector<Piece>& pieces() const { return pieces_; }
+  /// Side of a table's cells, px; 0 of others.
+  double cell_px() const { return cells_ == 0 ? 0.0 : 2.0 * half_width_ / cells_; }
   /// Uniform over the whole pixel and nothing else.
   bool whole_pixel() const { return uniform() && half_width_px() == 0.5; }
 

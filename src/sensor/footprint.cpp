@@ -12,6 +12,22 @@ constexpr double kCellsOverDetail = 8.0;
 constexpr int kFewestCellsPerPixel = 16;
 constexpr int kMostCells = 1024;
 
+/// What lies straight between values is wider than what they are of, by a variance of a sixth of a cell along each axis: a twelfth of the
+/// second differences less makes it as wide.
+std::vector<double> sharpened(const std::vector<double>& density, int cells) {
+  const auto n = static_cast<std::size_t>(cells);
+  std::vector<double> sharp(density.size());
+  const auto bend = [](double before, double here, double after) { return before - 2.0 * here + after; };
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto at = [&](std::size_t x, std::size_t y) { return x < n && y < n ? density[y * n + x] : 0.0; };
+      const double here = density[j * n + i], across = bend(at(i - 1, j), here, at(i + 1, j)),
+                   down = bend(at(i, j - 1), here, at(i, j + 1));
+      sharp[j * n + i] = std::max(0.0, here - (across + down) / 12.0);
+    }
+  return sharp;
+}
+
 }  // namespace
 
 sampling::PixelFootprint make_footprint(const Psf* psf, double fill_factor) {
@@ -36,7 +52,7 @@ sampling::PixelFootprint make_footprint(const Psf* psf, double fill_factor) {
           psf->energy(x - 0.5 * side_px, y - 0.5 * side_px, x + 0.5 * side_px, y + 0.5 * side_px);
       density.push_back(std::max(0.0, energy) / fill_factor);
     }
-  return sampling::PixelFootprint::tabulated(half_width_px, cells, std::move(density));
+  return sampling::PixelFootprint::tabulated(half_width_px, cells, sharpened(density, cells));
 }
 
 sampling::PixelFootprint make_footprint(const Psf* psf, double fill_factor, const AlongTrack& along) {
@@ -71,7 +87,7 @@ sampling::PixelFootprint make_footprint(const Psf* psf, double fill_factor, cons
       if (share[k] > 0.0)
         for (std::size_t j = 0; j < n; ++j) density[j * n + i] += share[k] * spread[j + n - 1 - k];
   }
-  return sampling::PixelFootprint::tabulated(half_width_px, cells, std::move(density));
+  return sampling::PixelFootprint::tabulated(half_width_px, cells, sharpened(density, cells));
 }
 
 }  // namespace ifov::sensor

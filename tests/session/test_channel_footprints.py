@@ -56,7 +56,8 @@ class ChannelFootprints(unittest.TestCase):
         done = subprocess.run([PROGRAM, "render", str(source), "--output", str(name), *options], capture_output=True, text=True, check=False)
         self.assertIn(done.returncode, (0, 5, 6), done.stderr)  # beside 0: intervals are wider than asked, or there are none
         self.out = name
-        columns, rows = described["sensor"]["camera"]["frame"]["pixels"]
+        (model,) = described["sensor"]["camera"].values()
+        columns, rows = model["pixels"]
         read = {}
         for product in ("radiance", "half_width"):
             file = name / f"image_{product}.img"
@@ -164,6 +165,44 @@ class ChannelFootprints(unittest.TestCase):
                 wrong[b] += other[mixed].mean() / 8
         self.assertGreater(held.min(), 0.93)
         self.assertLess(wrong.max(), 0.6)
+
+    @staticmethod
+    def blurred_edge(side, sigma, degrees):
+        """Shares of light in the pixels of a square image, by the distribution of a Gaussian."""
+        n, a = 120, math.radians(degrees)
+        at = ((numpy.arange(side)[:, None] + (numpy.arange(n) + 0.5) / n).ravel() - side / 2)
+        d = at[None, :] * math.cos(a) + at[:, None] * math.sin(a)
+        return (0.5 * (1.0 + numpy.vectorize(math.erf)(d / (sigma * math.sqrt(2.0))))).reshape(side, n, side, n).mean(axis=(1, 3))
+
+    def test_edges_and_points_under_narrow_and_wide_footprints(self):
+        """Closed forms at accuracies that show how footprints are tabulated and integrated."""
+        camera = {"orthographic": {"gsd": "1 m", "pixels": [11, 11]}}
+        for sigma in (0.04, 0.5):
+            described = document([half_plane(17)], channels(10.0), {"accuracy": {"error": "1 W m-2 sr-1 um-1"}}, [11, 11],
+                                 psf={"gaussian": {"sigma": f"{sigma} px"}})
+            described["sensor"]["camera"] = camera
+            described["scene"]["materials"]["light"]["temperature"] = "1000 K"
+            bright = 1.191042972e8 / 10.0**5 / (math.exp(1.43877688) - 1.0)
+            described["sampling"]["accuracy"]["error"] = f"{3e-4 * bright} W m-2 sr-1 um-1"
+            seen = self.render(described)
+            share, half = seen["radiance"][0] / bright, seen["half_width"][0] / bright
+            for of, held in ((sigma, True), (sigma + 0.03, False)):  # the other is the planted fault
+                true = self.blurred_edge(11, of, 17)
+                mixed = (true > 0.003) & (true < 0.997)
+                within = (abs(share - true) <= half)[mixed].mean()
+                (self.assertGreaterEqual if held else self.assertLess)(within, 0.93 if held else 0.7, f"sigma {sigma}, {of}")
+        # A disc about a corner that four pixels and four cells of the lattice share.
+        disc = {"disk": {"center": ["0.5 m", "-0.5 m", "1 mm"], "normal": [0, 0, 1], "radius": "2 cm"}, "material": "light"}
+        described["scene"]["objects"][1] = disc
+        described["sensor"]["psf"] = {"gaussian": {"sigma": "0.15 px"}}
+        whole = bright * math.pi * 0.02**2
+        described["sampling"]["accuracy"]["error"] = f"{2e-3 * whole} W m-2 sr-1 um-1"
+        described["scene"]["materials"]["dark"]["temperature"] = "150 K"  # at 1 K nothing that rays meet by chance would shine
+        seen = self.render(described)["radiance"][0]
+        share = (seen - seen[0, 0]) / whole
+        for y in (5, 6):
+            for x in (5, 6):
+                self.assertAlmostEqual(share[y, x], 0.25, delta=0.003)
 
     def test_every_sampler_takes_each_channel_from_its_own_place(self):
         size = (20, 14)

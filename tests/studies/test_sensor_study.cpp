@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "studies/sensor/channel_scenes.h"
 #include "studies/sensor/modulation_scenes.h"
 #include "studies/sensor/scanning_images.h"
 #include "studies/sensor/sensor_checks.h"
@@ -53,12 +54,15 @@ TEST(SensorStudy, ASlantedEdgeShowsTheModulationThatBlurredIt) {
 
 TEST(SensorStudy, RenderedEdgesAreTheProductOfTheirParts) {
   const StudyOptions options = in_a_folder("ifov_test_sensor_edges");
-  const EdgeOptics gaussian{0.5, 0.0};
+  const EdgeOptics gaussian{0.5, 0.0}, covered{0.0, 0.5, 0.4};
   EXPECT_LT(edge_difference(still_edge({}, options, 96), [](double v) { return still_modulation({}, v); }),
             0.005);
   const EdgeResponse blurred = still_edge(gaussian, options, 96);
   EXPECT_LT(edge_difference(blurred, [&](double v) { return still_modulation(gaussian, v); }), 0.003);
   EXPECT_GT(edge_difference(blurred, [](double v) { return still_modulation({0.52, 0.0}, v); }), 0.01);
+  const EdgeResponse ring = still_edge(covered, options, 96);
+  EXPECT_LT(edge_difference(ring, [&](double v) { return still_modulation(covered, v); }), 0.01);
+  EXPECT_GT(edge_difference(ring, [](double v) { return still_modulation({0.0, 0.5, 0.0}, v); }), 0.02);
   const EdgeResponse stages = scanned_edge(1.0, 16, 0.02, options, 96);
   EXPECT_LT(edge_difference(stages, [](double v) { return scanned_modulation(1.0, 16, 0.02, v); }), 0.005);
   EXPECT_GT(edge_difference(stages, [](double v) { return scanned_modulation(1.0, 16, 0.04, v); }), 0.02);
@@ -73,6 +77,17 @@ TEST(SensorStudy, APointLeaksIntoPixelsAround) {
   EXPECT_NEAR(sum, 1.0, 0.01);
   // Planted fault: as if it fell into its pixel alone.
   EXPECT_GT(1.0 - *std::max_element(shares.found.begin(), shares.found.end()), 0.5);
+}
+
+TEST(SensorStudy, ChannelsHaveTheDiffractionOfTheirWavelengths) {
+  const StudyOptions options = in_a_folder("ifov_test_sensor_channels");
+  EXPECT_NEAR(channel_edges({1.2, 0.25, false}, options, 384).ratio(), 2.2 / 0.45, 0.01 * 2.2 / 0.45);
+  EXPECT_NEAR(channel_edges({1.2, 0.25, true}, options, 192).ratio(), 1.0, 0.01);  // planted fault
+  // The last stands on a corner that four pixels share.
+  for (const auto& [x, y] : {std::pair{0.3, -0.2}, {0.0, 0.0}, {0.5, 0.5}}) {
+    for (const double off : channel_points_off({0.1, 1.0, false}, x, y, options)) EXPECT_LT(off, 0.005);
+    EXPECT_GT(channel_points_off({0.1, 1.0, true}, x, y, options).back(), 0.02);
+  }
 }
 
 TEST(SensorStudy, PixelsLookWhereTheyAreTold) {

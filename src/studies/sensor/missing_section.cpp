@@ -10,10 +10,6 @@ ReportSection missing_section(const SensorOptions&) {
   const auto missing = [&](const char* name, const char* meaning, const char* what) {
     section.not_measured(name, meaning, what);
   };
-  missing("mtf50_ratio", "MTF50 of diffraction at 0.45 and 2.2 um in one run: ratio 4.89 within 1 %",
-          "point spread function for each channel");
-  missing("edge_obscuration", "slanted edge of an aperture with a central obscuration: 0.01",
-          "obscuration in the point spread function");
   missing("zernike", "points through Zernike 4 to 11 against quadrature of the pupil: 1 % of the peak",
           "wavefront of the pupil");
   missing("moving_car", "a moving car under a frame of 10 ms and a rolling shutter: 0.02 pixels",
@@ -21,8 +17,6 @@ ReportSection missing_section(const SensorOptions&) {
   missing("moving_coverage",
           "coverage of intervals in scenes that are scanned, jittered and hold what moves: 0.93 to 0.995",
           "objects that move while they are seen");
-  missing("footprint_groups_cost", "cost of 6 groups of footprints: 30 %",
-          "point spread function for each channel");
   missing("ray_time_cost", "cost of a time in every ray: 2 %", "build without it to compare with");
   missing("products_of_others", "products opened by GDAL, SPy, xarray; cubes of others read and rewritten",
           "other programs here; the tests of `tests/io` and `tests/cli` do so");

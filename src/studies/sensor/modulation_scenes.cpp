@@ -57,7 +57,16 @@ io::ObjectDocument half_plane(bool upright, double north_m, double size_m) {
 
 constexpr double kEdgeError = 5e-4;
 
-/// Energy of the Airy pattern on a unit square about (x, y).
+double gaussian_energy(double sigma_px, double x_px, double y_px) {
+  const auto along = [&](double at) {
+    const double scale = sigma_px * std::sqrt(2.0);
+    return 0.5 * (std::erf((at + 0.5) / scale) - std::erf((at - 0.5) / scale));
+  };
+  return along(x_px) * along(y_px);
+}
+
+}  // namespace
+
 double airy_energy(double q_px, double x_px, double y_px) {
   constexpr int kCells = 100;
   double sum = 0.0;
@@ -70,20 +79,11 @@ double airy_energy(double q_px, double x_px, double y_px) {
   return sum;
 }
 
-double gaussian_energy(double sigma_px, double x_px, double y_px) {
-  const auto along = [&](double at) {
-    const double scale = sigma_px * std::sqrt(2.0);
-    return 0.5 * (std::erf((at + 0.5) / scale) - std::erf((at - 0.5) / scale));
-  };
-  return along(x_px) * along(y_px);
-}
-
-}  // namespace
-
 void set_optics(const EdgeOptics& optics, io::SensorDocument& sensor) {
   if (optics.gaussian_px > 0.0) sensor.psf = io::GaussianPsf{optics.gaussian_px};
   if (optics.airy_q_px > 0.0)
-    sensor.psf = io::AiryPsf{kEdge_um * 1e-6 * kFocal_m / (optics.airy_q_px * kPitch_m), kEdge_um, {}};
+    sensor.psf =
+        io::AiryPsf{kEdge_um * 1e-6 * kFocal_m / (optics.airy_q_px * kPitch_m), kEdge_um, optics.obscuration};
 }
 
 EdgeResponse still_edge(const EdgeOptics& optics, const StudyOptions& options, int pixels) {
@@ -98,7 +98,8 @@ double still_modulation(const EdgeOptics& optics, double cycles_px) {
   return sensor::square_mtf(1.0, cycles_px * std::cos(angle)) *
          sensor::square_mtf(1.0, cycles_px * std::sin(angle)) *
          (optics.gaussian_px > 0.0 ? sensor::gaussian_mtf(optics.gaussian_px, cycles_px) : 1.0) *
-         (optics.airy_q_px > 0.0 ? sensor::diffraction_mtf(optics.airy_q_px, 0.0, cycles_px) : 1.0);
+         (optics.airy_q_px > 0.0 ? sensor::diffraction_mtf(optics.airy_q_px, optics.obscuration, cycles_px)
+                                 : 1.0);
 }
 
 EdgeResponse scanned_edge(double element_length_px, int stages, double mismatch, const StudyOptions& options,

@@ -14,6 +14,7 @@ inline constexpr double kEdgeAngle_deg = 5.0;
 /// Optics of a frame camera: without PSF, of a Gaussian, or of an aperture whose diffraction is q = wavelength times f-number over pitch.
 struct EdgeOptics {
   double gaussian_px = 0.0, airy_q_px = 0.0;
+  double obscuration = 0.0;  ///< of the aperture's middle, diameter over diameter
 };
 /// A black edge of 300 K against cold ground, 5 degrees from upright, rendered.
 EdgeResponse still_edge(const EdgeOptics& optics, const StudyOptions& options, int pixels = 64);
@@ -36,6 +37,9 @@ struct PointShares {
   double largest = 0.0;  ///< difference, of pixels up to 4 away
 };
 PointShares point_shares(const EdgeOptics& optics, double x_px, double y_px, const StudyOptions& options);
+
+/// Energy of an open aperture's diffraction on a square of one pixel about (x, y), by quadrature of the Airy pattern.
+double airy_energy(double q_px, double x_px, double y_px);
 
 /// The optics of a document's sensor.
 void set_optics(const EdgeOptics& optics, io::SensorDocument& sensor);

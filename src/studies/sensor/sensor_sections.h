@@ -18,6 +18,7 @@ ReportSection bands_section(const SensorOptions& options);
 ReportSection tirs_section(const SensorOptions& options);
 ReportSection modulation_section(const SensorOptions& options);
 ReportSection point_target_section(const SensorOptions& options);
+ReportSection channels_section(const SensorOptions& options);
 ReportSection scanning_section(const SensorOptions& options);
 ReportSection noise_section(const SensorOptions& options);
 ReportSection parts_section(const SensorOptions& options);

@@ -23,8 +23,8 @@ StudyOutcome run_sensor_study(const StudyOptions& options) {
   const SensorOptions choices{reference, options};
   std::vector<ReportSection> sections;
   for (const auto section : {orbit_section, location_section, bands_section, tirs_section, modulation_section,
-                             point_target_section, scanning_section, noise_section, parts_section,
-                             cost_section, missing_section}) {
+                             point_target_section, channels_section, scanning_section, noise_section,
+                             parts_section, cost_section, missing_section}) {
     if (options.cancel != nullptr && options.cancel->cancelled()) throw Cancelled();
     sections.push_back(section(choices));
     if (options.log != nullptr) options.log->info(sections.back().title);

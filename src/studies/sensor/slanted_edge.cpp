@@ -130,9 +130,9 @@ EdgeResponse edge_response(const SensorImage& image, const EdgeChoices& choices)
   const double cosine = std::cos(std::atan(response.slope));
   double whole = 0.0;
   for (const double value : line) whole += value;
-  for (int k = 0; k <= image.width; ++k) {
+  for (int k = 0; k <= 2 * image.width; ++k) {
     const double across = static_cast<double>(k) / image.width / cosine;  // along a row it is lower
-    if (across > 0.5) break;
+    if (across > choices.highest_cycles_px) break;
     std::complex<double> value = 0.0;
     for (std::size_t n = 0; n < line.size(); ++n)
       value += line[n] * std::polar(1.0, -2.0 * kPi * k * static_cast<double>(n) / bins);

@@ -9,7 +9,7 @@ namespace ifov::studies {
 /// The modulation that the image of a slanted edge shows.
 struct EdgeResponse {
   double slope = 0.0;                           ///< of the edge, pixels across in a row
-  std::vector<double> cycles_px, modulation;    ///< across the edge, up to Nyquist's frequency
+  std::vector<double> cycles_px, modulation;    ///< across the edge
   double at(double frequency_cycles_px) const;  ///< linear between these
 };
 
@@ -21,7 +21,8 @@ struct EdgeResponse {
 struct EdgeChoices {
   int order = 1;
   bool tukey = false;
-  bool divide_bins = true;  ///< out of the modulation
+  bool divide_bins = true;         ///< out of the modulation
+  double highest_cycles_px = 0.5;  ///< below 2, where the bins see nothing
 };
 EdgeResponse edge_response(const SensorImage& image, const EdgeChoices& choices = {});
 

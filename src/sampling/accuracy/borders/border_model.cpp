@@ -50,19 +50,30 @@ CurveShape BorderModel::shape_of(const Cell& cell) const {
 
 Polygon BorderModel::inner_region(const Cell& cell, const CurveShape& shape) const {
   const Curve& curve = curves_[cell.chord];
+  return region_beside(cell, shape, curve.side[0] + 1, curve.side[1], false);
+}
+
+Polygon BorderModel::outer_region(const Cell& cell, const CurveShape& shape) const {
+  const Curve& curve = curves_[cell.chord];
+  return region_beside(cell, shape, curve.side[1] + 1, curve.side[0] + 4, true);
+}
+
+Polygon BorderModel::region_beside(const Cell& cell, const CurveShape& shape, int first, int last,
+                                   bool outer) const {
+  const Curve& curve = curves_[cell.chord];
   const double x0 = tree_.lattice().x_px(cell.x), y0 = tree_.lattice().y_px(cell.y),
                side = tree_.lattice().side_px(cell.level);
   Polygon region;
-  region.add(shape.a);
-  for (int corner = curve.side[0] + 1; corner <= curve.side[1]; ++corner)
-    region.add({x0 + kCornerX[corner] * side, y0 + kCornerY[corner] * side});
-  region.add(shape.b);
+  region.add(outer ? shape.b : shape.a);
+  for (int corner = first; corner <= last; ++corner)
+    region.add({x0 + kCornerX[corner % 4] * side, y0 + kCornerY[corner % 4] * side});
+  region.add(outer ? shape.a : shape.b);
   if (cell.kind == CellKind::chord && curve.corner) {
     region.add(curve.origin + (0.5 * (curve.low + curve.high)) * curve.normal);
   } else if (cell.kind == CellKind::chord) {
     Point2 knots[3];
     arc_knots(shape.a, shape.b, shape.sagitta, knots);
-    for (int i = 2; i >= 0; --i) region.add(knots[i]);
+    for (int i = 0; i < 3; ++i) region.add(knots[outer ? i : 2 - i]);
   }
   return region;
 }

@@ -47,6 +47,8 @@ class BorderModel {
   CurveShape shape_of(const Cell& cell) const;
   /// The region of `inner` in a cell with a curve, as a polygon in image coordinates.
   Polygon inner_region(const Cell& cell, const CurveShape& shape) const;
+  /// What it leaves of the cell; it goes round the same way.
+  Polygon outer_region(const Cell& cell, const CurveShape& shape) const;
   /// Length swept by the border per unit of motion of each end along its side.
   void sweep(const Cell& cell, const CurveShape& shape, double swept[2]) const;
   /// Area that `inner` gains, px^2, where the middles of the brackets of its ends lie beyond the sides (Bracket::excess).
@@ -66,6 +68,9 @@ class BorderModel {
   std::uint32_t label_at(FocalPoint point) const { return label_in(tree_[tree_.leaf_at(point)], point); }
 
  private:
+  /// With the corners from `first` to `last`, round the cell.
+  Polygon region_beside(const Cell& cell, const CurveShape& shape, int first, int last, bool outer) const;
+
   const CellTree& tree_;
   const BracketStore& brackets_;
   std::vector<Curve> curves_;

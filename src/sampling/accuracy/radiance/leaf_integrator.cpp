@@ -90,19 +90,58 @@ double LeafIntegrator::whole_weight(int source, int output, std::size_t group) c
 
 namespace {
 
-/// A fan of triangles, each by the rule of its three edge midpoints, exact to the second degree.
+/// Twice the area times three times the mean at the midpoints of a triangle's edges.
 template <class Density>
-double over_fan(const Polygon& polygon, const Density& density) {
+double at_midpoints(Point2 o, Point2 p, Point2 q, const Density& density) {
+  double h = 0.0;
+  for (const Point2 m : {0.5 * (o + p), 0.5 * (p + q), 0.5 * (q + o)}) h += density(m);
+  return cross(p - o, q - o) * h;
+}
+
+/// A fan of triangles, each by the rule of its three edge midpoints, exact to the second degree. None is longer than
+/// `longest`: it is cut into n x n like it.
+template <class Density>
+double over_fan(const Polygon& polygon, const Density& density, double longest = INFINITY) {
+  constexpr double kMostCuts = 32.0;
   double sum = 0.0;
   const Point2 o = polygon.vertex[0];
   for (int i = 1; i + 1 < polygon.count; ++i) {
     const Point2 p = polygon.vertex[i], q = polygon.vertex[i + 1];
-    const double twice_area = cross(p - o, q - o);
-    double h = 0.0;
-    for (const Point2 m : {0.5 * (o + p), 0.5 * (p + q), 0.5 * (q + o)}) h += density(m);
-    sum += twice_area * h;
+    const double side = std::max({length(p - o), length(q - p), length(o - q)});
+    if (!(side > longest)) {
+      sum += at_midpoints(o, p, q, density);
+      continue;
+    }
+    const int n = static_cast<int>(std::min(kMostCuts, std::ceil(side / longest)));
+    const Point2 u = (1.0 / n) * (p - o), v = (1.0 / n) * (q - o);
+    for (int b = 0; b < n; ++b)
+      for (int a = 0; a + b < n; ++a) {
+        const Point2 corner = o + static_cast<double>(a) * u + static_cast<double>(b) * v;
+        sum += at_midpoints(corner, corner + u, corner + v, density);
+        if (a + b + 1 < n) sum += at_midpoints(corner + u, corner + u + v, corner + v, density);
+      }
   }
   return sum / 6.0;
+}
+
+/// Of an area; of points, their mean. None of what crosses itself lies beyond the polygon.
+Point2 centroid_of(const Polygon& polygon) {
+  const Point2 o = polygon.vertex[0];
+  Point2 moment{}, mean{}, low = o, high = o;
+  double twice = 0.0;
+  for (int i = 1; i + 1 < polygon.count; ++i) {
+    const Point2 p = polygon.vertex[i] - o, q = polygon.vertex[i + 1] - o;
+    const double part = cross(p, q);
+    moment = moment + part / 3.0 * (p + q);
+    twice += part;
+  }
+  for (int i = 1; i < polygon.count; ++i) {
+    const Point2 p = polygon.vertex[i];
+    mean = mean + 1.0 / polygon.count * (p - o);
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)}, high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const Point2 at = twice > 0.0 ? o + 1.0 / twice * moment : o + mean;
+  return {std::clamp(at.x, low.x, high.x), std::clamp(at.y, low.y, high.y)};
 }
 
 }  // namespace
@@ -131,7 +170,11 @@ double LeafIntegrator::over_polygon(const Polygon& polygon, const Slot& slot) co
     }
     return 0.5 * sum / h;
   }
-  return over_fan(polygon, [&](Point2 m) { return footprint_of_slot.density(m.x - c.x, m.y - c.y); });
+  // A table has eight cells over the finest structure that there is.
+  constexpr double kLongest_cells = 4.0;
+  return over_fan(
+      polygon, [&](Point2 m) { return footprint_of_slot.density(m.x - c.x, m.y - c.y); },
+      kLongest_cells * footprint_of_slot.cell_px());
 }
 
 /// Integral of an output's footprint over a cell.
@@ -230,12 +273,20 @@ void LeafIntegrator::add_curve(const Cell& cell, PixelModel& model) const {
   const Point2 middle = 0.5 * (polygon.vertex[0] + polygon.vertex[curve.side[1] - curve.side[0] + 1]);
   model.area[in] += area;
   model.area[out] += whole - area;
+  // Of the smaller part: what the rule is off by over the larger may be as much as the smaller is.
+  const bool outside = area > 0.5 * whole;
+  const Polygon part = outside ? model_.outer_region(cell, shape) : polygon;
+  const Point2 centroid = unit_box_ ? middle : centroid_of(part);
+  const double part_area = part.signed_area();
   for (const Slot& slot : slots_) {
     const double weight = cell_weight(cell, slot);
     double inner = area, at_middle = 1.0;
     if (!unit_box_) {
-      at_middle = density(middle, slot);
-      inner = over_polygon(polygon, slot) + beyond * at_middle;
+      // Where the footprint is straight over the cell one place says it all.
+      const bool straight = side <= footprint(slot.group).cell_px();
+      at_middle = density(straight ? centroid : middle, slot);
+      const double over_part = straight ? part_area * at_middle : over_polygon(part, slot);
+      inner = (outside ? weight - over_part : over_part) + beyond * at_middle;
     }
     model.weight[in * slots + slot.at] += inner;
     model.weight[out * slots + slot.at] += weight - inner;
