@@ -7,6 +7,7 @@
 
 #include "math/vec3.h"
 #include "radiometry/spectrum_block.h"
+#include "transport/sky/ground_around.h"
 
 namespace ifov::radiometry {
 struct PolarizationFrame;
@@ -23,9 +24,9 @@ namespace ifov::transport {
 /// cell), which takes 2 to 4 spectra, and 5 where the sensor has more than one height.
 class ViewTable {
  public:
-  /// `ground_radiance`: of the ground around the scene, by node, whose light the air scatters into the path.
+  /// `ground`: around the scene, whose light the air scatters into the path.
   ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towards_sun,
-            const std::vector<double>& ground_radiance);
+            const GroundAround& ground);
 
   struct Weights {
     std::size_t count = 0;
@@ -57,7 +58,7 @@ class ViewTable {
                             const radiometry::PolarizationFrame& frame) const;
 
  private:
-  void polarize(const atmosphere::SensorAtmosphere& atmosphere, const std::vector<double>& ground_radiance);
+  void polarize(const atmosphere::SensorAtmosphere& atmosphere, const GroundAround& ground);
   /// At the places of the axes, in the order of rows: weights of the lines of sight that are known there.
   template <class Visit>
   void each_row(const atmosphere::SensorAtmosphere& atmosphere, Visit visit) const;

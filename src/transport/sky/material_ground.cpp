@@ -1,4 +1,4 @@
-#include "session/assembly/atmosphere/material_ground.h"
+#include "transport/sky/material_ground.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "radiometry/spectral_nodes.h"
 #include "radiometry/spectrum_block.h"
 
-namespace ifov::session {
+namespace ifov::transport {
 namespace {
 
 using atmosphere::GroundEvent;
@@ -153,8 +153,7 @@ class MaterialGround final : public atmosphere::DirectionalGround {
 
 }  // namespace
 
-std::shared_ptr<const atmosphere::DirectionalGround> material_ground(const materials::Material& material,
-                                                                     double sun_azimuth_rad) {
+void check_ground(const materials::Material& material) {
   const materials::Bsdf& bsdf = *material.bsdf;
   if (bsdf.is_delta())
     throw InputError(format(
@@ -165,7 +164,12 @@ std::shared_ptr<const atmosphere::DirectionalGround> material_ground(const mater
     throw InputError(
         format("the material '{}' lets light through: it is no ground for the air; expected an opaque one",
                material.name));
-  if (bsdf.is_lambertian()) return nullptr;
+}
+
+std::shared_ptr<const atmosphere::DirectionalGround> material_ground(const materials::Material& material,
+                                                                     double sun_azimuth_rad) {
+  check_ground(material);
+  if (material.bsdf->is_lambertian()) return nullptr;
   return std::make_shared<const MaterialGround>(material, sun_azimuth_rad);
 }
 
@@ -175,4 +179,4 @@ std::string left_out_of(const atmosphere::DirectionalGround& ground) {
          "both sides.";
 }
 
-}  // namespace ifov::session
+}  // namespace ifov::transport
