@@ -5,6 +5,7 @@
 #include "geometry/world.h"
 #include "io/document/document.h"
 #include "io/run_state/run_plan.h"
+#include "materials/bsdf/bsdf.h"
 #include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "session/assembly/atmosphere/aerosol_assembly.h"
@@ -14,6 +15,7 @@
 #include "session/atmosphere_messages.h"
 #include "session/image_errors.h"
 #include "session/loaded/parts.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::session {
 
@@ -93,6 +95,24 @@ std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals,
   return text + " " + held + ".";
 }
 
+std::string surroundings_statement(const Parts& parts) {
+  const auto& written = parts.document.light.surroundings;
+  if (!written || !written->material || parts.spectral_scene->surroundings_light() == nullptr) return {};
+  std::string line = format("surroundings: '{}' by its BRDF, below the horizon", written->material->name);
+  if (parts.atmosphere)
+    line +=
+        " and in the air; what of the scene's own ground differs from them lights the air as Lambertian ground does";
+  else
+    line += parts.imported ? ", where the sky is uniform; the air has their light as of Lambertian ground"
+                           : ", where the sky is uniform";
+  const materials::Material& material = parts.scene.materials[parts.scene.surroundings.material];
+  if (material.bsdf->polarizes() && !parts.polarimetry)
+    line += "; without 'stokes' the sky that they reflect is taken to be unpolarized";
+  if (!material.bsdf->is_isotropic() && parts.atmosphere)
+    line += "; what the air scatters of their light again is as of the mean of both sides of the Sun's plane";
+  return line;
+}
+
 std::vector<std::string> notes(const Parts& parts) {
   std::vector<std::string> lines;
   if (parts.tolerance && (parts.plan.request->unit == render::ErrorUnit::percent ||
@@ -110,8 +130,11 @@ std::vector<std::string> notes(const Parts& parts) {
   }
   if (parts.polarimetry) {
     lines.push_back(
-        "polarization: about the focal plane's axes; light that ground around the scene and the ground's own light in the air send "
-        "is taken to be unpolarized");
+        parts.spectral_scene->surroundings_light() != nullptr
+            ? "polarization: about the focal plane's axes; light that the ground around the scene emits, and what the scene's own ground "
+              "sends otherwise into the air, is taken to be unpolarized"
+            : "polarization: about the focal plane's axes; light that ground around the scene and the ground's own light in the air send "
+              "is taken to be unpolarized");
     if (!parts.atmosphere)
       lines.push_back(parts.imported
                           ? "polarization: sky and path of imported runs are taken to be unpolarized"
@@ -151,6 +174,8 @@ std::vector<std::string> notes(const Parts& parts) {
     lines.push_back(parts.assumed_surroundings);
   else if (!parts.document.light.surroundings)
     lines.push_back("surroundings: black at 0 K (none declared) for rays that leave below the horizon");
+  else if (const std::string around = surroundings_statement(parts); !around.empty())
+    lines.push_back(around);
   if (!parts.ground_in_air.empty()) lines.push_back(parts.ground_in_air);
   if (parts.temperature_errors) {
     lines.push_back("solved temperatures: " + parts.temperature_errors->weather);

@@ -138,6 +138,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
     throw;
   }
   save();
+  if (const std::string around = surroundings_statement(p); !around.empty()) log->info(around);
   warn_of_node_errors(p, *log);
   warn_of_light_left_out(p, *log);
   p.brightness = std::make_unique<render::ChannelBrightness>(*p.nodes);

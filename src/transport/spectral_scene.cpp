@@ -9,6 +9,7 @@
 #include "atmosphere/sensor/directional_light.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "geometry/world.h"
+#include "materials/bsdf/bsdf.h"
 #include "materials/bsdf/node_bsdf.h"
 #include "radiometry/planck_table.h"
 #include "scene/lamp.h"
