@@ -126,24 +126,20 @@ TEST_F(DirectionalSurroundings, SeenInAnImageAreAsTheColumnOverThem) {
       const double polarized = std::hypot(seen[2 + c], seen[4 + c]);
       EXPECT_NEAR(polarized, std::hypot(light.q, light.u), 3e-3 * light.radiance) << view.material << c;
     }
-    // Planted: the same reflectance alike in every direction.
-    asked.surroundings = R"({"reflectance": 0.2})";
-    if (std::string(view.material) == "sea") asked.surroundings = R"({"reflectance": 0.06})";
-    EXPECT_GT(std::abs(middle(asked, "stokes")[1] / told[1].light.over_ground.radiance - 1.0), 0.03)
-        << view.material;
+    if (view.zenith_deg != 45.0) continue;
+    // Planted: as much alike in every direction.
+    asked.surroundings = R"({"reflectance": 0.06})";
+    EXPECT_GT(std::abs(middle(asked, "stokes")[1] / told[1].light.over_ground.radiance - 1.0), 0.03);
   }
 }
 
 // The ground of the scene is traced, and the air is lit by ground of the same kind all around.
 TEST_F(DirectionalSurroundings, APlaneOfTheirMaterialIsAsTheColumnOverIt) {
   Asked asked{R"({"material": "land"})", "land", 30.0, 60.0};
-  const std::vector<double> seen = middle(asked), error = middle(asked, "standard_error");
+  const std::vector<double> seen = middle(asked);
   const auto told = column(asked, "land");
-  for (std::size_t c = 0; c < told.size(); ++c) {
-    EXPECT_NEAR(seen[c], told[c].light.over_ground.radiance,
-                3e-3 * told[c].light.over_ground.radiance + 2.0 * error[c])
-        << c;
-  }
+  for (std::size_t c = 0; c < told.size(); ++c)
+    EXPECT_NEAR(seen[c] / told[c].light.over_ground.radiance, 1.0, 3e-3) << c;
   // Planted: air lit by ground that reflects the same share alike in every direction.
   asked.surroundings = R"({"reflectance": 0.22})";
   EXPECT_GT(std::abs(middle(asked)[0] / told[0].light.over_ground.radiance - 1.0), 6e-3);
@@ -164,11 +160,11 @@ TEST_F(DirectionalSurroundings, ThatReflectAlikeAreAsLambertian) {
     if (!air) even.air = flat.air = "", even.sky = flat.sky = uniform;
     const std::vector<double> found = middle(even), wanted = middle(flat);
     for (std::size_t c = 0; c < wanted.size(); ++c)
-      EXPECT_NEAR(found[c] / wanted[c], 1.0, air ? 2e-3 : 1e-5) << air << c;
+      EXPECT_NEAR(found[c] / wanted[c], 1.0, air ? 2e-3 : 1e-4) << air << c;
   }
 }
 
-TEST_F(DirectionalSurroundings, PartsAddUpToTheWhole) {
+TEST_F(DirectionalSurroundings, TellTheirPartsAndWhatIsTakenAsLambertian) {
   const Session session =
       Session::load(document({R"({"material": "sea", "temperature": "290 K"})"}), nullptr);
   const transport::SpectralScene& scene = *session.parts().spectral_scene;
@@ -182,29 +178,22 @@ TEST_F(DirectionalSurroundings, PartsAddUpToTheWhole) {
     EXPECT_GT(rows.row(3)[n], 0.0f);
     EXPECT_NEAR(whole[n], rows.row(1)[n] + rows.row(2)[n] + rows.row(3)[n], 1e-5f * whole[n]);
   }
-}
-
-TEST_F(DirectionalSurroundings, SayWhatIsStillTakenAsLambertian) {
-  const std::string said =
-      surroundings_statement(Session::load(document({R"({"material": "sea"})"}), nullptr).parts());
   EXPECT_EQ(
-      said,
+      surroundings_statement(session.parts()),
       "surroundings: 'sea' by its BRDF, below the horizon and in the air; what of the scene's own ground differs from "
       "them lights the air as Lambertian ground does; without 'stokes' the sky that they reflect is taken to be "
       "unpolarized; what the air scatters of their light again is as of the mean of both sides of the Sun's plane");
-  EXPECT_EQ(surroundings_statement(Session::load(document({R"({"reflectance": 0.1})"}), nullptr).parts()),
-            "");
-  // None declared: the ground in the picture, and that is said.
-  for (const auto& [plane, told] : {std::pair{"sea", true}, {"grass", false}}) {
-    const Session session = Session::load(document({"", plane}), nullptr);
-    const std::string& assumed = session.parts().assumed_surroundings;
-    EXPECT_EQ(
-        assumed.find(
-            "; it is taken to reflect alike in every direction, which 'light.surroundings' with a 'material' need "
-            "not") != std::string::npos,
-        told)
-        << assumed;
-  }
+}
+
+// The ground in the picture, and that is said.
+TEST_F(DirectionalSurroundings, UndeclaredAreLambertian) {
+  const Session session = Session::load(document({"", "sea"}), nullptr);
+  EXPECT_EQ(
+      session.parts().assumed_surroundings,
+      "surroundings: none declared; taken as the mean of the ground in the picture (100 % 'sea'), which emits nothing; it is "
+      "taken to reflect alike in every direction, which 'light.surroundings' with a 'material' need not");
+  EXPECT_EQ(session.parts().spectral_scene->surroundings_light(), nullptr);
+  EXPECT_EQ(surroundings_statement(session.parts()), "");
 }
 
 TEST_F(DirectionalSurroundings, RefuseWhatIsNoGround) {
