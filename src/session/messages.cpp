@@ -5,7 +5,6 @@
 #include "geometry/world.h"
 #include "io/document/document.h"
 #include "io/run_state/run_plan.h"
-#include "materials/bsdf/bsdf.h"
 #include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "session/assembly/atmosphere/aerosol_assembly.h"
@@ -15,7 +14,7 @@
 #include "session/atmosphere_messages.h"
 #include "session/image_errors.h"
 #include "session/loaded/parts.h"
-#include "transport/spectral_scene.h"
+#include "session/plausibility/light_warnings.h"
 
 namespace ifov::session {
 
@@ -95,24 +94,6 @@ std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals,
   return text + " " + held + ".";
 }
 
-std::string surroundings_statement(const Parts& parts) {
-  const auto& written = parts.document.light.surroundings;
-  if (!written || !written->material || parts.spectral_scene->surroundings_light() == nullptr) return {};
-  std::string line = format("surroundings: '{}' by its BRDF, below the horizon", written->material->name);
-  if (parts.atmosphere)
-    line +=
-        " and in the air; what of the scene's own ground differs from them lights the air as Lambertian ground does";
-  else
-    line += parts.imported ? ", where the sky is uniform; the air has their light as of Lambertian ground"
-                           : ", where the sky is uniform";
-  const materials::Material& material = parts.scene.materials[parts.scene.surroundings.material];
-  if (material.bsdf->polarizes() && !parts.polarimetry)
-    line += "; without 'stokes' the sky that they reflect is taken to be unpolarized";
-  if (!material.bsdf->is_isotropic() && parts.atmosphere)
-    line += "; what the air scatters of their light again is as of the mean of both sides of the Sun's plane";
-  return line;
-}
-
 std::vector<std::string> notes(const Parts& parts) {
   std::vector<std::string> lines;
   if (parts.tolerance && (parts.plan.request->unit == render::ErrorUnit::percent ||
@@ -130,7 +111,7 @@ std::vector<std::string> notes(const Parts& parts) {
   }
   if (parts.polarimetry) {
     lines.push_back(
-        parts.spectral_scene->surroundings_light() != nullptr
+        !surroundings_statement(parts).empty()
             ? "polarization: about the focal plane's axes; light that the ground around the scene emits, and what the scene's own ground "
               "sends otherwise into the air, is taken to be unpolarized"
             : "polarization: about the focal plane's axes; light that ground around the scene and the ground's own light in the air send "

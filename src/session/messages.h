@@ -29,9 +29,6 @@ std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals,
                                const sampling::ReasonCounts& reasons, const std::string& why_gaps,
                                const std::vector<io::ImageError>& errors = {});
 
-/// How surroundings that reflect by direction were taken; empty: there are none.
-std::string surroundings_statement(const Parts& parts);
-
 /// Floors and assumptions that enter the result.
 std::vector<std::string> notes(const Parts& parts);
 

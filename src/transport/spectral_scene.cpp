@@ -19,6 +19,7 @@
 #include "transport/mirrors/emitter_mirrors.h"
 #include "transport/mirrors/sun_lobes.h"
 #include "transport/mirrors/sun_mirrors.h"
+#include "transport/sky/ground_around.h"
 #include "transport/sky/sky_dome.h"
 #include "transport/sky/surroundings_light.h"
 #include "transport/view_table.h"

@@ -8,7 +8,6 @@
 #include "radiometry/spectral_nodes.h"
 #include "radiometry/spectrum_block.h"
 #include "scene/resolved_surface.h"
-#include "transport/sky/ground_around.h"
 
 namespace ifov::atmosphere {
 class ImportedAtmosphere;
@@ -28,6 +27,7 @@ namespace ifov::transport {
 class AdjacentGround;
 class EmitterMirrors;
 class Emitters;
+struct GroundAround;
 class SkyDome;
 class SunLobes;
 class SunMirrors;

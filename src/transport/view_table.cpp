@@ -5,6 +5,7 @@
 
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "radiometry/polarization_frame.h"
+#include "transport/sky/ground_around.h"
 
 namespace ifov::transport {
 namespace {

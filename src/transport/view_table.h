@@ -7,7 +7,6 @@
 
 #include "math/vec3.h"
 #include "radiometry/spectrum_block.h"
-#include "transport/sky/ground_around.h"
 
 namespace ifov::radiometry {
 struct PolarizationFrame;
@@ -18,6 +17,8 @@ class SensorAtmosphere;
 }
 
 namespace ifov::transport {
+
+struct GroundAround;
 
 /// What the air between surfaces and the sensor does, by height of the sensor, line of sight and height of the
 /// surface, in spectral nodes: linear in the simplices of a fine grid of heights and slopes (Kuhn's division of each

@@ -10,6 +10,7 @@
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "radiometry/polarization_frame.h"
 #include "radiometry/solar_spectrum.h"
+#include "transport/sky/ground_around.h"
 #include "transport/sky/sky_dome.h"
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"

@@ -7,6 +7,7 @@
 
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "radiometry/polarization_frame.h"
+#include "transport/sky/ground_around.h"
 #include "transport/sky/sky_refinement.h"
 
 namespace ifov::transport {

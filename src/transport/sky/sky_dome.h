@@ -8,7 +8,6 @@
 
 #include "math/vec3.h"
 #include "radiometry/spectrum_block.h"
-#include "transport/sky/ground_around.h"
 #include "transport/sky/sky_irradiance.h"
 #include "transport/sky/sky_sampler.h"
 
@@ -21,6 +20,8 @@ class SensorAtmosphere;
 }
 
 namespace ifov::transport {
+
+struct GroundAround;
 
 /// The sky's radiance by direction, in spectral nodes: linear in zenith angle and azimuth between the directions of the
 /// atmosphere's table, symmetric about the Sun's plane; with polarization, of a table with a quarter of its steps
