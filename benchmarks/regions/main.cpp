@@ -17,7 +17,7 @@
 #include "render/image_renderer.h"
 #include "render/scene_field.h"
 #include "render/tile_sink.h"
-#include "sampling/region_interval.h"
+#include "sampling/means/region_interval.h"
 #include "sampling/tile.h"
 #include "sensor/camera.h"
 #include "session/loaded/parts.h"

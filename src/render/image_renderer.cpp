@@ -20,7 +20,6 @@
 #include "render/view_renderer.h"
 #include "render/wing_light.h"
 #include "sampling/image/survey.h"
-#include "sampling/pixel_footprint.h"
 #include "sampling/pixel_sampler.h"
 #include "sampling/tile.h"
 #include "scene/scene.h"
@@ -63,10 +62,6 @@ std::vector<double> cut_by_column(const std::vector<double>& by_channel, const S
 }
 
 }  // namespace
-
-double RenderJob::reach_px() const {
-  return groups != nullptr ? groups->half_width_px() : footprint.half_width_px();
-}
 
 Progress render_image(const RenderJob& job, const RenderControl& control, TileSink& sink) {
   if (const sensor::ViewListCamera* const views = job.camera.view_list())

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "render/tolerance/accuracy_tolerance.h"
-#include "sampling/pixel_footprint.h"
+#include "sampling/footprint_groups.h"
 #include "sampling/pixel_limits.h"
 #include "sampling/quantiles.h"
 #include "sampling/random.h"

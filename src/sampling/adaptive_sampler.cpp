@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "sampling/pixel_footprint.h"
+#include "sampling/footprint_groups.h"
 #include "sampling/pixel_writer.h"
 #include "sampling/quantiles.h"
 #include "sampling/refined_lattice.h"

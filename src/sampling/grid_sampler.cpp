@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "sampling/footprint_groups.h"
 #include "sampling/hash.h"
 #include "sampling/pixel_accumulator.h"
-#include "sampling/pixel_footprint.h"
 #include "sampling/quantiles.h"
 #include "sampling/sub_element_lattice.h"
 #include "sampling/value_batch.h"

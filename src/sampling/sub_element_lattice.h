@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sampling/field.h"
+#include "sampling/footprint_groups.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/random.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/format.h"
-#include "sampling/pixel_footprint.h"
+#include "sampling/footprint_groups.h"
 #include "sampling/tile_arrays.h"
 
 namespace ifov::sampling {

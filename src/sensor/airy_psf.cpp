@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "sensor/airy_aperture.h"
 #include "sensor/energy_table.h"
 #include "sensor/psf.h"
 

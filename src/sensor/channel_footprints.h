@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sampling/pixel_footprint.h"
+#include "sampling/random.h"
 
 namespace ifov::sensor {
 

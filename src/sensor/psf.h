@@ -4,10 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "sampling/pixel_footprint.h"
+namespace ifov::sampling {
+class PixelFootprint;
+}
 
 namespace ifov::sensor {
 
+struct AiryAperture;
 struct AlongTrack;
 
 /// Point spread function of the optics: a density over the focal plane in 1/px^2, cut to a finite support and
@@ -43,18 +46,7 @@ class Psf {
 /// leaves out 1 - erf(4.4 / sqrt 2)^2 = 2.2e-5 of the energy; a wider one makes more pixels share each ray.
 std::unique_ptr<Psf> make_gaussian_psf(double sigma_px, double cut_sigmas = 4.4);
 
-/// Diffraction at a circular aperture: h(r) = (pi / 4 q^2) [2 J1(v) / v]^2, v = pi r / q, with
-/// q = wavelength * focal length / (diameter * pitch) in pixels (Born & Wolf, Principles of Optics, 8.5.2). Where its middle is
-/// covered to the share e of its diameter, h(r) = (pi / 4 q^2) [2 J1(v) / v - e^2 2 J1(e v) / (e v)]^2 / (1 - e^2) (8.6.2).
-/// Its footprint is cut at the radius that encircles the given share of the energy, of an open one E(v) = 1 - J0(v)^2 - J1(v)^2;
-/// 1 - E falls only as 2 / (pi v (1 - e)). What lies beyond is PsfWings'.
-struct AiryAperture {
-  double wavelength_um = 0.0;
-  double diameter_m = 0.0;
-  double focal_length_m = 0.0;
-  double pitch_m = 0.0;
-  double obscuration = 0.0;  ///< diameter over diameter, 0 to 0.95
-};
+/// Diffraction, cut at the radius that encircles the given share of the energy; what lies beyond is PsfWings'.
 std::unique_ptr<Psf> make_airy_psf(const AiryAperture& aperture, double encircled_energy = 0.95);
 
 /// A measured or computed PSF: rows x columns samples, each a constant over a square of side 1 /

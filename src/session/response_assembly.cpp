@@ -5,8 +5,9 @@
 
 #include "core/error.h"
 #include "io/document/document.h"
+#include "sampling/footprint_groups.h"
+#include "sampling/means/region_interval.h"
 #include "sampling/pixel_footprint.h"
-#include "sampling/region_interval.h"
 #include "sensor/along_track.h"
 #include "sensor/camera.h"
 #include "sensor/channel_footprints.h"

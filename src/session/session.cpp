@@ -10,7 +10,7 @@
 #include "render/tolerance/atmosphere_budget.h"
 #include "render/tolerance/channel_brightness.h"
 #include "render/tolerance/node_budget.h"
-#include "sampling/region_interval.h"
+#include "sampling/means/region_interval.h"
 #include "sensor/camera.h"
 #include "session/assembly/atmosphere/atmosphere_cache.h"
 #include "session/assembly/atmosphere/weather_assembly.h"

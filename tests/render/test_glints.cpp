@@ -7,6 +7,7 @@
 
 #include "materials/bsdf/mirror.h"
 #include "render/mirrors/glints.h"
+#include "sampling/footprint_groups.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/random.h"
 #include "sampling/tile.h"

@@ -8,6 +8,7 @@
 #include "materials/bsdf/bsdf.h"
 #include "materials/bsdf/rough_conductor.h"
 #include "render/mirrors/highlights.h"
+#include "sampling/footprint_groups.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/tile.h"
 #include "sensor/orthographic_camera.h"

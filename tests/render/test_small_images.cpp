@@ -17,6 +17,7 @@
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/channel_brightness.h"
 #include "sampling/accuracy/accuracy_sampler.h"
+#include "sampling/footprint_groups.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/random.h"
 #include "sampling/tile.h"

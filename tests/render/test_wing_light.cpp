@@ -10,6 +10,7 @@
 #include "render/tolerance/channel_brightness.h"
 #include "render/wing_light.h"
 #include "sampling/accuracy/accuracy_sampler.h"
+#include "sensor/airy_aperture.h"
 #include "sensor/psf.h"
 #include "sensor/psf_wings.h"
 

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "sampling/means/region_interval.h"
 #include "sampling/pixel_footprint.h"
-#include "sampling/region_interval.h"
 
 namespace ifov::sampling::test_region_interval {
 namespace {

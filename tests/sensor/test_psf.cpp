@@ -4,6 +4,8 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "sampling/pixel_footprint.h"
+#include "sensor/airy_aperture.h"
 #include "sensor/psf.h"
 
 namespace ifov::sensor::test_psf {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sensor/airy_aperture.h"
 #include "sensor/psf.h"
 #include "sensor/psf_wings.h"
 

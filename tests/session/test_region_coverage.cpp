@@ -19,7 +19,7 @@
 #include "render/image_renderer.h"
 #include "render/scene_field.h"
 #include "render/tile_sink.h"
-#include "sampling/region_interval.h"
+#include "sampling/means/region_interval.h"
 #include "sampling/tile.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"

@@ -12,6 +12,7 @@
 #include "core/format.h"
 #include "io/document/document.h"
 #include "render/mirrors/glints.h"
+#include "sampling/footprint_groups.h"
 #include "sampling/pixel_footprint.h"
 #include "sensor/sinking_scanner.h"
 #include "session/assembly/atmosphere/atmosphere_assembly.h"

@@ -11,6 +11,8 @@
 #include "radiometry/fresnel.h"
 #include "radiometry/solar_spectrum.h"
 #include "radiometry/spectral_nodes.h"
+#include "sampling/pixel_footprint.h"
+#include "sensor/airy_aperture.h"
 #include "sensor/psf.h"
 #include "sensor/psf_wings.h"
 

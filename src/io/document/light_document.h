@@ -4,7 +4,6 @@
 #include <variant>
 #include <vector>
 
-#include "io/document/scene_document.h"
 #include "io/document/spectrum_document.h"
 #include "math/vec3.h"
 

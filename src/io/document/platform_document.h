@@ -9,7 +9,7 @@
 #include "geodesy/attitude.h"
 #include "geodesy/utc_time.h"
 #include "io/document/document_values.h"
-#include "io/document/scene_document.h"
+#include "io/document/origin_document.h"
 #include "math/vec3.h"
 
 namespace ifov::io {

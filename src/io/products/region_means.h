@@ -8,8 +8,8 @@
 
 #include "io/products/image_region.h"
 #include "render/tolerance/atmosphere_half_width.h"
+#include "sampling/means/region_interval.h"
 #include "sampling/reason_words.h"
-#include "sampling/region_interval.h"
 
 namespace ifov::io {
 

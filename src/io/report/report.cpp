@@ -11,7 +11,7 @@
 #include "io/report/report_page.h"
 #include "io/report/report_reasons.h"
 #include "io/report/report_words.h"
-#include "sampling/region_interval.h"
+#include "sampling/means/region_interval.h"
 
 namespace ifov::io {
 namespace {

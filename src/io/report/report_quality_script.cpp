@@ -12,7 +12,7 @@ const char* const kReportQualityScript = R"js(
     return "not converged" + (why ? ": " + why : "");
   }
   // What the spectrum is of: the pixel that was clicked, or the mean over the region that was dragged. The interval of a
-  // mean is that of sampling/region_interval.h.
+  // mean is that of sampling/means/region_interval.h.
   function airWidth(b, l) {
     const a = meta.channels[b].air, own = a ? Math.max(0, l - a.path_radiance) : 0;
     if (!a) return 0;

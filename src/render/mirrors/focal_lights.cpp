@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sampling/pixel_footprint.h"
+#include "sampling/footprint_groups.h"
 #include "sampling/quantiles.h"
 #include "sampling/tile.h"
 #include "sampling/tolerance.h"

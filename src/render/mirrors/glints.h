@@ -8,7 +8,6 @@
 #include "render/mirrors/glint_search.h"
 #include "render/mirrors/mirrored_spectra.h"
 #include "render/parts/light_told.h"
-#include "sampling/tile.h"
 
 namespace ifov::scene {
 struct ResolvedSurface;

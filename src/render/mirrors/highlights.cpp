@@ -9,7 +9,9 @@
 #include "render/polarized/scene_light.h"
 #include "sampling/random.h"
 #include "scene/scene.h"
+#include "sensor/camera.h"
 #include "transport/mirrors/sun_lobes.h"
+#include "transport/path_tracer.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {
@@ -53,7 +55,7 @@ Highlights::Highlights(const transport::SpectralScene& scene, const sensor::Came
     : scene_(scene),
       camera_(camera),
       seed_(seed),
-      tracer_(scene, highlights_alone()),
+      tracer_(std::make_unique<transport::PathTracer>(scene, highlights_alone())),
       light_(std::make_unique<SceneLight>(scene, camera, told)),
       lights_(light_->columns().count()) {
   find(seed, margin_px);
@@ -168,7 +170,7 @@ void Highlights::trace(std::vector<GlintPoint>& points) {
   std::vector<geometry::SurfacePoint> hits(points.size());
   camera_.rays(images, rays);
   sampling::RayCounts counts;
-  const transport::PathRecord& record = tracer_.trace(rays, keys, hits, counts);
+  const transport::PathRecord& record = tracer_->trace(rays, keys, hits, counts);
   std::vector<float> channels(std::max(scene_.stride(), light_->columns().count()));
   for (std::size_t k = 0; k < points.size(); ++k) {
     // What was searched must be what is seen.

@@ -1,17 +1,19 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "render/mirrors/focal_lights.h"
 #include "render/mirrors/glint_search.h"
 #include "render/parts/light_told.h"
-#include "sampling/tile.h"
-#include "sensor/camera.h"
-#include "transport/path_tracer.h"
 
-namespace ifov::transport {
-class SpectralScene;
+namespace ifov::sensor {
+class Camera;
 }
+namespace ifov::transport {
+class PathTracer;
+class SpectralScene;
+}  // namespace ifov::transport
 
 namespace ifov::render {
 
@@ -68,7 +70,7 @@ class Highlights {
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
   std::uint64_t seed_, traced_ = 0;
-  transport::PathTracer tracer_;
+  const std::unique_ptr<transport::PathTracer> tracer_;
   const std::unique_ptr<SceneLight> light_;
   std::vector<std::uint32_t> large_, unsure_;
   FocalLights lights_;           // radiance over that of their spectra at the sensor

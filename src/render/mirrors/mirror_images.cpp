@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/run_control.h"
 #include "geometry/world.h"
 #include "render/polarized/scene_light.h"
 #include "sampling/random.h"

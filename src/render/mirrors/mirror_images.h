@@ -4,7 +4,6 @@
 #include <memory>
 #include <vector>
 
-#include "core/run_control.h"
 #include "render/mirrors/focal_lights.h"
 #include "render/mirrors/glint_search.h"
 #include "render/mirrors/image_spectra.h"
@@ -12,6 +11,9 @@
 #include "transport/separate_images.h"
 #include "transport/shining_parts.h"
 
+namespace ifov {
+class CancelToken;
+}
 namespace ifov::sensor {
 class Camera;
 }

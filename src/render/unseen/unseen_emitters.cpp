@@ -7,6 +7,7 @@
 #include "geometry/world.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/unseen/widen_unseen.h"
+#include "sampling/tile.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "transport/emitter_choice.h"

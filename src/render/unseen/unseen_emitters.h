@@ -3,8 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "sampling/tile.h"
-
+namespace ifov::sampling {
+struct TileResult;
+}
 namespace ifov::sensor {
 class Camera;
 }

@@ -9,6 +9,7 @@
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/unseen/widen_unseen.h"
 #include "sampling/random.h"
+#include "sampling/tile.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "transport/emitters.h"

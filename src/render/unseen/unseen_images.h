@@ -4,10 +4,13 @@
 #include <memory>
 #include <vector>
 
-#include "sampling/tile.h"
+#include "sampling/field.h"
 #include "transport/separate_images.h"
 #include "transport/shining_parts.h"
 
+namespace ifov::sampling {
+struct TileResult;
+}
 namespace ifov::sensor {
 class Camera;
 }

@@ -13,6 +13,7 @@
 #include "sampling/accuracy/radiance/spread.h"
 #include "sampling/accuracy/radiance/standout_values.h"
 #include "sampling/accuracy/source_grid.h"
+#include "sampling/footprint_groups.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/pixel_limits.h"
 #include "sampling/tile.h"

@@ -8,10 +8,11 @@
 #include "sampling/accuracy/radiance/leaf_integrator.h"
 #include "sampling/accuracy/radiance/radiance.h"
 #include "sampling/accuracy/radiance/radiance_clutter.h"
+#include "sampling/accuracy/radiance/sequence_gains.h"
 #include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/accuracy/radiance/stratum_moments.h"
 #include "sampling/accuracy/radiance/unseen_values.h"
-#include "sampling/pixel_footprint.h"
+#include "sampling/footprint_groups.h"
 
 namespace ifov::sampling {
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "sampling/accuracy/basis/stopping.h"
-#include "sampling/accuracy/radiance/sequence_gains.h"
 
 namespace ifov::sampling {
 
@@ -31,7 +30,7 @@ class OutputSums {
       if (replicated != nullptr) replicated[column].add(variance, freedom);
     }
     /// What sequences gain, as this output's own replicates tell; where it has none, of no freedom.
-    SequenceGains::Gain own_gain(std::size_t column) const {
+    SequenceGain own_gain(std::size_t column) const {
       const double apart = path[column].variance();
       if (replicated == nullptr || !(apart > 0.0)) return {1.0, 0.0};
       return {replicated[column].variance() / apart, std::max(0.0, replicated[column].degrees_of_freedom())};
@@ -43,7 +42,7 @@ class OutputSums {
     }
     /// Leaves in `path` the smaller of what paths drawn apart and what sequences leave. Both are too large rather than too small:
     /// the one does not know what sequences gain, the other what fine grids do.
-    void settle_path(std::size_t column, SequenceGains::Gain known) const {
+    void settle_path(std::size_t column, SequenceGain known) const {
       // Few degrees of freedom widen an interval about as a variance larger by 4 / nu would.
       constexpr double kFewest = 4.0, kWidening = 4.0;
       if (known.freedom < kFewest || known.value * (1.0 + kWidening / known.freedom) >= 1.0) return;

@@ -10,7 +10,7 @@
 #include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/accuracy/radiance/stratum_moments.h"
 #include "sampling/accuracy/round_planner.h"
-#include "sampling/pixel_footprint.h"
+#include "sampling/footprint_groups.h"
 
 namespace ifov::sampling {
 

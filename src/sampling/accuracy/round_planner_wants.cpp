@@ -15,7 +15,7 @@
 #include "sampling/accuracy/radiance/stratum_moments.h"
 #include "sampling/accuracy/radiance/unseen_values.h"
 #include "sampling/accuracy/round_planner.h"
-#include "sampling/pixel_footprint.h"
+#include "sampling/footprint_groups.h"
 
 namespace ifov::sampling {
 

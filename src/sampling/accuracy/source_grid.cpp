@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sampling/accuracy/basis/lattice.h"
-#include "sampling/pixel_footprint.h"
+#include "sampling/footprint_groups.h"
 #include "sampling/tile.h"
 
 namespace ifov::sampling {

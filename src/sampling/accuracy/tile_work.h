@@ -6,7 +6,7 @@
 #include "sampling/accuracy/tile_recall.h"
 #include "sampling/accuracy/tile_report.h"
 #include "sampling/accuracy/tile_tracing.h"
-#include "sampling/pixel_footprint.h"
+#include "sampling/footprint_groups.h"
 
 namespace ifov::sampling {
 

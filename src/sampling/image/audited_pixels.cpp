@@ -7,11 +7,11 @@
 
 #include "core/parallel.h"
 #include "core/run_control.h"
+#include "sampling/footprint_groups.h"
 #include "sampling/hash.h"
 #include "sampling/image/audit.h"
 #include "sampling/image/pixel_points.h"
 #include "sampling/image/spread_places.h"
-#include "sampling/pixel_footprint.h"
 #include "sampling/pixel_sampler.h"
 #include "sampling/random.h"
 #include "sampling/value_batch.h"

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "sampling/footprint_groups.h"
 #include "sampling/image/image_plan.h"
 #include "sampling/image/levels.h"
 #include "sampling/image/spread_places.h"
-#include "sampling/pixel_footprint.h"
 #include "sampling/pixel_writer.h"
 #include "sampling/quantiles.h"
 

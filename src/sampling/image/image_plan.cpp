@@ -7,10 +7,10 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/run_control.h"
+#include "sampling/footprint_groups.h"
 #include "sampling/hash.h"
 #include "sampling/image/levels.h"
 #include "sampling/image/spread_places.h"
-#include "sampling/pixel_footprint.h"
 #include "sampling/tolerance.h"
 
 namespace ifov::sampling {

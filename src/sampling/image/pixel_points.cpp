@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "sampling/footprint_groups.h"
 #include "sampling/hash.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/random.h"

@@ -7,7 +7,6 @@
 #include "core/format.h"
 #include "io/document/document.h"
 #include "io/document/samplers/error_size.h"
-#include "io/document/shapes/flat_primitives.h"
 #include "io/files/input_file.h"
 #include "session/session.h"
 #include "studies/common/study_document.h"
@@ -92,7 +91,7 @@ DetectTime detect_cube(int pixels_across, int channels, int seeds, const StudyOp
     document.sensor.channels.push_back(channel);
   }
   document.scene.materials = {black("ground", {300.0, {}})};
-  document.scene.objects = {object_of(io::PlanePrimitive(), "ground")};
+  document.scene.objects = {level_ground("ground")};
   ask_for(document, {"samples"});
   const std::filesystem::path folder = run_sensor(document, "cube", options);
   const auto start = std::chrono::steady_clock::now();

@@ -83,7 +83,7 @@ PlacesOff places_off(bool rough, const StudyOptions& options, double late_s) {
   flight.speed_m_s = 500.0;
   flight.roll_rad = 5e-3;
   std::vector<io::ObjectDocument> ground;
-  if (!rough) ground.push_back(object_of(io::PlanePrimitive(), "ground"));
+  if (!rough) ground.push_back(level_ground("ground"));
   for (int i = -12; i < 12 && rough; ++i)
     for (int j = -4; j < 26; ++j) {
       const auto at = [&](int di, int dj) {

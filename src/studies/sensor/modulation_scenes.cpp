@@ -7,7 +7,6 @@
 #include "core/format.h"
 #include "io/document/document.h"
 #include "io/document/samplers/error_size.h"
-#include "io/document/shapes/flat_primitives.h"
 #include "math/angle.h"
 #include "radiometry/planck.h"
 #include "sensor/along_track.h"
@@ -34,7 +33,7 @@ io::Document hot_document(io::CameraDocument camera, io::ObjectDocument thing, d
       nadir_document(std::move(camera), "thermal", kEdge_um,
                      accuracy_sampling({error, io::ErrorSize::Unit::radiance}), options.seed);
   document.scene.materials = {black("cold", {kCold_k, {}}), black("hot", {kEdge_k, {}})};
-  document.scene.objects = {object_of(io::PlanePrimitive(), "cold"), std::move(thing)};
+  document.scene.objects = {level_ground("cold"), std::move(thing)};
   return document;
 }
 

@@ -2,7 +2,6 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
-#include "io/document/shapes/flat_primitives.h"
 #include "radiometry/planck.h"
 #include "studies/common/study_document.h"
 #include "studies/sensor/sensor_checks.h"
@@ -19,7 +18,7 @@ NoisyPlane noisy_plane(int pixels, double nedt_k, const StudyOptions& options) {
                                          single_sampling(), options.seed);
   document.sensor.channels[0].noise_k = nedt_k;
   document.scene.materials = {black("ground", {kPlane_k, {}})};
-  document.scene.objects = {object_of(io::PlanePrimitive(), "ground")};
+  document.scene.objects = {level_ground("ground")};
   ask_for(document, {"samples"});
   const std::filesystem::path folder = run_sensor(document, "plane", options);
   draw_noise(folder, folder, 1, options.threads, options);

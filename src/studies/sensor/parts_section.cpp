@@ -7,7 +7,6 @@
 #include "io/document/document.h"
 #include "io/document/samplers/error_size.h"
 #include "io/document/shapes/box_primitive.h"
-#include "io/document/shapes/flat_primitives.h"
 #include "io/document/shapes/round_primitives.h"
 #include "studies/common/study_document.h"
 #include "studies/sensor/sensor_checks.h"
@@ -47,8 +46,8 @@ PartsSum parts_sum(const StudyOptions& options, double planted_factor) {
   wall.low_m = {-0.4, 0.6, 0.0}, wall.high_m = {0.9, 0.8, 1.0};
   io::SpherePrimitive ball;
   ball.centre_m = {0.5, -0.4, 0.4}, ball.radius_m = 0.4;
-  document.scene.objects = {object_of(io::PlanePrimitive(), "lawn"), object_of(stove, "stove"),
-                            object_of(wall, "wall"), object_of(ball, "mirror")};
+  document.scene.objects = {level_ground("lawn"), object_of(stove, "stove"), object_of(wall, "wall"),
+                            object_of(ball, "mirror")};
   io::SunDocument& sun = document.light.sun.emplace();
   sun.direction = io::CelestialDirection{35.0 * kSunDegree, 160.0 * kSunDegree};
   document.light.sky = io::SkyRadiance{even(0.4, io::SpectrumOf::radiance)};

@@ -10,6 +10,7 @@
 #include "io/document/cameras/pushbroom_camera.h"
 #include "io/document/document.h"
 #include "io/document/platform_document.h"
+#include "io/document/shapes/flat_primitives.h"
 #include "io/products/envi_reader.h"
 #include "io/quantities/quantity.h"
 #include "session/session.h"
@@ -80,6 +81,10 @@ void ask_for(io::Document& document, std::initializer_list<const char*> products
   document.output.formats = {"envi"};
   io::QuantitySet& chosen = document.output.products.emplace();
   for (const char* word : products) chosen.add(*io::find_quantity(word));
+}
+
+io::ObjectDocument level_ground(const std::string& material) {
+  return object_of(io::PlanePrimitive(), material);
 }
 
 io::CameraDocument frame_above(int width_px, int height_px, double height_m, double focal_length_m,

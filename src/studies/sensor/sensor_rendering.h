@@ -50,6 +50,8 @@ CubeValues read_product(const std::filesystem::path& folder, const std::string& 
 std::vector<std::filesystem::path> draw_noise(const std::filesystem::path& run,
                                               const std::filesystem::path& folder, int seeds, int threads,
                                               const StudyOptions& options);
+/// Level ground at height 0 without end, of this material.
+io::ObjectDocument level_ground(const std::string& material);
 /// Asks for these products, by their words.
 void ask_for(io::Document& document, std::initializer_list<const char*> products);
 

@@ -39,6 +39,11 @@ class Stopping {
   mutable std::vector<double> cache_;
 };
 
+/// Variance that sequences of paths leave over that of paths drawn apart, and the degrees of freedom that it is known by.
+struct SequenceGain {
+  double value, freedom;
+};
+
 /// Degrees of freedom of a sum of estimated variances (Satterthwaite 1946). An estimate with nu of them has a square of
 /// expectation (1 + 2 / nu) sigma^4, which would tell too few of a sum of many: it counts for nu + 2, of which two are
 /// taken back from the sum.

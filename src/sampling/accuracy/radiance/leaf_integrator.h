@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sampling/accuracy/radiance/pixel_model.h"
+#include "sampling/footprint_groups.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/pixel_rect.h"
 #include "sampling/random.h"

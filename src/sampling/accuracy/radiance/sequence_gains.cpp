@@ -21,7 +21,7 @@ double variance_of_log(double nu) { return (2.0 + (2.0 + 4.0 / (3.0 * nu)) / nu)
 
 }  // namespace
 
-void SequenceGains::add(std::uint32_t label, Gain own, double count) {
+void SequenceGains::add(std::uint32_t label, SequenceGain own, double count) {
   if (own.freedom < kOwnTelling || !(own.value > 0.0) || !(count > 0.0)) return;
   Pool& pool = pools_[label];
   const double x = std::log(count), z = std::log(own.value) - expected_log(own.freedom);
@@ -72,7 +72,7 @@ const SequenceGains::Pool* SequenceGains::pool_of(std::uint32_t label) const {
   return pool->freedom > 0.0 ? pool : nullptr;
 }
 
-SequenceGains::Gain SequenceGains::moderated(std::uint32_t label, Gain own, double count) const {
+SequenceGain SequenceGains::moderated(std::uint32_t label, SequenceGain own, double count) const {
   const Pool* pool = pool_of(label);
   if (pool == nullptr || !(own.freedom > 0.0) || !(count > 0.0)) return own;
   const double x = std::clamp(std::log(count), pool->lowest, pool->highest);

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <map>
 
+#include "sampling/accuracy/basis/stopping.h"
+
 namespace ifov::sampling {
 
 /// What sequences of paths gain (the variance that they leave over that of paths drawn apart), as all outputs of a tile whose
@@ -12,17 +14,12 @@ namespace ifov::sampling {
 /// follows the logarithm of the number of values.
 class SequenceGains {
  public:
-  /// A gain and the degrees of freedom that it is known by.
-  struct Gain {
-    double value, freedom;
-  };
-
   /// An output whose variance comes from `label` at most and rests on about `count` values.
-  void add(std::uint32_t label, Gain own, double count);
+  void add(std::uint32_t label, SequenceGain own, double count);
   /// After all were added.
   void settle();
   /// The output's own gain and what like outputs tell, weighed by their degrees of freedom; `own` where too few are like it.
-  Gain moderated(std::uint32_t label, Gain own, double count) const;
+  SequenceGain moderated(std::uint32_t label, SequenceGain own, double count) const;
 
  private:
   struct Pool {

@@ -11,7 +11,7 @@
 #include "geometry/world.h"
 #include "io/document/atmosphere_document.h"
 #include "io/document/scene_document.h"
-#include "render/adjacency.h"
+#include "render/adjacency/adjacency.h"
 #include "scene/scene.h"
 #include "session/assembly/atmosphere/atmosphere_assembly.h"
 #include "transport/sky/adjacent_ground.h"

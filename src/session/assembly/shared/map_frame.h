@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "io/document/scene_document.h"
+#include "io/document/origin_document.h"
 #include "io/raster/map_reference.h"
 
 namespace ifov::io {

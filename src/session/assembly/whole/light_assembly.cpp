@@ -8,6 +8,7 @@
 #include "geodesy/sun_position.h"
 #include "io/document/atmosphere_document.h"
 #include "io/document/light_document.h"
+#include "io/document/origin_document.h"
 #include "radiometry/planck.h"
 #include "radiometry/solar_spectrum.h"
 #include "scene/scene.h"

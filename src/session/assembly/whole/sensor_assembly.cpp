@@ -13,6 +13,7 @@
 #include "render/polarized/polarimetry.h"
 #include "render/tile_sink.h"
 #include "scene/scene.h"
+#include "sensor/airy_aperture.h"
 #include "sensor/camera.h"
 #include "sensor/psf.h"
 #include "sensor/view_list.h"

@@ -1,4 +1,4 @@
-#include "render/ground_light.h"
+#include "render/adjacency/ground_light.h"
 
 #include <algorithm>
 #include <cmath>

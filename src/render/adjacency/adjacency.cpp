@@ -1,4 +1,4 @@
-#include "render/adjacency.h"
+#include "render/adjacency/adjacency.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "core/parallel.h"
 #include "geometry/world.h"
 #include "radiometry/spectral_nodes.h"
-#include "render/ground_light.h"
+#include "render/adjacency/ground_light.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "transport/spectral_scene.h"

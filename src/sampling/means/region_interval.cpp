@@ -1,4 +1,4 @@
-#include "sampling/region_interval.h"
+#include "sampling/means/region_interval.h"
 
 #include <algorithm>
 #include <cmath>
