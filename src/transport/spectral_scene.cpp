@@ -40,7 +40,6 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::Spectr
     nodes.average_source(product, light_.values(kSunIrradiance));
   }
   sky_of_scene();
-  light_around(nullptr);
   light_surroundings();
   find_mirrors();
 
@@ -76,8 +75,7 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Sensor
   else if (air.polarized())
     single_view_ = std::make_unique<ViewTable>(air, towards_sun, ground);
   light_heights(air);
-  light_around(&air);
-  light_surroundings();
+  light_surroundings(&air);
   find_emitters();
   find_mirrors();
 }
@@ -98,7 +96,6 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Import
     for (std::size_t n = 0; n < node_count(); ++n) sky[n] = std::numbers::pi * light_.row(kSky)[n];
   }
   couple(air, sky, std::vector<float>(node_count(), 0.0f));
-  light_around(nullptr);
   light_surroundings();
   find_emitters();
   find_mirrors();
@@ -150,30 +147,6 @@ GroundAround SpectralScene::couple_directional(const atmosphere::SensorAtmospher
         air.view_radiance()[n] + even * air.diffuse_transmittance()[n] + around.shaped[n] * ground.view[n]);
   }
   return around;
-}
-
-void SpectralScene::light_around(const atmosphere::SensorAtmosphere* air) {
-  const scene::SurfaceState& state = scene_.surroundings;
-  const materials::Material& material = scene_.materials[state.material];
-  if (material.bsdf->is_lambertian()) return;
-  const auto row = [&](LightRow which) {
-    return std::vector<float>(light_.row(which), light_.row(which) + node_count());
-  };
-  SurroundingsLight::Lit lit{nodes_,
-                             scene_.sun ? scene_.sun->direction : math::Vec3{1.0, 0.0, 0.0},
-                             polarized_,
-                             air,
-                             row(kSunIrradiance),
-                             row(kSky),
-                             {},
-                             std::vector<double>(node_count())};
-  if (state.temperature_k > 0.0) {
-    lit.black.resize(node_count());
-    nodes_.planck(state.temperature_k, std::span<float>(lit.black));
-    for (std::size_t n = 0; n < node_count(); ++n)
-      lit.even[n] = static_cast<double>(materials_.emissivity(state.material)[n] * lit.black[n]);
-  }
-  around_ = SurroundingsLight::of(material, std::move(lit));
 }
 
 void SpectralScene::light_heights(const atmosphere::SensorAtmosphere& air) {
@@ -290,7 +263,27 @@ void SpectralScene::emit_surfaces() {
   light_lamps();
 }
 
-void SpectralScene::light_surroundings() {
+void SpectralScene::light_surroundings(const atmosphere::SensorAtmosphere* air) {
+  const scene::SurfaceState& state = scene_.surroundings;
+  const materials::Material& material = scene_.materials[state.material];
+  const auto row = [&](LightRow which) {
+    return std::vector<float>(light_.row(which), light_.row(which) + node_count());
+  };
+  SurroundingsLight::Lit lit{nodes_,
+                             scene_.sun ? scene_.sun->direction : math::Vec3{1.0, 0.0, 0.0},
+                             polarized_,
+                             air,
+                             row(kSunIrradiance),
+                             row(kSky),
+                             {},
+                             std::vector<double>(node_count())};
+  if (state.temperature_k > 0.0) {
+    lit.black.resize(node_count());
+    nodes_.planck(state.temperature_k, std::span<float>(lit.black));
+    for (std::size_t n = 0; n < node_count(); ++n)
+      lit.even[n] = static_cast<double>(materials_.emissivity(state.material)[n] * lit.black[n]);
+  }
+  around_ = SurroundingsLight::of(material, std::move(lit));
   float* around = light_.row(kSurroundings);
   if (around_ != nullptr)
     around_->add(SurroundingsLight::Part::emitted, {0.0, 0.0, -1.0}, nullptr, {around});

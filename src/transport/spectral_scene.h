@@ -95,12 +95,9 @@ class SpectralScene {
   const SkyDome* sky_dome() const { return dome_.get(); }  ///< null: the sky is uniform
   /// Of the surroundings, as of Lambertian ground; seen from above where they emit by direction.
   const float* surroundings_radiance() const { return light_.row(kSurroundings); }
-  const SurroundingsLight* surroundings_light() const {
-    return around_.get();
-  }  ///< null: they are Lambertian
-  /// Towards a direction below the horizon; `scratch` (stride() floats) is used where they reflect by direction.
+  const SurroundingsLight* surroundings_light() const { return around_.get(); }  ///< null: Lambertian
+  /// Towards a direction below the horizon, and what of that is emitted, of Sun and sky; rows have stride() floats.
   const float* surroundings_radiance(math::Vec3 direction, float* scratch) const;
-  /// What of that is emitted, of the Sun and of the sky, stride() floats each.
   void split_surroundings(math::Vec3 direction, float* emitted, float* sun, float* sky) const;
   bool has_view_path() const { return has_view_path_; }
   const float* view_transmittance() const { return light_.row(kViewTransmittance); }
@@ -149,7 +146,7 @@ class SpectralScene {
   void emit(const scene::SurfaceState& state, float* spectrum) const;
   /// Planck's radiance of a constituent's mapped temperature, right on average where that is estimated.
   void mapped_black(const scene::Constituent& constituent, float* spectrum) const;
-  void light_surroundings();
+  void light_surroundings(const atmosphere::SensorAtmosphere* air = nullptr);
   void light_heights(const atmosphere::SensorAtmosphere& air);
   const float* between_heights(const radiometry::SpectrumBlock& rows, double height_m, float* scratch) const;
   void sky_of_scene();
@@ -157,9 +154,7 @@ class SpectralScene {
   /// `emitted`: by that ground, where the air's own light does not hold what it scatters of it already.
   template <class Air>
   GroundAround couple(const Air& air, std::span<const double> sky_irradiance, std::span<const float> emitted);
-  /// The same of directional ground, onto rows of black ground.
   GroundAround couple_directional(const atmosphere::SensorAtmosphere& air, std::span<const float> emitted);
-  void light_around(const atmosphere::SensorAtmosphere* air);
 
   enum LightRow { kSunIrradiance, kSky, kSurroundings, kViewTransmittance, kViewRadiance, kDiffuse, kRows };
   const scene::Scene& scene_;

@@ -151,19 +151,26 @@ class MaterialGround final : public atmosphere::DirectionalGround {
   Events events_;
 };
 
+bool lets_through(const materials::Material& material) {
+  return material.transmittance || (!material.bsdf->is_separable() && material.bsdf->may_transmit());
+}
+
 }  // namespace
 
 void check_ground(const materials::Material& material) {
-  const materials::Bsdf& bsdf = *material.bsdf;
-  if (bsdf.is_delta())
+  if (material.bsdf->is_delta())
     throw InputError(format(
         "the material '{}' sends all light in one direction: it is no ground for the air; expected a model that spreads light, such "
         "as 'sea', 'rpv' or 'ross_li'",
         material.name));
-  if (material.transmittance || (!bsdf.is_separable() && bsdf.may_transmit()))
+  if (lets_through(material))
     throw InputError(
         format("the material '{}' lets light through: it is no ground for the air; expected an opaque one",
                material.name));
+}
+
+bool reflects_by_direction(const materials::Material& material) {
+  return !material.bsdf->is_lambertian() && !material.bsdf->is_delta() && !lets_through(material);
 }
 
 std::shared_ptr<const atmosphere::DirectionalGround> material_ground(const materials::Material& material,

@@ -15,6 +15,9 @@ namespace ifov::transport {
 /// Throws InputError, naming it, where light comes through the material or goes one way alone, and so it is no ground.
 void check_ground(const materials::Material& material);
 
+/// Whether it is one, and not Lambertian.
+bool reflects_by_direction(const materials::Material& material);
+
 /// A material as level ground in the air, tangent to the east; null where it is Lambertian. `sun_azimuth_rad`: of the Sun,
 /// clockwise from north. Keeps the material's model. As check_ground().
 std::shared_ptr<const atmosphere::DirectionalGround> material_ground(const materials::Material& material,

@@ -53,7 +53,7 @@ SurroundingsLight::SurroundingsLight(std::shared_ptr<const atmosphere::GroundAtN
 SurroundingsLight::~SurroundingsLight() = default;
 
 std::unique_ptr<const SurroundingsLight> SurroundingsLight::of(const materials::Material& material, Lit lit) {
-  if (material.bsdf->is_lambertian()) return nullptr;
+  if (!reflects_by_direction(material)) return nullptr;
   const double sun_azimuth_rad = std::atan2(lit.towards_sun.x, lit.towards_sun.y);
   const auto ground = material_ground(material, sun_azimuth_rad);
   const bool both_sides = !ground->is_isotropic();

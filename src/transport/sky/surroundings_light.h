@@ -39,7 +39,7 @@ class SurroundingsLight {
     std::vector<float> black;                 ///< Planck's radiance of the ground; empty: it emits nothing
     std::vector<double> even;                 ///< what of that it sends into the air in the mean
   };
-  /// Null where the material is Lambertian. Keeps references to the air and the nodes.
+  /// Null where the material is Lambertian, or no ground. Keeps references to the air and the nodes.
   static std::unique_ptr<const SurroundingsLight> of(const materials::Material& material, Lit lit);
   ~SurroundingsLight();
 
