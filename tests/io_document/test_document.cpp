@@ -191,7 +191,7 @@ TEST(Document, PointSunByTimeAndPlaceUnderARadiantSky) {
 }
 
 TEST(Document, SurroundingsMayBeNamedAsAMaterial) {
-  const LightDocument light = parsed_with(R"("surroundings": {"emissivity": 0.9, "temperature": "290 K"})",
+  const LightDocument light = parsed_with(R"("sky": {"temperature": "-10 degC"})",
                                           R"("surroundings": {"material": "sea", "temperature": "285 K"})")
                                   .light;
   ASSERT_TRUE(light.surroundings->material);
