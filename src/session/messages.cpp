@@ -14,6 +14,7 @@
 #include "session/atmosphere_messages.h"
 #include "session/image_errors.h"
 #include "session/loaded/parts.h"
+#include "session/plausibility/light_warnings.h"
 
 namespace ifov::session {
 
@@ -110,8 +111,11 @@ std::vector<std::string> notes(const Parts& parts) {
   }
   if (parts.polarimetry) {
     lines.push_back(
-        "polarization: about the focal plane's axes; light that ground around the scene and the ground's own light in the air send "
-        "is taken to be unpolarized");
+        !surroundings_statement(parts).empty()
+            ? "polarization: about the focal plane's axes; light that the ground around the scene emits, and what the scene's own ground "
+              "sends otherwise into the air, is taken to be unpolarized"
+            : "polarization: about the focal plane's axes; light that ground around the scene and the ground's own light in the air send "
+              "is taken to be unpolarized");
     if (!parts.atmosphere)
       lines.push_back(parts.imported
                           ? "polarization: sky and path of imported runs are taken to be unpolarized"
@@ -151,6 +155,8 @@ std::vector<std::string> notes(const Parts& parts) {
     lines.push_back(parts.assumed_surroundings);
   else if (!parts.document.light.surroundings)
     lines.push_back("surroundings: black at 0 K (none declared) for rays that leave below the horizon");
+  else if (const std::string around = surroundings_statement(parts); !around.empty())
+    lines.push_back(around);
   if (!parts.ground_in_air.empty()) lines.push_back(parts.ground_in_air);
   if (parts.temperature_errors) {
     lines.push_back("solved temperatures: " + parts.temperature_errors->weather);

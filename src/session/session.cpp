@@ -26,6 +26,7 @@
 #include "session/loaded/single_views.h"
 #include "session/messages.h"
 #include "session/node_assembly.h"
+#include "session/one_material.h"
 #include "session/plausibility/light_warnings.h"
 #include "session/plausibility/plausibility.h"
 #include "session/response_assembly.h"
@@ -94,9 +95,9 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   phase("scene");
   AssembledScene assembled = assemble_scene(document.sources, document.scene, document.light.lamps,
                                             document.time, document.seed, log, cache ? &*cache : nullptr);
-  assemble_light(
-      {document.sources, document.light, document.atmosphere, document.scene.origin, document.time},
-      assembled.scene);
+  assemble_light({document.sources, document.light, document.atmosphere, document.scene.origin, document.time,
+                  surroundings_material(document)},
+                 assembled.scene);
   log->info(scene_statement(*assembled.scene.world));
   p.scene = std::move(assembled.scene), p.map_scales = std::move(assembled.map_scales);
   p.colour_guesses = std::move(assembled.colour_guesses);
@@ -137,6 +138,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
     throw;
   }
   save();
+  if (const std::string around = surroundings_statement(p); !around.empty()) log->info(around);
   warn_of_node_errors(p, *log);
   warn_of_light_left_out(p, *log);
   p.brightness = std::make_unique<render::ChannelBrightness>(*p.nodes);

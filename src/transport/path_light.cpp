@@ -314,7 +314,8 @@ void PathLight::add_sky(const PathRecord::Path& path) {
       spectra::add_product_of_scaled(sum, throughput, sky.spectrum.data(), sky.weight.data(), n_);
     }
   } else {
-    const float* light = direction.z < 0.0 ? scene_.surroundings_radiance() : scene_.sky_radiance();
+    const float* light = direction.z < 0.0 ? scene_.surroundings_radiance(direction, spectrum(kDimmed))
+                                           : scene_.sky_radiance();
     if (direct)
       std::memcpy(sum, light, n_ * sizeof(float));
     else

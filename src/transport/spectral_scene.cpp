@@ -6,8 +6,10 @@
 #include <numbers>
 
 #include "atmosphere/imported_atmosphere.h"
+#include "atmosphere/sensor/directional_light.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "geometry/world.h"
+#include "materials/bsdf/bsdf.h"
 #include "materials/bsdf/node_bsdf.h"
 #include "radiometry/planck_table.h"
 #include "scene/lamp.h"
@@ -17,7 +19,9 @@
 #include "transport/mirrors/emitter_mirrors.h"
 #include "transport/mirrors/sun_lobes.h"
 #include "transport/mirrors/sun_mirrors.h"
+#include "transport/sky/ground_around.h"
 #include "transport/sky/sky_dome.h"
+#include "transport/sky/surroundings_light.h"
 #include "transport/view_table.h"
 
 namespace ifov::transport {
@@ -61,7 +65,9 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Sensor
   emit_surfaces();
   radiometry::SpectrumBlock emitted(1, node_count());
   emit(scene.surroundings, emitted.row(0));
-  const std::vector<double> ground = couple(air, air.sky_irradiance(), emitted.values(0));
+  const GroundAround ground = air.directional() != nullptr
+                                  ? couple_directional(air, emitted.values(0))
+                                  : couple(air, air.sky_irradiance(), emitted.values(0));
   const math::Vec3 towards_sun = scene.sun ? scene.sun->direction : math::Vec3{1.0, 0.0, 0.0};
   dome_ = std::make_unique<SkyDome>(air, towards_sun, ground);
   if (!air.lines_of_sight().single())
@@ -69,7 +75,7 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Sensor
   else if (air.polarized())
     single_view_ = std::make_unique<ViewTable>(air, towards_sun, ground);
   light_heights(air);
-  light_surroundings();
+  light_surroundings(&air);
   find_emitters();
   find_mirrors();
 }
@@ -103,8 +109,8 @@ const ViewTable* SpectralScene::polarized_path() const {
 }
 
 template <class Air>
-std::vector<double> SpectralScene::couple(const Air& air, std::span<const double> sky_irradiance,
-                                          std::span<const float> emitted) {
+GroundAround SpectralScene::couple(const Air& air, std::span<const double> sky_irradiance,
+                                   std::span<const float> emitted) {
   const float* albedo = materials_.reflectance(scene_.surroundings.material);
   const double sine = scene_.sun ? std::max(0.0, scene_.sun->direction.z) : 0.0;
   std::vector<double> ground(node_count());
@@ -121,7 +127,26 @@ std::vector<double> SpectralScene::couple(const Air& air, std::span<const double
     light_.row(kViewRadiance)[n] =
         static_cast<float>(air.view_radiance()[n] + ground[n] * air.diffuse_transmittance()[n]);
   }
-  return ground;
+  return {std::move(ground), {}};
+}
+
+GroundAround SpectralScene::couple_directional(const atmosphere::SensorAtmosphere& air,
+                                               std::span<const float> emitted) {
+  const atmosphere::DirectionalLight& ground = *air.directional();
+  GroundAround around{{emitted.begin(), emitted.end()}, std::vector<double>(node_count())};
+  for (std::size_t n = 0; n < node_count(); ++n) {
+    const double even = around.even[n], exitance = ground.exitance(n, even);
+    around.shaped[n] = exitance / std::numbers::pi;
+    const double down = air.sky_irradiance()[n] + ground.albedo[n] * exitance +
+                        std::numbers::pi * air.spherical_albedo()[n] * even;
+    light_.row(kSunIrradiance)[n] = static_cast<float>(air.sun_irradiance()[n]);
+    light_.row(kSky)[n] = static_cast<float>(down / std::numbers::pi);
+    light_.row(kViewTransmittance)[n] = static_cast<float>(air.view_transmittance()[n]);
+    light_.row(kDiffuse)[n] = static_cast<float>(air.diffuse_transmittance()[n]);
+    light_.row(kViewRadiance)[n] = static_cast<float>(
+        air.view_radiance()[n] + even * air.diffuse_transmittance()[n] + around.shaped[n] * ground.view[n]);
+  }
+  return around;
 }
 
 void SpectralScene::light_heights(const atmosphere::SensorAtmosphere& air) {
@@ -238,9 +263,32 @@ void SpectralScene::emit_surfaces() {
   light_lamps();
 }
 
-void SpectralScene::light_surroundings() {
+void SpectralScene::light_surroundings(const atmosphere::SensorAtmosphere* air) {
+  const scene::SurfaceState& state = scene_.surroundings;
+  const materials::Material& material = scene_.materials[state.material];
+  const auto row = [&](LightRow which) {
+    return std::vector<float>(light_.row(which), light_.row(which) + node_count());
+  };
+  SurroundingsLight::Lit lit{nodes_,
+                             scene_.sun ? scene_.sun->direction : math::Vec3{1.0, 0.0, 0.0},
+                             polarized_,
+                             air,
+                             row(kSunIrradiance),
+                             row(kSky),
+                             {},
+                             std::vector<double>(node_count())};
+  if (state.temperature_k > 0.0) {
+    lit.black.resize(node_count());
+    nodes_.planck(state.temperature_k, std::span<float>(lit.black));
+    for (std::size_t n = 0; n < node_count(); ++n)
+      lit.even[n] = static_cast<double>(materials_.emissivity(state.material)[n] * lit.black[n]);
+  }
+  around_ = SurroundingsLight::of(material, std::move(lit));
   float* around = light_.row(kSurroundings);
-  emit(scene_.surroundings, around);
+  if (around_ != nullptr)
+    around_->add(SurroundingsLight::Part::emitted, {0.0, 0.0, -1.0}, nullptr, {around});
+  else
+    emit(scene_.surroundings, around);
   const float* reflectance = materials_.reflectance(scene_.surroundings.material);
   const double sine = scene_.sun ? std::max(0.0, scene_.sun->direction.z) : 0.0;
   for (std::size_t n = 0; n < node_count(); ++n)
@@ -249,7 +297,22 @@ void SpectralScene::light_surroundings() {
         (light_.row(kSunIrradiance)[n] * static_cast<float>(sine / std::numbers::pi) + light_.row(kSky)[n]);
 }
 
-void SpectralScene::split_surroundings(float* emitted, float* sun, float* sky) const {
+const float* SpectralScene::surroundings_radiance(math::Vec3 direction, float* scratch) const {
+  if (around_ == nullptr) return surroundings_radiance();
+  std::fill_n(scratch, stride(), 0.0f);
+  around_->add_all(direction, nullptr, {scratch});
+  return scratch;
+}
+
+void SpectralScene::split_surroundings(math::Vec3 direction, float* emitted, float* sun, float* sky) const {
+  using Part = SurroundingsLight::Part;
+  if (around_ != nullptr) {
+    for (const auto& [part, row] : {std::pair{Part::emitted, emitted}, {Part::sun, sun}, {Part::sky, sky}}) {
+      std::fill_n(row, stride(), 0.0f);
+      around_->add(part, direction, nullptr, {row});
+    }
+    return;
+  }
   const float* reflectance = materials_.reflectance(scene_.surroundings.material);
   const double sine = scene_.sun ? std::max(0.0, scene_.sun->direction.z) : 0.0;
   std::fill_n(emitted, stride(), 0.0f);

@@ -27,9 +27,11 @@ namespace ifov::transport {
 class AdjacentGround;
 class EmitterMirrors;
 class Emitters;
+struct GroundAround;
 class SkyDome;
 class SunLobes;
 class SunMirrors;
+class SurroundingsLight;
 class ViewTable;
 
 /// The scene's spectra in the spectral nodes of a sensor: what a path multiplies and adds.
@@ -91,9 +93,12 @@ class SpectralScene {
   /// Of a uniform sky; under an atmosphere the mean over the sky, weighted as a level surface sees it.
   const float* sky_radiance() const { return light_.row(kSky); }
   const SkyDome* sky_dome() const { return dome_.get(); }  ///< null: the sky is uniform
+  /// Of the surroundings, as of Lambertian ground; seen from above where they emit by direction.
   const float* surroundings_radiance() const { return light_.row(kSurroundings); }
-  void split_surroundings(float* emitted, float* sun,
-                          float* sky) const;  ///< what that is of, stride() floats
+  const SurroundingsLight* surroundings_light() const { return around_.get(); }  ///< null: Lambertian
+  /// Towards a direction below the horizon, and what of that is emitted, of Sun and sky; rows have stride() floats.
+  const float* surroundings_radiance(math::Vec3 direction, float* scratch) const;
+  void split_surroundings(math::Vec3 direction, float* emitted, float* sun, float* sky) const;
   bool has_view_path() const { return has_view_path_; }
   const float* view_transmittance() const { return light_.row(kViewTransmittance); }
   const float* view_radiance() const { return light_.row(kViewRadiance); }
@@ -141,15 +146,15 @@ class SpectralScene {
   void emit(const scene::SurfaceState& state, float* spectrum) const;
   /// Planck's radiance of a constituent's mapped temperature, right on average where that is estimated.
   void mapped_black(const scene::Constituent& constituent, float* spectrum) const;
-  void light_surroundings();
+  void light_surroundings(const atmosphere::SensorAtmosphere* air = nullptr);
   void light_heights(const atmosphere::SensorAtmosphere& air);
   const float* between_heights(const radiometry::SpectrumBlock& rows, double height_m, float* scratch) const;
   void sky_of_scene();
-  /// Rows of Sun, sky and view path over ground as the scene's surroundings; returns that ground's radiance.
+  /// Rows of Sun, sky and view path over ground as the scene's surroundings; returns what that ground sends.
   /// `emitted`: by that ground, where the air's own light does not hold what it scatters of it already.
   template <class Air>
-  std::vector<double> couple(const Air& air, std::span<const double> sky_irradiance,
-                             std::span<const float> emitted);
+  GroundAround couple(const Air& air, std::span<const double> sky_irradiance, std::span<const float> emitted);
+  GroundAround couple_directional(const atmosphere::SensorAtmosphere& air, std::span<const float> emitted);
 
   enum LightRow { kSunIrradiance, kSky, kSurroundings, kViewTransmittance, kViewRadiance, kDiffuse, kRows };
   const scene::Scene& scene_;
@@ -163,6 +168,7 @@ class SpectralScene {
   radiometry::SpectrumBlock light_;                        // by LightRow
   std::unique_ptr<radiometry::PlanckTable> planck_;        // only where a temperature map needs it
   std::unique_ptr<const SkyDome> dome_;
+  std::unique_ptr<const SurroundingsLight> around_;
   std::unique_ptr<const ViewTable> view_table_, single_view_;
   std::shared_ptr<const AdjacentGround> adjacent_;
   std::vector<double> heights_m_;                        // rising from 0; empty: all is as at the ground

@@ -5,6 +5,7 @@
 
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "radiometry/polarization_frame.h"
+#include "transport/sky/ground_around.h"
 
 namespace ifov::transport {
 namespace {
@@ -31,7 +32,7 @@ void ViewTable::each_row(const atmosphere::SensorAtmosphere& atmosphere, Visit v
 }
 
 ViewTable::ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towards_sun,
-                     const std::vector<double>& ground_radiance) {
+                     const GroundAround& ground) {
   const double level = std::hypot(towards_sun.x, towards_sun.y);
   if (level > 0.0) sun_x_ = towards_sun.x / level, sun_y_ = towards_sun.y / level;
   const atmosphere::LineOfSightGrid& grid = atmosphere.lines_of_sight();
@@ -52,8 +53,7 @@ ViewTable::ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 
       for (std::size_t n = 0; n < nodes; ++n) {
         through[n] += weight[line] * line_of_sight.transmittance[n];
         diffuse[n] += weight[line] * line_of_sight.diffuse_transmittance[n];
-        added[n] += weight[line] *
-                    (line_of_sight.radiance[n] + ground_radiance[n] * line_of_sight.diffuse_transmittance[n]);
+        added[n] += weight[line] * (line_of_sight.radiance[n] + ground.path(atmosphere, line, n));
       }
     }
     for (std::size_t n = 0; n < nodes; ++n) {
@@ -62,11 +62,10 @@ ViewTable::ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 
       diffuse_.row(row)[n] = static_cast<float>(std::max(0.0, diffuse[n]));
     }
   });
-  if (atmosphere.polarized()) polarize(atmosphere, ground_radiance);
+  if (atmosphere.polarized()) polarize(atmosphere, ground);
 }
 
-void ViewTable::polarize(const atmosphere::SensorAtmosphere& atmosphere,
-                         const std::vector<double>& ground_radiance) {
+void ViewTable::polarize(const atmosphere::SensorAtmosphere& atmosphere, const GroundAround& ground) {
   const atmosphere::LineOfSightGrid& grid = atmosphere.lines_of_sight();
   const std::size_t nodes = atmosphere.node_count();
   q_.resize(radiance_.rows(), nodes);
@@ -89,10 +88,11 @@ void ViewTable::polarize(const atmosphere::SensorAtmosphere& atmosphere,
       const atmosphere::SensorAtmosphere::LineOfSightPolarization line_of_sight =
           atmosphere.line_of_sight_polarization(line);
       const radiometry::MuellerMatrix part = weight[line] * turn[line];
-      for (std::size_t n = 0; n < nodes; ++n)
-        light[n] += part * radiometry::StokesVector{
-                               0.0, line_of_sight.q[n] + ground_radiance[n] * line_of_sight.diffuse_q[n],
-                               line_of_sight.u[n], 0.0};
+      for (std::size_t n = 0; n < nodes; ++n) {
+        const radiometry::StokesVector of_ground = ground.path_stokes(atmosphere, line, n);
+        light[n] += part * radiometry::StokesVector{0.0, line_of_sight.q[n] + of_ground.q,
+                                                    line_of_sight.u[n] + of_ground.u, 0.0};
+      }
     }
     for (std::size_t n = 0; n < nodes; ++n) {
       // Polynomials between lines may go beyond what can be.

@@ -18,14 +18,16 @@ class SensorAtmosphere;
 
 namespace ifov::transport {
 
+struct GroundAround;
+
 /// What the air between surfaces and the sensor does, by height of the sensor, line of sight and height of the
 /// surface, in spectral nodes: linear in the simplices of a fine grid of heights and slopes (Kuhn's division of each
 /// cell), which takes 2 to 4 spectra, and 5 where the sensor has more than one height.
 class ViewTable {
  public:
-  /// `ground_radiance`: of the ground around the scene, by node, whose light the air scatters into the path.
+  /// `ground`: around the scene, whose light the air scatters into the path.
   ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towards_sun,
-            const std::vector<double>& ground_radiance);
+            const GroundAround& ground);
 
   struct Weights {
     std::size_t count = 0;
@@ -57,7 +59,7 @@ class ViewTable {
                             const radiometry::PolarizationFrame& frame) const;
 
  private:
-  void polarize(const atmosphere::SensorAtmosphere& atmosphere, const std::vector<double>& ground_radiance);
+  void polarize(const atmosphere::SensorAtmosphere& atmosphere, const GroundAround& ground);
   /// At the places of the axes, in the order of rows: weights of the lines of sight that are known there.
   template <class Visit>
   void each_row(const atmosphere::SensorAtmosphere& atmosphere, Visit visit) const;

@@ -190,6 +190,15 @@ TEST(Document, PointSunByTimeAndPlaceUnderARadiantSky) {
   EXPECT_EQ(light.surroundings->temperature_k, 290.0);
 }
 
+TEST(Document, SurroundingsMayBeNamedAsAMaterial) {
+  const LightDocument light = parsed_with(R"("sky": {"temperature": "-10 degC"})",
+                                          R"("surroundings": {"material": "sea", "temperature": "285 K"})")
+                                  .light;
+  ASSERT_TRUE(light.surroundings->material);
+  EXPECT_EQ(light.surroundings->material->name, "sea");
+  EXPECT_EQ(light.surroundings->temperature_k, 285.0);
+}
+
 TEST(Document, RadianceFromCsvTakesItsUnitIntoTheScale) {
   const auto sky = parsed_with(R"("sky": {"temperature": "-10 degC"})",
                                R"("sky": {"radiance": {"csv": "sky.csv", "wavelength_unit": "um", "scale": 2,

@@ -57,6 +57,20 @@ TEST(DocumentText, SaysWhatDiffersFromTheDefaultsOnShortLines) {
 )");
 }
 
+TEST(DocumentText, TellsOfSurroundingsWhatNamesThem) {
+  for (const char* around :
+       {R"("surroundings": {"material": "soil", "temperature": "290 K"})",
+        R"("surroundings": {"reflectance": 0.3})", R"("surroundings": {"emissivity": 0.9})"}) {
+    const std::string text =
+        std::string(
+            R"({"ifov": 1, "scene": {"materials": {"soil": {"reflectance": 0.25}}, "objects": [{"plane": {}, "material": "soil"}]},
+      "light": {)") +
+        around +
+        R"(}, "sensor": {"camera": {"orthographic": {"gsd": "1 m", "pixels": [4, 2]}}, "channels": [{"gaussian": {"center": "0.5 um", "fwhm": "10 nm"}}]}})";
+    EXPECT_NE(again(text).find(around), std::string::npos) << again(text);
+  }
+}
+
 TEST(DocumentText, TellsTheReflectanceThatAModelDoesWithout) {
   const auto with = [](const char* material) {
     return std::string(R"({"ifov": 1, "scene": {"materials": {"pane": )") + material +

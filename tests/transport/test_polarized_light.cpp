@@ -10,6 +10,7 @@
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "radiometry/polarization_frame.h"
 #include "radiometry/solar_spectrum.h"
+#include "transport/sky/ground_around.h"
 #include "transport/sky/sky_dome.h"
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
@@ -59,7 +60,7 @@ class PolarizedLight : public testing::Test {
     return solved;
   }
   const Vec3 towards_sun_ = direction(kSunZenith, kSunAzimuth);
-  const std::vector<double> black_ = std::vector<double>(air().node_count(), 0.0);
+  const GroundAround black_{std::vector<double>(air().node_count(), 0.0), {}};
 
   /// The same light about the frame that an answer is about. In the solver sunlight propagates along x.
   static StokesVector about(const StokesVector& light, const Propagation& solver,
@@ -183,7 +184,7 @@ TEST_F(PolarizedLight, OfThePathBetweenItsLinesOfSight) {
 }
 
 TEST_F(PolarizedLight, BrightGroundAddsToBoth) {
-  const std::vector<double> bright(air().node_count(), 50.0);
+  const GroundAround bright{std::vector<double>(air().node_count(), 50.0), {}};
   const SkyDome dark(air(), towards_sun_, black_), lit(air(), towards_sun_, bright);
   const ViewTable dark_path(air(), towards_sun_, black_), lit_path(air(), towards_sun_, bright);
   std::vector<StokesVector> a(air().node_count()), b(air().node_count());

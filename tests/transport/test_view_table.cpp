@@ -8,6 +8,7 @@
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "radiometry/polarization_frame.h"
 #include "radiometry/solar_spectrum.h"
+#include "transport/sky/ground_around.h"
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
 #include "transport/view_table.h"
@@ -72,8 +73,9 @@ TEST_F(ViewTableByHeight, EachPoseHasTheTableOfThatPoseAlone) {
                          high = build({kHigh_km, kHigh_km});
   ASSERT_EQ(both.node_count(), low.node_count());
   ASSERT_EQ(both.node_count(), high.node_count());
-  std::vector<double> ground;
-  for (std::size_t n = 0; n < both.node_count(); ++n) ground.push_back(1.0 + 0.1 * static_cast<double>(n));
+  GroundAround ground;
+  for (std::size_t n = 0; n < both.node_count(); ++n)
+    ground.even.push_back(1.0 + 0.1 * static_cast<double>(n));
   const ViewTable table(both, towards_sun_, ground), of_low(low, towards_sun_, ground),
       of_high(high, towards_sun_, ground);
   double apart = 0.0;
@@ -95,7 +97,7 @@ TEST_F(ViewTableByHeight, EachPoseHasTheTableOfThatPoseAlone) {
 TEST_F(ViewTableByHeight, OnePoseTakesAsManyRowsAsBefore) {
   const SensorAtmosphere one = build({kHigh_km, kHigh_km}), flat = build({kHigh_km, kHigh_km}, false, 0.0),
                          both = build({kLow_km, kHigh_km});
-  const std::vector<double> black(one.node_count(), 0.0);
+  const GroundAround black{std::vector<double>(one.node_count(), 0.0), {}};
   const Vec3 towards = math::normalized({0.2, 0.1, 1.0});
   EXPECT_EQ(ViewTable(one, towards_sun_, black).at(towards, 100.0, 4000.0).count, 4u);
   EXPECT_EQ(ViewTable(flat, towards_sun_, black).at(towards, 100.0, 4000.0).count, 3u);
@@ -109,7 +111,7 @@ TEST_F(ViewTableByHeight, OnePoseTakesAsManyRowsAsBefore) {
 // Between its poses, at altitudes that are none of the column's levels.
 TEST_F(ViewTableByHeight, BetweenPosesItIsNearWhatIsThere) {
   const SensorAtmosphere both = build({kLow_km, kHigh_km});
-  const std::vector<double> black(both.node_count(), 0.0);
+  const GroundAround black{std::vector<double>(both.node_count(), 0.0), {}};
   const ViewTable table(both, towards_sun_, black);
   for (const double altitude_km : {0.7, 1.4, 3.3}) {
     const SensorAtmosphere there = build({altitude_km, altitude_km});
@@ -126,7 +128,7 @@ TEST_F(ViewTableByHeight, BetweenPosesItIsNearWhatIsThere) {
 
 TEST_F(ViewTableByHeight, PolarizationFollows) {
   const SensorAtmosphere both = build({kLow_km, kHigh_km}, true), low = build({kLow_km, kLow_km}, true);
-  const std::vector<double> black(both.node_count(), 0.0);
+  const GroundAround black{std::vector<double>(both.node_count(), 0.0), {}};
   const ViewTable table(both, towards_sun_, black), alone(low, towards_sun_, black);
   std::vector<radiometry::StokesVector> a(both.node_count()), b(both.node_count()), other(both.node_count());
   double apart = 0.0;

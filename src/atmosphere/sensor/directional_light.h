@@ -17,9 +17,10 @@ struct DirectionalLight {
   std::vector<double> back;     ///< share of M that comes back and is reflected
   std::vector<double> albedo;   ///< of the air for this light: what comes down, over M
   std::vector<double> up,
-      down;  ///< as LevelFluxes::ground_up and ground_down, where the geometry wants them
+      down;                  ///< as LevelFluxes::ground_up and ground_down, where the geometry wants them
+  std::vector<double> view;  ///< scattered into the geometry's own line of sight, as view_radiance
   std::vector<double> path_i, path_q,
-      path_u;                               ///< scattered into lines of sight, [line][node], as view_radiance
+      path_u;                               ///< into lines of sight, [line][node]
   std::vector<double> sky_i, sky_q, sky_u;  ///< [zenith][azimuth][node]
   std::shared_ptr<const GroundAtNodes> ground;
   double exitance(std::size_t node, double emitted) const {

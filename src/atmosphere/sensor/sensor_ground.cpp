@@ -15,7 +15,7 @@ void SensorAtmosphere::make_room_for_directional(const DirectionalGround& ground
   const std::size_t nodes = node_count();
   directional_ = std::make_shared<DirectionalLight>();
   DirectionalLight& to = *directional_;
-  for (auto* row : {&to.lit, &to.of_even, &to.back, &to.albedo}) row->assign(nodes, 0.0);
+  for (auto* row : {&to.lit, &to.of_even, &to.back, &to.albedo, &to.view}) row->assign(nodes, 0.0);
   if (geometry_.level_fluxes)
     for (auto* row : {&to.up, &to.down}) row->assign(nodes, 0.0);
   to.path_i.assign(lines_of_sight_.known_lines() * nodes, 0.0);
@@ -34,6 +34,7 @@ void SensorAtmosphere::add_directional(std::size_t channel, const ChannelLights&
   const ChannelScattering::AtPoints& at = lights.scattered;
   const std::size_t first = nodes_.first_node(channel), count = nodes_.first_node(channel + 1) - first;
   nodes_.average_factor(channel, at.reflected_albedo, std::span(to.albedo).subspan(first, count));
+  nodes_.average_seen(channel, at.reflected_i[0], std::span(to.view).subspan(first, count));
   if (geometry_.level_fluxes) {
     nodes_.average_seen(channel, at.reflected_up, std::span(to.up).subspan(first, count));
     nodes_.average_seen(channel, at.reflected_down, std::span(to.down).subspan(first, count));

@@ -70,21 +70,25 @@ SkyOverGround::SkyOverGround(const SensorAtmosphere& air, std::span<const double
 }
 
 SkyOverGround::Radiance SkyOverGround::towards(double mu, double azimuth_rad) const {
-  const std::size_t nodes = air_.node_count(), values = components_ * nodes;
-  const GroundAtNodes& ground = *air_.directional()->ground;
+  const std::size_t values = components_ * air_.node_count();
   Radiance light{std::vector<double>(values, 0.0), std::vector<double>(values, 0.0)};
-  std::vector<double> incoming(values, 0.0);
+  add_sky(mu, azimuth_rad, light.sky);
   const double sine = air_.geometry().sun_sine();
-  if (sine > 0.0) {
-    for (std::size_t n = 0; n < nodes; ++n) incoming[n] = air_.sun_irradiance()[n] * sine;
-    ground.add_reflected({mu, -sine, azimuth_rad, 0.0}, incoming, light.sun);
-  }
-  for (std::size_t k = 0; k < directions_.size(); ++k) {
-    for (std::size_t i = 0; i < values; ++i) incoming[i] = static_cast<double>(light_[k * values + i]);
-    ground.add_reflected({mu, -directions_[k].mu, azimuth_rad, directions_[k].azimuth_rad}, incoming,
-                         light.sky);
-  }
+  if (!(sine > 0.0)) return light;
+  std::vector<double> incoming(values, 0.0);
+  for (std::size_t n = 0; n < air_.node_count(); ++n) incoming[n] = air_.sun_irradiance()[n] * sine;
+  air_.directional()->ground->add_reflected({mu, -sine, azimuth_rad, 0.0}, incoming, light.sun);
   return light;
+}
+
+void SkyOverGround::add_sky(double mu, double azimuth_rad, std::span<double> light) const {
+  std::vector<double> incoming(components_ * air_.node_count());
+  for (std::size_t k = 0; k < directions_.size(); ++k) {
+    const float* from = light_.data() + k * incoming.size();
+    for (std::size_t i = 0; i < incoming.size(); ++i) incoming[i] = static_cast<double>(from[i]);
+    air_.directional()->ground->add_reflected(
+        {mu, -directions_[k].mu, azimuth_rad, directions_[k].azimuth_rad}, incoming, light);
+  }
 }
 
 }  // namespace ifov::atmosphere

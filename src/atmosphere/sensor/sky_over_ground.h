@@ -23,6 +23,8 @@ class SkyOverGround {
     std::vector<double> sun, sky;
   };
   Radiance towards(double mu, double azimuth_rad) const;
+  /// The second alone, added to `light`.
+  void add_sky(double mu, double azimuth_rad, std::span<double> light) const;
 
  private:
   struct Direction {

@@ -41,11 +41,12 @@ struct SkyRadiance {
   SpectrumDocument radiance;
 };
 
-/// What rays meet that leave the scene below the horizon: a Lambertian surface lit by the Sun and sky alone.
+/// What rays meet that leave the scene below the horizon: level ground lit by the Sun and sky alone.
 struct SurroundingsDocument {
   bool is_emissivity = false;
-  SpectrumDocument spectrum;
-  std::optional<double> temperature_k;  ///< absent: emits nothing
+  SpectrumDocument spectrum;             ///< of Lambertian ground
+  std::optional<DocumentName> material;  ///< in place of the spectrum: one of the document's
+  std::optional<double> temperature_k;   ///< absent: that of the material; without one it emits nothing
   SourcePosition position;
 };
 

@@ -7,6 +7,7 @@
 #include "core/format.h"
 #include "geometry/world.h"
 #include "io/document/document.h"
+#include "materials/bsdf/bsdf.h"
 #include "sampling/sequence.h"
 #include "sampling/warp.h"
 #include "sensor/psf_wings.h"
@@ -176,6 +177,24 @@ void warn_of_depth(const Parts& parts, LogSink& log) {
 }
 
 }  // namespace
+
+std::string surroundings_statement(const Parts& parts) {
+  const auto& written = parts.document.light.surroundings;
+  if (!written || !written->material || parts.spectral_scene->surroundings_light() == nullptr) return {};
+  std::string line = format("surroundings: '{}' by its BRDF, below the horizon", written->material->name);
+  if (parts.atmosphere)
+    line +=
+        " and in the air; what of the scene's own ground differs from them lights the air as Lambertian ground does";
+  else
+    line += parts.imported ? ", where the sky is uniform; the air has their light as of Lambertian ground"
+                           : ", where the sky is uniform";
+  const materials::Material& material = parts.scene.materials[parts.scene.surroundings.material];
+  if (material.bsdf->polarizes() && !parts.polarimetry)
+    line += "; without 'stokes' the sky that they reflect is taken to be unpolarized";
+  if (!material.bsdf->is_isotropic() && parts.atmosphere)
+    line += "; what the air scatters of their light again is as of the mean of both sides of the Sun's plane";
+  return line;
+}
 
 void warn_of_light_left_out(const Parts& parts, LogSink& log) {
   warn_of_cold_surfaces(parts, log);

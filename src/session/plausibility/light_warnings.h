@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "core/run_control.h"
 
 namespace ifov::session {
@@ -10,5 +12,8 @@ struct Parts;
 /// surroundings that the picture or its surfaces see, reflections beyond max_depth, surfaces without a temperature in
 /// thermal channels.
 void warn_of_light_left_out(const Parts& parts, LogSink& log);
+
+/// How surroundings that reflect by direction were taken; empty: there are none.
+std::string surroundings_statement(const Parts& parts);
 
 }  // namespace ifov::session

@@ -15,6 +15,7 @@
 #include "session/assembly/whole/light_assembly.h"
 #include "session/assembly/whole/scene_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
+#include "session/one_material.h"
 #include "session/scene_model/surface_colours.h"
 
 namespace ifov::session {
@@ -139,9 +140,9 @@ std::unique_ptr<const SceneModel> SceneModel::load(const std::string& file,
   inside->usual = usual_paint_of(inside->scene(), inside->colours);
   phase("the light");
   try {
-    assemble_light(
-        {document.sources, document.light, document.atmosphere, document.scene.origin, document.time},
-        inside->assembled.scene);
+    assemble_light({document.sources, document.light, document.atmosphere, document.scene.origin,
+                    document.time, surroundings_material(document)},
+                   inside->assembled.scene);
     if (inside->scene().sun && inside->scene().sun->is_up()) inside->sun = inside->scene().sun->direction;
   } catch (const InputError& error) {
     left_out.push_back({error.what(), error.position(), "no Sun is shown"});

@@ -5,9 +5,9 @@
 #include "core/format.h"
 #include "core/names.h"
 #include "io/document/document.h"
-#include "session/assembly/atmosphere/material_ground.h"
 #include "session/one_material.h"
 #include "session/surveys/survey_stage.h"
+#include "transport/sky/material_ground.h"
 
 namespace ifov::session {
 namespace {
@@ -51,7 +51,8 @@ SurveyGround survey_ground(const io::Document& document, const std::string& name
   const materials::Material material = material_asked(document, name, stage);
   SurveyGround ground;
   ground.reflectance = material.reflectance;
-  ground.directional = material_ground(material, stage.scene.sun ? stage.scene.sun->azimuth_rad() : 0.0);
+  ground.directional =
+      transport::material_ground(material, stage.scene.sun ? stage.scene.sun->azimuth_rad() : 0.0);
   ground.description = format("'{}'{}", name, ground.directional ? " by its BRDF" : "");
   return ground;
 }

@@ -17,7 +17,6 @@ LightInParts::LightInParts(const SpectralScene& scene)
     direct_.row[p] = direct_spectra_.row(p);
     rest_.row[p] = rest_spectra_.row(p);
   }
-  scene.split_surroundings(surroundings_.row(0), surroundings_.row(1), surroundings_.row(2));
 }
 
 const PartRows& LightInParts::at_sensor(const PathRecord& record, std::size_t k) {
@@ -106,6 +105,8 @@ void LightInParts::add_twins(const PathRecord& record, std::uint32_t also, const
 void LightInParts::add_seen_sky(const PathRecord::Path& path, const PartRows& into) {
   if (path.escaped_direction.z < 0.0) {
     constexpr LightPart kParts[] = {LightPart::emitted, LightPart::sun, LightPart::sky};
+    scene_.split_surroundings(path.escaped_direction, surroundings_.row(0), surroundings_.row(1),
+                              surroundings_.row(2));
     for (std::size_t p = 0; p < 3; ++p) spectra::add_scaled(into[kParts[p]], surroundings_.row(p), 1.0f, n_);
   } else {
     sum_ = into[LightPart::path];

@@ -4,6 +4,7 @@
 
 #include "radiometry/polarization_frame.h"
 #include "transport/parts/light_in_parts.h"
+#include "transport/sky/surroundings_light.h"
 #include "transport/spectral_scene.h"
 #include "transport/spectrum_arithmetic.h"
 
@@ -20,7 +21,6 @@ PolarizedLightInParts::PolarizedLightInParts(const SpectralScene& scene)
   for (std::size_t p = 0; p < kRadianceParts; ++p)
     for (std::size_t c = 0; c < 4; ++c) parts_.radiance[p].row[c] = spectra_of_parts_.row(4 * p + c);
   parts_.transmittance = spectra_of_parts_.row(4 * kRadianceParts);
-  scene.split_surroundings(surroundings_.row(0), surroundings_.row(1), surroundings_.row(2));
 }
 
 const PolarizedLightInParts::AtSensor& PolarizedLightInParts::at_sensor(const PathRecord& record,
@@ -91,6 +91,17 @@ void PolarizedLightInParts::add_seen_sky(const PathRecord& record, const PathRec
                                          const PolarizationFrame& frame) {
   if (path.escaped_direction.z < 0.0) {
     constexpr LightPart kParts[] = {LightPart::emitted, LightPart::sun, LightPart::sky};
+    if (const SurroundingsLight* around = scene_.surroundings_light()) {
+      using Part = SurroundingsLight::Part;
+      constexpr Part kTheirs[] = {Part::emitted, Part::sun, Part::sky};
+      for (std::size_t p = 0; p < 3; ++p) {
+        const auto& to = rows(kParts[p]);
+        around->add(kTheirs[p], path.escaped_direction, &frame, {to[0], to[1], to[2]});
+      }
+      return;
+    }
+    scene_.split_surroundings(path.escaped_direction, surroundings_.row(0), surroundings_.row(1),
+                              surroundings_.row(2));
     for (std::size_t p = 0; p < 3; ++p)
       spectra::add_scaled(rows(kParts[p])[0], surroundings_.row(p), 1.0f, n_);
   } else {

@@ -8,6 +8,7 @@
 #include "transport/polarized/lobe_mueller.h"
 #include "transport/sky/adjacent_ground.h"
 #include "transport/sky/sky_dome.h"
+#include "transport/sky/surroundings_light.h"
 #include "transport/spectral_scene.h"
 #include "transport/spectrum_arithmetic.h"
 
@@ -133,7 +134,16 @@ StokesRows PolarizedPathLight::first_sunlight(const PathRecord& record, std::siz
 void PolarizedPathLight::start_at_sky(const PathRecord::Path& path, const PolarizationFrame* frame) {
   const Vec3 direction = path.escaped_direction;
   const SkyDome* dome = scene_.sky_dome();
-  if (dome == nullptr || direction.z < 0.0) {
+  const SurroundingsLight* around = direction.z < 0.0 ? scene_.surroundings_light() : nullptr;
+  if (around != nullptr) {
+    std::fill_n(arriving_.rows[0], n_, 0.0f);
+    if (frame != nullptr) {
+      arriving_.polarized = true;
+      arriving_.frame = *frame;
+      for (std::size_t c = 1; c < 4; ++c) std::fill_n(arriving_.rows[c], n_, 0.0f);
+    }
+    around->add_all(direction, frame, {arriving_.rows[0], arriving_.rows[1], arriving_.rows[2]});
+  } else if (dome == nullptr || direction.z < 0.0) {
     std::copy_n(direction.z < 0.0 ? scene_.surroundings_radiance() : scene_.sky_radiance(), n_,
                 arriving_.rows[0]);
   } else {

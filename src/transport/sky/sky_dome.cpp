@@ -7,6 +7,7 @@
 
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "radiometry/polarization_frame.h"
+#include "transport/sky/ground_around.h"
 #include "transport/sky/sky_refinement.h"
 
 namespace ifov::transport {
@@ -33,7 +34,7 @@ std::vector<double> level_irradiance(const SkyGrid& grid, const radiometry::Spec
 }  // namespace
 
 SkyDome::SkyDome(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towards_sun,
-                 const std::vector<double>& ground_radiance)
+                 const GroundAround& ground)
     : towards_sun_(towards_sun),
       zenith_rad_(atmosphere.sky_directions().zenith_rad),
       azimuth_rad_(atmosphere.sky_directions().azimuth_rad),
@@ -41,9 +42,8 @@ SkyDome::SkyDome(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towa
   for (std::size_t z = 0; z < zenith_rad_.size(); ++z)
     for (std::size_t a = 0; a < azimuth_rad_.size(); ++a)
       for (std::size_t n = 0; n < atmosphere.node_count(); ++n)
-        spectra_.row(z * azimuth_rad_.size() + a)[n] =
-            static_cast<float>(atmosphere.sky(z, a, n) + ground_radiance[n] * atmosphere.groundlit_sky(z, n));
-  if (atmosphere.polarized()) refine(atmosphere, ground_radiance);
+        spectra_.row(z * azimuth_rad_.size() + a)[n] = static_cast<float>(ground.sky(atmosphere, z, a, n));
+  if (atmosphere.polarized()) refine(atmosphere, ground);
   make_sampler(atmosphere.node_count());
   irradiance_ =
       std::make_unique<const SkyIrradiance>(SkyTable{zenith_rad_, azimuth_rad_, spectra_, towards_sun_});
@@ -51,15 +51,13 @@ SkyDome::SkyDome(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towa
 
 /// What is linear between the table's directions is off by 5e-4 of the Sun's irradiance over pi in a clear sky: too much for degrees
 /// of polarization.
-void SkyDome::refine(const atmosphere::SensorAtmosphere& atmosphere,
-                     const std::vector<double>& ground_radiance) {
+void SkyDome::refine(const atmosphere::SensorAtmosphere& atmosphere, const GroundAround& ground) {
   radiometry::SpectrumBlock q(spectra_.rows(), atmosphere.node_count()),
       u(spectra_.rows(), atmosphere.node_count());
   for (std::size_t r = 0; r < spectra_.rows(); ++r) {
     const std::size_t z = r / azimuth_rad_.size(), a = r % azimuth_rad_.size();
     for (std::size_t n = 0; n < atmosphere.node_count(); ++n) {
-      const radiometry::StokesVector light =
-          atmosphere.sky_stokes(z, a, n) + ground_radiance[n] * atmosphere.groundlit_sky_stokes(z, n);
+      const radiometry::StokesVector light = ground.sky_stokes(atmosphere, z, a, n);
       q.row(r)[n] = static_cast<float>(light.q);
       u.row(r)[n] = static_cast<float>(light.u);
     }

@@ -21,14 +21,15 @@ class SensorAtmosphere;
 
 namespace ifov::transport {
 
+struct GroundAround;
+
 /// The sky's radiance by direction, in spectral nodes: linear in zenith angle and azimuth between the directions of the
 /// atmosphere's table, symmetric about the Sun's plane; with polarization, of a table with a quarter of its steps
 /// (sky_refinement.h).
 class SkyDome {
  public:
-  /// `ground_radiance`: of the ground around the scene, by node, whose light the air scatters back.
-  SkyDome(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towards_sun,
-          const std::vector<double>& ground_radiance);
+  /// `ground`: around the scene, whose light the air scatters back.
+  SkyDome(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towards_sun, const GroundAround& ground);
 
   /// The spectra that a direction (unit, at or above the horizon) lies between.
   struct Corners {
@@ -62,7 +63,7 @@ class SkyDome {
 
  private:
   void make_sampler(std::size_t nodes);
-  void refine(const atmosphere::SensorAtmosphere& atmosphere, const std::vector<double>& ground_radiance);
+  void refine(const atmosphere::SensorAtmosphere& atmosphere, const GroundAround& ground);
   const float* spectrum(std::size_t zenith, std::size_t azimuth) const {
     return spectra_.row(zenith * azimuth_rad_.size() + azimuth);
   }

@@ -97,18 +97,23 @@ SchemaType<SurroundingsDocument> surroundings_type() {
           s.spectrum = std::move(spectrum);
         },
         [is_emissivity](const SurroundingsDocument& s) {
-          return s.is_emissivity == is_emissivity ? &s.spectrum : nullptr;
+          return !s.material && s.is_emissivity == is_emissivity ? &s.spectrum : nullptr;
         });
   };
   Record<SurroundingsDocument> record(
       "surroundings",
-      "What rays meet that leave the scene below the horizon: a Lambertian surface "
-      "lit by Sun and sky.");
+      "What rays meet that leave the scene below the horizon, and what the air gets from all around: level ground lit by Sun and "
+      "sky.");
   record.exactly_one()
-      .one("reflectance", store(false), spectrum_type(SpectrumOf::reflectance), "spectral reflectance")
-      .one("emissivity", store(true), spectrum_type(SpectrumOf::emissivity), "spectral emissivity")
+      .one("reflectance", store(false), spectrum_type(SpectrumOf::reflectance),
+           "spectral reflectance, alike in every direction")
+      .one("emissivity", store(true), spectrum_type(SpectrumOf::emissivity),
+           "spectral emissivity, alike in every direction")
+      .one("material", &SurroundingsDocument::material, name_of("a material"),
+           "the name of a material, which reflects by direction as its scattering says")
       .optional("temperature", &SurroundingsDocument::temperature_k,
-                quantity(kTemperature, Range::at_least(0.0, "K")), "without one they emit nothing");
+                quantity(kTemperature, Range::at_least(0.0, "K")),
+                "without one they emit nothing, or as the material's own temperature has them emit");
   return record.type();
 }
 

@@ -21,6 +21,7 @@
 #include "session/assembly/atmosphere/gas_model_assembly.h"
 #include "session/assembly/atmosphere/node_tolerance.h"
 #include "session/assembly/shared/with_position.h"
+#include "transport/sky/material_ground.h"
 
 namespace ifov::session {
 namespace {
@@ -221,7 +222,11 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
                                   sensor_altitudes(modelled, subject.camera, ground_km));
     inputs.with_errors = true;
     inputs.polarized = subject.polarized;
-    inputs.ground = subject.scene.materials[subject.scene.surroundings.material].reflectance;
+    const materials::Material& around = subject.scene.materials[subject.scene.surroundings.material];
+    inputs.ground = around.reflectance;
+    // Without a Sun azimuths count from the east, as in the scene's light.
+    inputs.directional = transport::material_ground(
+        around, subject.scene.sun ? subject.scene.sun->azimuth_rad() : 0.5 * std::numbers::pi);
     inputs.threads = work.threads;
     inputs.kept = work.kept;
     inputs.progress = work.progress;

@@ -139,9 +139,12 @@ void assemble_light(const LightParts& parts, scene::Scene& scene) {
                         }},
              light.sky);
 
-  materials::Material around;
+  materials::Material around = parts.ground.value_or(materials::Material());
   around.name = "surroundings";
-  if (light.surroundings) {
+  around.curve_of.reset();
+  if (light.surroundings && parts.ground) {
+    if (light.surroundings->temperature_k) around.temperature_k = light.surroundings->temperature_k;
+  } else if (light.surroundings) {
     const radiometry::Spectrum spectrum =
         assemble_spectrum(parts.sources, light.surroundings->spectrum, around.name);
     around.reflectance = light.surroundings->is_emissivity ? spectrum.complement() : spectrum;

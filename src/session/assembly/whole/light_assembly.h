@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "geodesy/utc_time.h"
+#include "materials/material.h"
 
 namespace ifov::io {
 struct AtmosphereDocument;
@@ -24,6 +25,7 @@ struct LightParts {
   const io::AtmosphereDocument& atmosphere;
   const io::OriginDocument& origin;
   const std::optional<geodesy::UtcTime>& time;
+  std::optional<materials::Material> ground;  ///< of the surroundings, where they are named as a material
 };
 
 /// Sun or Moon, sky, surroundings and the view path of a document, into the scene (whose materials gain the

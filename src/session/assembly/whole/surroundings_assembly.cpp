@@ -8,6 +8,7 @@
 #include "geometry/world.h"
 #include "io/document/atmosphere_document.h"
 #include "io/document/light_document.h"
+#include "materials/bsdf/bsdf.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "session/assembly/whole/camera_grid.h"
@@ -18,6 +19,8 @@ namespace {
 constexpr int kAcross = 24;        // rays along each side of the image
 constexpr int kAcrossChunks = 8;   // where each place that is met has a tree of its own to be made
 constexpr std::size_t kNamed = 3;  // materials that the note names
+/// Share of ground that reflects by direction from which on the note says what it is taken for.
+constexpr double kToldByDirection = 0.5;
 
 /// What of the ground is made of which material, and how warm that is.
 struct Ground {
@@ -94,6 +97,9 @@ std::optional<std::string> assume_surroundings(const io::LightDocument& light,
     const materials::Material& found = scene.materials[material];
     by_name[found.curve_of ? scene.materials[*found.curve_of].name : found.name] += area / ground.area;
   }
+  double by_direction = 0.0;
+  for (const auto& [material, area] : ground.share)
+    if (!scene.materials[material].bsdf->is_lambertian()) by_direction += area / ground.area;
   std::vector<std::pair<double, std::string>> parts;
   for (const auto& [name, share] : by_name) parts.emplace_back(-share, name);
   std::sort(parts.begin(), parts.end());
@@ -101,10 +107,13 @@ std::optional<std::string> assume_surroundings(const io::LightDocument& light,
   for (std::size_t k = 0; k < std::min(kNamed, parts.size()); ++k)
     names += format("{}{:.0f} % '{}'", k == 0 ? "" : ", ", -100.0 * parts[k].first, parts[k].second);
   if (parts.size() > kNamed) names += format(" and {} more", parts.size() - kNamed);
-  return format("surroundings: none declared; taken as the mean of the ground in the picture ({}), {}", names,
-                scene.surroundings.temperature_k > 0.0
-                    ? format("at {:.1f} K", scene.surroundings.temperature_k)
-                    : std::string("which emits nothing"));
+  return format(
+      "surroundings: none declared; taken as the mean of the ground in the picture ({}), {}{}", names,
+      scene.surroundings.temperature_k > 0.0 ? format("at {:.1f} K", scene.surroundings.temperature_k)
+                                             : std::string("which emits nothing"),
+      by_direction > kToldByDirection
+          ? "; it is taken to reflect alike in every direction, which 'light.surroundings' with a 'material' need not"
+          : "");
 }
 
 }  // namespace ifov::session

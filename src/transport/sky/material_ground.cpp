@@ -1,4 +1,4 @@
-#include "session/assembly/atmosphere/material_ground.h"
+#include "transport/sky/material_ground.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "radiometry/spectral_nodes.h"
 #include "radiometry/spectrum_block.h"
 
-namespace ifov::session {
+namespace ifov::transport {
 namespace {
 
 using atmosphere::GroundEvent;
@@ -151,21 +151,32 @@ class MaterialGround final : public atmosphere::DirectionalGround {
   Events events_;
 };
 
+bool lets_through(const materials::Material& material) {
+  return material.transmittance || (!material.bsdf->is_separable() && material.bsdf->may_transmit());
+}
+
 }  // namespace
 
-std::shared_ptr<const atmosphere::DirectionalGround> material_ground(const materials::Material& material,
-                                                                     double sun_azimuth_rad) {
-  const materials::Bsdf& bsdf = *material.bsdf;
-  if (bsdf.is_delta())
+void check_ground(const materials::Material& material) {
+  if (material.bsdf->is_delta())
     throw InputError(format(
         "the material '{}' sends all light in one direction: it is no ground for the air; expected a model that spreads light, such "
         "as 'sea', 'rpv' or 'ross_li'",
         material.name));
-  if (material.transmittance || (!bsdf.is_separable() && bsdf.may_transmit()))
+  if (lets_through(material))
     throw InputError(
         format("the material '{}' lets light through: it is no ground for the air; expected an opaque one",
                material.name));
-  if (bsdf.is_lambertian()) return nullptr;
+}
+
+bool reflects_by_direction(const materials::Material& material) {
+  return !material.bsdf->is_lambertian() && !material.bsdf->is_delta() && !lets_through(material);
+}
+
+std::shared_ptr<const atmosphere::DirectionalGround> material_ground(const materials::Material& material,
+                                                                     double sun_azimuth_rad) {
+  check_ground(material);
+  if (material.bsdf->is_lambertian()) return nullptr;
   return std::make_shared<const MaterialGround>(material, sun_azimuth_rad);
 }
 
@@ -175,4 +186,4 @@ std::string left_out_of(const atmosphere::DirectionalGround& ground) {
          "both sides.";
 }
 
-}  // namespace ifov::session
+}  // namespace ifov::transport
