@@ -1,14 +1,24 @@
 #include "session/loaded/temperature_errors.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/format.h"
+#include "sampling/quantiles.h"
 
 namespace ifov::session {
 
-double TemperatureErrors::OfMaterial::half_width_k() const { return 2.0 * std::hypot(rms_k, step_k); }
+double TemperatureErrors::OfMaterial::half_width_k() const {
+  static const double kConfidence = std::erf(std::numbers::sqrt2);
+  return std::hypot(sampling::two_sided_student(kConfidence, std::max(points, 1.0)) * rms_k, 2.0 * step_k);
+}
 
-double TemperatureErrors::half_width_k() const { return OfMaterial{rms_k, step_k}.half_width_k(); }
+double TemperatureErrors::half_width_k() const {
+  double largest_k = 0.0;
+  for (const auto& [number, error] : by_material) largest_k = std::max(largest_k, error.half_width_k());
+  return largest_k;
+}
 
 std::string TemperatureErrors::statement() const {
   return format(

@@ -11,7 +11,8 @@ namespace ifov::session {
 /// the same exposure. Kelvins.
 struct TemperatureErrors {
   struct OfMaterial {
-    double rms_k = 0.0, step_k = 0.0;
+    double points = 0.0, rms_k = 0.0, step_k = 0.0;
+    /// Of what two standard deviations hold, 95.45 %: Student's t of as many points times the root mean square, and twice the steps'.
     double half_width_k() const;
   };
   int points = 0, made_up = 0;
@@ -21,10 +22,9 @@ struct TemperatureErrors {
   double step_k = 0.0;  ///< of the steps of time, by those of twice the length
   std::string weather;  ///< by which they are solved, and what stood in for what it does not tell
 
-  std::map<std::uint32_t, OfMaterial> by_material{};  ///< by its number; the same without the maxima
+  std::map<std::uint32_t, OfMaterial> by_material{};  ///< by its number
 
-  /// Half-width of about 95 %: twice the root of the sum of squares. Of an image it is that of the material that is off most, as a
-  /// pixel may see any.
+  /// Of an image: of the material where it is largest, as a pixel may see any.
   double half_width_k() const;
   std::string statement() const;
 };

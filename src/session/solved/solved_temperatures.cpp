@@ -199,6 +199,7 @@ void measure(TemperatureErrors& errors, const io::Document& document, const ByMa
     }
     const double rms_k = std::sqrt(squares_k2 / count);
     errors.by_material[material].rms_k = rms_k;
+    errors.by_material[material].points = count;
     if (rms_k < errors.rms_k) continue;
     errors.rms_k = rms_k;
     errors.bias_k = sum_k / count;
