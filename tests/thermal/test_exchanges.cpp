@@ -153,6 +153,26 @@ TEST(Convection, FluctuationsGoFromTheStepToAllDirections) {
   }
 }
 
+/// Between walls every 30 degrees a line is off by no more than 30^2 / 8 times the largest curvature of an error function,
+/// exp(-1/2) / sqrt(2 pi) / spread^2.
+TEST(Convection, ClassesOfWallsCanInterpolate) {
+  constexpr double kDegree = kPi / 180.0;
+  const auto most_off = [&](double spread) {
+    double most = 0.0;
+    for (int from = 0; from < 30; ++from)
+      for (int wall = 0; wall < 360; ++wall) {
+        const auto at = [&](int azimuth) {
+          return windward_share(0.5 * kPi, azimuth * kDegree, from * kDegree, spread);
+        };
+        const int west = wall / 30 * 30;
+        most = std::max(most, std::abs(std::lerp(at(west), at(west + 30), (wall - west) / 30.0) - at(wall)));
+      }
+    return most;
+  };
+  EXPECT_LT(most_off(kWindSpread_rad), 0.122);
+  EXPECT_GT(most_off(0.0), 0.9);  // a fault: the step
+}
+
 TEST(WindProfile, LogarithmicOverOneTerrain) {
   const Anemometer station;
   EXPECT_NEAR(wind_at_m_s(5.0, station, 10.0, Terrain::open), 5.0, 1e-12);
