@@ -8,6 +8,7 @@
 
 #include "sampling/field.h"
 #include "sampling/pixel_footprint.h"
+#include "sampling/random.h"
 
 namespace ifov::benchmarks {
 

@@ -15,6 +15,7 @@
 #include "render/image_renderer.h"
 #include "render/polarized/stokes_columns.h"
 #include "render/scene_field.h"
+#include "sampling/footprint_groups.h"
 #include "sampling/tile.h"
 #include "scene/forest.h"
 #include "sensor/camera.h"

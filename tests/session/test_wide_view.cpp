@@ -14,6 +14,7 @@
 #include "render/mirrors/glints.h"
 #include "sampling/footprint_groups.h"
 #include "sampling/pixel_footprint.h"
+#include "sampling/tile.h"
 #include "sensor/sinking_scanner.h"
 #include "session/assembly/atmosphere/atmosphere_assembly.h"
 #include "session/loaded/parts.h"
