@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "atmosphere/imported_atmosphere.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "io/document/document.h"
 #include "radiometry/spectral_nodes.h"
-#include "scene/lamp.h"
 #include "session/assembly/atmosphere/adjacency_assembly.h"
 #include "session/assembly/atmosphere/atmosphere_assembly.h"
 #include "session/assembly/atmosphere/imported_assembly.h"
@@ -38,23 +36,6 @@ std::function<void(std::size_t, std::size_t)> atmosphere_progress(const LoadOpti
   };
 }
 
-/// Whether two spectra are the same but for a factor.
-bool same_shape(const radiometry::Spectrum& a, const radiometry::Spectrum& b) {
-  const auto equal = [](double x, double y) { return std::abs(x - y) <= 1e-12 * std::abs(y); };
-  if (!std::ranges::equal(a.wavelength_um(), b.wavelength_um(), equal)) return false;
-  const double of_a = b.maximum(), of_b = a.maximum();
-  return std::ranges::equal(a.values(), b.values(),
-                            [&](double x, double y) { return equal(x * of_a, y * of_b); });
-}
-
-/// A street of lamps has one light.
-void add_lamps(const scene::Scene& scene, radiometry::NodeDemands& demands) {
-  for (const scene::Lamp& lamp : scene.lamps)
-    if (std::ranges::none_of(demands.lamps,
-                             [&](const auto& known) { return same_shape(known, lamp.radiance); }))
-      demands.lamps.push_back(lamp.radiance);
-}
-
 }  // namespace
 
 void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept) {
@@ -73,7 +54,7 @@ void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmo
   const scene::TemperatureRange emitted = scene.temperatures().value_or(scene::TemperatureRange{});
   demands.coldest_k = emitted.coldest_k;
   demands.hottest_k = emitted.hottest_k;
-  add_lamps(scene, demands);
+  demands.lamps = spectra_of_lamps(scene);
   demands.all_glow = document.atmosphere.modelled && scene.all_emit();
   if (document.atmosphere.modelled) {
     parts.atmosphere =

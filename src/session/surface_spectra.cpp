@@ -7,6 +7,7 @@
 #include "materials/bsdf/hemisphere.h"
 #include "materials/material.h"
 #include "radiometry/channel.h"
+#include "scene/lamp.h"
 #include "scene/scene.h"
 #include "session/assembly/shared/colour_guess.h"
 
@@ -73,6 +74,15 @@ std::vector<bool> corners_left_out(const SurfacesOfNodes& of) {
   return left_out;
 }
 
+/// Whether two spectra are the same but for a factor.
+bool same_shape(const radiometry::Spectrum& a, const radiometry::Spectrum& b) {
+  const auto equal = [](double x, double y) { return std::abs(x - y) <= 1e-12 * std::abs(y); };
+  if (!std::ranges::equal(a.wavelength_um(), b.wavelength_um(), equal)) return false;
+  const double of_a = b.maximum(), of_b = a.maximum();
+  return std::ranges::equal(a.values(), b.values(),
+                            [&](double x, double y) { return equal(x * of_a, y * of_b); });
+}
+
 }  // namespace
 
 std::vector<radiometry::Spectrum> spectra_of_surfaces(const SurfacesOfNodes& of) {
@@ -91,6 +101,14 @@ std::vector<radiometry::Spectrum> spectra_of_surfaces(const SurfacesOfNodes& of)
   if (of.scene.sun) surfaces.push_back(of.scene.sun->transmittance);
   if (of.scene.view_path.transmittance) surfaces.push_back(*of.scene.view_path.transmittance);
   return surfaces;
+}
+
+std::vector<radiometry::Spectrum> spectra_of_lamps(const scene::Scene& scene) {
+  std::vector<radiometry::Spectrum> lamps;
+  for (const scene::Lamp& lamp : scene.lamps)
+    if (std::ranges::none_of(lamps, [&](const auto& known) { return same_shape(known, lamp.radiance); }))
+      lamps.push_back(lamp.radiance);
+  return lamps;
 }
 
 }  // namespace ifov::session

@@ -27,5 +27,7 @@ struct SurfacesOfNodes {
 
 /// Spectra of all that surfaces make of light, at some angles too, and of what stands before it: nodes have to hold them.
 std::vector<radiometry::Spectrum> spectra_of_surfaces(const SurfacesOfNodes& of);
+/// Of lamps, each shape once: a street of them has one light.
+std::vector<radiometry::Spectrum> spectra_of_lamps(const scene::Scene& scene);
 
 }  // namespace ifov::session

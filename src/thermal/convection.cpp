@@ -60,9 +60,22 @@ bool faces_wind(double tilt_rad, double azimuth_rad, double wind_from_rad) {
   return std::abs(std::remainder(azimuth_rad - wind_from_rad, 2.0 * std::numbers::pi)) <= kWindward_rad;
 }
 
-double windward_share(double tilt_rad, double azimuth_rad, double wind_from_rad) {
-  if (std::isnan(wind_from_rad) && tilt_rad >= kFlat_rad) return kWindward_rad / std::numbers::pi;
-  return faces_wind(tilt_rad, azimuth_rad, wind_from_rad) ? 1.0 : 0.0;
+double windward_share(double tilt_rad, double azimuth_rad, double wind_from_rad, double spread_rad) {
+  if (tilt_rad < kFlat_rad) return 1.0;
+  if (std::isnan(wind_from_rad)) return kWindward_rad / std::numbers::pi;
+  if (!(spread_rad > 0.0)) return faces_wind(tilt_rad, azimuth_rad, wind_from_rad) ? 1.0 : 0.0;
+  constexpr double kTurn_rad = 2.0 * std::numbers::pi;
+  const double apart_rad = std::remainder(azimuth_rad - wind_from_rad, kTurn_rad);
+  const double scale = 1.0 / (std::numbers::sqrt2 * spread_rad);
+  // A wind that fluctuates past all sides comes round again.
+  const int turns = 1 + static_cast<int>(std::ceil(6.0 * spread_rad / kTurn_rad));
+  double share = 0.0;
+  for (int turn = -turns; turn <= turns; ++turn) {
+    const double middle_rad = apart_rad + turn * kTurn_rad;
+    share += 0.5 * (std::erf((middle_rad + kWindward_rad) * scale) -
+                    std::erf((middle_rad - kWindward_rad) * scale));
+  }
+  return share;
 }
 
 }  // namespace ifov::thermal

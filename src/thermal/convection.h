@@ -40,7 +40,13 @@ Coefficient convection(double warmer_k, double cos_tilt, double forced_w_m2_k, R
 /// Whether the wind blows against a surface: all that lies flatter than 8 degrees, and walls that it meets at up to 100
 /// degrees from their normal (Walton 1983). Azimuths clockwise from north; the wind's is where it comes from.
 bool faces_wind(double tilt_rad, double azimuth_rad, double wind_from_rad);
-/// The same as a share: of all directions that the wind may come from where that is not known (not a number).
-double windward_share(double tilt_rad, double azimuth_rad, double wind_from_rad);
+/// By how much the direction of the wind fluctuates within the hour that a weather record is of, standard deviation: 15 degrees,
+/// the middle of Pasquill's class C. F, still nights, is below 3.8, D, neutral air, 7.5 to 12.5, A, sunlit calms, above 22.5:
+/// EPA-454/R-99-005 (2000), table 6-8.
+inline constexpr double kWindSpread_rad = 0.2617993877991494;
+/// The same as a share of time: of a wind whose directions are distributed normally about the recorded one, and of all
+/// directions where that is not known (not a number).
+double windward_share(double tilt_rad, double azimuth_rad, double wind_from_rad,
+                      double spread_rad = kWindSpread_rad);
 
 }  // namespace ifov::thermal

@@ -99,11 +99,78 @@ TEST(Convection, WindOfUnknownDirection) {
           convection(0.0, std::cos(tilt), forced_convection(4.0, share), Roughness::very_smooth).h_w_m2_k,
           mean, 0.005)
           << tilt << " " << azimuth;
-      EXPECT_EQ(windward_share(tilt, azimuth, 0.3), faces_wind(tilt, azimuth, 0.3) ? 1.0 : 0.0);
+      EXPECT_EQ(windward_share(tilt, azimuth, 0.3, 0.0), faces_wind(tilt, azimuth, 0.3) ? 1.0 : 0.0);
     }
   // A fault: taken for a wind from the north, a wall that faces south would be to leeward.
   EXPECT_LT(forced_convection(4.0, windward_share(0.5 * kPi, kPi, 0.0)),
             0.9 * forced_convection(4.0, windward_share(0.5 * kPi, kPi, NAN)));
+}
+
+/// Walton's step, averaged over directions drawn at equal shares of a normal distribution.
+double mean_of_steps(double tilt, double azimuth, double from, double spread) {
+  constexpr int kPlaces = 400001;
+  constexpr double kSides = 8.0;
+  double mean = 0.0, all = 0.0;
+  for (int k = 0; k < kPlaces; ++k) {
+    const double z = kSides * (2.0 * k / (kPlaces - 1) - 1.0), density = std::exp(-0.5 * z * z);
+    all += density;
+    mean += density * (faces_wind(tilt, azimuth, from + spread * z) ? 1.0 : 0.0);
+  }
+  return mean / all;
+}
+
+TEST(Convection, WindFluctuatesInDirection) {
+  constexpr double kDegree = kPi / 180.0;
+  double fault = 0.0;
+  for (const double spread : {2.5 * kDegree, kWindSpread_rad, 60.0 * kDegree})
+    for (int off = -180; off <= 180; off += 20) {
+      const double from = 1.1, azimuth = from + off * kDegree;
+      const double share = windward_share(0.5 * kPi, azimuth, from, spread);
+      EXPECT_NEAR(share, mean_of_steps(0.5 * kPi, azimuth, from, spread), 1e-4) << spread << " " << off;
+      // A fault: the step itself.
+      fault = std::max(fault, std::abs(share - (faces_wind(0.5 * kPi, azimuth, from) ? 1.0 : 0.0)));
+    }
+  EXPECT_GT(fault, 0.3);
+  // Of a table of the normal distribution: half at the step, one and two standard deviations beside it; the same to both sides.
+  for (const double side : {-1.0, 1.0}) {
+    const auto at = [&](double off) {
+      return windward_share(0.5 * kPi, side * (100.0 * kDegree + off * kWindSpread_rad), 0.0);
+    };
+    EXPECT_NEAR(at(0.0), 0.5, 1e-6);
+    EXPECT_NEAR(at(-1.0), 0.84134, 1e-5);
+    EXPECT_NEAR(at(1.0), 0.15866, 1e-5);
+    EXPECT_NEAR(at(2.0), 0.02275, 1e-5);
+  }
+  EXPECT_EQ(windward_share(0.1, 2.0, 5.0), 1.0);
+}
+
+/// With less and less fluctuation the share is Walton's step, with more and more that of all directions.
+TEST(Convection, FluctuationsGoFromTheStepToAllDirections) {
+  for (const double off : {0.0, 1.0, 1.7, 1.8, 2.5, kPi, -1.7, -1.8}) {
+    EXPECT_NEAR(windward_share(0.5 * kPi, off, 0.0, 1e-3), faces_wind(0.5 * kPi, off, 0.0) ? 1.0 : 0.0,
+                1e-12);
+    EXPECT_NEAR(windward_share(0.5 * kPi, off, 0.0, 12.0), windward_share(0.5 * kPi, off, NAN), 1e-10);
+  }
+}
+
+/// Between walls every 30 degrees a line is off by no more than 30^2 / 8 times the largest curvature of an error function,
+/// exp(-1/2) / sqrt(2 pi) / spread^2.
+TEST(Convection, ClassesOfWallsCanInterpolate) {
+  constexpr double kDegree = kPi / 180.0;
+  const auto most_off = [&](double spread) {
+    double most = 0.0;
+    for (int from = 0; from < 30; ++from)
+      for (int wall = 0; wall < 360; ++wall) {
+        const auto at = [&](int azimuth) {
+          return windward_share(0.5 * kPi, azimuth * kDegree, from * kDegree, spread);
+        };
+        const int west = wall / 30 * 30;
+        most = std::max(most, std::abs(std::lerp(at(west), at(west + 30), (wall - west) / 30.0) - at(wall)));
+      }
+    return most;
+  };
+  EXPECT_LT(most_off(kWindSpread_rad), 0.122);
+  EXPECT_GT(most_off(0.0), 0.9);  // a fault: the step
 }
 
 TEST(WindProfile, LogarithmicOverOneTerrain) {

@@ -1,20 +1,32 @@
 #include "session/loaded/temperature_errors.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/format.h"
+#include "sampling/quantiles.h"
 
 namespace ifov::session {
 
-double TemperatureErrors::half_width_k() const { return 2.0 * std::hypot(rms_k, step_k); }
+double TemperatureErrors::OfMaterial::half_width_k() const {
+  static const double kConfidence = std::erf(std::numbers::sqrt2);
+  return std::hypot(sampling::two_sided_student(kConfidence, std::max(points, 1.0)) * rms_k, 2.0 * step_k);
+}
+
+double TemperatureErrors::half_width_k() const {
+  double largest_k = 0.0;
+  for (const auto& [number, error] : by_material) largest_k = std::max(largest_k, error.half_width_k());
+  return largest_k;
+}
 
 std::string TemperatureErrors::statement() const {
   return format(
       "solved temperatures: at {} points that the camera sees, each solved in full by itself{}, off by {:.2f} K "
-      "(root mean square, of the material that is off most), {:.2f} K at worst, {:+.3f} K on average; steps of time {:.3f} K; what "
+      "(root mean square, of '{}', the material that is off most), {:.2f} K at worst, {:+.3f} K on average; steps of time {:.3f} K; what "
       "hides the sky counts as level ground at the air's temperature",
       points, made_up > 0 ? format(", and {} more of materials that it hardly sees", made_up) : "", rms_k,
-      worst_k, bias_k, step_k);
+      material, worst_k, bias_k, step_k);
 }
 
 }  // namespace ifov::session

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
 
 namespace ifov::session {
@@ -8,13 +10,21 @@ namespace ifov::session {
 /// sees, and at some made up of materials that it hardly sees, each solved in full by itself against what its class makes of
 /// the same exposure. Kelvins.
 struct TemperatureErrors {
+  struct OfMaterial {
+    double points = 0.0, rms_k = 0.0, step_k = 0.0;
+    /// Of what two standard deviations hold, 95.45 %: Student's t of as many points times the root mean square, and twice the steps'.
+    double half_width_k() const;
+  };
   int points = 0, made_up = 0;
   double rms_k = 0.0, bias_k = 0.0;  ///< root mean square and mean, of the material that is off most
+  std::string material;              ///< its name
   double worst_k = 0.0;
   double step_k = 0.0;  ///< of the steps of time, by those of twice the length
   std::string weather;  ///< by which they are solved, and what stood in for what it does not tell
 
-  /// Half-width of about 95 %: twice the root of the sum of squares.
+  std::map<std::uint32_t, OfMaterial> by_material{};  ///< by its number
+
+  /// Of an image: of the material where it is largest, as a pixel may see any.
   double half_width_k() const;
   std::string statement() const;
 };

@@ -174,8 +174,8 @@ std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor
 }
 
 /// What classes make of the points against solutions in full, material by material; of the root mean squares the largest.
-void measure(TemperatureErrors& errors, const ByMaterial& by_material, std::vector<Measured> points,
-             const thermal::OutdoorsSeries& series, const thermal::Stand& stand,
+void measure(TemperatureErrors& errors, const io::Document& document, const ByMaterial& by_material,
+             std::vector<Measured> points, const thermal::OutdoorsSeries& series, const thermal::Stand& stand,
              const exposure::PastScene& past, int threads) {
   parallel_for(static_cast<std::int64_t>(points.size()), threads, [&](std::int64_t k) {
     const auto number = static_cast<std::size_t>(k);
@@ -198,7 +198,12 @@ void measure(TemperatureErrors& errors, const ByMaterial& by_material, std::vect
       ++(point.made_up ? errors.made_up : errors.points);
     }
     const double rms_k = std::sqrt(squares_k2 / count);
-    if (rms_k >= errors.rms_k) errors.rms_k = rms_k, errors.bias_k = sum_k / count;
+    errors.by_material[material].rms_k = rms_k;
+    errors.by_material[material].points = count;
+    if (rms_k < errors.rms_k) continue;
+    errors.rms_k = rms_k;
+    errors.bias_k = sum_k / count;
+    errors.material = document.scene.materials[material].name;
   }
 }
 
@@ -240,10 +245,12 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
   }
 
   TemperatureErrors errors;
-  for (const auto& [material, solved] : by_material)
-    errors.step_k = std::max(errors.step_k, step_error_k(solved, series, stand));
-  measure(errors, by_material, points_by_material(scene, camera, by_material, past), series, stand, past,
-          threads);
+  for (const auto& [material, solved] : by_material) {
+    const double step_k = errors.by_material[material].step_k = step_error_k(solved, series, stand);
+    errors.step_k = std::max(errors.step_k, step_k);
+  }
+  measure(errors, document, by_material, points_by_material(scene, camera, by_material, past), series, stand,
+          past, threads);
   errors.weather = about.statement;
   for (const std::string& note : about.outdoors.notes) errors.weather += "; " + note;
   if (log != nullptr) warn_of_another_sun(scene, series.rows.back(), *log);

@@ -86,7 +86,7 @@ ReportSection suburb_section(const TemperatureOptions& options) {
   section.text =
       "A suburb as `ifov make suburb` writes it, its opaque materials solved for by what their names say they are made of. Random points of roofs, walls, "
       "ground and cars at 5, 9, 14 and 20 h, each solved in full by itself from 512 rays to the Sun's past places and 256 to the sky, against its class "
-      "with the same exposure; and what estimates by 10 rays are off on average. Walls and slopes jump from windward to leeward at 100 degrees, which classes "
+      "with the same exposure; and what estimates by 10 rays are off on average. Walls and slopes turn from windward to leeward within some 30 degrees, which classes "
       "every 30 degrees smear: what that costs is seen beside weather that tells no wind direction.";
   const SuburbPoints found = suburb_points(an_hour, kSuburbHours, true, options.study);
   section.figures.at_most("suburb_rms", found.rms_k, 0.15, "K",
@@ -99,7 +99,12 @@ ReportSection suburb_section(const TemperatureOptions& options) {
       format("mean difference of 16 estimates of each, 0.02 K beyond three standard errors of {:.4f} K",
              found.estimate_error_k));
   section.figures.between("suburb_covered", found.covered, 0.93, 0.995, "",
-                          "share of points within the half-width that is stated");
+                          "share of points within the half-width that is measured of their material");
+  section.figures.at_most("fault_suburb_covered", found.covered_by_half, 0.93, "",
+                          "planted fault: within half of it");
+  section.figures.at_least(
+      "suburb_covered_by_image", found.covered_by_image, 0.93, "",
+      "share within the half-width that is stated of the image, by the material that is off most");
   for (std::size_t hour = 0; hour < kSuburbHours.size(); ++hour)
     section.figures.report(format("suburb_half_width_{}", std::string(kSuburbHours[hour]).substr(0, 2)),
                            found.half_width_k[hour], "K",

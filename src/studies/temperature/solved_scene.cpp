@@ -51,6 +51,12 @@ double SolvedScene::half_width_k() const {
   return inside_->session.parts().temperature_errors->half_width_k();
 }
 
+double SolvedScene::half_width_k(std::size_t material) const {
+  return inside_->session.parts()
+      .temperature_errors->by_material.at(static_cast<std::uint32_t>(material))
+      .half_width_k();
+}
+
 const exposure::SolvedSurface* SolvedScene::surface(std::size_t material) const {
   const auto& solved = inside_->session.parts().scene.solved;
   return material < solved.size() ? dynamic_cast<const exposure::SolvedSurface*>(solved[material].get())

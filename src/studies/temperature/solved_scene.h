@@ -27,7 +27,8 @@ class SolvedScene {
   ~SolvedScene();
 
   const thermal::OutdoorsSeries& series() const;
-  double half_width_k() const;  ///< that is stated
+  double half_width_k() const;  ///< that is stated of the image
+  double half_width_k(std::size_t material) const;
   /// Of a material that is solved; null of another.
   const exposure::SolvedSurface* surface(std::size_t material) const;
   geometry::SurfacePoint met_by(math::Point3 from_m, math::Vec3 direction) const;

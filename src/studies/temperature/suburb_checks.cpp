@@ -63,14 +63,14 @@ SuburbPoints suburb_points(std::size_t points_an_hour, std::span<const char* con
                            bool wind_direction, const StudyOptions& options) {
   SuburbPoints found;
   double squares_k2 = 0.0, estimates_k = 0.0, estimate_squares_k2 = 0.0, covered = 0.0;
+  double covered_by_image = 0.0, covered_by_half = 0.0;
   for (std::size_t hour = 0; hour < hours.size(); ++hour) {
     if (options.cancel != nullptr && options.cancel->cancelled()) throw Cancelled();
     const std::string name = format("suburb_{}{}", std::string(hours[hour]).substr(0, 2),
                                     wind_direction ? "" : "_without_direction");
     const SolvedScenePtr kept = suburb_scene(hours[hour], wind_direction, name, options);
     const SolvedScene& scene = *kept;
-    const double half_width_k = scene.half_width_k();
-    found.half_width_k.push_back(half_width_k);
+    found.half_width_k.push_back(scene.half_width_k());
     const std::vector<FoundPoint> points = random_points(scene, points_an_hour, options.seed + hour);
     std::vector<double> full_k(points.size()), off_k(points.size()), estimate_k(points.size());
     parallel_for(static_cast<std::int64_t>(points.size()), options.threads, [&](std::int64_t index) {
@@ -89,7 +89,9 @@ SuburbPoints suburb_points(std::size_t points_an_hour, std::span<const char* con
       squares_k2 += off_k[k] * off_k[k];
       found.bias_k += off_k[k];
       found.worst_k = std::max(found.worst_k, std::abs(off_k[k]));
-      covered += std::abs(off_k[k]) <= half_width_k;
+      covered += std::abs(off_k[k]) <= scene.half_width_k(points[k].material);
+      covered_by_image += std::abs(off_k[k]) <= scene.half_width_k();
+      covered_by_half += std::abs(off_k[k]) <= 0.5 * scene.half_width_k(points[k].material);
       estimates_k += estimate_k[k];
       estimate_squares_k2 += estimate_k[k] * estimate_k[k];
     }
@@ -101,6 +103,8 @@ SuburbPoints suburb_points(std::size_t points_an_hour, std::span<const char* con
   found.rms_k = std::sqrt(squares_k2 / count);
   found.bias_k /= count;
   found.covered = covered / count;
+  found.covered_by_image = covered_by_image / count;
+  found.covered_by_half = covered_by_half / count;
   found.estimate_bias_k = estimates_k / count;
   found.estimate_error_k = std::sqrt(estimate_squares_k2 / count / count);
   return found;

@@ -80,9 +80,11 @@ struct SuburbPoints {
   std::size_t points = 0;
   double rms_k = 0.0, worst_k = 0.0, bias_k = 0.0;
   double estimate_bias_k = 0.0,
-         estimate_error_k = 0.0;     ///< of what rays by chance tell, and its standard error
-  double covered = 0.0;              ///< by the half-width that is stated
-  std::vector<double> half_width_k;  ///< stated, by hour
+         estimate_error_k = 0.0;  ///< of what rays by chance tell, and its standard error
+  double covered = 0.0;           ///< by the half-width that is stated of their material
+  double covered_by_image = 0.0,
+         covered_by_half = 0.0;      ///< by that of the image; by half of their material's
+  std::vector<double> half_width_k;  ///< stated of the image, by hour
   std::vector<double> full_k, off_k;
 };
 /// `wind_direction`: whether the weather tells it.
