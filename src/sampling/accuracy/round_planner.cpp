@@ -20,6 +20,8 @@ namespace {
 constexpr int kGenerous = 5;
 /// What is too wide by a little is to have this part of its variance at most, where it is told well and where not.
 constexpr double kSoon = 0.8, kLate = 0.6;
+/// The same where sequences of paths are seen to gain.
+constexpr double kToldSoon = 0.95, kToldLate = 0.8;
 /// Of the variance that borders leave, values may take this share at least, whatever means from maps have taken.
 constexpr double kLeastOfValues = 0.3;
 
@@ -146,7 +148,10 @@ void RoundPlanner::find_budget(int o) {
     // be estimated smallest.
     if (wide) {
       const double sure = std::clamp(sum.path[d].degrees_of_freedom() / kSure, 0.0, 1.0);
-      const double left = output.test < kGenerous ? std::lerp(kLate, kSoon, sure) : kLate;
+      const bool told = sum.gain[d] < kGains;
+      const double soon = told ? kToldSoon : kSoon, late = told ? kToldLate : kLate;
+      const double left =
+          output.test < kGenerous ? std::lerp(late, soon, sure) : std::lerp(kLate, late, sure);
       output.path_budget[d] =
           std::min(output.path_budget[d], left * (sum.path[d].variance() - sum.foretold[d]));
     }

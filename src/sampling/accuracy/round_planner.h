@@ -35,6 +35,8 @@ class RoundPlanner {
   /// Values of a pixel's pilot round, about; of each stratum kFewest at least.
   static constexpr double kPilot = 16.0;
   static constexpr double kSure = 40.0;  ///< so many degrees of freedom tell a variance well
+  static constexpr double kGains =
+      0.9;  ///< where sequences of paths leave less of the variance than this, they are seen to gain
 
   bool begin_foretold(Radiance& radiance);
   template <class Visit>

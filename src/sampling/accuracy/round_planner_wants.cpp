@@ -24,10 +24,12 @@ namespace {
 /// Planned rounds aim a little beyond the limit, because variances are estimates: further where few degrees of freedom tell them,
 /// as many would else end where theirs happen to be estimated smallest.
 constexpr double kMargin = 1.2, kUnsureMargin = 1.6;
+/// The same where sequences are seen to gain: many replicates and like outputs tell the variance there.
+constexpr double kToldMargin = 1.12, kToldUnsureMargin = 1.4;
 /// The same again where a pilot alone has told.
 constexpr double kFromPilot = 1.41;
 /// Variances fall as values' number to minus this where their sequences are seen to gain so much.
-constexpr double kSequenceFall = 2.0, kGains = 0.9;
+constexpr double kSequenceFall = 2.0;
 /// Of what a stratum's outputs want each as if it were alone, so much at least, and so much more than there is.
 constexpr double kLeastShare = 0.3, kMostShare = 2.0, kLeastGrowth = 1.2;
 /// What sequences of paths gain, before their replicates have told.
@@ -243,7 +245,9 @@ bool RoundPlanner::plan_stratum(Radiance& radiance, const LeafIntegrator& integr
   if (!pilot && mostly_met(own, unmet)) wanted = StratumEstimates::with_trend(stratum, steering_, wanted);
   if (!pilot && have > 0.0 && want.gain < kGains)
     wanted = have * std::pow(wanted / have, 1.0 / kSequenceFall);
-  const double margin = std::lerp(kUnsureMargin, kMargin, std::min(1.0, want.freedom / kSure)) *
+  const bool told = want.gain < kGains;
+  const double margin = std::lerp(told ? kToldUnsureMargin : kUnsureMargin, told ? kToldMargin : kMargin,
+                                  std::min(1.0, want.freedom / kSure)) *
                         (pilot && !want.hope ? kFromPilot : 1.0);
   double more = margin * wanted - have;
   if (have > 0.0) more = std::min(more, ((pilot ? kFirstGrowth : kGrowth) * kMargin - 1.0) * have);
