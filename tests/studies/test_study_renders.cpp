@@ -161,7 +161,7 @@ TEST(Studies, AreFoundByName) {
   ASSERT_NE(find_study("aliasing"), nullptr);
   EXPECT_EQ(find_study("thermic"), nullptr);
   ASSERT_NE(find_study("suburb"), nullptr);
-  EXPECT_EQ(all_studies().size(), 5u);
+  EXPECT_EQ(all_studies().size(), 7u);
 }
 
 TEST(Studies, AliasingWritesItsFiles) {
