@@ -1,14 +1,12 @@
 // Thermal shadows of what is gone, and none of what has just come: against one dimension solved alone, with the Sun and the sky
 // let in at the minute, as a box that is written here hides them.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 
 #include "core/format.h"
+#include "exposure/clear_days.h"
 #include "exposure/solved_surface.h"
 #include "geometry/world.h"
 #include "io/document/document.h"
@@ -24,28 +22,8 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kHalfLength_m = 2.2, kHalfWidth_m = 0.9, kTop_m = 1.5;  // of a car, along east and north
 
-class Weather {
- public:
-  Weather() : path_(std::filesystem::temp_directory_path() / format("ifov_presence_{}.csv", ::getpid())) {
-    std::ofstream file(path_);
-    file
-        << "time,air_temperature_c,relative_humidity_pct,wind_speed_m_s,cloud_fraction,global_irradiance_w_m2\n";
-    for (int hour = 0; hour <= 48; ++hour) {
-      const double turn = kPi / 12.0;
-      const double height = 0.3134 + 0.5648 * std::cos(turn * (hour + 0.3 - 12.0));  // 52 N, 5 E, June
-      file << format("2026-06-{:02d}T{:02d}:00:00Z,{:.2f},60,2.5,0,{:.1f}\n", 20 + hour / 24, hour % 24,
-                     18.0 - 5.0 * std::cos(turn * (hour - 3.0)), std::max(0.0, 1000.0 * height - 30.0));
-    }
-  }
-  ~Weather() { std::filesystem::remove(path_); }
-  std::string path() const { return path_.string(); }
-
- private:
-  std::filesystem::path path_;
-};
-
 /// A car on asphalt at 15 h; `present`: of the car, with its key, or nothing.
-Session load(const Weather& weather, const std::string& present, const char* step = "5 min") {
+Session load(const ClearDays& weather, const std::string& present, const char* step = "5 min") {
   return Session::load(
       io::parse_document(format(
                              R"({{"ifov": 1, "time": "2026-06-21T15:00:00Z", "weather": {{"file": "{}"}},
@@ -138,7 +116,7 @@ double mean_k(const scene::SolvedTemperature& of, const geometry::SurfacePoint& 
 }
 
 TEST(Presence, ACarThatLeftLeavesItsShadow) {
-  const Weather weather;
+  const ClearDays weather("presence", 2.5);
   const Session minutes = load(weather, "", "1 min");
   double coldest = 1e9, warmest = 0.0;
   for (const auto& [left, left_min] : {std::pair{"14:50", 10.0}, {"14:30", 30.0}, {"13:00", 120.0}}) {
@@ -163,7 +141,7 @@ TEST(Presence, ACarThatLeftLeavesItsShadow) {
 }
 
 TEST(Presence, AVisitWithinTheLastStepHidesTheSky) {
-  const Weather weather;
+  const ClearDays weather("presence", 2.5);
   const Session minutes = load(weather, "", "1 min");
   const Session session = load(weather, R"(, "present": [["2026-06-21T14:55:10Z", "2026-06-21T14:59:50Z"]])");
   const scene::SolvedTemperature& road = *session.parts().scene.solved.at(0);
@@ -176,7 +154,7 @@ TEST(Presence, AVisitWithinTheLastStepHidesTheSky) {
 }
 
 TEST(Presence, ACarThatJustCameDidNotShadeBefore) {
-  const Weather weather;
+  const ClearDays weather("presence", 2.5);
   const Session minutes = load(weather, "", "1 min");  // in which it always stood
   const Session session =
       load(weather, R"(, "present": [["2026-06-21T14:30Z", "2026-06-21T16:00:00+00:00"]])");
@@ -192,7 +170,7 @@ TEST(Presence, ACarThatJustCameDidNotShadeBefore) {
 }
 
 TEST(Presence, IntervalsOfErrorHoldWhereACarStood) {
-  const Weather weather;
+  const ClearDays weather("presence", 2.5);
   const Session session = load(weather, R"(, "present": [["2026-06-21T06:10Z", "2026-06-21T14:30Z"]])");
   const scene::SolvedTemperature& road = *session.parts().scene.solved.at(0);
   // What single estimates say of themselves against how they scatter, under the car and where it shaded.

@@ -1,14 +1,11 @@
 // The wind of a surface is that of its height above ground: heights by hand, and a roof against one dimension solved alone in a
 // wind that the logarithmic law has raised here.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <numbers>
 
 #include "core/format.h"
+#include "exposure/clear_days.h"
 #include "exposure/past_scene.h"
 #include "exposure/solved_surface.h"
 #include "geometry/world.h"
@@ -22,29 +19,7 @@
 namespace ifov::session::test_wind_by_height {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-class WindyDay {
- public:
-  WindyDay() : path_(std::filesystem::temp_directory_path() / format("ifov_windy_{}.csv", ::getpid())) {
-    std::ofstream file(path_);
-    file
-        << "time,air_temperature_c,relative_humidity_pct,wind_speed_m_s,cloud_fraction,global_irradiance_w_m2\n";
-    for (int hour = 0; hour <= 48; ++hour) {
-      const double turn = kPi / 12.0;
-      const double height = 0.3134 + 0.5648 * std::cos(turn * (hour + 0.3 - 12.0));  // 52 N, 5 E, June
-      file << format("2026-06-{:02d}T{:02d}:00:00Z,{:.2f},60,3,0,{:.1f}\n", 20 + hour / 24, hour % 24,
-                     18.0 - 5.0 * std::cos(turn * (hour - 3.0)), std::max(0.0, 1000.0 * height - 30.0));
-    }
-  }
-  ~WindyDay() { std::filesystem::remove(path_); }
-  std::string path() const { return path_.string(); }
-
- private:
-  std::filesystem::path path_;
-};
-
-Session load(const WindyDay& day, const std::string& objects, const char* terrain = "open") {
+Session load(const ClearDays& day, const std::string& objects, const char* terrain = "open") {
   return Session::load(
       io::parse_document(format(R"({{"ifov": 1, "time": "2026-06-21T14:00:00Z", "weather": {{"file": "{}"}},
           "temperatures": {{"spin_up": "1 d", "step": "10 min", "repeat_first_day": true, "terrain": "{}"}},
@@ -76,7 +51,7 @@ double height_m(const Session& session, double x, double y, double z) {
 }
 
 TEST(WindByHeight, CountsFromTheGroundBelow) {
-  const WindyDay day;
+  const ClearDays day("windy", 3.0);
   // A tower that stands on the plane, one with a foundation, a deck on nothing with a hut on it.
   const Session session =
       load(day, kGround + ", " + box(-4, -4, 0, 4, 4, 20) + ", " + box(10, -4, -3, 18, 4, 12) + ", " +
@@ -94,7 +69,7 @@ TEST(WindByHeight, CountsFromTheGroundBelow) {
 }
 
 TEST(WindByHeight, GroundMayBeABlock) {
-  const WindyDay day;
+  const ClearDays day("windy", 3.0);
   // A deep block for ground, whose bottom is not: a house on it, and the block itself.
   const Session block = load(day, box(-50, -50, -30, 50, 50, 5, "paint") + ", " + box(-4, -4, 5, 4, 4, 14));
   EXPECT_NEAR(height_m(block, 0, 0, 14), 9.0, 1e-6);
@@ -126,7 +101,7 @@ double alone_k(const Session& of, double wind_factor) {
 }
 
 TEST(WindByHeight, ARoofConvectsMoreThanTheStreet) {
-  const WindyDay day;
+  const ClearDays day("windy", 3.0);
   for (const char* terrain : {"open", "suburb"}) {
     const double z0 = std::string(terrain) == "open" ? 0.03 : 1.0;
     // Of the wind at 10 m over open terrain, by way of the one at 60 m.
