@@ -65,7 +65,7 @@ Command add_study_command(CLI::App& app) {
   parser->add_option("-o,--output", arguments->output, "Folder of the report (default: study-NAME)");
   parser->add_option(
       "--reference", arguments->reference,
-      "Folder of reference data (atmosphere, sensor; default: the environment variable IFOV_TRUTH)");
+      "Folder of reference data (atmosphere, sensor, temperature; default: the environment variable IFOV_TRUTH)");
   parser->add_option("--scene", arguments->scene,
                      "Document to study instead of the study's own scene (suburb)");
   parser->add_option("--trials", arguments->trials, "Random shifts of each scene; fewer give a quick look")
@@ -81,7 +81,7 @@ Command add_study_command(CLI::App& app) {
   parser->add_flag("-q,--quiet", arguments->quiet, "Print nothing but errors");
   std::string footer = "Studies:\n";
   for (const studies::StudyEntry& entry : studies::all_studies()) {
-    footer += format("  {:<10} {}\n", entry.name, entry.summary);
+    footer += format("  {:<11} {}\n", entry.name, entry.summary);
   }
   parser->footer(
       footer +

@@ -82,6 +82,25 @@ TEST(SequenceGains, TellLevelAndFreedomOfTheirPrior) {
   }
 }
 
+// psi and psi_1 of integers by Abramowitz and Stegun (1964), table 6.1 (psi(10) and psi(6) less the logarithm) and eq. 6.4.3.
+TEST(SequenceGains, AreSmythsToTheDigits) {
+  constexpr double kOwnFreedom = 12.0, kPsi1Of6 = 0.1813229557, kPsiOf6 = -0.0856418008;
+  constexpr double kPriorFreedom = 20.0, kPsi1Of10 = 0.1051663357, kPsiOf10 = -0.0508325040;
+  constexpr int kOutputs = 100;
+  // Logarithms that differ by exactly what both degrees of freedom make of them.
+  const double apart = std::sqrt((kPsi1Of10 + kPsi1Of6) * (kOutputs - 2.0) / kOutputs);
+  SequenceGains gains;
+  for (int k = 0; k < kOutputs; ++k)
+    gains.add(kLabel, {0.3 * std::exp(k % 2 == 0 ? apart : -apart), kOwnFreedom}, kValues);
+  gains.settle();
+  const SequenceGain like = told(gains);
+  EXPECT_NEAR(like.freedom, kPriorFreedom, 0.003 * kPriorFreedom);
+  EXPECT_NEAR(like.value, 0.3 * std::exp(kPsiOf10 - kPsiOf6), 1e-4 * 0.3);
+  const SequenceGain known = gains.moderated(kLabel, {0.7, 5.0}, kValues);
+  EXPECT_NEAR(known.freedom, 5.0 + like.freedom, 1e-9);
+  EXPECT_NEAR(known.value, (5.0 * 0.7 + like.freedom * like.value) / known.freedom, 1e-7);
+}
+
 double coverage(const std::vector<Output>& outputs, const SequenceGains& gains, bool moderate) {
   Draws draws(99);
   int covered = 0;

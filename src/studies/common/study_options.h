@@ -14,11 +14,10 @@ namespace ifov::studies {
 struct StudyOptions {
   std::filesystem::path output_folder;  ///< made where it does not exist
   std::filesystem::path scene;  ///< document to study instead of the study's own scene, where it takes one
-  std::filesystem::path
-      reference;           ///< folder of reference data, for atmosphere and sensor; empty: IFOV_TRUTH
-  int trials = 1000;       ///< random shifts of each scene; fewer than 100 give a quick look
-  int threads = 0;         ///< 0: all cores
-  std::uint64_t seed = 1;  ///< of the shifts and of the renderings
+  std::filesystem::path reference;  ///< folder of reference data, where a study takes one; empty: IFOV_TRUTH
+  int trials = 1000;                ///< random shifts of each scene; fewer than 100 give a quick look
+  int threads = 0;                  ///< 0: all cores
+  std::uint64_t seed = 1;           ///< of the shifts and of the renderings
   const CancelToken* cancel = nullptr;
   ProgressSink* progress = nullptr;
   LogSink* log = nullptr;
