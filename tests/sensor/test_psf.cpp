@@ -137,6 +137,35 @@ TEST(AiryPsf, ModulationIsThatOfACircularAperture) {
   EXPECT_NEAR(mtf(footprint, 1.3), 0.0, 0.01);
 }
 
+/// Energy within a radius of the pattern of an annulus: the square of its pupil's Fourier transform, summed over circles (Mahajan, Optical
+/// Imaging and Aberrations II, 1998, 2.3), by Simpson's rule.
+double encircled_of_annulus(double obscuration, double v) {
+  constexpr int kCircles = 400, kOfPupil = 200;
+  const auto simpson = [](double from, double to, int n, const auto& f) {
+    double sum = f(from) + f(to);
+    for (int k = 1; k < n; ++k) sum += (k % 2 == 1 ? 4.0 : 2.0) * f(from + (to - from) * k / n);
+    return sum * (to - from) / (3.0 * n);
+  };
+  const double open = 1.0 - obscuration * obscuration;
+  return simpson(0.0, v, kCircles, [&](double at) {
+    const double amplitude = simpson(obscuration, 1.0, kOfPupil,
+                                     [&](double rho) { return std::cyl_bessel_j(0.0, at * rho) * rho; });
+    return 2.0 / open * amplitude * amplitude * at;
+  });
+}
+
+TEST(AiryPsf, EnergyBehindACoveredMiddleIsThatOfTheAnnulus) {
+  EXPECT_NEAR(encircled_of_annulus(0.0, 3.8317), 0.838, 5e-4);  // Born & Wolf, table 8.2
+  for (const double obscuration : {0.2, 0.5}) {
+    AiryAperture aperture = kAperture;
+    aperture.obscuration = obscuration;
+    const auto psf = make_airy_psf(aperture, 0.9);
+    for (const double radius_px : {0.5, 1.0, 1.6})
+      EXPECT_NEAR(0.9 * encircled(*psf, radius_px), encircled_of_annulus(obscuration, pi * radius_px), 5e-4)
+          << obscuration << " " << radius_px;
+  }
+}
+
 TEST(KernelPsf, OneSampleIsItsSquare) {
   const auto psf = make_kernel_psf(1, 1, {5.0}, 2.0);  // half a pixel wide
   EXPECT_DOUBLE_EQ(psf->energy(-0.25, -0.25, 0.25, 0.25), 1.0);
