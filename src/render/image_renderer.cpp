@@ -18,7 +18,8 @@
 #include "render/truth_layers.h"
 #include "render/unsampled_light.h"
 #include "render/view_renderer.h"
-#include "render/wing_light.h"
+#include "render/wings/wing_light.h"
+#include "render/wings/wing_spots.h"
 #include "sampling/image/survey.h"
 #include "sampling/pixel_sampler.h"
 #include "sampling/tile.h"
@@ -116,6 +117,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   const sampling::TileProblem whole_image = problem_of({0, 0, width, height});
   const std::unique_ptr<const sampling::ImageSurvey> survey =
       job.sampler.survey({whole_image, field_of, control.threads});
+  const auto wing_spots = job.wings.empty() ? nullptr : WingSpots::find(job.scene, job.camera);
   Tally tally(pixels, control.progress);
   if (survey != nullptr) tally.add(survey->rays);
   const auto render_tile = [&](std::size_t index) {
@@ -135,7 +137,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     sampling::TileResult result;
     job.sampler.sample(problem, field, result);
     const std::vector<sampling::Reasons> sampled = result.reasons;
-    if (!job.wings.empty()) add_wings(job.wings, problem, job.tolerance, field, result);
+    if (!job.wings.empty()) add_wings(job.wings, problem, job.tolerance, wing_spots.get(), field, result);
     widen_by_cut(cut_by_column(job.cut, field), problem.later, job.tolerance, result);
     result.rays = field.counts();
     result.rays += before.rays;

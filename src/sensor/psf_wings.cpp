@@ -60,6 +60,15 @@ PsfWings::PsfWings(const Psf& psf, double fill_factor, sampling::Point2 shift_px
       const double share = total * sum / (kDetectorSteps * kDetectorSteps);
       near_[static_cast<std::size_t>(row * kHalfCells + column)] = share > kNothing ? share : 0.0;
     }
+  points_.resize(static_cast<std::size_t>(kPoints) * kPoints);
+  for (int row = 0; row < kPoints; ++row)
+    for (int column = 0; column < kPoints; ++column) {
+      const double x = static_cast<double>(column - kPoints / 2) / kPointSteps - sx - 0.5 * side,
+                   y = static_cast<double>(row - kPoints / 2) / kPointSteps - sy - 0.5 * side;
+      const double share = total * near.within(x, y, x + side, y + side);
+      points_[static_cast<std::size_t>(row * kPoints + column)] =
+          share > kNothing ? share / (side * side) : 0.0;
+    }
 
   constexpr int kSub = 4;  // points along a pixel's side
   const bool rings_average = psf.detail_px() < 0.5;
@@ -93,6 +102,34 @@ PsfWings::PsfWings(const Psf& psf, double fill_factor, sampling::Point2 shift_px
 double PsfWings::square(int x0, int y0, int side) const {
   const int x = x0 + kReach, y = y0 + kReach;
   return summed(x + side, y + side) - summed(x, y + side) - summed(x + side, y) + summed(x, y);
+}
+
+PsfWings::Density PsfWings::density(double dx_px, double dy_px) const {
+  constexpr double kNearest_px = 0.25 * kHalfCells;
+  const bool is_near = std::abs(dx_px) < kNearest_px && std::abs(dy_px) < kNearest_px;
+  const double steps = is_near ? kPointSteps : 1.0;
+  const double column = std::floor(dx_px * steps), row = std::floor(dy_px * steps);
+  if (!is_near && !(std::max(std::abs(dx_px), std::abs(dy_px)) < kReach - 2)) return {0.0, 0.0};
+  const double u = dx_px * steps - column, v = dy_px * steps - row;
+  const auto cubed = [](double x, double y) {
+    const double r = std::hypot(x, y);
+    return r * r * r;
+  };
+  // Between places that are known, wings fall as 1 / r^3; rings are what is left.
+  double sum = 0.0, low = INFINITY, high = 0.0;
+  for (int corner = 0; corner < 4; ++corner) {
+    const int i = static_cast<int>(column) + corner % 2, j = static_cast<int>(row) + corner / 2;
+    const double known =
+        is_near ? points_[static_cast<std::size_t>((j + kPoints / 2) * kPoints + i + kPoints / 2)]
+                : square(i, j, 1);
+    const double even = std::max(0.0, known) * cubed(i / steps, j / steps);
+    sum += (corner % 2 != 0 ? u : 1.0 - u) * (corner / 2 != 0 ? v : 1.0 - v) * even;
+    low = std::min(low, even);
+    high = std::max(high, even);
+  }
+  const double scale = 1.0 / std::max(cubed(dx_px, dy_px), 1e-6);
+  // Curvature over a step is less than what the corners differ by.
+  return {sum * scale, (is_near ? 0.125 : 0.5) * (high - low) * scale};
 }
 
 }  // namespace ifov::sensor

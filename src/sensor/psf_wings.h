@@ -36,15 +36,25 @@ class PsfWings {
   /// Share on the pixels [x0, x0 + side) x [y0, y0 + side) counted from the pixel; side 4 or 16, within 192 px.
   double square(int x0, int y0, int side) const;
 
+  struct Density {
+    double per_px2;
+    double half_width;  ///< of what is read between the table's places
+  };
+  /// Share per px^2 at a place that lies so far from the pixel's centre; nothing beyond 190 px.
+  Density density(double dx_px, double dy_px) const;
+
  private:
   static constexpr int kHalfCells = 48;  // along a side of level 0's table
   static constexpr int kReach = 192;     // px, of what squares are summed from
+  static constexpr int kPointSteps = 8;  // of the table of densities near the pixel, along a pixel
+  static constexpr int kPoints = kHalfCells / 2 * kPointSteps + 1;  // along its side
   double summed(int x, int y) const {
     return summed_[static_cast<std::size_t>(y) * (2 * kReach + 1) + static_cast<std::size_t>(x)];
   }
 
   double kept_;
   std::vector<double> near_;    // by half cell
+  std::vector<double> points_;  // densities, by eighth of a pixel
   std::vector<double> summed_;  // over pixels, summed areas
 };
 
