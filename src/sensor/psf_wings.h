@@ -38,9 +38,9 @@ class PsfWings {
 
   struct Density {
     double per_px2;
-    double half_width;  ///< of what is read between the table's places
+    double half_width;  ///< of what tables leave open
   };
-  /// Share per px^2 at a place that lies so far from the pixel's centre; nothing beyond 190 px.
+  /// Share per px^2 at a place that lies so far from the pixel's centre.
   Density density(double dx_px, double dy_px) const;
 
  private:
@@ -52,7 +52,17 @@ class PsfWings {
     return summed_[static_cast<std::size_t>(y) * (2 * kReach + 1) + static_cast<std::size_t>(x)];
   }
 
-  double kept_;
+  static constexpr double kRadialFrom_px = 8.0, kRadialTo_px = 192.0;
+  struct Radial {
+    double density = 0.0, once = 0.0, twice = 0.0;  // integrated over the radius
+  };
+  void tabulate_radius(const Psf& psf);
+  double twice_integrated(double r_px) const;
+
+  double kept_, side_px_;
+  sampling::Point2 shift_;
+  double radial_step_px_ = 0.0;
+  std::vector<Radial> radial_;
   std::vector<double> near_;    // by half cell
   std::vector<double> points_;  // densities, by eighth of a pixel
   std::vector<double> summed_;  // over pixels, summed areas

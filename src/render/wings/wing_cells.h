@@ -15,7 +15,7 @@ namespace ifov::render {
 /// within spots is left out: there the mean of the cell's other paths stands.
 class WingCells {
  public:
-  /// `spots` may be null.
+  /// `spots`: where they are; may be null.
   WingCells(sampling::PixelRect pixels, int side, std::uint64_t seed, const CancelToken* cancel,
             const WingSpots* spots, sampling::Field& field);
 

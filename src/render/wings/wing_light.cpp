@@ -34,6 +34,11 @@ PixelRect around(const PixelRect& tile, int block) {
   return {first(tile.x0), first(tile.y0), last(tile.x1 - 1), last(tile.y1 - 1)};
 }
 
+int pixel_of(double x_px) { return static_cast<int>(std::floor(x_px)); }
+bool holds(const PixelRect& rect, int x, int y) {
+  return x >= rect.x0 && x < rect.x1 && y >= rect.y0 && y < rect.y1;
+}
+
 /// What reaches one pixel by way of the wings.
 struct Gathered {
   std::vector<double> weight;  // by group: of all cells, of the whole response
@@ -45,15 +50,12 @@ struct Gathered {
 class Wings {
  public:
   Wings(std::span<const PsfWings* const> wings, const sampling::ColumnFootprints& footprints,
-        const sampling::TileProblem& problem, const WingSpots* spots, sampling::Field& field)
+        const sampling::TileProblem& problem, const SpotLight* spots, sampling::Field& field)
       : wings_(wings),
         runs_(wings.size()),
-        near_(around(problem.tile, PsfWings::kNear), 1, problem.seed, problem.cancel, spots, field),
-        middle_(around(problem.tile, PsfWings::kMiddle), PsfWings::kNear, problem.seed, problem.cancel, spots,
-                field),
-        far_(around(problem.tile, PsfWings::kFar), PsfWings::kMiddle, problem.seed, problem.cancel, spots,
-             field),
-        spots_(spots, around(problem.tile, PsfWings::kFar), problem.seed, problem.cancel, field),
+        near_(cells_of(problem, PsfWings::kNear, 1, spots, field)),
+        middle_(cells_of(problem, PsfWings::kMiddle, PsfWings::kNear, spots, field)),
+        far_(cells_of(problem, PsfWings::kFar, PsfWings::kMiddle, spots, field)),
         columns_(static_cast<std::size_t>(field.columns())) {
     for (std::size_t c = 0; c < columns_; ++c) {
       auto& runs = runs_[footprints.group_of(c)];
@@ -63,19 +65,15 @@ class Wings {
     beyond_.resize(columns_);
     darkest_.assign(columns_, std::numeric_limits<double>::infinity());
     brightest_.assign(columns_, -std::numeric_limits<double>::infinity());
-    for (const WingCells* cells : {&middle_, &far_}) {
-      const std::map<std::size_t, std::vector<double>> in_spots = more_by_cell(*cells);
-      for (std::size_t cell = 0; cell < cells->count(); ++cell) {
-        const auto more = in_spots.find(cell);
+    for (const WingCells* cells : {&middle_, &far_})
+      for (std::size_t cell = 0; cell < cells->count(); ++cell)
         for (std::size_t c = 0; c < columns_; ++c) {
-          double mean = cells->mean(cell, c);
-          if (more != in_spots.end()) mean += more->second[c];
+          const double mean = cells->mean(cell, c);
           darkest_[c] = std::min(darkest_[c], mean);
           brightest_[c] = std::max(brightest_[c], mean);
           if (cells == &far_) beyond_[c] += mean / static_cast<double>(far_.count());
         }
-      }
-    }
+    if (spots != nullptr) sort_spots(*spots, problem.tile);
   }
 
   void gather(int x, int y, Gathered& found) const {
@@ -99,13 +97,15 @@ class Wings {
       }
     add_squares(middle_, middle, near, x, y, found);
     add_squares(far_, far, middle, x, y, found);
-    for (const SpotLight::Spot& spot : spots_.spots()) {
-      const int i = static_cast<int>(std::floor(spot.middle.x_px)),
-                j = static_cast<int>(std::floor(spot.middle.y_px));
-      const auto within = [&](const PixelRect& r) { return i >= r.x0 && i < r.x1 && j >= r.y0 && j < r.y1; };
-      if (within(far))
-        add_spot(spot, within(near) ? near_ : within(middle) ? middle_ : far_, i, j, x, y, found);
+    for (const SpotLight::Spot* spot : spots_) {
+      const int i = pixel_of(spot->middle.x_px), j = pixel_of(spot->middle.y_px);
+      add_spot(*spot,
+               holds(near, i, j)     ? near_
+               : holds(middle, i, j) ? middle_
+                                     : far_,
+               i, j, holds(far, i, j), x, y, found);
     }
+    for (std::size_t c = 0; c < farther_.size(); ++c) found.unsure[c] += farther_[c];
   }
 
   double beyond(std::size_t column) const { return beyond_[column]; }
@@ -113,7 +113,7 @@ class Wings {
     return std::max(brightest_[column] - beyond_[column], beyond_[column] - darkest_[column]);
   }
   /// Paths in pixels of the tile, and others.
-  std::size_t paths() const { return 4 * (near_.count() + middle_.count() + far_.count()) + spots_.paths(); }
+  std::size_t paths() const { return 4 * (near_.count() + middle_.count() + far_.count()); }
 
  private:
   void add_squares(const WingCells& cells, PixelRect in, PixelRect without, int x, int y,
@@ -130,8 +130,38 @@ class Wings {
       }
   }
 
-  /// A spot in the pixel (i, j), over what the cells say of its place.
-  void add_spot(const SpotLight::Spot& spot, const WingCells& cells, int i, int j, int x, int y,
+  static WingCells cells_of(const sampling::TileProblem& problem, int block, int side, const SpotLight* spots,
+                            sampling::Field& field) {
+    return {around(problem.tile, block),
+            side,
+            problem.seed,
+            problem.cancel,
+            spots != nullptr ? &spots->where() : nullptr,
+            field};
+  }
+
+  /// Those that pixels of the tile may be near to, and what all others may send at most.
+  void sort_spots(const SpotLight& light, const PixelRect& tile) {
+    const PixelRect region = around(tile, PsfWings::kFar);
+    farther_.assign(columns_, 0.0);
+    for (const SpotLight::Spot& spot : light.spots()) {
+      if (holds(region, pixel_of(spot.middle.x_px), pixel_of(spot.middle.y_px))) {
+        spots_.push_back(&spot);
+        continue;
+      }
+      const double dx = spot.middle.x_px - std::clamp(spot.middle.x_px, tile.x0 + 0.5, tile.x1 - 0.5),
+                   dy = spot.middle.y_px - std::clamp(spot.middle.y_px, tile.y0 + 0.5, tile.y1 - 0.5);
+      for (std::size_t group = 0; group < wings_.size(); ++group) {
+        const auto [density, unsure] = wings_[group]->density(dx, dy);
+        for (const auto& [first, last] : runs_[group])
+          for (std::size_t c = first; c < last; ++c)
+            farther_[c] += (density + unsure) * std::abs(spot.light[c] - spot.area_px2 * beyond_[c]);
+      }
+    }
+  }
+
+  /// A spot in the pixel (i, j), over what the cells say of its place; into the half-width where it is farther than they reach.
+  void add_spot(const SpotLight::Spot& spot, const WingCells& cells, int i, int j, bool within, int x, int y,
                 Gathered& found) const {
     const std::size_t cell = cells.cell_at(i, j);
     for (std::size_t group = 0; group < wings_.size(); ++group) {
@@ -141,27 +171,13 @@ class Wings {
       for (const auto& [first, last] : runs_[group])
         for (std::size_t c = first; c < last; ++c) {
           const double more = spot.light[c] - spot.area_px2 * cells.mean(cell, c);
-          found.sum[c] += density * more;
-          found.variance[c] += density * density * spot.variance[c];
-          found.unsure[c] += unsure * std::abs(more);
+          if (within) {
+            found.sum[c] += density * more;
+            found.variance[c] += density * density * spot.variance[c];
+          }
+          found.unsure[c] += (within ? unsure : unsure + density) * std::abs(more);
         }
     }
-  }
-
-  /// What spots add to the means of cells, by column.
-  std::map<std::size_t, std::vector<double>> more_by_cell(const WingCells& cells) const {
-    std::map<std::size_t, std::vector<double>> more;
-    const double area = static_cast<double>(cells.side()) * cells.side();
-    for (const SpotLight::Spot& spot : spots_.spots()) {
-      const int i = static_cast<int>(std::floor(spot.middle.x_px)),
-                j = static_cast<int>(std::floor(spot.middle.y_px));
-      if (!cells.holds(i, j)) continue;
-      const std::size_t cell = cells.cell_at(i, j);
-      std::vector<double>& of_cell = more.try_emplace(cell, columns_, 0.0).first->second;
-      for (std::size_t c = 0; c < columns_; ++c)
-        of_cell[c] += (spot.light[c] - spot.area_px2 * cells.mean(cell, c)) / area;
-    }
-    return more;
   }
 
   void add(const WingCells& cells, std::size_t cell, const double (&weight)[4], std::size_t group,
@@ -196,9 +212,10 @@ class Wings {
   std::span<const PsfWings* const> wings_;
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> runs_;  // [first, last) of columns, by group
   WingCells near_, middle_, far_;
-  SpotLight spots_;
   std::size_t columns_;
   std::vector<double> beyond_, darkest_, brightest_;  // by column
+  std::vector<const SpotLight::Spot*> spots_;
+  std::vector<double> farther_;  // by column: what spots that lie farther may send at most
 };
 
 /// Judges a pixel by what was asked for; what the cut adds to what the sampler left is at fault where that is too much.
@@ -239,7 +256,7 @@ void add_materials(const Gathered& found, double kept, double scale, double rest
 }  // namespace
 
 void add_wings(std::span<const PsfWings* const> wings, const sampling::TileProblem& problem,
-               const AccuracyTolerance* tolerance, const WingSpots* spots, sampling::Field& field,
+               const AccuracyTolerance* tolerance, const SpotLight* spots, sampling::Field& field,
                sampling::TileResult& tile) {
   const sampling::ColumnFootprints footprints = problem.footprints(field);
   const Wings around_tile(wings, footprints, problem, spots, field);

@@ -11,7 +11,7 @@ class PsfWings;
 namespace ifov::render {
 
 class AccuracyTolerance;
-class WingSpots;
+class SpotLight;
 
 /// Share of the accuracy asked for that samplers leave to what a PSF's cut leaves out.
 inline constexpr double kCutShare = 0.1;
@@ -24,7 +24,7 @@ inline constexpr double kCutShare = 0.1;
 /// of the reference. What outshines the scene and is too small for cells is looked at by itself, and weighed by the PSF where it stands:
 /// `spots`, may be null. `wings`: by group of the problem's footprints; one where it has no groups. `tolerance` may be null. Throws Cancelled.
 void add_wings(std::span<const sensor::PsfWings* const> wings, const sampling::TileProblem& problem,
-               const AccuracyTolerance* tolerance, const WingSpots* spots, sampling::Field& field,
+               const AccuracyTolerance* tolerance, const SpotLight* spots, sampling::Field& field,
                sampling::TileResult& tile);
 
 /// For a cut without wings: half-widths grow by `left_out` of the energy, by column, times the largest difference to any other pixel

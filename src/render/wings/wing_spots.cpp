@@ -21,7 +21,7 @@ constexpr double kMargin = 1.05, kRounding_px = 1e-6;
 std::uint64_t key_of(int x, int y) {
   return static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 32 | static_cast<std::uint32_t>(y);
 }
-int pixel_of(double x_px) { return static_cast<int>(std::floor(x_px)); }
+int box_pixel(double x_px) { return static_cast<int>(std::floor(x_px)); }
 
 /// The box of a ball's image; false where it is not in the picture's plane.
 bool box_of(math::Point3 centre_m, double radius_m, const sensor::Camera& camera, WingSpots::Box& box) {
@@ -35,8 +35,10 @@ bool box_of(math::Point3 centre_m, double radius_m, const sensor::Camera& camera
   }
   box.half_width_px = kMargin * x + kRounding_px;
   box.half_height_px = kMargin * y + kRounding_px;
-  constexpr double kMostPixels = 1e8;  // numbers of pixels are integers
-  return std::abs(box.centre.x_px) < kMostPixels && std::abs(box.centre.y_px) < kMostPixels;
+  const auto near = [](double at_px, int pixels) {
+    return at_px > -WingSpots::kOutside_px && at_px < pixels + WingSpots::kOutside_px;
+  };
+  return near(box.centre.x_px, camera.width_px()) && near(box.centre.y_px, camera.height_px());
 }
 
 /// Cuts it into equal boxes that are small enough.
@@ -63,10 +65,10 @@ void add_parts(const WingSpots::Box& box, std::vector<WingSpots::Box>& boxes) {
 WingSpots::WingSpots(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
   for (std::size_t k = 0; k < boxes_.size(); ++k) {
     const Box& box = boxes_[k];
-    for (int y = pixel_of(box.centre.y_px - box.half_height_px);
-         y <= pixel_of(box.centre.y_px + box.half_height_px); ++y)
-      for (int x = pixel_of(box.centre.x_px - box.half_width_px);
-           x <= pixel_of(box.centre.x_px + box.half_width_px); ++x)
+    for (int y = box_pixel(box.centre.y_px - box.half_height_px);
+         y <= box_pixel(box.centre.y_px + box.half_height_px); ++y)
+      for (int x = box_pixel(box.centre.x_px - box.half_width_px);
+           x <= box_pixel(box.centre.x_px + box.half_width_px); ++x)
         by_pixel_[key_of(x, y)].push_back(static_cast<std::uint32_t>(k));
   }
 }
@@ -95,33 +97,24 @@ std::unique_ptr<const WingSpots> WingSpots::find(const transport::SpectralScene&
   return std::make_unique<const WingSpots>(std::move(boxes));
 }
 
-std::vector<std::uint32_t> WingSpots::in(sampling::PixelRect pixels) const {
-  std::vector<std::uint32_t> found;
-  for (std::size_t k = 0; k < boxes_.size(); ++k) {
-    const int x = pixel_of(boxes_[k].centre.x_px), y = pixel_of(boxes_[k].centre.y_px);
-    if (x >= pixels.x0 && x < pixels.x1 && y >= pixels.y0 && y < pixels.y1)
-      found.push_back(static_cast<std::uint32_t>(k));
-  }
-  return found;
-}
-
 std::uint32_t WingSpots::first_at(sampling::FocalPoint point) const {
-  const auto found = by_pixel_.find(key_of(pixel_of(point.x_px), pixel_of(point.y_px)));
+  const auto found = by_pixel_.find(key_of(box_pixel(point.x_px), box_pixel(point.y_px)));
   if (found == by_pixel_.end()) return kNone;
   for (const std::uint32_t k : found->second)
     if (boxes_[k].holds(point)) return k;
   return kNone;
 }
 
-SpotLight::SpotLight(const WingSpots* spots, sampling::PixelRect pixels, std::uint64_t seed,
-                     const CancelToken* cancel, sampling::Field& field) {
-  if (spots == nullptr) return;
+SpotLight::SpotLight(const WingSpots& where, std::uint64_t seed, const CancelToken* cancel,
+                     sampling::Field& field)
+    : where_(where) {
   const std::size_t columns = static_cast<std::size_t>(field.columns());
   std::vector<sampling::FocalPoint> points;
   std::vector<float> values;
   std::vector<unsigned char> counts;
-  for (const std::uint32_t number : spots->in(pixels)) {
-    const WingSpots::Box& box = spots->boxes()[number];
+  std::vector<double> light(columns), variance(columns);
+  for (std::uint32_t number = 0; number < where.boxes().size(); ++number) {
+    const WingSpots::Box& box = where.boxes()[number];
     const std::size_t across = static_cast<std::size_t>(box.across), paths = across * across;
     points.resize(paths);
     values.resize(paths * columns);
@@ -142,29 +135,28 @@ SpotLight::SpotLight(const WingSpots* spots, sampling::PixelRect pixels, std::ui
                                        static_cast<std::uint32_t>(k)};
         },
         [&](std::size_t k, sampling::Label, const float* found) {
-          counts[k] = spots->first_at(points[k]) == number;
+          counts[k] = where.first_at(points[k]) == number;
           for (std::size_t c = 0; c < columns; ++c)
             values[k * columns + c] = counts[k] != 0 ? found[c] : 0.0f;
         });
-    paths_ += paths;
 
     Spot spot;
     const double area = box.area_px2() / static_cast<double>(paths);  // of one path
-    spot.light.assign(columns, 0.0);
-    spot.variance.assign(columns, 0.0);
+    light.assign(columns, 0.0);
+    variance.assign(columns, 0.0);
     for (std::size_t k = 0; k < paths; ++k) spot.area_px2 += counts[k] != 0 ? area : 0.0;
     double x = 0.0, y = 0.0, weight = 0.0;
     for (std::size_t c = 0; c < columns; ++c) {
       float least = std::numeric_limits<float>::infinity();
       for (std::size_t k = 0; k < paths; ++k) {
-        spot.light[c] += area * static_cast<double>(values[k * columns + c]);
+        light[c] += area * static_cast<double>(values[k * columns + c]);
         if (counts[k] != 0) least = std::min(least, values[k * columns + c]);
       }
       for (std::size_t k = 0; k < paths; k += 4) {
         const float* const v = values.data() + k * columns + c;
         const double bend =
             static_cast<double>(v[0]) - v[columns] - v[2 * columns] + static_cast<double>(v[3 * columns]);
-        spot.variance[c] += area * area * bend * bend;
+        variance[c] += area * area * bend * bend;
       }
       for (std::size_t k = 0; k < paths; ++k) {
         if (counts[k] == 0) continue;
@@ -175,6 +167,8 @@ SpotLight::SpotLight(const WingSpots* spots, sampling::PixelRect pixels, std::ui
       }
     }
     spot.middle = weight > 0.0 ? sampling::FocalPoint{x / weight, y / weight} : box.centre;
+    spot.light.assign(light.begin(), light.end());
+    spot.variance.assign(variance.begin(), variance.end());
     if (spot.area_px2 > 0.0) spots_.push_back(std::move(spot));
   }
 }

@@ -44,13 +44,14 @@ class WingSpots {
   };
 
   explicit WingSpots(std::vector<Box> boxes);
+  /// What is farther outside the picture is left to the cells.
+  static constexpr double kOutside_px = 192.0;
+
   /// Null where nothing outshines the scene.
   static std::unique_ptr<const WingSpots> find(const transport::SpectralScene& scene,
                                                const sensor::Camera& camera);
 
   const std::vector<Box>& boxes() const { return boxes_; }
-  /// Numbers of the boxes whose middle lies there, ascending.
-  std::vector<std::uint32_t> in(sampling::PixelRect pixels) const;
   /// The number of the first box that holds a point.
   std::uint32_t first_at(sampling::FocalPoint point) const;
 
@@ -59,24 +60,24 @@ class WingSpots {
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> by_pixel_;  // ascending
 };
 
-/// What paths found in the boxes about a tile.
+/// What paths find in the boxes: once for all tiles.
 class SpotLight {
  public:
-  SpotLight(const WingSpots* spots, sampling::PixelRect pixels, std::uint64_t seed, const CancelToken* cancel,
-            sampling::Field& field);
+  /// Keeps a reference to `where`. Throws Cancelled.
+  SpotLight(const WingSpots& where, std::uint64_t seed, const CancelToken* cancel, sampling::Field& field);
 
   struct Spot {
     sampling::FocalPoint middle;  ///< of its light
     double area_px2 = 0.0;        ///< of what of it is in no box before
-    std::vector<double> light;    ///< by column: integral over that area
-    std::vector<double> variance;
+    std::vector<float> light;     ///< by column: integral over that area
+    std::vector<float> variance;
   };
   const std::vector<Spot>& spots() const { return spots_; }
-  std::size_t paths() const { return paths_; }
+  const WingSpots& where() const { return where_; }
 
  private:
+  const WingSpots& where_;
   std::vector<Spot> spots_;
-  std::size_t paths_ = 0;
 };
 
 }  // namespace ifov::render
