@@ -11,8 +11,9 @@ namespace {
 
 constexpr double kFinest_px = 1.0 / 80.0, kCoarsest_px = 1.0 / 32.0;
 constexpr double kStepsOverDetail = 4.0;
-constexpr double kNothing = 1e-13;  // what rounding leaves of a share of 0
-constexpr int kDetectorSteps = 8;   // along a side of the sensitive square
+constexpr double kNothing = 1e-13;    // what rounding leaves of a share of 0
+constexpr double kNoDensity = 1e-15;  // likewise, per px^2
+constexpr int kDetectorSteps = 8;     // along a side of the sensitive square
 
 /// Energy of the density over small cells of [-half, half]^2, as sums that rectangles are taken from.
 EnergyTable near_energy(const Psf& psf, double half_px, double step_px, bool smooth, double& total) {
@@ -136,7 +137,7 @@ double PsfWings::twice_integrated(double r_px) const {
 }
 
 PsfWings::Density PsfWings::density(double dx_px, double dy_px) const {
-  constexpr double kNearest_px = 0.25 * kHalfCells;
+  constexpr double kNearest_px = 0.25 * kHalfCells, kBent = 0.03;
   if (std::abs(dx_px) < kNearest_px && std::abs(dy_px) < kNearest_px) {
     const double column = std::floor(dx_px * kPointSteps), row = std::floor(dy_px * kPointSteps);
     const double u = dx_px * kPointSteps - column, v = dy_px * kPointSteps - row;
@@ -149,7 +150,7 @@ PsfWings::Density PsfWings::density(double dx_px, double dy_px) const {
       high = std::max(high, known);
     }
     // Curvature over a step is less than what the corners differ by.
-    return {sum, 0.125 * (high - low)};
+    return {sum, 0.125 * (high - low) + kBent * sum};
   }
   const double x = dx_px - shift_.x, y = dy_px - shift_.y, r = std::hypot(x, y);
   constexpr double kFarthest_px = kRadialTo_px - 2.0;
@@ -159,13 +160,13 @@ PsfWings::Density PsfWings::density(double dx_px, double dy_px) const {
     return {there * scale * scale * scale, unsure * scale * scale * scale};
   }
   // So far out rings are straight over a pixel: of its square what counts is how wide it is across them.
-  constexpr double kNarrow = 0.05, kBent = 0.03;
+  constexpr double kNarrow = 0.05;
   const double a = side_px_ * std::max(kNarrow, std::abs(x) / r),
                b = side_px_ * std::max(kNarrow, std::abs(y) / r);
   const double share = (twice_integrated(r + 0.5 * (a + b)) - twice_integrated(r + 0.5 * (a - b)) -
                         twice_integrated(r - 0.5 * (a - b)) + twice_integrated(r - 0.5 * (a + b))) /
                        (a * b);
-  return {std::max(0.0, share), kBent * std::max(0.0, share)};
+  return share > kNoDensity ? Density{share, kBent * share} : Density{0.0, 0.0};
 }
 
 }  // namespace ifov::sensor

@@ -44,9 +44,9 @@ class PsfWings {
   Density density(double dx_px, double dy_px) const;
 
  private:
-  static constexpr int kHalfCells = 48;  // along a side of level 0's table
-  static constexpr int kReach = 192;     // px, of what squares are summed from
-  static constexpr int kPointSteps = 8;  // of the table of densities near the pixel, along a pixel
+  static constexpr int kHalfCells = 48;   // along a side of level 0's table
+  static constexpr int kReach = 192;      // px, of what squares are summed from
+  static constexpr int kPointSteps = 16;  // of the table of densities near the pixel, along a pixel
   static constexpr int kPoints = kHalfCells / 2 * kPointSteps + 1;  // along its side
   double summed(int x, int y) const {
     return summed_[static_cast<std::size_t>(y) * (2 * kReach + 1) + static_cast<std::size_t>(x)];
@@ -64,7 +64,7 @@ class PsfWings {
   double radial_step_px_ = 0.0;
   std::vector<Radial> radial_;
   std::vector<double> near_;    // by half cell
-  std::vector<double> points_;  // densities, by eighth of a pixel
+  std::vector<double> points_;  // densities, by sixteenth of a pixel
   std::vector<double> summed_;  // over pixels, summed areas
 };
 
