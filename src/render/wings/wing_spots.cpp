@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "sampling/random.h"
 #include "sampling/value_batch.h"
@@ -79,7 +78,7 @@ std::unique_ptr<const WingSpots> WingSpots::find(const transport::SpectralScene&
   std::vector<Box> boxes;
   for (const transport::ShiningParts::Part& part : parts.parts()) {
     Box box{};
-    box.across = 8;
+    box.across = 16;
     if (!box_of(part.ball.centre_m, part.ball.radius_m, camera, box)) continue;
     if (2.0 * std::max(box.half_width_px, box.half_height_px) > kMet_px) continue;
     box.strength = part.contrast * part.fill * box.area_px2();
@@ -92,7 +91,7 @@ std::unique_ptr<const WingSpots> WingSpots::find(const transport::SpectralScene&
     boxes.resize(kMost);
   }
   // So that many cost no more than some: their errors average out.
-  const int most_across = boxes.size() > 16384 ? 2 : boxes.size() > 2048 ? 4 : 8;
+  const int most_across = boxes.size() > 16384 ? 2 : boxes.size() > 2048 ? 4 : boxes.size() > 256 ? 8 : 16;
   for (Box& box : boxes) box.across = std::min(box.across, most_across);
   return std::make_unique<const WingSpots>(std::move(boxes));
 }
