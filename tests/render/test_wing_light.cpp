@@ -114,7 +114,8 @@ Edge picture(double q_px, double tolerance, bool with_wings, std::uint64_t seed)
   problem.steering_channels = steering_channels;
   sampling::TileResult tile;
   sampling::AccuracySampler().sample(problem, field, tile);
-  if (with_wings) add_wings(std::vector<const sensor::PsfWings*>{&wings}, problem, nullptr, nullptr, field, tile);
+  if (with_wings)
+    add_wings(std::vector<const sensor::PsfWings*>{&wings}, problem, nullptr, nullptr, field, tile);
   Edge edge;
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
