@@ -4,6 +4,7 @@
 
 #include "sampling/random.h"
 #include "sampling/value_batch.h"
+#include "sensor/psf_wings.h"
 
 namespace ifov::render {
 
@@ -12,7 +13,16 @@ namespace {
 constexpr std::uint64_t kCellPaths = 0x77696e67ull,
                         kCellPosition = 0x706c6163ull;  // purposes of random numbers
 
+int floor_div(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
+
 }  // namespace
+
+sampling::PixelRect wing_blocks(const sampling::PixelRect& tile, int block) {
+  constexpr int kBlocks = sensor::PsfWings::kBlocks;
+  const auto first = [&](int pixel) { return (floor_div(pixel, block) - kBlocks) * block; };
+  const auto last = [&](int pixel) { return (floor_div(pixel, block) + kBlocks + 1) * block; };
+  return {first(tile.x0), first(tile.y0), last(tile.x1 - 1), last(tile.y1 - 1)};
+}
 
 WingCells::WingCells(sampling::PixelRect pixels, int side, std::uint64_t seed, const CancelToken* cancel,
                      const WingSpots* spots, sampling::Field& field)

@@ -11,6 +11,9 @@
 
 namespace ifov::render {
 
+/// Blocks of the given side that the wings of a tile's pixels need, in pixels.
+sampling::PixelRect wing_blocks(const sampling::PixelRect& tile, int block);
+
 /// Cells of one level of the wings (sensor::PsfWings), each looked at by 2 x 2 paths: one in each of its quarters. What paths find
 /// within spots is left out: there the mean of the cell's other paths stands.
 class WingCells {

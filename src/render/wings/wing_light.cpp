@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -15,7 +14,6 @@
 #include "sampling/pixel_limits.h"
 #include "sampling/quantiles.h"
 #include "sensor/psf_wings.h"
-#include "transport/spectral_scene.h"
 
 namespace ifov::render {
 namespace {
@@ -24,15 +22,6 @@ using sampling::PixelRect;
 using sensor::PsfWings;
 
 constexpr double kRounding = 1e-5;
-
-int floor_div(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
-
-/// Blocks of the given side that a tile's pixels need, in pixels.
-PixelRect around(const PixelRect& tile, int block) {
-  const auto first = [&](int pixel) { return (floor_div(pixel, block) - PsfWings::kBlocks) * block; };
-  const auto last = [&](int pixel) { return (floor_div(pixel, block) + PsfWings::kBlocks + 1) * block; };
-  return {first(tile.x0), first(tile.y0), last(tile.x1 - 1), last(tile.y1 - 1)};
-}
 
 int pixel_of(double x_px) { return static_cast<int>(std::floor(x_px)); }
 bool holds(const PixelRect& rect, int x, int y) {
@@ -84,8 +73,8 @@ class Wings {
     found.unsure.assign(columns_, 0.0);
     found.materials.clear();
     const PixelRect pixel{x, y, x + 1, y + 1};
-    const PixelRect near = around(pixel, PsfWings::kNear), middle = around(pixel, PsfWings::kMiddle),
-                    far = around(pixel, PsfWings::kFar);
+    const PixelRect near = wing_blocks(pixel, PsfWings::kNear),
+                    middle = wing_blocks(pixel, PsfWings::kMiddle), far = wing_blocks(pixel, PsfWings::kFar);
     for (int j = near.y0; j < near.y1; ++j)
       for (int i = near.x0; i < near.x1; ++i) {
         for (std::size_t group = 0; group < wings_.size(); ++group) {
@@ -132,7 +121,7 @@ class Wings {
 
   static WingCells cells_of(const sampling::TileProblem& problem, int block, int side, const SpotLight* spots,
                             sampling::Field& field) {
-    return {around(problem.tile, block),
+    return {wing_blocks(problem.tile, block),
             side,
             problem.seed,
             problem.cancel,
@@ -142,7 +131,7 @@ class Wings {
 
   /// Those that pixels of the tile may be near to, and what all others may send at most.
   void sort_spots(const SpotLight& light, const PixelRect& tile) {
-    const PixelRect region = around(tile, PsfWings::kFar);
+    const PixelRect region = wing_blocks(tile, PsfWings::kFar);
     farther_.assign(columns_, 0.0);
     for (const SpotLight::Spot& spot : light.spots()) {
       if (holds(region, pixel_of(spot.middle.x_px), pixel_of(spot.middle.y_px))) {
