@@ -149,8 +149,9 @@ PsfWings::Density PsfWings::density(double dx_px, double dy_px) const {
       low = std::min(low, known);
       high = std::max(high, known);
     }
-    // Curvature over a step is less than what the corners differ by.
-    return {sum, 0.125 * (high - low) + kBent * sum};
+    // What lies between the places, and where in a cell of the energy's table the cut does, is less than what the corners
+    // differ by.
+    return {sum, 0.5 * (high - low) + kBent * sum};
   }
   const double x = dx_px - shift_.x, y = dy_px - shift_.y, r = std::hypot(x, y);
   constexpr double kFarthest_px = kRadialTo_px - 2.0;
