@@ -86,8 +86,9 @@ TEST(PsfWings, DensityIsTheMeanOverTheSquare) {
             const auto [density, half_width] = wings.density(x, y);
             EXPECT_NEAR(density, sum, half_width + 0.03 * even + corner)
                 << q << " " << covered << " " << r << " " << angle;
-            if (std::abs(r - psf->half_width_px()) > 1.0)  // the cut is steep
+            if (std::abs(r - psf->half_width_px()) > 1.0) {  // the cut is steep
               EXPECT_LE(half_width, 0.4 * std::max(sum, even) + 2e-6) << q << " " << r;
+            }
           }
       }
 }
