@@ -18,7 +18,8 @@
 #include "render/truth_layers.h"
 #include "render/unsampled_light.h"
 #include "render/view_renderer.h"
-#include "render/wing_light.h"
+#include "render/wings/wing_light.h"
+#include "render/wings/wing_spots.h"
 #include "sampling/image/survey.h"
 #include "sampling/pixel_sampler.h"
 #include "sampling/tile.h"
@@ -117,6 +118,13 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   const std::unique_ptr<const sampling::ImageSurvey> survey =
       job.sampler.survey({whole_image, field_of, control.threads});
   Tally tally(pixels, control.progress);
+  const auto wing_spots = job.wings.empty() ? nullptr : WingSpots::find(job.scene, job.camera);
+  std::optional<SpotLight> spot_light;
+  if (wing_spots != nullptr) {
+    const auto field = field_of();
+    spot_light.emplace(*wing_spots, job.seed, control.cancel, *field);
+    tally.add(field->counts());
+  }
   if (survey != nullptr) tally.add(survey->rays);
   const auto render_tile = [&](std::size_t index) {
     if (control.cancel != nullptr && control.cancel->cancelled()) throw Cancelled();
@@ -135,7 +143,8 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     sampling::TileResult result;
     job.sampler.sample(problem, field, result);
     const std::vector<sampling::Reasons> sampled = result.reasons;
-    if (!job.wings.empty()) add_wings(job.wings, problem, job.tolerance, field, result);
+    if (!job.wings.empty())
+      add_wings(job.wings, problem, job.tolerance, spot_light ? &*spot_light : nullptr, field, result);
     widen_by_cut(cut_by_column(job.cut, field), problem.later, job.tolerance, result);
     result.rays = field.counts();
     result.rays += before.rays;

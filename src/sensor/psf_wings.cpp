@@ -11,8 +11,9 @@ namespace {
 
 constexpr double kFinest_px = 1.0 / 80.0, kCoarsest_px = 1.0 / 32.0;
 constexpr double kStepsOverDetail = 4.0;
-constexpr double kNothing = 1e-13;  // what rounding leaves of a share of 0
-constexpr int kDetectorSteps = 8;   // along a side of the sensitive square
+constexpr double kNothing = 1e-13;    // what rounding leaves of a share of 0
+constexpr double kNoDensity = 1e-15;  // likewise, per px^2
+constexpr int kDetectorSteps = 8;     // along a side of the sensitive square
 
 /// Energy of the density over small cells of [-half, half]^2, as sums that rectangles are taken from.
 EnergyTable near_energy(const Psf& psf, double half_px, double step_px, bool smooth, double& total) {
@@ -37,8 +38,10 @@ EnergyTable near_energy(const Psf& psf, double half_px, double step_px, bool smo
 
 }  // namespace
 
-PsfWings::PsfWings(const Psf& psf, double fill_factor, sampling::Point2 shift_px) : kept_(psf.kept()) {
-  const double side = std::sqrt(fill_factor), sx = shift_px.x, sy = shift_px.y;
+PsfWings::PsfWings(const Psf& psf, double fill_factor, sampling::Point2 shift_px)
+    : kept_(psf.kept()), side_px_(std::sqrt(fill_factor)), shift_(shift_px) {
+  tabulate_radius(psf);
+  const double side = side_px_, sx = shift_px.x, sy = shift_px.y;
   const double half_px = 0.25 * kHalfCells + 0.5 * side + std::max(std::abs(sx), std::abs(sy));
   const double wanted_px = psf.detail_px() / kStepsOverDetail;
   const bool smooth = wanted_px < kFinest_px;
@@ -59,6 +62,15 @@ PsfWings::PsfWings(const Psf& psf, double fill_factor, sampling::Point2 shift_px
         }
       const double share = total * sum / (kDetectorSteps * kDetectorSteps);
       near_[static_cast<std::size_t>(row * kHalfCells + column)] = share > kNothing ? share : 0.0;
+    }
+  points_.resize(static_cast<std::size_t>(kPoints) * kPoints);
+  for (int row = 0; row < kPoints; ++row)
+    for (int column = 0; column < kPoints; ++column) {
+      const double x = static_cast<double>(column - kPoints / 2) / kPointSteps - sx - 0.5 * side,
+                   y = static_cast<double>(row - kPoints / 2) / kPointSteps - sy - 0.5 * side;
+      const double share = total * near.within(x, y, x + side, y + side);
+      points_[static_cast<std::size_t>(row * kPoints + column)] =
+          share > kNothing ? share / (side * side) : 0.0;
     }
 
   constexpr int kSub = 4;  // points along a pixel's side
@@ -93,6 +105,69 @@ PsfWings::PsfWings(const Psf& psf, double fill_factor, sampling::Point2 shift_px
 double PsfWings::square(int x0, int y0, int side) const {
   const int x = x0 + kReach, y = y0 + kReach;
   return summed(x + side, y + side) - summed(x, y + side) - summed(x + side, y) + summed(x, y);
+}
+
+void PsfWings::tabulate_radius(const Psf& psf) {
+  constexpr double kStepsOverRing = 32.0, kFinestRadial_px = 1.0 / 512.0;
+  const double wanted_px = 2.0 * psf.detail_px() / kStepsOverRing;
+  const bool smooth = wanted_px < kFinestRadial_px;
+  radial_step_px_ = std::clamp(wanted_px, kFinestRadial_px, 1.0 / 32.0);
+  const auto count = static_cast<std::size_t>((kRadialTo_px - kRadialFrom_px) / radial_step_px_) + 2;
+  radial_.resize(count);
+  for (std::size_t k = count; k-- > 0;) {
+    Radial& here = radial_[k];
+    here.density = psf.cut_density(kRadialFrom_px + static_cast<double>(k) * radial_step_px_, 0.0, smooth);
+    if (k + 1 == count) continue;
+    const Radial& next = radial_[k + 1];
+    // Of a density that is straight between the places.
+    const double h = radial_step_px_;
+    here.once = next.once - 0.5 * h * (here.density + next.density);
+    here.twice = next.twice - h * next.once + h * h * (here.density + 2.0 * next.density) / 6.0;
+  }
+}
+
+double PsfWings::twice_integrated(double r_px) const {
+  const double place =
+      std::clamp((r_px - kRadialFrom_px) / radial_step_px_, 0.0, static_cast<double>(radial_.size()) - 1.001);
+  const auto k = static_cast<std::size_t>(place);
+  const double t = (place - static_cast<double>(k)) * radial_step_px_;
+  const Radial& here = radial_[k];
+  const double rise = (radial_[k + 1].density - here.density) / radial_step_px_;
+  return here.twice + t * (here.once + t * (here.density / 2.0 + t * rise / 6.0));
+}
+
+PsfWings::Density PsfWings::density(double dx_px, double dy_px) const {
+  constexpr double kNearest_px = 0.25 * kHalfCells, kBent = 0.03;
+  if (std::abs(dx_px) < kNearest_px && std::abs(dy_px) < kNearest_px) {
+    const double column = std::floor(dx_px * kPointSteps), row = std::floor(dy_px * kPointSteps);
+    const double u = dx_px * kPointSteps - column, v = dy_px * kPointSteps - row;
+    double sum = 0.0, low = INFINITY, high = 0.0;
+    for (int corner = 0; corner < 4; ++corner) {
+      const int i = static_cast<int>(column) + corner % 2, j = static_cast<int>(row) + corner / 2;
+      const double known = points_[static_cast<std::size_t>((j + kPoints / 2) * kPoints + i + kPoints / 2)];
+      sum += (corner % 2 != 0 ? u : 1.0 - u) * (corner / 2 != 0 ? v : 1.0 - v) * known;
+      low = std::min(low, known);
+      high = std::max(high, known);
+    }
+    // What lies between the places, and where in a cell of the energy's table the cut does, is less than what the corners
+    // differ by.
+    return {sum, 0.5 * (high - low) + kBent * sum};
+  }
+  const double x = dx_px - shift_.x, y = dy_px - shift_.y, r = std::hypot(x, y);
+  constexpr double kFarthest_px = kRadialTo_px - 2.0;
+  if (r > kFarthest_px) {
+    const double scale = kFarthest_px / r;
+    const auto [there, unsure] = density(shift_.x + x * scale, shift_.y + y * scale);
+    return {there * scale * scale * scale, unsure * scale * scale * scale};
+  }
+  // So far out rings are straight over a pixel: of its square what counts is how wide it is across them.
+  constexpr double kNarrow = 0.05;
+  const double a = side_px_ * std::max(kNarrow, std::abs(x) / r),
+               b = side_px_ * std::max(kNarrow, std::abs(y) / r);
+  const double share = (twice_integrated(r + 0.5 * (a + b)) - twice_integrated(r + 0.5 * (a - b)) -
+                        twice_integrated(r - 0.5 * (a - b)) + twice_integrated(r - 0.5 * (a + b))) /
+                       (a * b);
+  return share > kNoDensity ? Density{share, kBent * share} : Density{0.0, 0.0};
 }
 
 }  // namespace ifov::sensor

@@ -36,15 +36,35 @@ class PsfWings {
   /// Share on the pixels [x0, x0 + side) x [y0, y0 + side) counted from the pixel; side 4 or 16, within 192 px.
   double square(int x0, int y0, int side) const;
 
+  struct Density {
+    double per_px2;
+    double half_width;  ///< of what tables leave open
+  };
+  /// Share per px^2 at a place that lies so far from the pixel's centre.
+  Density density(double dx_px, double dy_px) const;
+
  private:
-  static constexpr int kHalfCells = 48;  // along a side of level 0's table
-  static constexpr int kReach = 192;     // px, of what squares are summed from
+  static constexpr int kHalfCells = 48;   // along a side of level 0's table
+  static constexpr int kReach = 192;      // px, of what squares are summed from
+  static constexpr int kPointSteps = 16;  // of the table of densities near the pixel, along a pixel
+  static constexpr int kPoints = kHalfCells / 2 * kPointSteps + 1;  // along its side
   double summed(int x, int y) const {
     return summed_[static_cast<std::size_t>(y) * (2 * kReach + 1) + static_cast<std::size_t>(x)];
   }
 
-  double kept_;
+  static constexpr double kRadialFrom_px = 8.0, kRadialTo_px = 192.0;
+  struct Radial {
+    double density = 0.0, once = 0.0, twice = 0.0;  // integrated over the radius
+  };
+  void tabulate_radius(const Psf& psf);
+  double twice_integrated(double r_px) const;
+
+  double kept_, side_px_;
+  sampling::Point2 shift_;
+  double radial_step_px_ = 0.0;
+  std::vector<Radial> radial_;
   std::vector<double> near_;    // by half cell
+  std::vector<double> points_;  // densities, by sixteenth of a pixel
   std::vector<double> summed_;  // over pixels, summed areas
 };
 

@@ -8,7 +8,7 @@
 #include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/channel_brightness.h"
-#include "render/wing_light.h"
+#include "render/wings/wing_light.h"
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "sensor/airy_aperture.h"
 #include "sensor/psf.h"
@@ -114,7 +114,8 @@ Edge picture(double q_px, double tolerance, bool with_wings, std::uint64_t seed)
   problem.steering_channels = steering_channels;
   sampling::TileResult tile;
   sampling::AccuracySampler().sample(problem, field, tile);
-  if (with_wings) add_wings(std::vector<const sensor::PsfWings*>{&wings}, problem, nullptr, field, tile);
+  if (with_wings)
+    add_wings(std::vector<const sensor::PsfWings*>{&wings}, problem, nullptr, nullptr, field, tile);
   Edge edge;
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
@@ -178,7 +179,7 @@ TEST(WingLight, AnEvenFieldStaysExact) {
   std::fill(tile.mean.begin(), tile.mean.end(), 0.3f);
   tile.reasons.assign(tile.reasons.size(), 0);
   for (std::uint32_t p = 0; p < 30; ++p) tile.abundances.push_back({p, 0, 1.0f, 0.0f});
-  add_wings(std::vector<const sensor::PsfWings*>{&wings}, problem, nullptr, field, tile);
+  add_wings(std::vector<const sensor::PsfWings*>{&wings}, problem, nullptr, nullptr, field, tile);
   for (std::size_t p = 0; p < 30; ++p) {
     EXPECT_NEAR(tile.mean[p], 0.3, 1e-6);
     EXPECT_NEAR(tile.half_width[p], 0.0, 1e-6);
@@ -200,7 +201,7 @@ TEST(WingLight, DoesNotDependOnTheTiling) {
     problem.seed = 7;
     sampling::TileResult tile;
     tile.reset(rect, 1);
-    add_wings(std::vector<const sensor::PsfWings*>{&wings}, problem, nullptr, field, tile);
+    add_wings(std::vector<const sensor::PsfWings*>{&wings}, problem, nullptr, nullptr, field, tile);
     return tile;
   };
   const sampling::TileResult all = light({0, 0, 16, 16}), part = light({8, 4, 12, 8});

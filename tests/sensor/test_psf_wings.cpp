@@ -58,4 +58,39 @@ TEST(PsfWings, AreAlikeToAllSidesAndZeroWithinTheCore) {
   EXPECT_GT(wings.half_cell(10, 0), 0.0);
 }
 
+// At a place, near and far, with and without a covered aperture: the mean of the density beyond the cut over the square.
+TEST(PsfWings, DensityIsTheMeanOverTheSquare) {
+  for (const double covered : {0.0, 0.4})
+    for (const double q : {0.5, 0.8, 1.0, 2.0})
+      for (const double fill : {1.0, 0.5}) {
+        AiryAperture airy = aperture(q);
+        airy.obscuration = covered;
+        const auto psf = make_airy_psf(airy);
+        const ifov::sampling::Point2 shift{0.2, -0.1};
+        const PsfWings wings(*psf, fill, shift);
+        const double side = std::sqrt(fill);
+        // Where a corner of the square reaches over the cut.
+        const double corner = 5e-4 * psf->cut_density(1.0001 * psf->half_width_px(), 0.0, true);
+        for (double r = 3.0; r < 150.0; r *= 1.6)
+          for (const double angle : {0.02, 0.785, 2.2}) {
+            constexpr int kSteps = 60;
+            const double x = r * std::cos(angle), y = r * std::sin(angle);
+            double sum = 0.0, even = 0.0;
+            for (int j = 0; j < kSteps; ++j)
+              for (int i = 0; i < kSteps; ++i) {
+                const double dx = x - shift.x + side * ((i + 0.5) / kSteps - 0.5),
+                             dy = y - shift.y + side * ((j + 0.5) / kSteps - 0.5);
+                sum += psf->cut_density(dx, dy, false) / (kSteps * kSteps);
+                even += psf->cut_density(dx, dy, true) / (kSteps * kSteps);
+              }
+            const auto [density, half_width] = wings.density(x, y);
+            EXPECT_NEAR(density, sum, half_width + 0.03 * even + corner)
+                << q << " " << covered << " " << r << " " << angle;
+            if (std::abs(r - psf->half_width_px()) > 1.0) {  // the cut is steep
+              EXPECT_LE(half_width, 0.4 * std::max(sum, even) + 2e-6) << q << " " << r;
+            }
+          }
+      }
+}
+
 }  // namespace test_psf_wings

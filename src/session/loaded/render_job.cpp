@@ -2,7 +2,7 @@
 #include "render/image_renderer.h"
 #include "render/polarized/polarimetry.h"
 #include "render/tolerance/accuracy_tolerance.h"
-#include "render/wing_light.h"
+#include "render/wings/wing_light.h"
 #include "sensor/camera.h"
 #include "session/loaded/parts.h"
 #include "transport/spectral_scene.h"

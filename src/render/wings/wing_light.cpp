@@ -1,21 +1,19 @@
-#include "render/wing_light.h"
+#include "render/wings/wing_light.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "render/tolerance/accuracy_tolerance.h"
+#include "render/wings/wing_cells.h"
+#include "render/wings/wing_spots.h"
 #include "sampling/footprint_groups.h"
 #include "sampling/pixel_limits.h"
 #include "sampling/quantiles.h"
-#include "sampling/random.h"
-#include "sampling/value_batch.h"
 #include "sensor/psf_wings.h"
-#include "transport/spectral_scene.h"
 
 namespace ifov::render {
 namespace {
@@ -23,85 +21,17 @@ namespace {
 using sampling::PixelRect;
 using sensor::PsfWings;
 
-constexpr std::uint64_t kWingPaths = 0x77696e67ull,
-                        kWingPosition = 0x706c6163ull;  // purposes of random numbers
 constexpr double kRounding = 1e-5;
 
-int floor_div(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
-
-/// Blocks of the given side that a tile's pixels need, in pixels.
-PixelRect around(const PixelRect& tile, int block) {
-  const auto first = [&](int pixel) { return (floor_div(pixel, block) - PsfWings::kBlocks) * block; };
-  const auto last = [&](int pixel) { return (floor_div(pixel, block) + PsfWings::kBlocks + 1) * block; };
-  return {first(tile.x0), first(tile.y0), last(tile.x1 - 1), last(tile.y1 - 1)};
+int pixel_of(double x_px) { return static_cast<int>(std::floor(x_px)); }
+bool holds(const PixelRect& rect, int x, int y) {
+  return x >= rect.x0 && x < rect.x1 && y >= rect.y0 && y < rect.y1;
 }
-
-/// Cells of one level, each looked at by 2 x 2 paths: one in each of its quarters.
-class Cells {
- public:
-  Cells(PixelRect pixels, int side, std::uint64_t seed, const CancelToken* cancel, sampling::Field& field)
-      : pixels_(pixels), side_(side), columns_(static_cast<std::size_t>(field.columns())) {
-    const std::size_t count = static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
-    values_.resize(4 * count * columns_);
-    materials_.resize(4 * count);
-    sampling::for_each_value(
-        field, cancel, 4 * count,
-        [&](std::size_t k) {
-          const int quarter = static_cast<int>(k % 4), x = cell_x(k / 4), y = cell_y(k / 4);
-          const std::uint64_t key = sampling::hash(seed, side_, x, y, kWingPosition, quarter);
-          const double u = 0.5 * (quarter % 2 + sampling::unit_double(key)),
-                       v = 0.5 * (quarter / 2 + sampling::unit_double(key + 1));
-          return sampling::PathRequest{{x + side_ * u, y + side_ * v},
-                                       sampling::hash(seed, side_, x, y, kWingPaths),
-                                       static_cast<std::uint32_t>(quarter)};
-        },
-        [&](std::size_t k, sampling::Label label, const float* values) {
-          std::copy_n(values, columns_, values_.begin() + static_cast<std::ptrdiff_t>(k * columns_));
-          materials_[k] = field.material_of(label);
-        });
-  }
-
-  int width() const { return pixels_.width() / side_; }
-  int height() const { return pixels_.height() / side_; }
-  int side() const { return side_; }
-  std::size_t count() const { return materials_.size() / 4; }
-  int cell_x(std::size_t cell) const { return pixels_.x0 + side_ * (static_cast<int>(cell) % width()); }
-  int cell_y(std::size_t cell) const { return pixels_.y0 + side_ * (static_cast<int>(cell) / width()); }
-  /// By the pixel at its upper left corner.
-  std::size_t cell_at(int x, int y) const {
-    return static_cast<std::size_t>((y - pixels_.y0) / side_) * static_cast<std::size_t>(width()) +
-           static_cast<std::size_t>((x - pixels_.x0) / side_);
-  }
-  const float* value(std::size_t cell, int quarter) const {
-    return values_.data() + (4 * cell + static_cast<std::size_t>(quarter)) * columns_;
-  }
-  std::uint32_t material(std::size_t cell, int quarter) const {
-    return materials_[4 * cell + static_cast<std::size_t>(quarter)];
-  }
-  /// Variance of one path about its quarter's mean, by what no plane through the four explains.
-  double variance(std::size_t cell, std::size_t column) const {
-    const double bend = static_cast<double>(value(cell, 0)[column]) - value(cell, 1)[column] -
-                        value(cell, 2)[column] + value(cell, 3)[column];
-    return 0.25 * bend * bend;
-  }
-  double mean(std::size_t cell, std::size_t column) const {
-    double sum = 0.0;
-    for (int quarter = 0; quarter < 4; ++quarter) sum += value(cell, quarter)[column];
-    return 0.25 * sum;
-  }
-
- private:
-  PixelRect pixels_;
-  int side_;
-  std::size_t columns_;
-  std::vector<float> values_;
-  std::vector<std::uint32_t> materials_;
-};
 
 /// What reaches one pixel by way of the wings.
 struct Gathered {
   std::vector<double> weight;  // by group: of all cells, of the whole response
-  std::vector<double> sum, variance;
+  std::vector<double> sum, variance, unsure;
   std::map<std::uint32_t, double> materials;
   double mixed = 0.0;  // variance of shares of materials, at most
 };
@@ -109,13 +39,12 @@ struct Gathered {
 class Wings {
  public:
   Wings(std::span<const PsfWings* const> wings, const sampling::ColumnFootprints& footprints,
-        const sampling::TileProblem& problem, sampling::Field& field)
+        const sampling::TileProblem& problem, const SpotLight* spots, sampling::Field& field)
       : wings_(wings),
         runs_(wings.size()),
-        near_(around(problem.tile, PsfWings::kNear), 1, problem.seed, problem.cancel, field),
-        middle_(around(problem.tile, PsfWings::kMiddle), PsfWings::kNear, problem.seed, problem.cancel,
-                field),
-        far_(around(problem.tile, PsfWings::kFar), PsfWings::kMiddle, problem.seed, problem.cancel, field),
+        near_(cells_of(problem, PsfWings::kNear, 1, spots, field)),
+        middle_(cells_of(problem, PsfWings::kMiddle, PsfWings::kNear, spots, field)),
+        far_(cells_of(problem, PsfWings::kFar, PsfWings::kMiddle, spots, field)),
         columns_(static_cast<std::size_t>(field.columns())) {
     for (std::size_t c = 0; c < columns_; ++c) {
       auto& runs = runs_[footprints.group_of(c)];
@@ -125,7 +54,7 @@ class Wings {
     beyond_.resize(columns_);
     darkest_.assign(columns_, std::numeric_limits<double>::infinity());
     brightest_.assign(columns_, -std::numeric_limits<double>::infinity());
-    for (const Cells* cells : {&middle_, &far_})
+    for (const WingCells* cells : {&middle_, &far_})
       for (std::size_t cell = 0; cell < cells->count(); ++cell)
         for (std::size_t c = 0; c < columns_; ++c) {
           const double mean = cells->mean(cell, c);
@@ -133,6 +62,7 @@ class Wings {
           brightest_[c] = std::max(brightest_[c], mean);
           if (cells == &far_) beyond_[c] += mean / static_cast<double>(far_.count());
         }
+    if (spots != nullptr) sort_spots(*spots, problem.tile);
   }
 
   void gather(int x, int y, Gathered& found) const {
@@ -140,10 +70,11 @@ class Wings {
     found.mixed = 0.0;
     found.sum.assign(columns_, 0.0);
     found.variance.assign(columns_, 0.0);
+    found.unsure.assign(columns_, 0.0);
     found.materials.clear();
     const PixelRect pixel{x, y, x + 1, y + 1};
-    const PixelRect near = around(pixel, PsfWings::kNear), middle = around(pixel, PsfWings::kMiddle),
-                    far = around(pixel, PsfWings::kFar);
+    const PixelRect near = wing_blocks(pixel, PsfWings::kNear),
+                    middle = wing_blocks(pixel, PsfWings::kMiddle), far = wing_blocks(pixel, PsfWings::kFar);
     for (int j = near.y0; j < near.y1; ++j)
       for (int i = near.x0; i < near.x1; ++i) {
         for (std::size_t group = 0; group < wings_.size(); ++group) {
@@ -155,6 +86,15 @@ class Wings {
       }
     add_squares(middle_, middle, near, x, y, found);
     add_squares(far_, far, middle, x, y, found);
+    for (const SpotLight::Spot* spot : spots_) {
+      const int i = pixel_of(spot->middle.x_px), j = pixel_of(spot->middle.y_px);
+      add_spot(*spot,
+               holds(near, i, j)     ? near_
+               : holds(middle, i, j) ? middle_
+                                     : far_,
+               i, j, holds(far, i, j), x, y, found);
+    }
+    for (std::size_t c = 0; c < farther_.size(); ++c) found.unsure[c] += farther_[c];
   }
 
   double beyond(std::size_t column) const { return beyond_[column]; }
@@ -165,7 +105,8 @@ class Wings {
   std::size_t paths() const { return 4 * (near_.count() + middle_.count() + far_.count()); }
 
  private:
-  void add_squares(const Cells& cells, PixelRect in, PixelRect without, int x, int y, Gathered& found) const {
+  void add_squares(const WingCells& cells, PixelRect in, PixelRect without, int x, int y,
+                   Gathered& found) const {
     const int side = cells.side();
     for (int j = in.y0; j < in.y1; j += side)
       for (int i = in.x0; i < in.x1; i += side) {
@@ -178,7 +119,57 @@ class Wings {
       }
   }
 
-  void add(const Cells& cells, std::size_t cell, const double (&weight)[4], std::size_t group,
+  static WingCells cells_of(const sampling::TileProblem& problem, int block, int side, const SpotLight* spots,
+                            sampling::Field& field) {
+    return {wing_blocks(problem.tile, block),
+            side,
+            problem.seed,
+            problem.cancel,
+            spots != nullptr ? &spots->where() : nullptr,
+            field};
+  }
+
+  /// Those that pixels of the tile may be near to, and what all others may send at most.
+  void sort_spots(const SpotLight& light, const PixelRect& tile) {
+    const PixelRect region = wing_blocks(tile, PsfWings::kFar);
+    farther_.assign(columns_, 0.0);
+    for (const SpotLight::Spot& spot : light.spots()) {
+      if (holds(region, pixel_of(spot.middle.x_px), pixel_of(spot.middle.y_px))) {
+        spots_.push_back(&spot);
+        continue;
+      }
+      const double dx = spot.middle.x_px - std::clamp(spot.middle.x_px, tile.x0 + 0.5, tile.x1 - 0.5),
+                   dy = spot.middle.y_px - std::clamp(spot.middle.y_px, tile.y0 + 0.5, tile.y1 - 0.5);
+      for (std::size_t group = 0; group < wings_.size(); ++group) {
+        const auto [density, unsure] = wings_[group]->density(dx, dy);
+        for (const auto& [first, last] : runs_[group])
+          for (std::size_t c = first; c < last; ++c)
+            farther_[c] += (density + unsure) * std::abs(spot.light[c] - spot.area_px2 * beyond_[c]);
+      }
+    }
+  }
+
+  /// A spot in the pixel (i, j), over what the cells say of its place; into the half-width where it is farther than they reach.
+  void add_spot(const SpotLight::Spot& spot, const WingCells& cells, int i, int j, bool within, int x, int y,
+                Gathered& found) const {
+    const std::size_t cell = cells.cell_at(i, j);
+    for (std::size_t group = 0; group < wings_.size(); ++group) {
+      const auto [density, unsure] =
+          wings_[group]->density(spot.middle.x_px - (x + 0.5), spot.middle.y_px - (y + 0.5));
+      if (!(density > 0.0) && !(unsure > 0.0)) continue;
+      for (const auto& [first, last] : runs_[group])
+        for (std::size_t c = first; c < last; ++c) {
+          const double more = spot.light[c] - spot.area_px2 * cells.mean(cell, c);
+          if (within) {
+            found.sum[c] += density * more;
+            found.variance[c] += density * density * spot.variance[c];
+          }
+          found.unsure[c] += (within ? unsure : unsure + density) * std::abs(more);
+        }
+    }
+  }
+
+  void add(const WingCells& cells, std::size_t cell, const double (&weight)[4], std::size_t group,
            Gathered& found) const {
     const double all = weight[0] + weight[1] + weight[2] + weight[3];
     if (!(all > 0.0)) return;
@@ -209,9 +200,11 @@ class Wings {
 
   std::span<const PsfWings* const> wings_;
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> runs_;  // [first, last) of columns, by group
-  Cells near_, middle_, far_;
+  WingCells near_, middle_, far_;
   std::size_t columns_;
   std::vector<double> beyond_, darkest_, brightest_;  // by column
+  std::vector<const SpotLight::Spot*> spots_;
+  std::vector<double> farther_;  // by column: what spots that lie farther may send at most
 };
 
 /// Judges a pixel by what was asked for; what the cut adds to what the sampler left is at fault where that is too much.
@@ -252,9 +245,10 @@ void add_materials(const Gathered& found, double kept, double scale, double rest
 }  // namespace
 
 void add_wings(std::span<const PsfWings* const> wings, const sampling::TileProblem& problem,
-               const AccuracyTolerance* tolerance, sampling::Field& field, sampling::TileResult& tile) {
+               const AccuracyTolerance* tolerance, const SpotLight* spots, sampling::Field& field,
+               sampling::TileResult& tile) {
   const sampling::ColumnFootprints footprints = problem.footprints(field);
-  const Wings around_tile(wings, footprints, problem, field);
+  const Wings around_tile(wings, footprints, problem, spots, field);
   const std::size_t columns = static_cast<std::size_t>(tile.columns);
   const double normal = sampling::two_sided_normal(tolerance != nullptr ? tolerance->confidence() : 0.95);
   struct Shares {
@@ -287,7 +281,7 @@ void add_wings(std::span<const PsfWings* const> wings, const sampling::TileProbl
       tile.variance_path[at] = static_cast<float>(core * core * tile.variance_path[at] + variance);
       tile.half_width[at] =
           static_cast<float>(std::hypot(core * tile.half_width[at], normal * std::sqrt(variance)) +
-                             scale * rest * around_tile.spread(c));
+                             scale * (rest * around_tile.spread(c) + found.unsure[c]));
     }
     if (tile.has_errors() && tolerance != nullptr) judge(*tolerance, problem.later, p, mean, limit, tile);
     const std::size_t first = next;
