@@ -189,6 +189,16 @@ TEST(Convection, AnglesAreAsPublished) {
   }
 }
 
+/// Walton (1983), of ASHRAE's classes.
+TEST(Convection, RoughnessFactorsAreAsPublished) {
+  EXPECT_EQ(roughness_factor(Roughness::very_rough), 2.17);
+  EXPECT_EQ(roughness_factor(Roughness::rough), 1.67);
+  EXPECT_EQ(roughness_factor(Roughness::medium_rough), 1.52);
+  EXPECT_EQ(roughness_factor(Roughness::medium_smooth), 1.13);
+  EXPECT_EQ(roughness_factor(Roughness::smooth), 1.11);
+  EXPECT_EQ(roughness_factor(Roughness::very_smooth), 1.0);
+}
+
 /// Davenport's classes 1, 2, 3, 5 and 7 as Wieringa (1992) has them, metres.
 TEST(WindProfile, RoughnessLengthsAreAsPublished) {
   EXPECT_EQ(roughness_length_m(Terrain::sea), 0.0002);
