@@ -2,23 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 
 #include "studies/common/reference_data.h"
+#include "studies/study_folder.h"
 #include "studies/temperature/temperature_checks.h"
 #include "studies/temperature/temperature_sections.h"
 
 namespace ifov::studies::test_temperature_study {
 namespace {
-
-StudyOptions in_a_folder(const char* name) {
-  StudyOptions options;
-  options.output_folder = std::filesystem::temp_directory_path() / name;
-  std::filesystem::create_directories(options.output_folder);
-  options.trials = 1;
-  options.threads = 1;
-  return options;
-}
 
 TEST(TemperatureStudy, SolidsAreAsTheirClosedForms) {
   for (int k = 0; k < kSlabCases; ++k) {
