@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/format.h"
+#include "core/error.h"
 #include "core/parallel.h"
 #include "exposure/solved_surface.h"
 #include "math/angle.h"
