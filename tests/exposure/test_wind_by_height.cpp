@@ -21,11 +21,11 @@ namespace ifov::session::test_wind_by_height {
 namespace {
 
 Session load(const ClearDays& day, const std::string& objects, const char* terrain = "open",
-             const char* error = "2 K") {
+             const char* error = "2 K", const char* of_scene = "") {
   return Session::load(
       io::parse_document(format(R"({{"ifov": 1, "time": "2026-06-21T14:00:00Z", "weather": {{"file": "{}"}},
           "temperatures": {{"spin_up": "1 d", "step": "10 min", "repeat_first_day": true, "terrain": "{}"}},
-          "scene": {{"origin": {{"latitude": "52 deg", "longitude": "5 deg"}},
+          "scene": {{{}"origin": {{"latitude": "52 deg", "longitude": "5 deg"}},
             "materials": {{"tar": {{"emissivity": 1, "temperature": "solved",
                 "thermal": {{"layers": [{{"thickness": "3 cm", "library": "asphalt"}}, {{"thickness": "20 cm", "library": "concrete"}}],
                             "solar_absorptance": 0.9}}}},
@@ -35,7 +35,7 @@ Session load(const ClearDays& day, const std::string& objects, const char* terra
           "sensor": {{"camera": {{"orthographic": {{"gsd": "2 m", "pixels": [12, 12]}}}},
             "channels": [{{"name": "thermal", "top_hat": {{"from": "10 um", "to": "11 um"}}}}]}},
           "sampling": {{"accuracy": {{"error": "{}"}}}}}})",
-                                day.path(), terrain, objects, error),
+                                day.path(), terrain, of_scene, objects, error),
                          "windy.json"),
       nullptr);
 }
@@ -78,6 +78,24 @@ TEST(WindByHeight, GroundMayBeABlock) {
   EXPECT_EQ(height_m(block, 20, 0, 5), 0.0);
   // Nothing faces up below the roof of a house that stands on nothing: it counts as ground.
   EXPECT_EQ(height_m(load(day, box(-4, -4, 0, 4, 4, 9)), 0, 0, 9), 0.0);
+}
+
+TEST(WindByHeight, UnderCrownsAndInCells) {
+  const ClearDays day("windy", 3.0);
+  // A crown over the ground, and a house that stands below its edge: both count from the ground, and the crown as far as its top.
+  const Session crown = load(
+      day, kGround +
+               R"(, {"sphere": {"center": ["0 m", "0 m", "10 m"], "radius": "4 m"}, "material": "tar"}, )" +
+               box(2, -2, 0, 8, 2, 5));
+  EXPECT_NEAR(height_m(crown, 0, 0, 14), 14.0, 1e-6);
+  EXPECT_NEAR(height_m(crown, 0, 0, 6), 6.0, 1e-6);
+  EXPECT_NEAR(height_m(crown, 3, 0, 5), 5.0, 1e-6);
+  // Cells: the ground of one that repeats is below all of them.
+  const Session cell = load(day, box(-10, -10, -1, 10, 10, 0, "paint") + ", " + box(-3, -3, 0, 3, 3, 8),
+                            "open", "2 K", R"("periodic": {"size": ["20 m", "20 m"]}, )");
+  EXPECT_NEAR(height_m(cell, 0, 0, 8), 8.0, 1e-6);
+  EXPECT_NEAR(height_m(cell, 40, -20, 8), 8.0, 1e-6);
+  EXPECT_EQ(height_m(cell, 9, 9, 0), 0.0);
 }
 
 geometry::SurfacePoint from_above(const Session& session, double x, double y) {
