@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/error.h"
 #include "studies/common/reference_data.h"
 #include "studies/study_folder.h"
 #include "studies/temperature/temperature_checks.h"
@@ -67,6 +68,21 @@ TEST(TemperatureStudy, SaysWhatIsNotMeasured) {
   const ReportSection section = unmeasured_section({nothing, options});
   EXPECT_GE(section.figures.figures().size(), 5u);
   for (const Figure& figure : section.figures.figures()) EXPECT_FALSE(figure.ok) << figure.name;
+}
+
+/// A name that is misspelt is not taken for "no reference data".
+TEST(ReferenceFolder, IsAFolderWhereOneIsNamed) {
+  StudyOptions options = in_a_folder("ifov_test_reference_folder");
+  options.reference = options.output_folder;
+  EXPECT_EQ(reference_folder(options), options.output_folder);
+  options.reference /= "misspelt";
+  try {
+    reference_folder(options);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "'" + options.reference.string() + "' is no folder: reference data were said to be there");
+  }
 }
 
 }  // namespace
