@@ -175,6 +175,8 @@ TEST(WindByHeight, HalfWidthsHoldARoofOverAHole) {
   EXPECT_LE(off_k(over_ground), narrow.half_width_k());
   EXPECT_GT(off_k(over_hole), 2.0 * narrow.half_width_k());
   EXPECT_EQ(narrow.ground_k, 0.0);
+  EXPECT_NE(narrow.statement().find("wind of 0 to 20 m above ground"), std::string::npos)
+      << narrow.statement();
   EXPECT_EQ(narrow.statement().find("nothing faces up"), std::string::npos);
 }
 

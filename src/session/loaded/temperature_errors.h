@@ -22,10 +22,11 @@ struct TemperatureErrors {
   double rms_k = 0.0, bias_k = 0.0;  ///< root mean square and mean, of the material that is off most
   std::string material;              ///< its name
   double worst_k = 0.0;
-  double step_k = 0.0;    ///< of the steps of time, by those of twice the length
-  int on_nothing = 0;     ///< points of `ground_k`
-  double ground_k = 0.0;  ///< the largest
-  std::string weather;    ///< by which they are solved, and what stood in for what it does not tell
+  double step_k = 0.0;                     ///< of the steps of time, by those of twice the length
+  double lowest_m = 0.0, highest_m = 0.0;  ///< above ground, of those that the camera sees
+  int on_nothing = 0;                      ///< points of `ground_k`
+  double ground_k = 0.0;                   ///< the largest
+  std::string weather;  ///< by which they are solved, and what stood in for what it does not tell
 
   std::map<std::uint32_t, OfMaterial> by_material{};  ///< by its number
 

@@ -120,7 +120,7 @@ struct Measured {
   const Solved* solved;
   geometry::SurfacePoint at;
   bool made_up = false;   ///< the camera sees too few of the material
-  double height_m = 0.0;  ///< above ground, of one made up
+  double height_m = 0.0;  ///< above ground
   double off_k = 0.0;
   std::optional<double>
       ground_k;  ///< by what its temperature would be another if the ground were that beside
@@ -194,6 +194,7 @@ void measure(TemperatureErrors& errors, const io::Document& document, const ByMa
     const math::Vec3 normal = surface.normal_at(point.at);
     const double full_k = full_solution_k(*point.solved, series, stand, normal, exposure);
     point.off_k = surface.temperature_k(point.at, exposure) - full_k;
+    point.height_m = exposure.height_m;
     if (point.made_up || exposure.height_m > 0.0) return;
     exposure.height_m =
         exposure::height_above_ground_beside_m(past, point.at.position_m, thermal::kLowestWind_m);
@@ -209,6 +210,9 @@ void measure(TemperatureErrors& errors, const io::Document& document, const ByMa
       squares_k2 += point.off_k * point.off_k;
       errors.worst_k = std::max(errors.worst_k, std::abs(point.off_k));
       ++(point.made_up ? errors.made_up : errors.points);
+      if (point.made_up) continue;
+      errors.lowest_m = errors.points == 1 ? point.height_m : std::min(errors.lowest_m, point.height_m);
+      errors.highest_m = std::max(errors.highest_m, point.height_m);
       if (!point.ground_k) continue;
       ++errors.on_nothing;
       errors.ground_k = std::max(errors.ground_k, *point.ground_k);
