@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/format.h"
 #include "core/error.h"
+#include "core/format.h"
 #include "core/parallel.h"
 #include "exposure/solved_surface.h"
 #include "math/angle.h"
