@@ -45,20 +45,25 @@ bool PastScene::is_otherwise_within(double low_s, double high_s) const {
   return any_of(&world_) || any_of(departed_);
 }
 
-double PastScene::height_above_ground_m(math::Point3 place_m, double least_m) const {
-  if (!(place_m.z - low_m_ > least_m)) return 0.0;
+std::optional<double> PastScene::ground_m(double x_m, double y_m, double below_m) const {
   constexpr double kBelow_m = 1.0;
-  math::Ray up{.origin_m = {place_m.x, place_m.y, low_m_ - kBelow_m}, .direction = {0.0, 0.0, 1.0}};
-  up.t_max_m = place_m.z - least_m - up.origin_m.z;
+  math::Ray up{.origin_m = {x_m, y_m, low_m_ - kBelow_m}, .direction = {0.0, 0.0, 1.0}};
+  up.t_max_m = below_m - up.origin_m.z;
   for (int k = 0; k < kMostBelow; ++k) {
     geometry::SurfacePoint met;
     world_.intersect({&up, 1}, {&met, 1});
-    if (!met.hit()) return 0.0;
+    if (!met.hit()) return std::nullopt;
     if (met.geometric_normal.as_vector().z > kFacesUp || met.shared_with != geometry::kNoMaterial)
-      return place_m.z - met.position_m.z;
+      return met.position_m.z;
     up.t_min_m = met.distance_m + met.offset_m;
   }
-  return 0.0;
+  return std::nullopt;
+}
+
+double PastScene::height_above_ground_m(math::Point3 place_m, double least_m) const {
+  if (!(place_m.z - low_m_ > least_m)) return 0.0;
+  const std::optional<double> ground = ground_m(place_m.x, place_m.y, place_m.z - least_m);
+  return ground ? place_m.z - *ground : 0.0;
 }
 
 void PastScene::occluded(std::span<const math::Ray> rays, std::span<std::uint8_t> blocked) const {

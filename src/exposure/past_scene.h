@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,8 +31,10 @@ class PastScene {
   /// Whether something is not as it is now at some time between these.
   bool is_otherwise_within(double low_s, double high_s) const;
 
-  /// How high a place is above the lowest surface below it that faces up, or what lies in the place of a foundation: by a ray from below
-  /// that passes what faces down. 0 where that is no more than `least_m`, or nothing is there.
+  /// The lowest surface at a place that faces up, or what lies in the place of a foundation: by a ray from below that passes what faces
+  /// down. Nothing where it meets none below a height.
+  std::optional<double> ground_m(double x_m, double y_m, double below_m) const;
+  /// How high a place is above that. 0 where that is no more than `least_m`, or nothing is there.
   double height_above_ground_m(math::Point3 place_m, double least_m) const;
   /// No place is higher.
   double highest_m() const { return high_m_ - low_m_; }

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "core/format.h"
 #include "exposure/clear_days.h"
@@ -14,13 +13,13 @@
 #include "session/loaded/parts.h"
 #include "session/session.h"
 #include "session/solved/document_outdoors.h"
+#include "studies/temperature/outlined_box.h"
 #include "thermal/surface_solution.h"
 
 namespace ifov::session::test_presence {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kHalfLength_m = 2.2, kHalfWidth_m = 0.9, kTop_m = 1.5;  // of a car, along east and north
+constexpr studies::OutlinedBox kCar{2.2, 0.9, 1.5};  // along east and north
 
 /// A car on asphalt at 15 h; `present`: of the car, with its key, or nothing.
 Session load(const ClearDays& weather, const std::string& present, const char* step = "5 min") {
@@ -44,35 +43,6 @@ Session load(const ClearDays& weather, const std::string& present, const char* s
       nullptr);
 }
 
-/// Whether the box of the car stands in a direction from a place on the ground, or about the place.
-bool car_in(double x, double y, math::Vec3 d) {
-  double first = 0.0, last = 1e9;
-  const auto slab = [&](double from, double along, double low, double high) {
-    if (std::abs(along) < 1e-12) {
-      if (from < low || from > high) last = -1.0;
-      return;
-    }
-    const double a = (low - from) / along, b = (high - from) / along;
-    first = std::max(first, std::min(a, b));
-    last = std::min(last, std::max(a, b));
-  };
-  slab(x, d.x, -kHalfLength_m, kHalfLength_m);
-  slab(y, d.y, -kHalfWidth_m, kHalfWidth_m);
-  slab(0.0, d.z, 0.0, kTop_m);
-  return first < last;
-}
-
-double free_sky_beside_car(double x, double y) {
-  constexpr int kRings = 200, kTurn = 720;
-  double sum = 0.0;
-  for (int r = 0; r < kRings; ++r)
-    for (int a = 0; a < kTurn; ++a) {
-      const double sine = std::sqrt((r + 0.5) / kRings), turn = 2.0 * kPi * (a + 0.5) / kTurn;
-      sum += !car_in(x, y, {sine * std::cos(turn), sine * std::sin(turn), std::sqrt(1.0 - sine * sine)});
-    }
-  return sum / (kRings * kTurn);
-}
-
 /// The road at a place, solved in full by itself over minutes, where the car stood from `from_min` to `to_min` before the end.
 double alone_k(const Session& of, double x, double y, double from_min, double to_min) {
   const DocumentOutdoors about = outdoors_of_document(of.parts().document, *of.parts().weather);
@@ -80,7 +50,7 @@ double alone_k(const Session& of, double x, double y, double from_min, double to
       *assemble_thermal(of.parts().document.sources, of.parts().document.scene.materials[0],
                         of.parts().scene.materials[0], 285.0);
   const thermal::OutdoorsSeries& series = about.outdoors.series;
-  const double beside = free_sky_beside_car(x, y);
+  const double beside = kCar.free_sky(x, y);
   std::vector<double> sun(series.rows.size(), 1.0), sky(series.rows.size(), 1.0);
   for (std::size_t row = 0; row < series.rows.size(); ++row) {
     const double before_min = static_cast<double>(series.rows.size() - 1 - row) * series.step_s / 60.0;
@@ -88,11 +58,7 @@ double alone_k(const Session& of, double x, double y, double from_min, double to
     const double there = before_min < from_min && before_min > to_min     ? 1.0
                          : before_min == from_min || before_min == to_min ? 0.5
                                                                           : 0.0;
-    const thermal::Outdoors& now = series.rows[row];
-    const double level = std::cos(now.sun_elevation_rad);
-    const math::Vec3 to_sun{level * std::sin(now.sun_azimuth_rad), level * std::cos(now.sun_azimuth_rad),
-                            std::sin(now.sun_elevation_rad)};
-    if (car_in(x, y, to_sun)) sun[row] = 1.0 - there;
+    if (kCar.is_in(x, y, studies::to_sun(series.rows[row]))) sun[row] = 1.0 - there;
     sky[row] = 1.0 - there * (1.0 - beside);
   }
   thermal::Stand stand;
@@ -165,7 +131,7 @@ TEST(Presence, ACarThatJustCameDidNotShadeBefore) {
     EXPECT_GT(std::abs(mean_k(*minutes.parts().scene.solved.at(0), point, 200) - expected_k), 0.5) << x;
   }
   // The car itself is in the picture.
-  EXPECT_NEAR(below(session.parts().scene, 0.0, 0.0).position_m.z, kTop_m, 1e-9);
+  EXPECT_NEAR(below(session.parts().scene, 0.0, 0.0).position_m.z, kCar.top_m, 1e-9);
   EXPECT_EQ(session.parts().scene.departed, nullptr);
 }
 

@@ -1,16 +1,14 @@
 // Temperatures that follow from what the Sun, the sky and the air did: at points of scenes, against each solved in full by itself.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <random>
 
 #include "atmosphere/weather_series.h"
 #include "core/error.h"
 #include "core/format.h"
+#include "exposure/clear_days.h"
 #include "exposure/exposed_point.h"
 #include "exposure/solved_surface.h"
 #include "geometry/world.h"
@@ -24,6 +22,7 @@
 #include "session/session.h"
 #include "session/solved/document_outdoors.h"
 #include "session/temperatures/temperature_survey.h"
+#include "studies/temperature/outlined_box.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::session::test_solved_temperatures {
@@ -31,33 +30,9 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kPole_m = 0.5, kTop_m = 5.0;  // side and height of the pole about the origin
+constexpr studies::OutlinedBox kPoleBox{0.5 * kPole_m, 0.5 * kPole_m, kTop_m};
 
-/// Two days of June in a folder of its own, hour by hour; `sunny`: not a day without sunlight and air that stands still at 290 K.
-class WeatherFile {
- public:
-  explicit WeatherFile(bool sunny = true)
-      : folder_(std::filesystem::temp_directory_path() / format("ifov_solved_{}_{}", ::getpid(), sunny)) {
-    std::filesystem::create_directories(folder_);
-    std::ofstream file(path());
-    file
-        << "time,air_temperature_c,relative_humidity_pct,wind_speed_m_s,cloud_fraction,global_irradiance_w_m2\n";
-    for (int hour = 0; hour <= 48; ++hour) {
-      const double solar = hour + 0.3;  // at 5 degrees east
-      const double height = std::sin(0.9076) * std::sin(0.409) +
-                            std::cos(0.9076) * std::cos(0.409) * std::cos(kPi / 12.0 * (solar - 12.0));
-      file << format("2026-06-{:02d}T{:02d}:00:00Z,{:.2f},60,{},0,{:.1f}\n", 20 + hour / 24, hour % 24,
-                     sunny ? 18.0 - 5.0 * std::cos(kPi / 12.0 * (solar - 3.0)) : 16.85, sunny ? "2.5" : "1",
-                     sunny ? std::max(0.0, 1000.0 * height - 30.0) : 0.0);
-    }
-  }
-  ~WeatherFile() { std::filesystem::remove_all(folder_); }
-  std::string path() const { return (folder_ / "june.csv").string(); }
-
- private:
-  std::filesystem::path folder_;
-};
-
-std::string text_of(const WeatherFile& weather, const char* time, const std::string& objects,
+std::string text_of(const DaysOfJune& weather, const char* time, const std::string& objects,
                     const char* error = "0.8 K") {
   return format(
       R"({{"ifov": 1, "time": "2026-06-21T{}:00Z", "weather": {{"file": "{}"}},
@@ -127,67 +102,8 @@ struct Road {
   }
 };
 
-/// Whether the pole stands in a direction from a place on the ground: slabs of a box, nothing of the program's.
-bool pole_in(double x, double y, math::Vec3 d) {
-  double first = 0.0, last = 1e9;
-  const auto slab = [&](double from, double along, double low, double high) {
-    if (std::abs(along) < 1e-12) {
-      if (from < low || from > high) last = -1.0;
-      return;
-    }
-    const double a = (low - from) / along, b = (high - from) / along;
-    first = std::max(first, std::min(a, b));
-    last = std::min(last, std::max(a, b));
-  };
-  slab(x, d.x, -0.5 * kPole_m, 0.5 * kPole_m);
-  slab(y, d.y, -0.5 * kPole_m, 0.5 * kPole_m);
-  slab(0.0, d.z, 0.0, kTop_m);
-  return first < last;
-}
-
-/// Shares of the Sun's disc that the pole leaves free at a place, by row; means over what is linear between rows.
-std::vector<double> free_of_pole(const thermal::OutdoorsSeries& series, double x, double y) {
-  constexpr int kTimes = 40, kDisc = 9;
-  const auto place = [&](std::size_t row) {
-    const thermal::Outdoors& now = series.rows[std::min(row, series.rows.size() - 1)];
-    const double level = std::cos(now.sun_elevation_rad);
-    return math::Vec3{level * std::sin(now.sun_azimuth_rad), level * std::cos(now.sun_azimuth_rad),
-                      std::sin(now.sun_elevation_rad)};
-  };
-  std::vector<double> shares(series.rows.size(), 1.0);
-  for (std::size_t row = 0; row < shares.size(); ++row) {
-    if (!(series.rows[row].sun_elevation_rad > 0.0)) continue;
-    double sum = 0.0, all = 0.0;
-    for (int t = 0; t < kTimes; ++t) {
-      const double steps = (t + 0.5) / kTimes * 2.0 - 1.0;
-      const std::size_t other = steps < 0.0 ? (row > 0 ? row - 1 : 0) : row + 1;
-      const math::Vec3 middle = (1.0 - std::abs(steps)) * place(row) + std::abs(steps) * place(other);
-      for (int k = 0; k < kDisc; ++k) {  // across the disc, by the area of its stripes
-        const double offset = -1.0 + (k + 0.5) * 2.0 / kDisc, stripe = std::sqrt(1.0 - offset * offset);
-        const math::Vec3 across = math::normalized(math::cross(middle, {0.0, 0.0, 1.0}));
-        const double weight = (1.0 - std::abs(steps)) * stripe;
-        sum += weight * !pole_in(x, y, math::normalized(middle + 0.00465 * offset * across));
-        all += weight;
-      }
-    }
-    shares[row] = sum / all;
-  }
-  return shares;
-}
-
-double free_sky_beside_pole(double x, double y) {
-  constexpr int kRings = 200, kTurn = 720;
-  double sum = 0.0;
-  for (int r = 0; r < kRings; ++r)
-    for (int a = 0; a < kTurn; ++a) {
-      const double sine = std::sqrt((r + 0.5) / kRings), turn = 2.0 * kPi * (a + 0.5) / kTurn;
-      sum += !pole_in(x, y, {sine * std::cos(turn), sine * std::sin(turn), std::sqrt(1.0 - sine * sine)});
-    }
-  return sum / (kRings * kTurn);
-}
-
 TEST(SolvedTemperatures, ALoneSlabIsAsTheCommandHasIt) {
-  const WeatherFile weather;
+  const ClearDays weather("solved", 2.5);
   const Session session = load(text_of(weather, "15:00", kSlab));
   const io::TemperatureReport report = survey_temperatures(session.parts().document, {});
   const double expected_k = report.materials.at(0).sunlit.surface_k.back();
@@ -197,7 +113,7 @@ TEST(SolvedTemperatures, ALoneSlabIsAsTheCommandHasIt) {
 }
 
 TEST(SolvedTemperatures, WhereAShadowWasAcrossItsPath) {
-  const WeatherFile weather;
+  const ClearDays weather("solved", 2.5);
   const Session session = load(text_of(weather, "15:00", kPole));
   const Road road(session);
   // The same material under a Sun that stood as on the other side of noon, and without what comes of the sky: both must show.
@@ -222,7 +138,7 @@ TEST(SolvedTemperatures, WhereAShadowWasAcrossItsPath) {
   double coldest = 1e9, warmest = 0.0, off_other_day = 0.0, off_no_sky = 0.0;
   for (const double y : {0.7, 1.3, 1.9, 2.5, 3.1})  // north of the pole
     for (const double x : {-1.0, 0.0, 1.0}) {
-      const double expected_k = road.full_k(free_sky_beside_pole(x, y), free_of_pole(road.series(), x, y));
+      const double expected_k = road.full_k(kPoleBox.free_sky(x, y), kPoleBox.free_sun(road.series(), x, y));
       const geometry::SurfacePoint point = below(session.parts().scene, x, y);
       EXPECT_NEAR(mean_k(of_material(session, 0), point, 8000), expected_k, 0.1) << x << " " << y;
       coldest = std::min(coldest, expected_k);
@@ -237,7 +153,7 @@ TEST(SolvedTemperatures, WhereAShadowWasAcrossItsPath) {
 
 /// Where radiance bends most with temperature: its mean over estimates is that of their mean temperature.
 TEST(SolvedTemperatures, RadianceOfEstimatesHasNoBias) {
-  const WeatherFile weather;
+  const ClearDays weather("solved", 2.5);
   std::string text = text_of(weather, "15:00", kPole);
   for (const auto& [from, to] : {std::pair{"10 um", "3.7 um"}, {"11 um", "3.8 um"}})
     text.replace(text.find(from), std::string(from).size(), to);
@@ -269,7 +185,7 @@ TEST(SolvedTemperatures, RadianceOfEstimatesHasNoBias) {
 }
 
 TEST(SolvedTemperatures, PointsAtFourHoursAgainstEachSolvedInFull) {
-  const WeatherFile weather;
+  const ClearDays weather("solved", 2.5);
   double squares = 0.0, bias = 0.0;
   for (const char* time : {"05:00", "09:00", "14:00", "20:00"}) {
     const Session session = load(text_of(weather, time, kPole));
@@ -286,7 +202,7 @@ TEST(SolvedTemperatures, PointsAtFourHoursAgainstEachSolvedInFull) {
 }
 
 TEST(SolvedTemperatures, AClosedRoomOfOneTemperatureStaysThere) {
-  const WeatherFile weather(false);
+  const StillDays weather("still");
   const Session session = load(text_of(
       weather, "15:00",
       R"({"box": {"low": ["-5 m", "-5 m", "0 m"], "high": ["5 m", "5 m", "10 m"]}, "material": "brick"})"));
@@ -311,7 +227,7 @@ class OneTile final : public render::TileSink {
 };
 
 TEST(SolvedTemperatures, IntervalsHoldWhereShadowsMovedOn) {
-  const WeatherFile weather;
+  const ClearDays weather("solved", 2.5);
   const Session session = load(text_of(weather, "15:00", kPole));
   const Session::Parts& parts = session.parts();
   // The truth: emission alone (there is no sky), averaged over many points of each pixel.
@@ -379,7 +295,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 TEST(SolvedTemperatures, SayWhatIsMissing) {
-  const WeatherFile weather;
+  const ClearDays weather("solved", 2.5);
   const std::string good = text_of(weather, "15:00", kSlab);
   expect_error(replaced(good, format(R"("weather": {{"file": "{}"}},)", weather.path()), ""),
                "a temperature that is solved needs \"weather\"");
@@ -396,7 +312,7 @@ TEST(SolvedTemperatures, SayWhatIsMissing) {
 }
 
 TEST(SolvedTemperatures, RefuseAnAccuracyThatTheyDoNotHave) {
-  const WeatherFile weather;
+  const ClearDays weather("solved", 2.5);
   expect_error(
       text_of(weather, "15:00", kPole, "0.01 K"),
       "an accuracy of 0.01 K is asked for, and temperatures that are solved may themselves be off by");

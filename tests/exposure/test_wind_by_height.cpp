@@ -6,6 +6,7 @@
 
 #include "core/format.h"
 #include "exposure/clear_days.h"
+#include "exposure/ground_beside.h"
 #include "exposure/past_scene.h"
 #include "exposure/solved_surface.h"
 #include "geometry/world.h"
@@ -19,11 +20,12 @@
 namespace ifov::session::test_wind_by_height {
 namespace {
 
-Session load(const ClearDays& day, const std::string& objects, const char* terrain = "open") {
+Session load(const ClearDays& day, const std::string& objects, const char* terrain = "open",
+             const char* error = "2 K", const char* of_scene = "") {
   return Session::load(
       io::parse_document(format(R"({{"ifov": 1, "time": "2026-06-21T14:00:00Z", "weather": {{"file": "{}"}},
           "temperatures": {{"spin_up": "1 d", "step": "10 min", "repeat_first_day": true, "terrain": "{}"}},
-          "scene": {{"origin": {{"latitude": "52 deg", "longitude": "5 deg"}},
+          "scene": {{{}"origin": {{"latitude": "52 deg", "longitude": "5 deg"}},
             "materials": {{"tar": {{"emissivity": 1, "temperature": "solved",
                 "thermal": {{"layers": [{{"thickness": "3 cm", "library": "asphalt"}}, {{"thickness": "20 cm", "library": "concrete"}}],
                             "solar_absorptance": 0.9}}}},
@@ -32,8 +34,8 @@ Session load(const ClearDays& day, const std::string& objects, const char* terra
           "light": {{"sky": {{"none": {{}}}}}},
           "sensor": {{"camera": {{"orthographic": {{"gsd": "2 m", "pixels": [12, 12]}}}},
             "channels": [{{"name": "thermal", "top_hat": {{"from": "10 um", "to": "11 um"}}}}]}},
-          "sampling": {{"accuracy": {{"error": "2 K"}}}}}})",
-                                day.path(), terrain, objects),
+          "sampling": {{"accuracy": {{"error": "{}"}}}}}})",
+                                day.path(), terrain, of_scene, objects, error),
                          "windy.json"),
       nullptr);
 }
@@ -78,6 +80,24 @@ TEST(WindByHeight, GroundMayBeABlock) {
   EXPECT_EQ(height_m(load(day, box(-4, -4, 0, 4, 4, 9)), 0, 0, 9), 0.0);
 }
 
+TEST(WindByHeight, UnderCrownsAndInCells) {
+  const ClearDays day("windy", 3.0);
+  // A crown over the ground, and a house that stands below its edge: both count from the ground, and the crown as far as its top.
+  const Session crown = load(
+      day, kGround +
+               R"(, {"sphere": {"center": ["0 m", "0 m", "10 m"], "radius": "4 m"}, "material": "tar"}, )" +
+               box(2, -2, 0, 8, 2, 5));
+  EXPECT_NEAR(height_m(crown, 0, 0, 14), 14.0, 1e-6);
+  EXPECT_NEAR(height_m(crown, 0, 0, 6), 6.0, 1e-6);
+  EXPECT_NEAR(height_m(crown, 3, 0, 5), 5.0, 1e-6);
+  // Cells: the ground of one that repeats is below all of them.
+  const Session cell = load(day, box(-10, -10, -1, 10, 10, 0, "paint") + ", " + box(-3, -3, 0, 3, 3, 8),
+                            "open", "2 K", R"("periodic": {"size": ["20 m", "20 m"]}, )");
+  EXPECT_NEAR(height_m(cell, 0, 0, 8), 8.0, 1e-6);
+  EXPECT_NEAR(height_m(cell, 40, -20, 8), 8.0, 1e-6);
+  EXPECT_EQ(height_m(cell, 9, 9, 0), 0.0);
+}
+
 geometry::SurfacePoint from_above(const Session& session, double x, double y) {
   const math::Ray down{{x, y, 100.0}, {0.0, 0.0, -1.0}};
   geometry::SurfacePoint hit;
@@ -119,6 +139,74 @@ TEST(WindByHeight, ARoofConvectsMoreThanTheStreet) {
           << terrain << roof_m;  // as if it were the street
     }
   }
+}
+
+/// Ground of four slabs about a hole of 12 x 12 m.
+std::string ground_with_a_hole() {
+  return box(-90, -90, -1, -6, 90, 0, "paint") + ", " + box(6, -90, -1, 90, 90, 0, "paint") + ", " +
+         box(-6, -90, -1, 6, -6, 0, "paint") + ", " + box(-6, 6, -1, 6, 90, 0, "paint");
+}
+
+double height_beside_m(const Session& session, double x, double y, double z) {
+  return exposure::height_above_ground_beside_m(exposure::PastScene(*session.parts().scene.world), {x, y, z},
+                                                2.0);
+}
+
+/// A house in a hole of the terrain stands on nothing: its roof counts as ground, and half-widths hold what it is off by for that.
+TEST(WindByHeight, HalfWidthsHoldARoofOverAHole) {
+  const ClearDays day("windy", 3.0);
+  constexpr double kRoof_m = 20.0;
+  const std::string house = box(-6, -6, -1, 6, 6, kRoof_m);
+  const Session over_hole = load(day, ground_with_a_hole() + ", " + house, "open", "30 K"),
+                over_ground = load(day, kGround + ", " + house, "open", "30 K");
+  const auto factor = [](double z) { return std::log(z / 0.03) / std::log(10.0 / 0.03); };
+  const auto off_k = [&](const Session& session) {
+    const double found_k = session.parts().scene.solved.at(0)->at(from_above(session, 0.0, 0.0), 1).kelvin;
+    return std::abs(found_k - alone_k(session, factor(kRoof_m)));
+  };
+  const TemperatureErrors &wide = *over_hole.parts().temperature_errors,
+                          &narrow = *over_ground.parts().temperature_errors;
+  EXPECT_GT(off_k(over_hole), 1.0);
+  EXPECT_LE(off_k(over_hole), wide.half_width_k());
+  EXPECT_NEAR(wide.ground_k, off_k(over_hole), 0.1);
+  EXPECT_GT(wide.on_nothing, 0);
+  EXPECT_NE(wide.statement().find("nothing faces up"), std::string::npos);
+  // A fault: what is stated where the house has ground below it would not do.
+  EXPECT_LE(off_k(over_ground), narrow.half_width_k());
+  EXPECT_GT(off_k(over_hole), 2.0 * narrow.half_width_k());
+  EXPECT_EQ(narrow.ground_k, 0.0);
+  EXPECT_NE(narrow.statement().find("wind of 0 to 20 m above ground"), std::string::npos)
+      << narrow.statement();
+  EXPECT_EQ(narrow.statement().find("nothing faces up"), std::string::npos);
+}
+
+TEST(WindByHeight, GroundBesideIsAtTheFootOfADrop) {
+  const ClearDays day("windy", 3.0);
+  const Session hole = load(day, ground_with_a_hole() + ", " + box(-6, -6, -1, 6, 6, 9), "open", "30 K");
+  EXPECT_NEAR(height_beside_m(hole, 0, 0, 9), 9.0, 1e-6);
+  EXPECT_NEAR(height_beside_m(hole, 5, -5, 9), 9.0, 1e-6);
+  EXPECT_EQ(height_beside_m(hole, 20, 0, 0), 0.0);  // ground, whose hole is filled
+  // A quay: to one side alone; ground that is a block, by itself and with a house; a house on nothing.
+  const Session quay =
+      load(day, box(-90, -90, -9, 0, 90, 5) + ", " + box(0, -90, -9, 90, 90, 0, "paint"), "open", "30 K");
+  EXPECT_EQ(height_beside_m(quay, -5, 0, 5), 0.0);
+  const Session block =
+      load(day, box(-90, -90, -30, 90, 90, 5, "paint") + ", " + box(-4, -4, 5, 4, 4, 14), "open", "30 K");
+  EXPECT_EQ(height_beside_m(block, 20, 0, 5), 0.0);
+  EXPECT_EQ(height_beside_m(load(day, box(-4, -4, 0, 4, 4, 9), "open", "30 K"), 0, 0, 9), 0.0);
+}
+
+/// Nothing jumps where the wind begins to count by height.
+TEST(WindByHeight, TwoMetresAreASeam) {
+  const ClearDays day("windy", 3.0);
+  const auto roof_k = [&](double top_m) {
+    const Session session = load(day, kGround + ", " + box(-6, -6, 0, 6, 6, top_m));
+    return session.parts().scene.solved.at(0)->at(from_above(session, 0.0, 0.0), 1).kelvin;
+  };
+  const double at_k = roof_k(2.0);
+  EXPECT_NEAR(roof_k(1.999), at_k, 0.01);
+  EXPECT_NEAR(roof_k(2.001), at_k, 0.01);
+  EXPECT_GT(at_k - roof_k(3.0), 0.2);
 }
 
 }  // namespace

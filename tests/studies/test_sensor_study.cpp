@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 
 #include "studies/sensor/channel_scenes.h"
@@ -11,18 +10,10 @@
 #include "studies/sensor/scanning_images.h"
 #include "studies/sensor/sensor_checks.h"
 #include "studies/sensor/sensor_sections.h"
+#include "studies/study_folder.h"
 
 namespace ifov::studies::test_sensor_study {
 namespace {
-
-StudyOptions in_a_folder(const char* name) {
-  StudyOptions options;
-  options.output_folder = std::filesystem::temp_directory_path() / name;
-  std::filesystem::create_directories(options.output_folder);
-  options.trials = 1;
-  options.threads = 1;
-  return options;
-}
 
 /// An edge 5 degrees aslant that a Gaussian alone has blurred.
 SensorImage blurred_edge(double sigma_px) {

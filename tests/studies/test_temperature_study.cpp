@@ -2,23 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 
+#include "core/error.h"
 #include "studies/common/reference_data.h"
+#include "studies/study_folder.h"
 #include "studies/temperature/temperature_checks.h"
 #include "studies/temperature/temperature_sections.h"
 
 namespace ifov::studies::test_temperature_study {
 namespace {
-
-StudyOptions in_a_folder(const char* name) {
-  StudyOptions options;
-  options.output_folder = std::filesystem::temp_directory_path() / name;
-  std::filesystem::create_directories(options.output_folder);
-  options.trials = 1;
-  options.threads = 1;
-  return options;
-}
 
 TEST(TemperatureStudy, SolidsAreAsTheirClosedForms) {
   for (int k = 0; k < kSlabCases; ++k) {
@@ -76,6 +68,21 @@ TEST(TemperatureStudy, SaysWhatIsNotMeasured) {
   const ReportSection section = unmeasured_section({nothing, options});
   EXPECT_GE(section.figures.figures().size(), 5u);
   for (const Figure& figure : section.figures.figures()) EXPECT_FALSE(figure.ok) << figure.name;
+}
+
+/// A name that is misspelt is not taken for "no reference data".
+TEST(ReferenceFolder, IsAFolderWhereOneIsNamed) {
+  StudyOptions options = in_a_folder("ifov_test_reference_folder");
+  options.reference = options.output_folder;
+  EXPECT_EQ(reference_folder(options), options.output_folder);
+  options.reference /= "misspelt";
+  try {
+    reference_folder(options);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "'" + options.reference.string() + "' is no folder: reference data were said to be there");
+  }
 }
 
 }  // namespace

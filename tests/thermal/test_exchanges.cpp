@@ -173,6 +173,41 @@ TEST(Convection, ClassesOfWallsCanInterpolate) {
   EXPECT_GT(most_off(0.0), 0.9);  // a fault: the step
 }
 
+/// EPA-454/R-99-005 (2000), table 6-8: Pasquill's class C is from 12.5 to 17.5 degrees. Walton (1983): flat is below 8 degrees,
+/// to windward up to 100.
+TEST(Convection, AnglesAreAsPublished) {
+  constexpr double kDegree = kPi / 180.0;
+  EXPECT_NEAR(kWindSpread_rad / kDegree, 0.5 * (12.5 + 17.5), 1e-12);
+  for (const double from : {0.3, 5.0}) {
+    const double leeward = from + kPi;
+    EXPECT_TRUE(faces_wind(7.95 * kDegree, leeward, from));
+    EXPECT_FALSE(faces_wind(8.05 * kDegree, leeward, from));
+    EXPECT_EQ(windward_share(7.95 * kDegree, leeward, from), 1.0);
+    EXPECT_LT(windward_share(8.05 * kDegree, leeward, from), 1e-6);
+    EXPECT_TRUE(faces_wind(0.5 * kPi, from + 99.5 * kDegree, from));
+    EXPECT_FALSE(faces_wind(0.5 * kPi, from + 100.5 * kDegree, from));
+  }
+}
+
+/// Walton (1983), of ASHRAE's classes.
+TEST(Convection, RoughnessFactorsAreAsPublished) {
+  EXPECT_EQ(roughness_factor(Roughness::very_rough), 2.17);
+  EXPECT_EQ(roughness_factor(Roughness::rough), 1.67);
+  EXPECT_EQ(roughness_factor(Roughness::medium_rough), 1.52);
+  EXPECT_EQ(roughness_factor(Roughness::medium_smooth), 1.13);
+  EXPECT_EQ(roughness_factor(Roughness::smooth), 1.11);
+  EXPECT_EQ(roughness_factor(Roughness::very_smooth), 1.0);
+}
+
+/// Davenport's classes 1, 2, 3, 5 and 7 as Wieringa (1992) has them, metres.
+TEST(WindProfile, RoughnessLengthsAreAsPublished) {
+  EXPECT_EQ(roughness_length_m(Terrain::sea), 0.0002);
+  EXPECT_EQ(roughness_length_m(Terrain::smooth), 0.005);
+  EXPECT_EQ(roughness_length_m(Terrain::open), 0.03);
+  EXPECT_EQ(roughness_length_m(Terrain::rough), 0.25);
+  EXPECT_EQ(roughness_length_m(Terrain::suburb), 1.0);
+}
+
 TEST(WindProfile, LogarithmicOverOneTerrain) {
   const Anemometer station;
   EXPECT_NEAR(wind_at_m_s(5.0, station, 10.0, Terrain::open), 5.0, 1e-12);

@@ -48,6 +48,29 @@ TEST(SurfaceBalance, FluxesOfATiltedSurface) {
               1e-4);
 }
 
+/// A wall at 100 degrees from a wind of 4 m/s is half of the time to windward: 3.26 * 4^0.89 and 3.55 * 4^0.617, W m-2 K-1; glass
+/// as warm as the air but for a hair.
+TEST(SurfaceBalance, WindOfAWallAtItsEdge) {
+  OutdoorsSeries series;
+  Outdoors now;
+  now.air = {290.0, 1000.0, 101325.0};
+  now.wind_m_s = 4.0;
+  now.wind_from_rad = 0.4;
+  series.rows = {now, now};
+  Skin glass;
+  glass.roughness = Roughness::very_smooth;
+  Stand wall;
+  wall.tilt_rad = 0.5 * std::numbers::pi;
+  wall.height_m = 10.0;
+  const auto forced = [&](double off_deg) {
+    wall.azimuth_rad = now.wind_from_rad + off_deg * std::numbers::pi / 180.0;
+    return -SurfaceBalance(series, glass, wall).fluxes(10.0, 290.0001).convection / 1e-4;
+  };
+  EXPECT_NEAR(forced(100.0), 0.5 * (3.26 * 3.4344 + 3.55 * 2.3522), 0.01);
+  EXPECT_NEAR(forced(0.0), 3.26 * 3.4344, 0.01);
+  EXPECT_NEAR(forced(180.0), 3.55 * 2.3522, 0.01);
+}
+
 TEST(SurfaceSolution, EnergyOfASpunUpDay) {
   Skin wet;
   wet.wetness = {0.4, 70.0};

@@ -11,7 +11,8 @@ namespace ifov::session {
 
 double TemperatureErrors::OfMaterial::half_width_k() const {
   static const double kConfidence = std::erf(std::numbers::sqrt2);
-  return std::hypot(sampling::two_sided_student(kConfidence, std::max(points, 1.0)) * rms_k, 2.0 * step_k);
+  return std::hypot(sampling::two_sided_student(kConfidence, std::max(points, 1.0)) * rms_k, 2.0 * step_k) +
+         ground_k;
 }
 
 double TemperatureErrors::half_width_k() const {
@@ -23,10 +24,16 @@ double TemperatureErrors::half_width_k() const {
 std::string TemperatureErrors::statement() const {
   return format(
       "solved temperatures: at {} points that the camera sees, each solved in full by itself{}, off by {:.2f} K "
-      "(root mean square, of '{}', the material that is off most), {:.2f} K at worst, {:+.3f} K on average; steps of time {:.3f} K; what "
+      "(root mean square, of '{}', the material that is off most), {:.2f} K at worst, {:+.3f} K on average; steps of time {:.3f} K{}{}; what "
       "hides the sky counts as level ground at the air's temperature",
       points, made_up > 0 ? format(", and {} more of materials that it hardly sees", made_up) : "", rms_k,
-      material, worst_k, bias_k, step_k);
+      material, worst_k, bias_k, step_k,
+      points > 0 ? format("; wind of {:.0f} to {:.0f} m above ground", lowest_m, highest_m) : "",
+      on_nothing > 0
+          ? format(
+                "; below {} of them nothing faces up, and the ground beside lies lower: by the wind of their height, up to {:.2f} K",
+                on_nothing, ground_k)
+          : "");
 }
 
 }  // namespace ifov::session

@@ -12,14 +12,20 @@ namespace ifov::session {
 struct TemperatureErrors {
   struct OfMaterial {
     double points = 0.0, rms_k = 0.0, step_k = 0.0;
+    double ground_k =
+        0.0;  ///< largest, of the wind of points below which nothing faces up, with ground at the foot of a drop beside
     /// Of what two standard deviations hold, 95.45 %: Student's t of as many points times the root mean square, and twice the steps'.
+    /// What the ground makes uncertain comes on top, as it is no matter of chance.
     double half_width_k() const;
   };
   int points = 0, made_up = 0;
   double rms_k = 0.0, bias_k = 0.0;  ///< root mean square and mean, of the material that is off most
   std::string material;              ///< its name
   double worst_k = 0.0;
-  double step_k = 0.0;  ///< of the steps of time, by those of twice the length
+  double step_k = 0.0;                     ///< of the steps of time, by those of twice the length
+  double lowest_m = 0.0, highest_m = 0.0;  ///< above ground, of those that the camera sees
+  int on_nothing = 0;                      ///< points of `ground_k`
+  double ground_k = 0.0;                   ///< the largest
   std::string weather;  ///< by which they are solved, and what stood in for what it does not tell
 
   std::map<std::uint32_t, OfMaterial> by_material{};  ///< by its number

@@ -7,6 +7,7 @@
 
 #include "atmosphere/weather_series.h"
 #include "core/parallel.h"
+#include "exposure/ground_beside.h"
 #include "exposure/past_scene.h"
 #include "exposure/solved_surface.h"
 #include "geometry/world.h"
@@ -112,11 +113,17 @@ double step_error_k(const Solved& solved, const thermal::OutdoorsSeries& series,
 
 /// A place of a surface that is warmed by what it sees.
 struct Measured {
-  const Solved* solved = nullptr;
+  Measured(const Solved& of, const geometry::SurfacePoint& seen) : solved(&of), at(seen) {}
+  Measured(const Solved& of, const geometry::SurfacePoint& place, double above_ground_m)
+      : solved(&of), at(place), made_up(true), height_m(above_ground_m) {}
+
+  const Solved* solved;
   geometry::SurfacePoint at;
   bool made_up = false;   ///< the camera sees too few of the material
-  double height_m = 0.0;  ///< above ground, of one made up
+  double height_m = 0.0;  ///< above ground
   double off_k = 0.0;
+  std::optional<double>
+      ground_k;  ///< by what its temperature would be another if the ground were that beside
 };
 using ByMaterial = std::map<std::uint32_t, Solved>;
 
@@ -162,13 +169,13 @@ std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor
     const auto& found = of_material[material];
     const std::size_t share = all > kMeasured ? kMeasured * found.size() / all : found.size();
     const std::size_t count = std::min(found.size(), std::max(share, kLeastMeasured));
-    for (std::size_t k = 0; k < count; ++k) points.push_back({&solved, *found[k * found.size() / count]});
+    for (std::size_t k = 0; k < count; ++k) points.emplace_back(solved, *found[k * found.size() / count]);
     // As high as what is seen of the material, else anywhere.
     for (std::size_t k = count; k < kLeastMeasured; ++k)
-      points.push_back({&solved, made_up_point(k), true,
-                        found.empty() ? past.highest_m() * static_cast<double>(k % 4) / 3.0
-                                      : past.height_above_ground_m(found[k % found.size()]->position_m,
-                                                                   thermal::kLowestWind_m)});
+      points.emplace_back(solved, made_up_point(k),
+                          found.empty() ? past.highest_m() * static_cast<double>(k % 4) / 3.0
+                                        : past.height_above_ground_m(found[k % found.size()]->position_m,
+                                                                     thermal::kLowestWind_m));
   }
   return points;
 }
@@ -181,11 +188,18 @@ void measure(TemperatureErrors& errors, const io::Document& document, const ByMa
     const auto number = static_cast<std::size_t>(k);
     Measured& point = points[number];
     const exposure::SolvedSurface surface(point.solved->classes, past, kSunRadius_rad);
-    const auto exposure = point.made_up
-                              ? made_up_exposure(number, point.solved->classes->sunlit_rows(), point.height_m)
-                              : surface.exposure(point.at, static_cast<std::uint64_t>(k), kSkyPairs, 1);
-    point.off_k = surface.temperature_k(point.at, exposure) -
-                  full_solution_k(*point.solved, series, stand, surface.normal_at(point.at), exposure);
+    auto exposure = point.made_up
+                        ? made_up_exposure(number, point.solved->classes->sunlit_rows(), point.height_m)
+                        : surface.exposure(point.at, static_cast<std::uint64_t>(k), kSkyPairs, 1);
+    const math::Vec3 normal = surface.normal_at(point.at);
+    const double full_k = full_solution_k(*point.solved, series, stand, normal, exposure);
+    point.off_k = surface.temperature_k(point.at, exposure) - full_k;
+    point.height_m = exposure.height_m;
+    if (point.made_up || exposure.height_m > 0.0) return;
+    exposure.height_m =
+        exposure::height_above_ground_beside_m(past, point.at.position_m, thermal::kLowestWind_m);
+    if (exposure.height_m > 0.0)
+      point.ground_k = std::abs(full_solution_k(*point.solved, series, stand, normal, exposure) - full_k);
   });
   for (const auto& [material, solved] : by_material) {
     double sum_k = 0.0, squares_k2 = 0.0, count = 0.0;
@@ -196,6 +210,14 @@ void measure(TemperatureErrors& errors, const io::Document& document, const ByMa
       squares_k2 += point.off_k * point.off_k;
       errors.worst_k = std::max(errors.worst_k, std::abs(point.off_k));
       ++(point.made_up ? errors.made_up : errors.points);
+      if (point.made_up) continue;
+      errors.lowest_m = errors.points == 1 ? point.height_m : std::min(errors.lowest_m, point.height_m);
+      errors.highest_m = std::max(errors.highest_m, point.height_m);
+      if (!point.ground_k) continue;
+      ++errors.on_nothing;
+      errors.ground_k = std::max(errors.ground_k, *point.ground_k);
+      double& of_material_k = errors.by_material[material].ground_k;
+      of_material_k = std::max(of_material_k, *point.ground_k);
     }
     const double rms_k = std::sqrt(squares_k2 / count);
     errors.by_material[material].rms_k = rms_k;

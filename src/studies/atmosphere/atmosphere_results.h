@@ -3,9 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/common/reference_data.h"
-#include "studies/common/report_section.h"
-#include "studies/common/study_options.h"
+#include "studies/common/study_sections.h"
 
 namespace ifov::studies {
 
@@ -27,22 +25,16 @@ class Differences {
 
 using AtmosphereSection = ReportSection;
 
-struct AtmosphereOptions {
-  const ReferenceData& reference;
-  const StudyOptions& study;
-  bool quick = false;
-};
-
-AtmosphereSection lowtran7_section(const AtmosphereOptions& options);
-AtmosphereSection terms_section(const AtmosphereOptions& options);
-AtmosphereSection scattering_section(const AtmosphereOptions& options);
-AtmosphereSection solar_codes_section(const AtmosphereOptions& options);
-AtmosphereSection thermal_codes_section(const AtmosphereOptions& options);
+AtmosphereSection lowtran7_section(const SectionOptions& options);
+AtmosphereSection terms_section(const SectionOptions& options);
+AtmosphereSection scattering_section(const SectionOptions& options);
+AtmosphereSection solar_codes_section(const SectionOptions& options);
+AtmosphereSection thermal_codes_section(const SectionOptions& options);
 AtmosphereSection model_section(const std::vector<ModelComparison>& comparisons);
-AtmosphereSection broadband_section(const AtmosphereOptions& options);
-AtmosphereSection nodes_section(const AtmosphereOptions& options);
-AtmosphereSection rendered_section(const AtmosphereOptions& options);
-AtmosphereSection sun_section(const AtmosphereOptions& options);
-AtmosphereSection speed_section(const AtmosphereOptions& options);
+AtmosphereSection broadband_section(const SectionOptions& options);
+AtmosphereSection nodes_section(const SectionOptions& options);
+AtmosphereSection rendered_section(const SectionOptions& options);
+AtmosphereSection sun_section(const SectionOptions& options);
+AtmosphereSection speed_section(const SectionOptions& options);
 
 }  // namespace ifov::studies

@@ -24,7 +24,7 @@ StudyOutcome run_atmosphere_study(const StudyOptions& options) {
                          thermal_codes_section, broadband_section, nodes_section,      rendered_section,
                          sun_section,           speed_section};
   std::vector<ReportSection> sections =
-      measure_sections(measured, AtmosphereOptions{reference, options, options.is_quick()}, options);
+      measure_sections(measured, SectionOptions{reference, options}, options);
   const std::vector<ModelComparison> comparisons = model_comparisons(reference, options.is_quick() ? 24 : 6);
   sections.push_back(model_section(comparisons));
   const StudyPage page{"atmosphere", kAbout};

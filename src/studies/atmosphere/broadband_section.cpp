@@ -7,7 +7,7 @@
 
 namespace ifov::studies {
 
-AtmosphereSection broadband_section(const AtmosphereOptions& options) {
+AtmosphereSection broadband_section(const SectionOptions& options) {
   AtmosphereSection section;
   section.title = "Broadband fluxes";
   section.text =
@@ -28,7 +28,7 @@ AtmosphereSection broadband_section(const AtmosphereOptions& options) {
     return section;
   }
   std::vector<std::size_t> sites;
-  for (std::size_t site = 0; site < 100; site += options.quick ? 20 : 1) sites.push_back(site);
+  for (std::size_t site = 0; site < 100; site += options.study.is_quick() ? 20 : 1) sites.push_back(site);
   Differences longwave;
   double sun = 0.0, sun_reference = 0.0, worst = 0.0, worst_drier = 0.0;
   int within = 0;

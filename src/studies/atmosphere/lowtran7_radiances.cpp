@@ -55,7 +55,7 @@ Spectrum thermal_run(const std::filesystem::path& file, const std::string& model
   return result;
 }
 
-void add_thermal(const AtmosphereOptions& options, AtmosphereSection& section) {
+void add_thermal(const SectionOptions& options, AtmosphereSection& section) {
   struct Run {
     std::string name, file, model;
     double mu, ground_k;
@@ -118,7 +118,7 @@ void add_thermal(const AtmosphereOptions& options, AtmosphereSection& section) {
                              "space, levels above 25 km differ near 667 and 2350 cm-1."});
 }
 
-void add_scattering(const AtmosphereOptions& options, AtmosphereSection& section) {
+void add_scattering(const SectionOptions& options, AtmosphereSection& section) {
   const auto single = options.reference.file(
       "atmosphere/lowtran7/E_MLS_rural23_nadir100km_sun45_singlescat_albedo0p2.tape7.txt");
   const auto multiple = options.reference.file(
@@ -134,7 +134,8 @@ void add_scattering(const AtmosphereOptions& options, AtmosphereSection& section
   double blue = 0.0, worst_ground = 0.0;
   for (const auto& row : number_rows(*single, 9)) {
     // Below are bands of absorption, in which the direct light is a poor measure.
-    if (row[0] < 14500.0 || row[0] > 30600.0 || std::fmod(row[0], options.quick ? 1800.0 : 600.0) != 0.0)
+    if (row[0] < 14500.0 || row[0] > 30600.0 ||
+        std::fmod(row[0], options.study.is_quick() ? 1800.0 : 600.0) != 0.0)
       continue;
     const auto other = std::find_if(with.begin(), with.end(), [&](const auto& r) { return r[0] == row[0]; });
     if (other == with.end()) continue;
@@ -196,7 +197,7 @@ void add_scattering(const AtmosphereOptions& options, AtmosphereSection& section
 
 }  // namespace
 
-void add_lowtran7_radiances(const AtmosphereOptions& options, AtmosphereSection& section) {
+void add_lowtran7_radiances(const SectionOptions& options, AtmosphereSection& section) {
   add_thermal(options, section);
   add_scattering(options, section);
 }

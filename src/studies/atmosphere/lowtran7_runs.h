@@ -9,6 +9,6 @@ namespace ifov::studies {
 atmosphere::AtmosphereDescription as_in_1986(const std::string& model);
 
 /// Thermal radiances and sunlight of the program's runs, against ours.
-void add_lowtran7_radiances(const AtmosphereOptions& options, AtmosphereSection& section);
+void add_lowtran7_radiances(const SectionOptions& options, AtmosphereSection& section);
 
 }  // namespace ifov::studies

@@ -45,7 +45,7 @@ GasAmounts vertical_as_the_program(const Profile& profile) {
   return sum;
 }
 
-void add_transmittance(const AtmosphereOptions& options, AtmosphereSection& section) {
+void add_transmittance(const SectionOptions& options, AtmosphereSection& section) {
   const std::string file = "atmosphere/lowtran7/G_TROP_rural23_horizontal5km_trans.tape7.txt";
   const std::string vertical = "atmosphere/lowtran7/A_MLS_vertical_noaerosol_trans.tape7.txt";
   for (const auto& [name, path_of, meaning] :
@@ -89,7 +89,7 @@ void add_transmittance(const AtmosphereOptions& options, AtmosphereSection& sect
 
 }  // namespace
 
-AtmosphereSection lowtran7_section(const AtmosphereOptions& options) {
+AtmosphereSection lowtran7_section(const SectionOptions& options) {
   AtmosphereSection section;
   section.title = "LOWTRAN7's own runs";
   section.text =

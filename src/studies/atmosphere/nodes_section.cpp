@@ -38,7 +38,7 @@ double worst_of(const NodeErrors& errors) {
 
 }  // namespace
 
-AtmosphereSection nodes_section(const AtmosphereOptions& options) {
+AtmosphereSection nodes_section(const SectionOptions& options) {
   AtmosphereSection section;
   section.title = "Spectral nodes";
   section.text =
@@ -51,7 +51,7 @@ AtmosphereSection nodes_section(const AtmosphereOptions& options) {
       "term. Both sides use the scattering solver with 4 zenith angles and without polarization, which makes "
       "thousands of solutions affordable; what is judged is how well the nodes stand for all terms.";
   std::vector<radiometry::Channel> vswir;
-  const int step = options.quick ? 14 : 1;
+  const int step = options.study.is_quick() ? 14 : 1;
   for (int k = 0; k < 210; k += step)
     vswir.push_back(radiometry::Channel::gaussian("", 0.4 + 2.1 * k / 209.0, 0.01));
   const NodeErrors errors = node_errors(vswir, {.threads = options.study.threads});

@@ -7,7 +7,7 @@
 
 namespace ifov::studies {
 
-AtmosphereSection rendered_section(const AtmosphereOptions& options) {
+AtmosphereSection rendered_section(const SectionOptions& options) {
   AtmosphereSection section;
   section.title = "Rendered";
   section.text =

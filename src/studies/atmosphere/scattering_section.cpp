@@ -39,7 +39,7 @@ StokesVector light_with_ground(const ColumnSolution& solution, const Propagation
   return std::numbers::pi * light;
 }
 
-void add_natraj(const AtmosphereOptions& options, AtmosphereSection& section) {
+void add_natraj(const SectionOptions& options, AtmosphereSection& section) {
   const std::string name = "atmosphere/rayleigh_polarized/coulson_natraj_tau0.5_mu0_0.2.csv";
   const auto file = options.reference.file(name);
   if (!file) return section.not_measured("natraj", "12 directions of Natraj et al. (2009)", name);
@@ -61,7 +61,7 @@ void add_natraj(const AtmosphereOptions& options, AtmosphereSection& section) {
                          "error of I where polarization is left out");
 }
 
-void add_table(const AtmosphereOptions& options, AtmosphereSection& section) {
+void add_table(const SectionOptions& options, AtmosphereSection& section) {
   const std::string name = "atmosphere/derived/rayleigh_vector_sos.csv";
   const auto file = options.reference.file(name);
   if (!file) return section.not_measured("directions_480", "480 directions", name);
@@ -105,7 +105,7 @@ void add_table(const AtmosphereOptions& options, AtmosphereSection& section) {
 
 }  // namespace
 
-AtmosphereSection scattering_section(const AtmosphereOptions& options) {
+AtmosphereSection scattering_section(const SectionOptions& options) {
   AtmosphereSection section;
   section.title = "Scattering";
   section.text = "Vector successive orders against tables and against the conservation of light.";

@@ -101,7 +101,7 @@ Terms scattering_of(const AtmosphereColumn& column, const ColumnSolver& solver, 
   return sum;
 }
 
-void add_pasadena(const AtmosphereOptions& options, const Pasadena& scene, AtmosphereSection& section) {
+void add_pasadena(const SectionOptions& options, const Pasadena& scene, AtmosphereSection& section) {
   const std::string name = format("atmosphere/modtran6_isofit_pasadena/{}.chn", scene.name);
   const auto file = options.reference.file(name);
   if (!file) return section.not_measured(format("modtran6_{}", scene.key), "MODTRAN6 over Pasadena", name);
@@ -113,7 +113,7 @@ void add_pasadena(const AtmosphereOptions& options, const Pasadena& scene, Atmos
   PlotSeries ours{"ifov", "#0072b2", {}, {}}, theirs{"MODTRAN6", "#d55e00", {}, {}};
   PlotSeries path_ours{"ifov", "#0072b2", {}, {}, true}, path_theirs{"MODTRAN6", "#d55e00", {}, {}};
   const auto rows = number_rows(*file, 24);
-  const std::size_t step = options.quick ? 24 : 6;
+  const std::size_t step = options.study.is_quick() ? 24 : 6;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto& row = rows[i];
     const double reference = row[19] / row[18] * std::cos(kSunZenith_rad) / std::numbers::pi;
@@ -157,7 +157,7 @@ void add_pasadena(const AtmosphereOptions& options, const Pasadena& scene, Atmos
       {"modtran6_path", path, "Sunlight scattered into the line of sight, as a reflectance."});
 }
 
-void add_reptran(const AtmosphereOptions& options, AtmosphereSection& section) {
+void add_reptran(const SectionOptions& options, AtmosphereSection& section) {
   const std::string name = "atmosphere/libradtran/transmittance_reptran.OUT";
   const auto file = options.reference.file(name);
   if (!file) return section.not_measured("reptran_transmittance", "REPTRAN, vertical transmittance", name);
@@ -201,7 +201,7 @@ void add_reptran(const AtmosphereOptions& options, AtmosphereSection& section) {
 
 }  // namespace
 
-AtmosphereSection solar_codes_section(const AtmosphereOptions& options) {
+AtmosphereSection solar_codes_section(const SectionOptions& options) {
   AtmosphereSection section;
   section.title = "Sunlight, against other programs";
   section.text =

@@ -3,7 +3,7 @@
 
 namespace ifov::studies {
 
-AtmosphereSection speed_section(const AtmosphereOptions&) {
+AtmosphereSection speed_section(const SectionOptions&) {
   AtmosphereSection section;
   section.title = "Speed";
   section.text =

@@ -22,7 +22,7 @@ struct Sweep {
 
 }  // namespace
 
-AtmosphereSection sun_section(const AtmosphereOptions&) {
+AtmosphereSection sun_section(const SectionOptions&) {
   AtmosphereSection section;
   section.title = "The Sun";
   section.text =

@@ -8,7 +8,7 @@
 
 namespace ifov::studies {
 
-AtmosphereSection terms_section(const AtmosphereOptions&) {
+AtmosphereSection terms_section(const SectionOptions&) {
   using namespace atmosphere;
   AtmosphereSection section;
   section.title = "Absorption terms";

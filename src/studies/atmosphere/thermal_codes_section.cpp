@@ -11,7 +11,7 @@ namespace {
 
 using namespace atmosphere;
 
-void add_flux(const AtmosphereOptions& options, AtmosphereSection& section) {
+void add_flux(const SectionOptions& options, AtmosphereSection& section) {
   const std::string name = "atmosphere/libradtran/spectrum_terrestrial_reptran.OUT";
   const auto file = options.reference.file(name);
   if (!file) return section.not_measured("reptran_flux", "REPTRAN fine, thermal flux down", name);
@@ -69,7 +69,7 @@ void add_flux(const AtmosphereOptions& options, AtmosphereSection& section) {
 enum Column { kLines = 2, kMixedGases = 3, kNitrogen = 6, kWaterContinuum = 7 };
 double product(const std::vector<double>& row) { return row[2] * row[3] * row[4] * row[5] * row[6] * row[7]; }
 
-void add_windows(const AtmosphereOptions& options, AtmosphereSection& section) {
+void add_windows(const SectionOptions& options, AtmosphereSection& section) {
   const std::string name = "atmosphere/modtran_tape7_pyradi/horizon5kmtropical_first12cols.txt";
   const auto file = options.reference.file(name);
   if (!file) return section.not_measured("modtran5_windows", "MODTRAN5, 5 km at the ground", name);
@@ -101,7 +101,7 @@ void add_windows(const AtmosphereOptions& options, AtmosphereSection& section) {
 }
 
 /// Whose the differences are: what LOWTRAN7 itself printed for that path, by kind of gas, less MODTRAN5.
-void add_lowtran7_windows(const AtmosphereOptions& options, AtmosphereSection& section) {
+void add_lowtran7_windows(const SectionOptions& options, AtmosphereSection& section) {
   const std::string theirs = "atmosphere/modtran_tape7_pyradi/horizon5kmtropical_first12cols.txt",
                     own = "atmosphere/lowtran7/G_TROP_rural23_horizontal5km_trans.tape7.txt";
   const auto modtran = options.reference.file(theirs), lowtran = options.reference.file(own);
@@ -133,7 +133,7 @@ void add_lowtran7_windows(const AtmosphereOptions& options, AtmosphereSection& s
 
 }  // namespace
 
-AtmosphereSection thermal_codes_section(const AtmosphereOptions& options) {
+AtmosphereSection thermal_codes_section(const SectionOptions& options) {
   AtmosphereSection section;
   section.title = "Thermal light, against other programs";
   section.text =

@@ -4,13 +4,21 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "core/error.h"
+#include "core/format.h"
 #include "io/files/input_file.h"
 #include "studies/common/study_options.h"
 
 namespace ifov::studies {
 
 std::filesystem::path reference_folder(const StudyOptions& options) {
-  if (!options.reference.empty()) return options.reference;
+  if (!options.reference.empty()) {
+    std::error_code unknown;
+    if (!std::filesystem::is_directory(options.reference, unknown))
+      throw InputError(
+          format("'{}' is no folder: reference data were said to be there", options.reference.string()));
+    return options.reference;
+  }
   const char* given = std::getenv("IFOV_TRUTH");
   return given != nullptr ? given : "";
 }

@@ -24,7 +24,7 @@ class ReferenceData {
   std::filesystem::path folder_;
 };
 
-/// Where the options say it is, else the environment variable IFOV_TRUTH; empty: nowhere.
+/// Where the options say it is, else the environment variable IFOV_TRUTH; empty: nowhere. Throws InputError where the options name no folder.
 std::filesystem::path reference_folder(const StudyOptions& options);
 
 /// Lines of numbers, separated by blanks or commas; what else a line holds ends it. Shorter ones are left

@@ -17,6 +17,15 @@ std::string cell(const std::string& text) {
 
 }  // namespace
 
+ReportSection unmeasured_of(std::string_view of, const std::vector<NotMeasured>& figures) {
+  ReportSection section;
+  section.title = "Not measured";
+  section.text =
+      format("What is asked of {} and is not measured here, with the reason; none of it counts as met.", of);
+  for (const NotMeasured& one : figures) section.not_measured(one.name, one.meaning, one.missing);
+  return section;
+}
+
 std::string sections_page(std::string_view title, const std::vector<ReportSection>& sections,
                           ReportFigures& figures) {
   std::string body;

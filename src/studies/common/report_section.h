@@ -31,6 +31,13 @@ struct ReportSection {
   }
 };
 
+/// A figure that a study cannot take.
+struct NotMeasured {
+  const char *name, *meaning, *missing;
+};
+/// What is asked of what a study is of ("sensors") and is not measured there.
+ReportSection unmeasured_of(std::string_view of, const std::vector<NotMeasured>& figures);
+
 /// One self-contained page of sections; their plots are added to `figures`.
 std::string sections_page(std::string_view title, const std::vector<ReportSection>& sections,
                           ReportFigures& figures);

@@ -6,10 +6,17 @@
 
 #include "core/error.h"
 #include "core/run_control.h"
+#include "studies/common/reference_data.h"
 #include "studies/common/report_section.h"
 #include "studies/common/study_options.h"
 
 namespace ifov::studies {
+
+/// What sections are measured by.
+struct SectionOptions {
+  const ReferenceData& reference;
+  const StudyOptions& study;
+};
 
 /// Measures one section after the other and logs their titles. Throws Cancelled.
 template <class Sections, class Choices>

@@ -25,7 +25,7 @@ struct BandDifference {
 
 }  // namespace
 
-ReportSection bands_section(const SensorOptions& options) {
+ReportSection bands_section(const SectionOptions& options) {
   ReportSection section;
   section.title = "Bands of instruments";
   section.text =

@@ -9,7 +9,7 @@
 
 namespace ifov::studies {
 
-ReportSection channels_section(const SensorOptions& options) {
+ReportSection channels_section(const SectionOptions& options) {
   ReportSection section;
   section.title = "Footprints by channel";
   section.text =

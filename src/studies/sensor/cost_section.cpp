@@ -83,7 +83,7 @@ io::Document timed_suburb(const StudyOptions& options, std::size_t channels, boo
   return document;
 }
 
-void add_truth(const SensorOptions& options, ReportSection& section) {
+void add_truth(const SectionOptions& options, ReportSection& section) {
   const std::vector<double> ratios =
       cost_ratios(timed_suburb(options.study, 4, false), timed_suburb(options.study, 4, true), "cost_truth",
                   options.study);
@@ -113,7 +113,7 @@ io::Document blurred_suburb(const StudyOptions& options, bool by_wavelength, boo
   return document;
 }
 
-void add_groups(const SensorOptions& options, ReportSection& section) {
+void add_groups(const SectionOptions& options, ReportSection& section) {
   for (const bool by_wavelength : {true, false}) {
     const std::vector<double> ratios =
         cost_ratios(blurred_suburb(options.study, by_wavelength, false),
@@ -153,7 +153,7 @@ DetectTime detect_cube(int pixels_across, int channels, int seeds, const StudyOp
   return result;
 }
 
-ReportSection cost_section(const SensorOptions& options) {
+ReportSection cost_section(const SectionOptions& options) {
   ReportSection section;
   section.title = "What it costs";
   section.text =

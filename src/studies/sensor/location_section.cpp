@@ -109,7 +109,7 @@ PlacesOff places_off(bool rough, const StudyOptions& options, double late_s) {
   return off;
 }
 
-ReportSection location_section(const SensorOptions& options) {
+ReportSection location_section(const SectionOptions& options) {
   ReportSection section;
   section.title = "Where pixels look";
   section.text =

@@ -19,7 +19,7 @@ struct EdgeCase {
   std::function<double(double)> expected;
 };
 
-void add_method(const SensorOptions& options, ReportSection& section) {
+void add_method(const SectionOptions& options, ReportSection& section) {
   const char* picture = "mtf/sfrmat5/Test_edge1_mono.tif";
   const auto file = options.reference.file(picture),
              told = options.reference.file("mtf/sfrmat5/expected_Test_edge1_mono_sfrmat5.csv");
@@ -41,7 +41,7 @@ void add_method(const SensorOptions& options, ReportSection& section) {
 
 }  // namespace
 
-ReportSection modulation_section(const SensorOptions& options) {
+ReportSection modulation_section(const SectionOptions& options) {
   ReportSection section;
   section.title = "Modulation by a slanted edge";
   section.text =
@@ -97,7 +97,7 @@ ReportSection modulation_section(const SensorOptions& options) {
   return section;
 }
 
-ReportSection point_target_section(const SensorOptions& options) {
+ReportSection point_target_section(const SectionOptions& options) {
   ReportSection section;
   section.title = "A point outside the pixel";
   section.text =

@@ -81,7 +81,7 @@ void add_patterns(ReportSection& section) {
   }
 }
 
-void add_one_over_f(const SensorOptions& options, ReportSection& section) {
+void add_one_over_f(const SectionOptions& options, ReportSection& section) {
   constexpr int kLines = 512, kColumns = 6000;
   constexpr double kCorner = 0.05, kRead = 10.0;
   sensor::Detector detector;
@@ -120,7 +120,7 @@ void add_one_over_f(const SensorOptions& options, ReportSection& section) {
 
 }  // namespace
 
-ReportSection noise_section(const SensorOptions& options) {
+ReportSection noise_section(const SectionOptions& options) {
   ReportSection section;
   section.title = "Noise";
   section.text =

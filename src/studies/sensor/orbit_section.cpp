@@ -34,7 +34,7 @@ double frames_there_and_back_m() {
   return worst_m;
 }
 
-ReportSection orbit_section(const SensorOptions& options) {
+ReportSection orbit_section(const SectionOptions& options) {
   ReportSection section;
   section.title = "Orbits and frames";
   section.text =

@@ -76,7 +76,7 @@ PartsSum parts_sum(const StudyOptions& options, double planted_factor) {
   return result;
 }
 
-ReportSection parts_section(const SensorOptions& options) {
+ReportSection parts_section(const SectionOptions& options) {
   ReportSection section;
   section.title = "What the radiance is made of";
   section.text =

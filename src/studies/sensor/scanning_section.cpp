@@ -6,7 +6,7 @@
 
 namespace ifov::studies {
 
-ReportSection scanning_section(const SensorOptions& options) {
+ReportSection scanning_section(const SectionOptions& options) {
   ReportSection section;
   section.title = "Scanned images";
   const int lines = options.study.is_quick() ? 32 : 64;

@@ -21,7 +21,7 @@ StudyOutcome run_sensor_study(const StudyOptions& options) {
                          modulation_section, point_target_section, channels_section, scanning_section,
                          noise_section,      parts_section,        cost_section,     missing_section};
   const StudyPage page{"sensor", kSensorAbout};
-  return write_sections(kSensorTitle, measure_sections(measured, SensorOptions{reference, options}, options),
+  return write_sections(kSensorTitle, measure_sections(measured, SectionOptions{reference, options}, options),
                         options, &page);
 }
 

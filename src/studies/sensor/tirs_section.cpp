@@ -56,7 +56,7 @@ double constant(const std::string& mtl, const std::string& name) {
 
 }  // namespace
 
-ReportSection tirs_section(const SensorOptions& options) {
+ReportSection tirs_section(const SectionOptions& options) {
   ReportSection section;
   section.title = "A blackbody through TIRS";
   section.text =

@@ -6,7 +6,7 @@
 
 namespace ifov::studies {
 
-ReportSection conduction_section(const TemperatureOptions& options) {
+ReportSection conduction_section(const SectionOptions& options) {
   ReportSection section;
   section.title = "Conduction";
   section.text =
@@ -44,7 +44,7 @@ ReportSection conduction_section(const TemperatureOptions& options) {
   return section;
 }
 
-ReportSection balance_section(const TemperatureOptions&) {
+ReportSection balance_section(const SectionOptions&) {
   ReportSection section;
   section.title = "Balance of heat";
   section.text =

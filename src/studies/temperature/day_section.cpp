@@ -38,7 +38,7 @@ double crossover_hour(const io::TemperatureReport& report, std::size_t warmer, s
   return NAN;
 }
 
-void add_crossovers(const TemperatureOptions& options, ReportSection& section) {
+void add_crossovers(const SectionOptions& options, ReportSection& section) {
   io::Document document = solved_document(write_june(options.study), "15:00", 300.0);
   document.time = geodesy::parse_utc("2026-06-22T00:00:00Z");
   enum { road, lawn, roof, car };
@@ -82,7 +82,7 @@ void add_crossovers(const TemperatureOptions& options, ReportSection& section) {
   section.plots.push_back({"crossovers", plot, "Road, lawn, roof and car, solved by the program."});
 }
 
-void add_alamosa(const TemperatureOptions& options, ReportSection& section) {
+void add_alamosa(const SectionOptions& options, ReportSection& section) {
   const auto file = options.reference.file("weather/surfrad_alamosa_2016-01-01_forcing.csv");
   if (!file) return section.not_measured("alamosa", "bare soil under a measured day", "reference data");
   io::Document document = solved_document("june.csv", "15:00", 300.0);
@@ -139,7 +139,7 @@ void add_alamosa(const TemperatureOptions& options, ReportSection& section) {
 
 }  // namespace
 
-ReportSection measured_day_section(const TemperatureOptions& options) {
+ReportSection measured_day_section(const SectionOptions& options) {
   ReportSection section;
   section.title = "Days";
   section.text =

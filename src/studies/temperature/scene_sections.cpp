@@ -7,7 +7,7 @@
 
 namespace ifov::studies {
 
-ReportSection shadow_section(const TemperatureOptions& options) {
+ReportSection shadow_section(const SectionOptions& options) {
   ReportSection section;
   section.title = "Shadows that moved on";
   section.text =
@@ -29,7 +29,7 @@ ReportSection shadow_section(const TemperatureOptions& options) {
   return section;
 }
 
-ReportSection fault_section(const TemperatureOptions& options) {
+ReportSection fault_section(const SectionOptions& options) {
   ReportSection section;
   section.title = "Planted faults";
   section.text =
@@ -50,7 +50,7 @@ ReportSection fault_section(const TemperatureOptions& options) {
   return section;
 }
 
-ReportSection height_section(const TemperatureOptions& options) {
+ReportSection height_section(const SectionOptions& options) {
   ReportSection section;
   section.title = "Wind by height";
   section.text =
@@ -79,7 +79,7 @@ ReportSection height_section(const TemperatureOptions& options) {
   return section;
 }
 
-ReportSection suburb_section(const TemperatureOptions& options) {
+ReportSection suburb_section(const SectionOptions& options) {
   ReportSection section;
   section.title = "Points of a suburb";
   const std::size_t an_hour = options.study.is_quick() ? 200 : 2500;
@@ -130,7 +130,7 @@ ReportSection suburb_section(const TemperatureOptions& options) {
   return section;
 }
 
-ReportSection query_section(const TemperatureOptions& options) {
+ReportSection query_section(const SectionOptions& options) {
   ReportSection section;
   section.title = "What it costs";
   section.text = "Estimates of points of the suburb, by 14 or 15 rays each, on two threads.";
@@ -146,24 +146,18 @@ ReportSection query_section(const TemperatureOptions& options) {
   return section;
 }
 
-ReportSection unmeasured_section(const TemperatureOptions&) {
-  ReportSection section;
-  section.title = "Not measured";
-  section.text =
-      "What is asked of temperatures and is not measured here, with the reason; none of it counts as met.";
-  const auto missing = [&](const char* name, const char* meaning, const char* what) {
-    section.not_measured(name, meaning, what);
-  };
-  missing("exchange", "two plates, an L of squares, a cube: long-wave exchange through rays",
-          "long-wave from other surfaces of the scene: what hides the sky is as warm as the air");
-  missing("second_law_mirrors", "a closed scene of any materials, mirrors too: drift below 1e-4 K",
-          "long-wave from other surfaces of the scene");
-  missing("triangles", "51 million instanced triangles, 48 h: 20 s, 1 GiB, 3 times",
-          "scene of that size here; `benchmarks/instances` has those");
-  missing("times", "96 times of 512 x 512 pixels: a fifth of 96 runs", "run of many times");
-  missing("same_products", "the same bytes of ranks, resumed runs and tiles",
-          "run of that kind here; the tests of `tests/cli` do so");
-  return section;
+ReportSection unmeasured_section(const SectionOptions&) {
+  return unmeasured_of(
+      "temperatures",
+      {{"exchange", "two plates, an L of squares, a cube: long-wave exchange through rays",
+        "long-wave from other surfaces of the scene: what hides the sky is as warm as the air"},
+       {"second_law_mirrors", "a closed scene of any materials, mirrors too: drift below 1e-4 K",
+        "long-wave from other surfaces of the scene"},
+       {"triangles", "51 million instanced triangles, 48 h: 20 s, 1 GiB, 3 times",
+        "scene of that size here; `benchmarks/instances` has those"},
+       {"times", "96 times of 512 x 512 pixels: a fifth of 96 runs", "run of many times"},
+       {"same_products", "the same bytes of ranks, resumed runs and tiles",
+        "run of that kind here; the tests of `tests/cli` do so"}});
 }
 
 }  // namespace ifov::studies

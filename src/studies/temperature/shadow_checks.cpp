@@ -1,86 +1,15 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/parallel.h"
 #include "exposure/solved_surface.h"
+#include "studies/temperature/outlined_box.h"
 #include "studies/temperature/study_scenes.h"
 #include "studies/temperature/temperature_checks.h"
 #include "thermal/sky_longwave.h"
 
 namespace ifov::studies {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-/// A box on the ground about the origin, by its outline alone: nothing of the program's rays.
-struct OutlinedBox {
-  double half_x_m, half_y_m, top_m;
-
-  /// Whether it stands in a direction from a place on the ground.
-  bool is_in(double x_m, double y_m, math::Vec3 d) const {
-    double first = 0.0, last = 1e9;
-    const auto slab = [&](double from, double along, double low, double high) {
-      if (std::abs(along) < 1e-12) {
-        if (from < low || from > high) last = -1.0;
-        return;
-      }
-      const double a = (low - from) / along, b = (high - from) / along;
-      first = std::max(first, std::min(a, b));
-      last = std::min(last, std::max(a, b));
-    };
-    slab(x_m, d.x, -half_x_m, half_x_m);
-    slab(y_m, d.y, -half_y_m, half_y_m);
-    slab(0.0, d.z, 0.0, top_m);
-    return first < last;
-  }
-
-  /// The share of the sky beside it that is free, by cosines.
-  double free_sky(double x_m, double y_m) const {
-    constexpr int kRings = 200, kTurn = 720;
-    double sum = 0.0;
-    for (int r = 0; r < kRings; ++r)
-      for (int a = 0; a < kTurn; ++a) {
-        const double sine = std::sqrt((r + 0.5) / kRings), turn = 2.0 * kPi * (a + 0.5) / kTurn;
-        sum += !is_in(x_m, y_m, {sine * std::cos(turn), sine * std::sin(turn), std::sqrt(1.0 - sine * sine)});
-      }
-    return sum / (kRings * kTurn);
-  }
-};
-
-math::Vec3 to_sun(const thermal::Outdoors& now) {
-  const double level = std::cos(now.sun_elevation_rad);
-  return {level * std::sin(now.sun_azimuth_rad), level * std::cos(now.sun_azimuth_rad),
-          std::sin(now.sun_elevation_rad)};
-}
-
-/// Shares of the Sun's disc that a box leaves free at a place, by row; means over what is linear between rows.
-std::vector<double> free_sun(const OutlinedBox& box, const thermal::OutdoorsSeries& series, double x_m,
-                             double y_m) {
-  constexpr int kTimes = 40, kDisc = 9;
-  const auto place = [&](std::size_t row) {
-    return to_sun(series.rows[std::min(row, series.rows.size() - 1)]);
-  };
-  std::vector<double> shares(series.rows.size(), 1.0);
-  for (std::size_t row = 0; row < shares.size(); ++row) {
-    if (!(series.rows[row].sun_elevation_rad > 0.0)) continue;
-    double sum = 0.0, all = 0.0;
-    for (int t = 0; t < kTimes; ++t) {
-      const double steps = (t + 0.5) / kTimes * 2.0 - 1.0;
-      const std::size_t other = steps < 0.0 ? (row > 0 ? row - 1 : 0) : row + 1;
-      const math::Vec3 middle = (1.0 - std::abs(steps)) * place(row) + std::abs(steps) * place(other);
-      const math::Vec3 across = math::normalized(math::cross(middle, {0.0, 0.0, 1.0}));
-      for (int k = 0; k < kDisc; ++k) {  // across the disc, by the area of its stripes
-        const double offset = -1.0 + (k + 0.5) * 2.0 / kDisc;
-        const double weight = (1.0 - std::abs(steps)) * std::sqrt(1.0 - offset * offset);
-        sum += weight * !box.is_in(x_m, y_m, math::normalized(middle + 0.00465 * offset * across));
-        all += weight;
-      }
-    }
-    shares[row] = sum / all;
-  }
-  return shares;
-}
 
 /// So that chance leaves 0.02 K of the mean of estimates that are off by 4 K each.
 constexpr int kDraws = 40000, kFaultDraws = 400;
@@ -133,7 +62,7 @@ PlacesOffK pole_shadow(const StudyOptions& options, Fault fault) {
     const auto [x_m, y_m] = places_m[k];
     thermal::Stand stand;
     stand.free_sky = kPole.free_sky(x_m, y_m);
-    expected_k[k] = scene.full_k(0, stand, free_sun(kPole, scene.series(), x_m, y_m));
+    expected_k[k] = scene.full_k(0, stand, kPole.free_sun(scene.series(), x_m, y_m));
     found_k[k] = mean_estimate_k(asked, scene.from_above(x_m, y_m),
                                  fault == Fault::none ? kDraws : kFaultDraws, options.seed);
   });

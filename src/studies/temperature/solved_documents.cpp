@@ -12,6 +12,7 @@
 #include "math/angle.h"
 #include "studies/common/study_document.h"
 #include "studies/common/study_files.h"
+#include "studies/common/study_options.h"
 
 namespace ifov::studies {
 namespace {

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "math/vec3.h"
-#include "studies/common/study_options.h"
 
 namespace ifov::io {
 struct Document;
@@ -12,6 +11,8 @@ struct TemperatureReport;
 }  // namespace ifov::io
 
 namespace ifov::studies {
+
+struct StudyOptions;
 
 /// Days of June at 52 N, 5 E: clear, with 2.5 m/s of wind from the south-west that turns by day; the same where nobody told from where it
 /// blows; without Sun, in air of 290 K that hardly moves.

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "geometry/surface_point.h"
-#include "studies/common/study_options.h"
 #include "thermal/surface_balance.h"
 
 namespace ifov::exposure {
@@ -18,6 +17,8 @@ struct Document;
 }
 
 namespace ifov::studies {
+
+struct StudyOptions;
 
 /// A document that is loaded, to ask its points how warm they are, and to solve for them in full beside it.
 class SolvedScene {

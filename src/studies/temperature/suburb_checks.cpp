@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/error.h"
 #include "core/format.h"
 #include "core/parallel.h"
 #include "exposure/solved_surface.h"

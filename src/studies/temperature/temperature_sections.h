@@ -1,26 +1,19 @@
 #pragma once
 
-#include "studies/common/reference_data.h"
-#include "studies/common/report_section.h"
-#include "studies/common/study_options.h"
+#include "studies/common/study_sections.h"
 
 /// The sections of the study of temperatures.
 namespace ifov::studies {
 
-struct TemperatureOptions {
-  const ReferenceData& reference;
-  const StudyOptions& study;
-};
-
-ReportSection conduction_section(const TemperatureOptions& options);
-ReportSection balance_section(const TemperatureOptions& options);
-ReportSection shadow_section(const TemperatureOptions& options);
-ReportSection fault_section(const TemperatureOptions& options);
-ReportSection height_section(const TemperatureOptions& options);
-ReportSection suburb_section(const TemperatureOptions& options);
-ReportSection measured_day_section(const TemperatureOptions& options);
-ReportSection query_section(const TemperatureOptions& options);
+ReportSection conduction_section(const SectionOptions& options);
+ReportSection balance_section(const SectionOptions& options);
+ReportSection shadow_section(const SectionOptions& options);
+ReportSection fault_section(const SectionOptions& options);
+ReportSection height_section(const SectionOptions& options);
+ReportSection suburb_section(const SectionOptions& options);
+ReportSection measured_day_section(const SectionOptions& options);
+ReportSection query_section(const SectionOptions& options);
 /// What is asked of temperatures and cannot be measured, with why.
-ReportSection unmeasured_section(const TemperatureOptions& options);
+ReportSection unmeasured_section(const SectionOptions& options);
 
 }  // namespace ifov::studies

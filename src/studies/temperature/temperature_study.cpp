@@ -22,7 +22,7 @@ StudyOutcome run_temperature_study(const StudyOptions& options) {
                          measured_day_section, query_section,   unmeasured_section};
   const StudyPage page{"temperature", kTemperatureAbout};
   return write_sections(kTemperatureTitle,
-                        measure_sections(measured, TemperatureOptions{reference, options}, options), options,
+                        measure_sections(measured, SectionOptions{reference, options}, options), options,
                         &page);
 }
 
