@@ -97,7 +97,7 @@ TEST(SkyOverGround, IsTheSumOverAFineSky) {
     for (double& value : wanted) value *= kPi / whole;
     const SkyOverGround::Radiance found = light.towards(mu, azimuth);
     const double polarized = std::hypot(wanted[1], wanted[2]);
-    EXPECT_NEAR(found.sky[0] / wanted[0], 1.0, 2e-3) << mu;
+    EXPECT_NEAR(found.sky[0] / wanted[0], 1.0, 1e-3) << mu;
     EXPECT_NEAR(found.sky[1], wanted[1], 4e-3 * polarized) << mu;
     EXPECT_NEAR(found.sky[2], wanted[2], 4e-3 * polarized) << mu;
     const double sine = air.geometry().sun_sine(), sun = air.sun_irradiance()[0] * sine;
