@@ -69,10 +69,10 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Sensor
                                   ? couple_directional(air, emitted.values(0))
                                   : couple(air, air.sky_irradiance(), emitted.values(0));
   const math::Vec3 towards_sun = scene.sun ? scene.sun->direction : math::Vec3{1.0, 0.0, 0.0};
-  dome_ = std::make_unique<SkyDome>(air, towards_sun, ground);
+  dome_ = std::make_unique<SkyDome>(air, towards_sun, ground, polarized);
   if (!air.lines_of_sight().single())
-    view_table_ = std::make_unique<ViewTable>(air, towards_sun, ground);
-  else if (air.polarized())
+    view_table_ = std::make_unique<ViewTable>(air, towards_sun, ground, polarized);
+  else if (polarized && air.polarized())
     single_view_ = std::make_unique<ViewTable>(air, towards_sun, ground);
   light_heights(air);
   light_surroundings(&air);

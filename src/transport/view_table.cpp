@@ -32,7 +32,7 @@ void ViewTable::each_row(const atmosphere::SensorAtmosphere& atmosphere, Visit v
 }
 
 ViewTable::ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towards_sun,
-                     const GroundAround& ground) {
+                     const GroundAround& ground, bool polarized) {
   const double level = std::hypot(towards_sun.x, towards_sun.y);
   if (level > 0.0) sun_x_ = towards_sun.x / level, sun_y_ = towards_sun.y / level;
   const atmosphere::LineOfSightGrid& grid = atmosphere.lines_of_sight();
@@ -62,7 +62,7 @@ ViewTable::ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 
       diffuse_.row(row)[n] = static_cast<float>(std::max(0.0, diffuse[n]));
     }
   });
-  if (atmosphere.polarized()) polarize(atmosphere, ground);
+  if (polarized && atmosphere.polarized()) polarize(atmosphere, ground);
 }
 
 void ViewTable::polarize(const atmosphere::SensorAtmosphere& atmosphere, const GroundAround& ground) {

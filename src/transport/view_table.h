@@ -25,9 +25,10 @@ struct GroundAround;
 /// cell), which takes 2 to 4 spectra, and 5 where the sensor has more than one height.
 class ViewTable {
  public:
-  /// `ground`: around the scene, whose light the air scatters into the path.
+  /// `ground`: around the scene, whose light the air scatters into the path. `polarized`: Q and U are kept, where the atmosphere has
+  /// them.
   ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towards_sun,
-            const GroundAround& ground);
+            const GroundAround& ground, bool polarized = true);
 
   struct Weights {
     std::size_t count = 0;

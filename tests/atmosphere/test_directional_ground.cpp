@@ -96,6 +96,7 @@ TEST(DirectionalGround, LambertianGroundIsThatOfTheCouplingTerms) {
     EXPECT_NEAR(solution.reflected()->exitance, exitance, 1e-9 * exitance) << albedo;
     EXPECT_NEAR(solution.reflected_albedo(), solution.spherical_albedo(), 1e-10);
     EXPECT_NEAR(solution.reflected_flux(3.0).up, solution.ground_flux(3.0).up, 1e-10);
+    EXPECT_NEAR(solution.reflected_flux(3.0).down, solution.ground_flux(3.0).down, 1e-10);
     for (const double mu : {0.2, 0.6, 1.0})
       for (const double azimuth : {0.0, 1.0, 3.0}) {
         const StokesVector given = solution.reflected_transmittance({mu, azimuth}, 5.0),

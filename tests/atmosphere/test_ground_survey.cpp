@@ -147,6 +147,7 @@ TEST(GroundSurvey, LambertianGroundIsAsItsReflectanceSays) {
     EXPECT_NEAR(by_brdf.ground_up / wanted.ground_up, 1.0, 1e-4);
     EXPECT_NEAR(by_brdf.ground_diffuse / wanted.ground_diffuse, 1.0, 1e-4);
     EXPECT_NEAR(by_brdf.sensor_up / wanted.sensor_up, 1.0, 1e-4);
+    EXPECT_NEAR(by_brdf.sensor_diffuse, wanted.sensor_diffuse, 1e-4 * wanted.sensor_diffuse);
     EXPECT_NEAR(by_brdf.q, wanted.q, 1e-4 * wanted.radiance);
     EXPECT_NEAR(by_brdf.u, wanted.u, 1e-4 * wanted.radiance);
   }

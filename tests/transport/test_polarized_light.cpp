@@ -231,7 +231,7 @@ TEST_F(PolarizedLight, OfASceneSeenFromAfar) {
   scene.build();
   scene.scene().sun.emplace().direction = towards_sun_;
   const atmosphere::SensorAtmosphere seen(column(), far);
-  const SpectralScene spectral(scene.scene(), seen);
+  const SpectralScene spectral(scene.scene(), seen, true);
   EXPECT_EQ(spectral.view_table(), nullptr);
   ASSERT_NE(spectral.polarized_path(), nullptr);
   std::vector<StokesVector> light(seen.node_count());

@@ -112,6 +112,7 @@ std::optional<ReflectedLight> reflected_light(const std::shared_ptr<const Solved
   ReflectedLight result{
       ScatteredField(nullptr, {}, {}, false, 0), {ground.out(), ground.components(), {}}, exitance};
   std::vector<ModeMoments> moments;
+  const std::size_t values_of_mode = modes[0].light.size();
   std::size_t count = modes.size();
   while (modes[count - 1].light.empty()) --count;
   for (std::size_t m = 0; m < count; ++m) {
@@ -119,7 +120,7 @@ std::optional<ReflectedLight> reflected_light(const std::shared_ptr<const Solved
     for (double& value : of.light) value *= scale;
     for (double& value : of.moments.values) value *= scale;
     // A mode of nothing between others has no place among moments, and an empty one in the shape.
-    of.light.resize(modes[0].light.size(), 0.0);
+    of.light.resize(values_of_mode, 0.0);
     result.shape.modes.push_back(std::move(of.light));
     if (!of.moments.values.empty()) moments.push_back(std::move(of.moments));
   }

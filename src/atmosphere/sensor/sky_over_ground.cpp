@@ -27,17 +27,20 @@ SkyOverGround::SkyOverGround(const SensorAtmosphere& air, std::span<const double
   std::vector<double> weights;
   struct Place {
     std::size_t z, a;
-    double above, beyond;
+    double above;
   };
   std::vector<Place> places;
-  for (std::size_t z = 0; z + 1 < zenith.size(); ++z)
+  // The last is held down to the horizon, where rough ground is as bright as a mirror.
+  for (std::size_t z = 0; z < zenith.size(); ++z)
     for (const double above : kGauss2)
       for (std::size_t a = 0; a + 1 < azimuth.size(); ++a) {
-        const double width = zenith[z + 1] - zenith[z], angle = zenith[z] + above * width;
+        const bool last = z + 1 == zenith.size();
+        const double width = (last ? 0.5 * std::numbers::pi : zenith[z + 1]) - zenith[z],
+                     angle = zenith[z] + above * width;
         const double weight = 0.5 * width * std::sin(angle) * std::cos(angle) * (azimuth[a + 1] - azimuth[a]);
         for (const double side : {1.0, -1.0}) {
           directions_.push_back({std::cos(angle), side * 0.5 * (azimuth[a] + azimuth[a + 1])});
-          places.push_back({z, a, above, 0.5});
+          places.push_back(last ? Place{z - 1, a, 1.0} : Place{z, a, above});
           weights.push_back(weight);
           whole += weight;
         }
@@ -66,6 +69,16 @@ SkyOverGround::SkyOverGround(const SensorAtmosphere& air, std::span<const double
         to[2 * nodes] += static_cast<float>(part * side * (sky.u + back * ground.sky_u[row + n]));
       }
     }
+  }
+  // As bright on level ground as the air says.
+  for (std::size_t n = 0; n < nodes; ++n) {
+    const double wanted = air.sky_irradiance()[n] + exitance[n] * ground.albedo[n] +
+                          std::numbers::pi * emitted[n] * air.spherical_albedo()[n];
+    double sum = 0.0;
+    for (std::size_t k = 0; k < directions_.size(); ++k)
+      sum += static_cast<double>(light_[k * components_ * nodes + n]);
+    const float scale = sum > 0.0 ? static_cast<float>(wanted / sum) : 1.0f;
+    for (std::size_t k = n; k < light_.size(); k += nodes) light_[k] *= scale;
   }
 }
 

@@ -68,7 +68,7 @@ std::vector<AtmosphereHalfWidth> atmosphere_half_widths(const transport::Spectra
       air.grey_radiance += nodes.node_weight(n) * (1.0 - kGrey) * planck[n] * scene.view_transmittance()[n];
       air.white_in_sky += nodes.node_weight(n) * scene.sky_radiance()[n] * scene.view_transmittance()[n];
     }
-    if (atmosphere.polarized()) {
+    if (scene.polarized() && atmosphere.polarized()) {
       air.polarization_path = kPathPolarization;
       for (const materials::Material& material : scene.scene().materials)
         if (material.bsdf->polarizes()) air.polarization_sky = kSkyPolarization;

@@ -189,8 +189,6 @@ std::string surroundings_statement(const Parts& parts) {
     line += parts.imported ? ", where the sky is uniform; the air has their light as of Lambertian ground"
                            : ", where the sky is uniform";
   const materials::Material& material = parts.scene.materials[parts.scene.surroundings.material];
-  if (material.bsdf->polarizes() && !parts.polarimetry)
-    line += "; without 'stokes' the sky that they reflect is taken to be unpolarized";
   if (!material.bsdf->is_isotropic() && parts.atmosphere)
     line += "; what the air scatters of their light again is as of the mean of both sides of the Sun's plane";
   return line;

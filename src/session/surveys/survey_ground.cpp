@@ -53,6 +53,7 @@ SurveyGround survey_ground(const io::Document& document, const std::string& name
   ground.reflectance = material.reflectance;
   ground.directional =
       transport::material_ground(material, stage.scene.sun ? stage.scene.sun->azimuth_rad() : 0.0);
+  if (ground.directional) ground.left_out = transport::left_out_of(*ground.directional);
   ground.description = format("'{}'{}", name, ground.directional ? " by its BRDF" : "");
   return ground;
 }

@@ -45,42 +45,28 @@ class GroundNodes final : public atmosphere::GroundAtNodes {
  public:
   GroundNodes(const materials::Material& material, const Events& events,
               const radiometry::SpectralNodes& nodes, bool polarized)
-      : bsdf_(material.bsdf),
-        events_(events),
-        reflectance_(1, nodes.node_count()),
-        nodes_(nodes.node_count()) {
-    if (bsdf_->is_separable())
-      nodes.average_surface(material.reflectance, reflectance_.values(0));
-    else
-      model_ = std::make_unique<const materials::NodeBsdf>(bsdf_, nodes, polarized);
-    polarizes_ = polarized && bsdf_->polarizes() && model_ != nullptr;
-  }
+      : events_(events),
+        nodes_(nodes.node_count()),
+        model_(material.bsdf, nodes, polarized),
+        polarizes_(polarized && material.bsdf->polarizes()) {}
 
   void albedo(double mu, std::span<double> nodes) const override {
     radiometry::SpectrumBlock rows(2, nodes_);
-    if (model_ != nullptr) model_->emissivity(mu, rows.row(0), rows.row(1));
-    for (std::size_t n = 0; n < nodes_; ++n)
-      nodes[n] = model_ != nullptr ? 1.0 - static_cast<double>(rows.row(0)[n])
-                                   : static_cast<double>(reflectance_.row(0)[n]);
+    model_.emissivity(mu, rows.row(0), rows.row(1));
+    for (std::size_t n = 0; n < nodes_; ++n) nodes[n] = 1.0 - static_cast<double>(rows.row(0)[n]);
   }
 
   void add_reflected(const GroundEvent& event, std::span<const double> incoming,
                      std::span<double> light) const override {
     const materials::BsdfEvent there = events_.of(event);
-    if (model_ == nullptr) {
-      const double shape = bsdf_->shape(there);
-      for (std::size_t n = 0; n < nodes_; ++n)
-        light[n] += shape * static_cast<double>(reflectance_.row(0)[n]) * incoming[n];
-      return;
-    }
     static thread_local radiometry::SpectrumBlock rows;
     if (rows.rows() != 16 || rows.columns() != nodes_) rows.resize(16, nodes_);
     if (!polarizes_ || light.size() < 3 * nodes_) {
-      model_->evaluate(there, rows.row(0));
+      model_.evaluate(there, rows.row(0));
       for (std::size_t n = 0; n < nodes_; ++n) light[n] += static_cast<double>(rows.row(0)[n]) * incoming[n];
       return;
     }
-    model_->evaluate_mueller(there, {rows.row(0), rows.stride(), true});
+    model_.evaluate_mueller(there, {rows.row(0), rows.stride(), true});
     for (std::size_t row = 0; row < 3; ++row)
       for (std::size_t column = 0; column < 3; ++column) {
         const float* element = rows.row(4 * column + row);
@@ -90,31 +76,24 @@ class GroundNodes final : public atmosphere::GroundAtNodes {
   }
 
  private:
-  std::shared_ptr<const materials::Bsdf> bsdf_;
   Events events_;
-  radiometry::SpectrumBlock reflectance_;
   std::size_t nodes_;
-  std::unique_ptr<const materials::NodeBsdf> model_;
-  bool polarizes_ = false;
+  materials::NodeBsdf model_;
+  bool polarizes_;
 };
 
+/// Of a model that is not separable: Lambertian ground and mirrors are none (material_ground).
 class MaterialGround final : public atmosphere::DirectionalGround {
  public:
   MaterialGround(const materials::Material& material, double sun_azimuth_rad)
       : material_(material), events_(sun_azimuth_rad) {}
 
   bool is_isotropic() const override { return material_.bsdf->is_isotropic(); }
-  bool polarizes() const override { return material_.bsdf->polarizes() && !material_.bsdf->is_separable(); }
+  bool polarizes() const override { return material_.bsdf->polarizes(); }
 
   void reflect(double wavelength_um, std::span<const GroundEvent> events,
                std::span<GroundMatrix> brdf) const override {
     const materials::Bsdf& bsdf = *material_.bsdf;
-    if (bsdf.is_separable()) {
-      const double reflectance = material_.reflectance.at(wavelength_um);
-      for (std::size_t k = 0; k < events.size(); ++k)
-        brdf[k] = {}, brdf[k][0][0] = reflectance * bsdf.shape(events_.of(events[k]));
-      return;
-    }
     radiometry::SpectrumBlock parameters(bsdf.spectra().size() + bsdf.polarization_spectra().size() + 1, 1),
         rows(16, 1);
     std::vector<const float*> pointers;

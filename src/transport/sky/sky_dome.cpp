@@ -34,7 +34,7 @@ std::vector<double> level_irradiance(const SkyGrid& grid, const radiometry::Spec
 }  // namespace
 
 SkyDome::SkyDome(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towards_sun,
-                 const GroundAround& ground)
+                 const GroundAround& ground, bool polarized)
     : towards_sun_(towards_sun),
       zenith_rad_(atmosphere.sky_directions().zenith_rad),
       azimuth_rad_(atmosphere.sky_directions().azimuth_rad),
@@ -43,7 +43,7 @@ SkyDome::SkyDome(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towa
     for (std::size_t a = 0; a < azimuth_rad_.size(); ++a)
       for (std::size_t n = 0; n < atmosphere.node_count(); ++n)
         spectra_.row(z * azimuth_rad_.size() + a)[n] = static_cast<float>(ground.sky(atmosphere, z, a, n));
-  if (atmosphere.polarized()) refine(atmosphere, ground);
+  if (polarized && atmosphere.polarized()) refine(atmosphere, ground);
   make_sampler(atmosphere.node_count());
   irradiance_ =
       std::make_unique<const SkyIrradiance>(SkyTable{zenith_rad_, azimuth_rad_, spectra_, towards_sun_});

@@ -28,8 +28,9 @@ struct GroundAround;
 /// (sky_refinement.h).
 class SkyDome {
  public:
-  /// `ground`: around the scene, whose light the air scatters back.
-  SkyDome(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towards_sun, const GroundAround& ground);
+  /// `ground`: around the scene, whose light the air scatters back. `polarized`: Q and U are kept, where the atmosphere has them.
+  SkyDome(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towards_sun, const GroundAround& ground,
+          bool polarized = true);
 
   /// The spectra that a direction (unit, at or above the horizon) lies between.
   struct Corners {

@@ -41,7 +41,6 @@ SurroundingsLight::SurroundingsLight(std::shared_ptr<const atmosphere::GroundAtN
     : lit_(std::move(lit)), ground_(std::move(ground)), both_sides_(both_sides) {
   components_ = lit_.polarized ? 3 : 1;
   if (lit_.air == nullptr || lit_.air->directional() == nullptr) return;
-  ground_ = lit_.air->directional()->ground;
   components_ = sky_.emplace(*lit_.air, lit_.even).components();
   for (const double zenith_deg : kZeniths_deg) zenith_rad_.push_back(zenith_deg * kDegree);
   for (int k = both_sides_ ? -kAzimuthsOfASide : 0; k <= kAzimuthsOfASide; ++k)
@@ -55,17 +54,11 @@ SurroundingsLight::~SurroundingsLight() = default;
 std::unique_ptr<const SurroundingsLight> SurroundingsLight::of(const materials::Material& material, Lit lit) {
   if (!reflects_by_direction(material)) return nullptr;
   const double sun_azimuth_rad = std::atan2(lit.towards_sun.x, lit.towards_sun.y);
-  const auto ground = material_ground(material, sun_azimuth_rad);
-  const bool both_sides = !ground->is_isotropic();
-  auto at_nodes = ground->at(lit.nodes, lit.polarized);
+  auto ground = lit.air != nullptr && lit.air->directional() != nullptr
+                    ? lit.air->directional()->ground
+                    : material_ground(material, sun_azimuth_rad)->at(lit.nodes, lit.polarized);
   return std::unique_ptr<const SurroundingsLight>(
-      new SurroundingsLight(std::move(at_nodes), both_sides, std::move(lit)));
-}
-
-std::vector<double> SurroundingsLight::albedo_from_zenith() const {
-  std::vector<double> share(lit_.nodes.node_count());
-  ground_->albedo(1.0, share);
-  return share;
+      new SurroundingsLight(std::move(ground), !material.bsdf->is_isotropic(), std::move(lit)));
 }
 
 SurroundingsLight::Towards SurroundingsLight::towards(math::Vec3 direction) const {
@@ -107,10 +100,10 @@ void SurroundingsLight::add_sun(const Towards& way, const radiometry::Polarizati
                                 const std::array<float*, 3>& to) const {
   const double sine = lit_.towards_sun.z;
   if (!(sine > 0.0)) return;
-  const std::size_t nodes = lit_.nodes.node_count();
+  const std::size_t nodes = lit_.nodes.node_count(), rows = (frame != nullptr ? components_ : 1) * nodes;
   static thread_local std::vector<double> incoming, light;
-  incoming.assign(components_ * nodes, 0.0);
-  light.assign(components_ * nodes, 0.0);
+  incoming.assign(rows, 0.0);
+  light.assign(rows, 0.0);
   for (std::size_t n = 0; n < nodes; ++n) incoming[n] = sine * static_cast<double>(lit_.sun[n]);
   ground_->add_reflected({way.mu, -sine, way.azimuth_rad + kPi, 0.0}, incoming, light);
   for (std::size_t n = 0; n < nodes; ++n) to[0][n] += static_cast<float>(light[n]);

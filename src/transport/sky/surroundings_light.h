@@ -50,8 +50,6 @@ class SurroundingsLight {
            const std::array<float*, 3>& to) const;
   void add_all(math::Vec3 direction, const radiometry::PolarizationFrame* frame,
                const std::array<float*, 3>& to) const;
-  /// Share that it sends back of light from straight above, by node.
-  std::vector<double> albedo_from_zenith() const;
 
  private:
   SurroundingsLight(std::shared_ptr<const atmosphere::GroundAtNodes> ground, bool both_sides, Lit lit);

@@ -6,6 +6,7 @@
 
 #include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/gas/gas_term_table.h"
+#include "atmosphere/scattering/ground/directional_ground.h"
 #include "atmosphere/sensor/channel_bins.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "core/format.h"
@@ -221,12 +222,13 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
     inputs.lines_of_sight.emplace(range, column.levels(),
                                   sensor_altitudes(modelled, subject.camera, ground_km));
     inputs.with_errors = true;
-    inputs.polarized = subject.polarized;
     const materials::Material& around = subject.scene.materials[subject.scene.surroundings.material];
     inputs.ground = around.reflectance;
     // Without a Sun azimuths count from the east, as in the scene's light.
     inputs.directional = transport::material_ground(
         around, subject.scene.sun ? subject.scene.sun->azimuth_rad() : 0.5 * std::numbers::pi);
+    // What such ground makes of the sky's polarization is radiance, too.
+    inputs.polarized = subject.polarized || (inputs.directional && inputs.directional->polarizes());
     inputs.threads = work.threads;
     inputs.kept = work.kept;
     inputs.progress = work.progress;
