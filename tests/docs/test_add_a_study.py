@@ -10,7 +10,7 @@ class AddAStudy(PageTest):
     page, row = "add_a_study.md", "study"
 
     def test_a_pair_of_files_and_one_row(self):
-        self.assertIn("counting   points in a circle, against pi", self.run_it("study", "--help").stdout)
+        self.assertIn("counting    points in a circle, against pi", self.run_it("study", "--help").stdout)
         result = self.run_it("study", "counting", "--trials", "4000", "-o", "out")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("share_inside  ", result.stdout)
