@@ -19,6 +19,7 @@
 #include "render/unsampled_light.h"
 #include "render/view_renderer.h"
 #include "render/wings/wing_light.h"
+#include "render/wings/wing_maps.h"
 #include "render/wings/wing_spots.h"
 #include "sampling/image/survey.h"
 #include "sampling/pixel_sampler.h"
@@ -118,11 +119,16 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   const std::unique_ptr<const sampling::ImageSurvey> survey =
       job.sampler.survey({whole_image, field_of, control.threads});
   Tally tally(pixels, control.progress);
-  const auto wing_spots = job.wings.empty() ? nullptr : WingSpots::find(job.scene, job.camera);
+  std::optional<WingSpots> wing_spots;
   std::optional<SpotLight> spot_light;
-  if (wing_spots != nullptr) {
+  if (!job.wings.empty()) {
     const auto field = field_of();
+    std::vector<WingSpots::Box> boxes = unsampled.met();
+    for (const WingSpots::Box& box : shining_map_places(job.scene, job.camera, job.seed, control.cancel, *field))
+      boxes.push_back(box);
+    wing_spots.emplace(WingSpots::find(job.scene, job.camera, std::move(boxes)));
     spot_light.emplace(*wing_spots, job.seed, control.cancel, *field);
+    spot_light->add(unsampled.spots(static_cast<std::size_t>(field->columns())));
     tally.add(field->counts());
   }
   if (survey != nullptr) tally.add(survey->rays);

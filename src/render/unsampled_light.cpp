@@ -14,7 +14,7 @@ namespace ifov::render {
 
 UnsampledLight::UnsampledLight(const RenderJob& job, int threads, const CancelToken* cancel)
     : job_(job), transport_(job.transport) {
-  const double margin_px = job.reach_px();
+  const double margin_px = job.wings.empty() ? job.reach_px() : WingSpots::kOutside_px;
   const LightTold told(job.polarimetry, job.parts);
   const StokesColumns columns(told, job.scene.nodes());
   for (std::size_t c = 0; c < columns.count(); ++c)

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "render/wings/wing_spots.h"
 #include "transport/transport_options.h"
 
 namespace ifov {
@@ -43,6 +44,10 @@ class UnsampledLight {
 
   /// To the radiances of a finished tile that has light alone (StokesColumns), and to its half-widths. From any thread.
   void add_to(sampling::TileResult& tile) const;
+  /// All that add_to() may add, for the wings of pixels far from it: of so many columns.
+  std::vector<SpotLight::Spot> spots(std::size_t columns) const;
+  /// Where mirrors show small things that shine and whose images are left to paths, for those wings: squares.
+  std::vector<WingSpots::Box> met() const;
   /// Widens half-widths by what may not have been found at all. From any thread.
   void settle(sampling::TileResult& tile) const;
 

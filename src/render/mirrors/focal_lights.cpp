@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "sampling/footprint_groups.h"
 #include "sampling/quantiles.h"
@@ -9,6 +11,26 @@
 #include "sampling/tolerance.h"
 
 namespace ifov::render {
+
+namespace {
+
+struct Replicated {
+  double mean, variance;  // of the mean
+};
+
+/// Of replicates that stand so far apart.
+Replicated replicated(const double* sums, std::size_t stride) {
+  double mean = 0.0, squares = 0.0;
+  for (std::size_t r = 0; r < FocalLights::kReplicates; ++r) mean += sums[r * stride];
+  mean /= FocalLights::kReplicates;
+  for (std::size_t r = 0; r < FocalLights::kReplicates; ++r) {
+    const double off = sums[r * stride] - mean;
+    squares += off * off;
+  }
+  return {mean, squares / (FocalLights::kReplicates * (FocalLights::kReplicates - 1.0))};
+}
+
+}  // namespace
 
 std::uint32_t FocalLights::add_spectrum(std::span<const float> channels) {
   const auto spectrum = static_cast<std::uint32_t>(spectra_.size() / channels_);
@@ -31,8 +53,48 @@ void FocalLights::sort() {
                    [](const Light& a, const Light& b) { return a.at.y_px < b.at.y_px; });
 }
 
+std::vector<FocalLights::Distant> FocalLights::distant() const {
+  const auto cell_of = [](const sampling::FocalPoint& at, double side_px) {
+    return std::pair{static_cast<std::int64_t>(std::floor(at.y_px / side_px)),
+                     static_cast<std::int64_t>(std::floor(at.x_px / side_px))};
+  };
+  std::map<std::pair<std::int64_t, std::int64_t>, std::vector<const Light*>> cells;
+  for (double side_px = kDistantCell_px;; side_px *= 2.0) {
+    cells.clear();
+    for (const Light& light : lights_) cells[cell_of(light.at, side_px)].push_back(&light);
+    if (cells.size() <= kMostDistant) break;
+  }
+  std::vector<Distant> all;
+  std::vector<double> sums(kReplicates * channels_);
+  for (const auto& [cell, lights] : cells) {
+    std::fill(sums.begin(), sums.end(), 0.0);
+    double x = 0.0, y = 0.0, weights = 0.0;
+    for (const Light* light : lights) {
+      const float* const spectrum = spectra_.data() + light->spectrum * channels_;
+      double bright = 0.0;
+      for (std::size_t c = 0; c < channels_; ++c) {
+        const double part = static_cast<double>(light->per_radiance) * static_cast<double>(spectrum[c]);
+        sums[light->replicate * channels_ + c] += part;
+        bright += std::abs(part);
+      }
+      weights += bright;
+      x += bright * light->at.x_px;
+      y += bright * light->at.y_px;
+    }
+    if (!(weights > 0.0)) continue;
+    Distant& one = all.emplace_back();
+    one.middle = {x / weights, y / weights};
+    for (std::size_t c = 0; c < channels_; ++c) {
+      const Replicated mean = replicated(sums.data() + c, channels_);
+      one.light.push_back(static_cast<float>(mean.mean));
+      one.variance.push_back(static_cast<float>(mean.variance));
+    }
+  }
+  return all;
+}
+
 void FocalLights::add_to(const sampling::ColumnFootprints& footprints, const sampling::Tolerance* tolerance,
-                         sampling::TileResult& tile) const {
+                         std::span<const double> kept, sampling::TileResult& tile) const {
   if (lights_.empty()) return;
   const double reach = footprints.half_width_px();
   std::vector<double> weights(footprints.groups());
@@ -53,7 +115,7 @@ void FocalLights::add_to(const sampling::ColumnFootprints& footprints, const sam
         bool any = false;
         for (std::size_t group = 0; group < weights.size(); ++group) {
           weights[group] = footprints.density(group, light->at.x_px - x - 0.5, light->at.y_px - y - 0.5) *
-                           static_cast<double>(light->per_radiance);
+                           static_cast<double>(light->per_radiance) * (kept.empty() ? 1.0 : kept[group]);
           any = any || weights[group] > 0.0;
         }
         if (!any) continue;
@@ -71,17 +133,10 @@ void FocalLights::add_to(const sampling::ColumnFootprints& footprints, const sam
     double worst = 0.0;
     for (std::size_t c = 0; c < channels_; ++c) {
       const std::size_t at = pixel * channels_ + c;
-      double sum = 0.0, squares = 0.0;
-      for (std::size_t r = 0; r < kReplicates; ++r) sum += sums[pixel][r * channels_ + c];
-      const double glint = sum / kReplicates;
-      for (std::size_t r = 0; r < kReplicates; ++r) {
-        const double off = sums[pixel][r * channels_ + c] - glint;
-        squares += off * off;
-      }
+      const auto [glint, variance] = replicated(sums[pixel].data() + c, channels_);
       mean[c] = static_cast<double>(tile.mean[at]) + glint;
       tile.mean[at] = static_cast<float>(mean[c]);
       if (!tile.has_errors()) continue;
-      const double variance = squares / (kReplicates * (kReplicates - 1.0));
       const double student = sampling::two_sided_student(
           tolerance != nullptr ? tolerance->confidence() : 0.95, kReplicates - 1.0);
       tile.variance_path[at] += static_cast<float>(variance);

@@ -38,9 +38,19 @@ class FocalLights {
   void sort();
 
   /// Into the means of a tile that has channels alone, with the error of their shares in each pixel; `tolerance` may be
-  /// null.
+  /// null. `kept`: by group of footprints, the share of a response that its footprint holds, where the rest is in wings; empty: all.
   void add_to(const sampling::ColumnFootprints& footprints, const sampling::Tolerance* tolerance,
-              sampling::TileResult& tile) const;
+              std::span<const double> kept, sampling::TileResult& tile) const;
+
+  /// All of them, as wings see them: what lies in one cell of a grid is one. By place.
+  struct Distant {
+    sampling::FocalPoint middle;
+    std::vector<float> light, variance;  ///< by channel: integral over the focal plane; of its mean over replicates
+  };
+  std::vector<Distant> distant() const;
+  /// Side of the cells, px, and how many may be: larger ones are taken where there are more.
+  static constexpr double kDistantCell_px = 0.5;
+  static constexpr std::size_t kMostDistant = std::size_t{1} << 14;
 
   std::span<const Light> lights() const { return lights_; }
 

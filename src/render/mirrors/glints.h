@@ -40,9 +40,10 @@ class Glints {
 
   /// As FocalLights::add_to.
   void add_to(const sampling::ColumnFootprints& footprints, const sampling::Tolerance* tolerance,
-              sampling::TileResult& tile) const {
-    lights_.add_to(footprints, tolerance, tile);
+              std::span<const double> kept, sampling::TileResult& tile) const {
+    lights_.add_to(footprints, tolerance, kept, tile);
   }
+  const FocalLights& lights() const { return lights_; }
 
   std::size_t count() const { return lights_.lights().size(); }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -68,6 +69,7 @@ std::unique_ptr<const MirrorImages> MirrorImages::find(const transport::Spectral
       continue;
     }
     images->settled_.push_back({mirror, object});
+    if (!found[k].places.empty()) images->met_.push_back(std::move(found[k].places));
     if (!found[k].rows.empty()) images->apart_.add(mirror, object);
   }
   images->apart_.finish();
@@ -196,12 +198,15 @@ MirrorImages::Found MirrorImages::search(const Pair& pair, double margin_px, std
     trace(mirror, static_cast<std::uint32_t>(p), points, seen);
     if (!search.broken_off()) continue;
     found.outcome = met_by_paths(seen) ? Outcome::met : Outcome::given_up;
+    if (found.outcome == Outcome::met) found.places = places_of(seen);
     return found;
   }
-  if (met_by_paths(seen))
+  if (met_by_paths(seen)) {
     found.outcome = Outcome::met;
-  else
+    found.places = places_of(seen);
+  } else {
     found.rows = image_spectra(seen, key);
+  }
   return found;
 }
 
@@ -296,6 +301,36 @@ FocalLights MirrorImages::weigh(transport::TransportOptions transport, std::uint
     }
   }
   return lights;
+}
+
+std::vector<MirrorImages::Place> MirrorImages::places_of(const std::vector<FocalLights::Light>& seen) {
+  // Points lie closer together than squares are wide: what is between them, and about them, is in a neighbour.
+  std::vector<Place> places;
+  for (const FocalLights::Light& light : seen) {
+    const auto row = static_cast<std::int32_t>(std::floor(light.at.y_px / kPlace_px)),
+               column = static_cast<std::int32_t>(std::floor(light.at.x_px / kPlace_px));
+    for (std::int32_t j = -1; j <= 1; ++j)
+      for (std::int32_t i = -1; i <= 1; ++i) places.emplace_back(row + j, column + i);
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
+std::vector<sampling::FocalPoint> MirrorImages::places(double most_px) const {
+  std::vector<Place> all;
+  for (const std::vector<Place>& places : met_) {
+    const auto [left, right] = std::minmax_element(places.begin(), places.end(), [](const Place& a, const Place& b) {
+      return a.second < b.second;
+    });
+    const std::int32_t across = right->second - left->second, down = places.back().first - places.front().first;
+    if (kPlace_px * std::max(across, down) <= most_px) all.insert(all.end(), places.begin(), places.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  std::vector<sampling::FocalPoint> middles;
+  for (const auto& [row, column] : all) middles.push_back({kPlace_px * (column + 0.5), kPlace_px * (row + 0.5)});
+  return middles;
 }
 
 bool MirrorImages::met_by_paths(const std::vector<FocalLights::Light>& seen) const {

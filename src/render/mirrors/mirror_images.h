@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "render/mirrors/focal_lights.h"
@@ -51,9 +52,13 @@ class MirrorImages {
 
   /// As FocalLights::add_to.
   void add_to(const sampling::ColumnFootprints& footprints, const sampling::Tolerance* tolerance,
-              sampling::TileResult& tile) const {
-    lights_.add_to(footprints, tolerance, tile);
+              std::span<const double> kept, sampling::TileResult& tile) const {
+    lights_.add_to(footprints, tolerance, kept, tile);
   }
+  const FocalLights& lights() const { return lights_; }
+  /// Where images lie that are left to paths and are no larger than `most_px`: middles of squares of kPlace_px that cover them, each once.
+  std::vector<sampling::FocalPoint> places(double most_px) const;
+  static constexpr double kPlace_px = 0.5;
 
   std::size_t count() const { return lights_.lights().size(); }
 
@@ -80,9 +85,11 @@ class MirrorImages {
     double work = 0.0;
   };
   enum class Outcome : std::uint8_t { apart, met, given_up };
+  using Place = std::pair<std::int32_t, std::int32_t>;  // row and column of a square
   struct Found {
     Outcome outcome = Outcome::apart;
     std::vector<ImageSpectrum> rows;  // of images that are added separately
+    std::vector<Place> places;        // of one that is met
   };
   void list_mirrors();
   /// Those that may matter; others are settled.
@@ -92,6 +99,7 @@ class MirrorImages {
   /// Traces points at which a part may be seen in a mirror; keeps those where it is, with their areas, as lights.
   void trace(const Mirror& mirror, std::uint32_t part, std::vector<GlintPoint>& points,
              std::vector<FocalLights::Light>& seen) const;
+  static std::vector<Place> places_of(const std::vector<FocalLights::Light>& seen);
   bool met_by_paths(const std::vector<FocalLights::Light>& seen) const;
   /// Their radiance: what paths find less what they find where they see through what is added separately.
   FocalLights weigh(transport::TransportOptions transport, std::uint64_t key,
@@ -111,6 +119,7 @@ class MirrorImages {
   std::vector<Name> settled_;  // sorted
   bool all_settled_ = true;
   FocalLights lights_;
+  std::vector<std::vector<Place>> met_;  // by image, sorted
 };
 
 }  // namespace ifov::render

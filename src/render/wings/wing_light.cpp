@@ -144,7 +144,8 @@ class Wings {
         const auto [density, unsure] = wings_[group]->density(dx, dy);
         for (const auto& [first, last] : runs_[group])
           for (std::size_t c = first; c < last; ++c)
-            farther_[c] += (density + unsure) * std::abs(spot.light[c] - spot.area_px2 * beyond_[c]);
+            farther_[c] += (density + unsure) * (std::abs(spot.light[c] - spot.area_px2 * beyond_[c]) +
+                                                 (spot.unmet.empty() ? 0.0 : static_cast<double>(spot.unmet[c])));
       }
     }
   }
@@ -165,6 +166,7 @@ class Wings {
             found.variance[c] += density * density * spot.variance[c];
           }
           found.unsure[c] += (within ? unsure : unsure + density) * std::abs(more);
+          if (!spot.unmet.empty()) found.unsure[c] += (density + unsure) * static_cast<double>(spot.unmet[c]);
         }
     }
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "sampling/random.h"
 #include "sampling/value_batch.h"
@@ -13,7 +14,8 @@ namespace ifov::render {
 
 namespace {
 
-constexpr std::uint64_t kSpotPaths = 0x73706f74ull, kSpotPosition = 0x73706f73ull;  // of random numbers
+constexpr std::uint64_t kSpotPaths = 0x73706f74ull, kSpotPosition = 0x73706f73ull,
+                        kSpotBrightest = 0x73706f62ull;  // of random numbers
 /// The box of a ball's image is so much larger than it.
 constexpr double kMargin = 1.05, kRounding_px = 1e-6;
 
@@ -72,10 +74,10 @@ WingSpots::WingSpots(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
   }
 }
 
-std::unique_ptr<const WingSpots> WingSpots::find(const transport::SpectralScene& scene,
-                                                 const sensor::Camera& camera) {
+WingSpots WingSpots::find(const transport::SpectralScene& scene, const sensor::Camera& camera,
+                          std::vector<Box> others) {
   const transport::ShiningParts parts(scene);
-  std::vector<Box> boxes;
+  std::vector<Box> boxes = std::move(others);
   for (const transport::ShiningParts::Part& part : parts.parts()) {
     Box box{};
     box.across = 16;
@@ -84,7 +86,6 @@ std::unique_ptr<const WingSpots> WingSpots::find(const transport::SpectralScene&
     box.strength = part.contrast * part.fill * box.area_px2();
     add_parts(box, boxes);
   }
-  if (boxes.empty()) return nullptr;
   if (boxes.size() > kMost) {
     std::stable_sort(boxes.begin(), boxes.end(),
                      [](const Box& a, const Box& b) { return a.strength > b.strength; });
@@ -93,7 +94,7 @@ std::unique_ptr<const WingSpots> WingSpots::find(const transport::SpectralScene&
   // So that many cost no more than some: their errors average out.
   const int most_across = boxes.size() > 16384 ? 2 : boxes.size() > 2048 ? 4 : boxes.size() > 256 ? 8 : 16;
   for (Box& box : boxes) box.across = std::min(box.across, most_across);
-  return std::make_unique<const WingSpots>(std::move(boxes));
+  return WingSpots(std::move(boxes));
 }
 
 std::uint32_t WingSpots::first_at(sampling::FocalPoint point) const {
@@ -168,8 +169,32 @@ SpotLight::SpotLight(const WingSpots& where, std::uint64_t seed, const CancelTok
     spot.middle = weight > 0.0 ? sampling::FocalPoint{x / weight, y / weight} : box.centre;
     spot.light.assign(light.begin(), light.end());
     spot.variance.assign(variance.begin(), variance.end());
+    if (box.brightest) spot.unmet = unmet(number, values, area, seed, field);
     if (spot.area_px2 > 0.0) spots_.push_back(std::move(spot));
   }
+}
+
+std::vector<float> SpotLight::unmet(std::uint32_t number, std::span<const float> met, double area_px2,
+                                    std::uint64_t seed, sampling::Field& field) const {
+  // Of what is larger than three strata, one path of 16 x 16 misses all with a probability of 5 % at most.
+  constexpr double kStrata = 3.0;
+  const WingSpots::Box& box = where_.boxes()[number];
+  const std::size_t columns = static_cast<std::size_t>(field.columns());
+  const sampling::PathRequest request{*box.brightest, sampling::hash(seed, number, kSpotBrightest), 0};
+  sampling::Label label;
+  std::vector<float> value(static_cast<std::size_t>(field.stride())), left(columns);
+  field.values({&request, 1}, {&label, 1}, value);
+  for (std::size_t c = 0; c < columns; ++c) {
+    float most = 0.0f;
+    for (std::size_t k = 0; k < met.size(); k += columns) most = std::max(most, met[k + c]);
+    // Paths that met the like of it know how large it is.
+    if (most < 0.5f * value[c]) left[c] = static_cast<float>(kStrata * area_px2) * (value[c] - most);
+  }
+  return left;
+}
+
+void SpotLight::add(std::vector<Spot> apart) {
+  spots_.insert(spots_.end(), std::make_move_iterator(apart.begin()), std::make_move_iterator(apart.end()));
 }
 
 }  // namespace ifov::render

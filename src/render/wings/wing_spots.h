@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -36,6 +38,8 @@ class WingSpots {
     int across = 8;  ///< paths along a side, even
     /// About how much light may come from it.
     double strength = 0.0;
+    /// Where something is known to shine in it, however small.
+    std::optional<sampling::FocalPoint> brightest{};
     bool holds(sampling::FocalPoint p) const {
       return p.x_px >= centre.x_px - half_width_px && p.x_px < centre.x_px + half_width_px &&
              p.y_px >= centre.y_px - half_height_px && p.y_px < centre.y_px + half_height_px;
@@ -47,9 +51,8 @@ class WingSpots {
   /// What is farther outside the picture is left to the cells.
   static constexpr double kOutside_px = 192.0;
 
-  /// Null where nothing outshines the scene.
-  static std::unique_ptr<const WingSpots> find(const transport::SpectralScene& scene,
-                                               const sensor::Camera& camera);
+  /// Of none where nothing outshines the scene. `others`: where mirrors and maps show such things.
+  static WingSpots find(const transport::SpectralScene& scene, const sensor::Camera& camera, std::vector<Box> others);
 
   const std::vector<Box>& boxes() const { return boxes_; }
   /// The number of the first box that holds a point.
@@ -71,11 +74,17 @@ class SpotLight {
     double area_px2 = 0.0;        ///< of what of it is in no box before
     std::vector<float> light;     ///< by column: integral over that area
     std::vector<float> variance;
+    /// By column, in absolute value: what may be of something that is known to be there and that no path met; empty: nothing.
+    std::vector<float> unmet;
   };
+  /// Light that paths leave out, which is over what is seen where it stands: of no area.
+  void add(std::vector<Spot> apart);
   const std::vector<Spot>& spots() const { return spots_; }
   const WingSpots& where() const { return where_; }
 
  private:
+  std::vector<float> unmet(std::uint32_t number, std::span<const float> met, double area_px2, std::uint64_t seed,
+                           sampling::Field& field) const;
   const WingSpots& where_;
   std::vector<Spot> spots_;
 };
