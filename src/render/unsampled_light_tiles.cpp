@@ -42,9 +42,9 @@ void UnsampledLight::add_to(sampling::TileResult& tile) const {
   // What the footprints leave out, the wings hold.
   std::vector<double> kept;
   for (const sensor::PsfWings* wings : job_.wings) kept.push_back(wings->kept());
-  if (glints_ != nullptr) glints_->add_to(footprints, job_.tolerance, kept, tile);
-  if (highlights_ != nullptr) highlights_->add_to(footprints, job_.tolerance, kept, tile);
-  if (mirror_images_ != nullptr) mirror_images_->add_to(footprints, job_.tolerance, kept, tile);
+  if (glints_ != nullptr) glints_->add_to(footprints, job_.tolerance, tile, kept);
+  if (highlights_ != nullptr) highlights_->add_to(footprints, job_.tolerance, tile, kept);
+  if (mirror_images_ != nullptr) mirror_images_->add_to(footprints, job_.tolerance, tile, kept);
 }
 
 std::vector<SpotLight::Spot> UnsampledLight::spots(std::size_t columns) const {

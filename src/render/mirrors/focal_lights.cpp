@@ -94,7 +94,7 @@ std::vector<FocalLights::Distant> FocalLights::distant() const {
 }
 
 void FocalLights::add_to(const sampling::ColumnFootprints& footprints, const sampling::Tolerance* tolerance,
-                         std::span<const double> kept, sampling::TileResult& tile) const {
+                         sampling::TileResult& tile, std::span<const double> kept) const {
   if (lights_.empty()) return;
   const double reach = footprints.half_width_px();
   std::vector<double> weights(footprints.groups());

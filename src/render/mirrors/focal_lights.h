@@ -40,7 +40,7 @@ class FocalLights {
   /// Into the means of a tile that has channels alone, with the error of their shares in each pixel; `tolerance` may be
   /// null. `kept`: by group of footprints, the share of a response that its footprint holds, where the rest is in wings; empty: all.
   void add_to(const sampling::ColumnFootprints& footprints, const sampling::Tolerance* tolerance,
-              std::span<const double> kept, sampling::TileResult& tile) const;
+              sampling::TileResult& tile, std::span<const double> kept = {}) const;
 
   /// All of them, as wings see them: what lies in one cell of a grid is one. By place.
   struct Distant {

@@ -40,8 +40,8 @@ class Glints {
 
   /// As FocalLights::add_to.
   void add_to(const sampling::ColumnFootprints& footprints, const sampling::Tolerance* tolerance,
-              std::span<const double> kept, sampling::TileResult& tile) const {
-    lights_.add_to(footprints, tolerance, kept, tile);
+              sampling::TileResult& tile, std::span<const double> kept = {}) const {
+    lights_.add_to(footprints, tolerance, tile, kept);
   }
   const FocalLights& lights() const { return lights_; }
 

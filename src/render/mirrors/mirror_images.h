@@ -52,8 +52,8 @@ class MirrorImages {
 
   /// As FocalLights::add_to.
   void add_to(const sampling::ColumnFootprints& footprints, const sampling::Tolerance* tolerance,
-              std::span<const double> kept, sampling::TileResult& tile) const {
-    lights_.add_to(footprints, tolerance, kept, tile);
+              sampling::TileResult& tile, std::span<const double> kept = {}) const {
+    lights_.add_to(footprints, tolerance, tile, kept);
   }
   const FocalLights& lights() const { return lights_; }
   /// Where images lie that are left to paths and are no larger than `most_px`: middles of squares of kPlace_px that cover them, each once.

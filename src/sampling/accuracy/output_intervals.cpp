@@ -114,6 +114,12 @@ void OutputIntervals::add_traced(const Radiance& radiance, const LeafIntegrator&
     weighed.mean = moments[r].mean;
     weighed.share = moments[r].share;
     weighed.freedom = 0.0;
+    // What is foretold is weighed apart from the values' rests.
+    const StratumControl& control = pixel.strata[r].control;
+    const bool by_place = !control.weighed_mean.empty();
+    const std::size_t row = of.output * static_cast<std::size_t>(table_.columns());
+    for (const std::size_t c : of.own)
+      if (by_place) weighed.mean[c] -= control.mean[of.columns[c]];
     if (moments[r].sampled && !integrator.unit_box())
       radiance.weigh(pixel.strata[r], integrator.footprint(of.group),
                      integrator.centre(model.outputs[of.output], of.group), of.columns, of.own, moments[r],
@@ -121,6 +127,8 @@ void OutputIntervals::add_traced(const Radiance& radiance, const LeafIntegrator&
     const double count = static_cast<double>(pixel.strata[r].count());
     double whole = 0.0;
     for (const std::size_t c : of.own) {
+      const std::size_t column = static_cast<std::size_t>(of.columns[c]);
+      if (by_place) weighed.mean[c] += static_cast<double>(control.weighed_mean[row + column]);
       sum.mean[c] += w * weighed.mean[c];
       const double apart = w * w * moments[r].variance[c] * weighed.share;
       whole += apart;
@@ -131,9 +139,9 @@ void OutputIntervals::add_traced(const Radiance& radiance, const LeafIntegrator&
         sum.add_path(c, apart, moments[r].freedom);
       }
       if (pixel.strata[r].foretold()) {
-        const StratumControl& control = pixel.strata[r].control;
-        const double variance = w * w * control.variance[of.columns[c]];
-        sum.add_path(c, variance, control.freedom);
+        const double variance =
+            w * w * (by_place ? static_cast<double>(control.weighed_variance[row + column]) : control.variance[column]);
+        sum.add_path(c, variance, by_place ? static_cast<double>(control.weighed_freedom[of.output]) : control.freedom);
         sum.foretold[c] += variance;
       }
       const double missed = radiance.unseen().variance(pixel, r, of.columns[c]);

@@ -147,8 +147,7 @@ void TileTracing::trace_lattice() {
     parts_->standouts.ask(parts_->known.standouts, ledger, problem_.seed);
   }
   parts_->errors.take_from_lattice(parts_->standouts, spread);
-  // Where a footprint weighs the values of a pixel unlike, it would have to weigh what is foretold as well.
-  if (footprints_.whole_pixel())
+  if (ControlVariates::affordable(footprints_, lattice.domain().count(), ledger.field().columns()))
     parts_->controls->fit(values, *parts_->spread,
                           [this](int p) { return parts_->errors.inverse_squares(p); });
   for (int p = 0; p < lattice.domain().count(); ++p)

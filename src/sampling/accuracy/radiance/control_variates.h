@@ -11,9 +11,11 @@
 namespace ifov::sampling {
 
 class BorderModel;
+class ColumnFootprints;
 class Field;
 class LabelSpread;
 class LabelTable;
+class LeafIntegrator;
 class Lattice;
 class MappedSurface;
 class NearbySpread;
@@ -22,6 +24,7 @@ struct FocalPoint;
 struct LatticeValues;
 struct SourcePixel;
 struct Stratum;
+struct StratumControl;
 
 /// Control variates (Hammersley and Handscomb, Monte Carlo Methods, 1964, section 5.5): where maps tell how the values of a label
 /// differ, a value is what they foretell, c = own + E reflectance + a, and a rest. Means of c over strata take no rays; rays
@@ -35,14 +38,17 @@ class ControlVariates {
   ControlVariates(Field& field, const Lattice& lattice, const LabelTable& table, std::uint64_t seed);
   virtual ~ControlVariates();
 
+  /// Whether means of so many source pixels, as the outputs that reach them weigh these, fit into memory.
+  static bool affordable(const ColumnFootprints& footprints, int sources, int columns);
+
   /// Fits what is worth it by the errors allowed: leaves the rests of the lattice's values in `values.rest`, and how those differ in
   /// LabelSpread::rest().
   void fit(LatticeValues& values, LabelSpread& spread, const InverseSquares& allowed);
   bool any() const { return !surfaces_.empty(); }
 
   /// Marks the strata of pixels that have a control variate (Stratum::control), with its means over them.
-  void attach(SourcePixels& pixels, const BorderModel& model, const NearbySpread& nearby,
-              const LabelSpread& spread, const InverseSquares& allowed) const;
+  void attach(SourcePixels& pixels, const BorderModel& model, const LeafIntegrator& integrator,
+              const NearbySpread& nearby, const LabelSpread& spread, const InverseSquares& allowed) const;
   /// c at points of a stratum that has one: rows of Field::stride() floats.
   void foretell(const SourcePixel& pixel, const Stratum& stratum, std::span<const FocalPoint> points,
                 std::span<float> rows) const;
@@ -79,7 +85,12 @@ class ControlVariates {
   void take_spread(const LatticeValues& values, LabelSpread& spread) const;
   bool drop_useless(const LabelSpread& spread, const std::vector<std::uint8_t>& wanted);
   bool integrate(const SourcePixel& pixel, std::size_t stratum, const BorderModel& model,
-                 std::span<const double> inverse_squares, Stratum& out) const;
+                 const LeafIntegrator& integrator, std::span<const double> inverse_squares, Stratum& out) const;
+  struct Grid;
+  /// Calls back with each block of a grid over a stratum: points and their rows of c.
+  template <class Block>
+  void walk(const Grid& grid, Block block) const;
+  void weigh(const Grid& grid, const LeafIntegrator& integrator, StratumControl& control) const;
 
   Field& field_;
   const Lattice& lattice_;

@@ -38,6 +38,7 @@ class LeafIntegrator {
   Point2 centre(int output, std::size_t group) const;
 
   bool unit_box() const { return unit_box_; }
+  std::size_t group_of(std::size_t column) const { return footprints_.group_of(column); }
   const PixelFootprint& footprint(std::size_t group) const { return footprints_.footprint(group); }
 
  private:

@@ -155,6 +155,7 @@ void RadianceRounds::add_block(std::size_t first, std::size_t last, std::span<co
   Stratum& stratum = pixels_[planned_[first].pixel].strata[planned_[first].stratum];
   const float* rows[4];
   FocalPoint points[4];
+  std::uint8_t replicates[4];
   std::size_t count = 0;
   for (std::size_t i = 0; i < last - first; ++i) {
     const float* value = values + i * stride_;
@@ -171,12 +172,8 @@ void RadianceRounds::add_block(std::size_t first, std::size_t last, std::span<co
     if (labels[i] != stratum.label && !strays_.belongs(stratum, requests_[first + i].point, labels[i], value))
       continue;
     points[count] = requests_[first + i].point;
+    replicates[count] = planned_[first + i].replicate;
     rows[count++] = value;
-    if (kept_ == nullptr) continue;
-    stratum.samples.push_back(static_cast<std::uint32_t>(kept_->x.size()));
-    kept_->x.push_back({requests_[first + i].point.x_px, requests_[first + i].point.y_px});
-    kept_->replicates.push_back(planned_[first + i].replicate);
-    kept_->values.insert(kept_->values.end(), value, value + stride_);
   }
   if (count > 0 && stratum.foretold()) {
     rests_.resize(4 * stride_);
@@ -186,6 +183,12 @@ void RadianceRounds::add_block(std::size_t first, std::size_t last, std::span<co
       for (std::size_t c = 0; c < stride_; ++c) rest[c] = rows[i][c] - rest[c];
       rows[i] = rest;
     }
+  }
+  for (std::size_t i = 0; i < count && kept_ != nullptr; ++i) {
+    stratum.samples.push_back(static_cast<std::uint32_t>(kept_->x.size()));
+    kept_->x.push_back({points[i].x_px, points[i].y_px});
+    kept_->replicates.push_back(replicates[i]);
+    kept_->values.insert(kept_->values.end(), rows[i], rows[i] + stride_);
   }
   if (count > 0) stratum.rounds.back().add_block({rows, count});
 }

@@ -28,6 +28,9 @@ struct StratumControl {
   std::vector<double> variance;  ///< of that mean
   std::vector<double> spread;    ///< variance from place to place
   double freedom = 0.0;          ///< degrees of freedom behind `variance`
+  /// Where footprints weigh places unlike: mean and its variance as each output of the pixel's model weighs them, [output][column],
+  /// and degrees of freedom, by output. Empty: all weigh alike.
+  std::vector<float> weighed_mean, weighed_variance, weighed_freedom;
 };
 
 /// A label within a source pixel, and what is known of its values. It starts with values at jittered points. Where paths
