@@ -124,7 +124,8 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   if (!job.wings.empty()) {
     const auto field = field_of();
     std::vector<WingSpots::Box> boxes = unsampled.met();
-    for (const WingSpots::Box& box : shining_map_places(job.scene, job.camera, job.seed, control.cancel, *field))
+    for (const WingSpots::Box& box :
+         shining_map_places(job.scene, job.camera, job.seed, control.cancel, *field))
       boxes.push_back(box);
     wing_spots.emplace(WingSpots::find(job.scene, job.camera, std::move(boxes)));
     spot_light.emplace(*wing_spots, job.seed, control.cancel, *field);

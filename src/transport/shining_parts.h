@@ -40,7 +40,7 @@ class ShiningParts {
   std::uint32_t part_of(const geometry::SurfacePoint& hit) const;
   /// Whether what was met is of a surface assignment that may shine.
   bool shines(const geometry::SurfacePoint& hit) const { return wanted_[hit.material]; }
-  bool wants(std::uint32_t assignment) const { return wanted_[assignment]; }
+  bool wants(std::uint32_t assignment) const { return assignment < wanted_.size() && wanted_[assignment]; }
   /// What a surface assignment that shines emits at most, by channel, W m-2 sr-1 um-1.
   std::span<const double> highest(std::uint32_t assignment) const { return highest_[assignment]; }
 

@@ -194,7 +194,8 @@ Found render(const Raster& raster, int seeds, const PixelFootprint* footprint = 
     found.rays += static_cast<double>(field.counts().primary);
     for (int p = 0; p < kSide * kSide; ++p) {
       const int x = p % kSide, y = p / kSide;
-      const double truth = footprint == nullptr ? mean_of_pixel(raster, x, y) : weighed_mean(raster, x, y, *footprint);
+      const double truth =
+          footprint == nullptr ? mean_of_pixel(raster, x, y) : weighed_mean(raster, x, y, *footprint);
       const double error = static_cast<double>(result.mean[p]) - truth;
       found.held += std::abs(error) <= static_cast<double>(result.half_width[p]);
       found.rms += error * error;

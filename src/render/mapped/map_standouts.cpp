@@ -30,11 +30,18 @@ void add_extremes(const materials::NumberedMap& map, const MapWindow& window, sa
   float lowest = std::numeric_limits<float>::infinity(), highest = -lowest;
   for (int k = 0; k < 4; ++k) {
     const double x = k % 2, y = k / 2;
-    const float number = map.number(
-        map.grid().cell_at(position_of(map.grid(), window.at.a + x * window.per_x.a + y * window.per_y.a,
-                                       window.at.b + x * window.per_x.b + y * window.per_y.b)));
-    lowest = std::min(lowest, number);
-    highest = std::max(highest, number);
+    const double a = window.at.a + x * window.per_x.a + y * window.per_y.a,
+                 b = window.at.b + x * window.per_x.b + y * window.per_y.b;
+    // A map may be bilinear between middles: a corner on the rim of a cell shows something between four.
+    float least = std::numeric_limits<float>::infinity(), most = -least;
+    for (int near = 0; near < 4; ++near) {
+      const float number = map.number(map.grid().cell_at(
+          position_of(map.grid(), a + (near % 2 == 0 ? -0.5 : 0.5), b + (near / 2 == 0 ? -0.5 : 0.5))));
+      least = std::min(least, number);
+      most = std::max(most, number);
+    }
+    lowest = std::min(lowest, most);
+    highest = std::max(highest, least);
   }
   const auto add = [&](const materials::NumberedMap::Place& place) {
     constexpr double kWithin = 1e-6;  // of a pixel: its own edges are in it

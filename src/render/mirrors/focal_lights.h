@@ -45,7 +45,8 @@ class FocalLights {
   /// All of them, as wings see them: what lies in one cell of a grid is one. By place.
   struct Distant {
     sampling::FocalPoint middle;
-    std::vector<float> light, variance;  ///< by channel: integral over the focal plane; of its mean over replicates
+    std::vector<float> light,
+        variance;  ///< by channel: integral over the focal plane; of its mean over replicates
   };
   std::vector<Distant> distant() const;
   /// Side of the cells, px, and how many may be: larger ones are taken where there are more.

@@ -320,16 +320,17 @@ std::vector<MirrorImages::Place> MirrorImages::places_of(const std::vector<Focal
 std::vector<sampling::FocalPoint> MirrorImages::places(double most_px) const {
   std::vector<Place> all;
   for (const std::vector<Place>& places : met_) {
-    const auto [left, right] = std::minmax_element(places.begin(), places.end(), [](const Place& a, const Place& b) {
-      return a.second < b.second;
-    });
-    const std::int32_t across = right->second - left->second, down = places.back().first - places.front().first;
+    const auto [left, right] = std::minmax_element(
+        places.begin(), places.end(), [](const Place& a, const Place& b) { return a.second < b.second; });
+    const std::int32_t across = right->second - left->second,
+                       down = places.back().first - places.front().first;
     if (kPlace_px * std::max(across, down) <= most_px) all.insert(all.end(), places.begin(), places.end());
   }
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   std::vector<sampling::FocalPoint> middles;
-  for (const auto& [row, column] : all) middles.push_back({kPlace_px * (column + 0.5), kPlace_px * (row + 0.5)});
+  for (const auto& [row, column] : all)
+    middles.push_back({kPlace_px * (column + 0.5), kPlace_px * (row + 0.5)});
   return middles;
 }
 

@@ -144,8 +144,9 @@ class Wings {
         const auto [density, unsure] = wings_[group]->density(dx, dy);
         for (const auto& [first, last] : runs_[group])
           for (std::size_t c = first; c < last; ++c)
-            farther_[c] += (density + unsure) * (std::abs(spot.light[c] - spot.area_px2 * beyond_[c]) +
-                                                 (spot.unmet.empty() ? 0.0 : static_cast<double>(spot.unmet[c])));
+            farther_[c] +=
+                (density + unsure) * (std::abs(spot.light[c] - spot.area_px2 * beyond_[c]) +
+                                      (spot.unmet.empty() ? 0.0 : static_cast<double>(spot.unmet[c])));
       }
     }
   }

@@ -52,7 +52,8 @@ class WingSpots {
   static constexpr double kOutside_px = 192.0;
 
   /// Of none where nothing outshines the scene. `others`: where mirrors and maps show such things.
-  static WingSpots find(const transport::SpectralScene& scene, const sensor::Camera& camera, std::vector<Box> others);
+  static WingSpots find(const transport::SpectralScene& scene, const sensor::Camera& camera,
+                        std::vector<Box> others);
 
   const std::vector<Box>& boxes() const { return boxes_; }
   /// The number of the first box that holds a point.
@@ -83,8 +84,8 @@ class SpotLight {
   const WingSpots& where() const { return where_; }
 
  private:
-  std::vector<float> unmet(std::uint32_t number, std::span<const float> met, double area_px2, std::uint64_t seed,
-                           sampling::Field& field) const;
+  std::vector<float> unmet(std::uint32_t number, std::span<const float> met, double area_px2,
+                           std::uint64_t seed, sampling::Field& field) const;
   const WingSpots& where_;
   std::vector<Spot> spots_;
 };

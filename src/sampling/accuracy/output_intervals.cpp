@@ -139,9 +139,11 @@ void OutputIntervals::add_traced(const Radiance& radiance, const LeafIntegrator&
         sum.add_path(c, apart, moments[r].freedom);
       }
       if (pixel.strata[r].foretold()) {
-        const double variance =
-            w * w * (by_place ? static_cast<double>(control.weighed_variance[row + column]) : control.variance[column]);
-        sum.add_path(c, variance, by_place ? static_cast<double>(control.weighed_freedom[of.output]) : control.freedom);
+        const double variance = w * w *
+                                (by_place ? static_cast<double>(control.weighed_variance[row + column])
+                                          : control.variance[column]);
+        sum.add_path(c, variance,
+                     by_place ? static_cast<double>(control.weighed_freedom[of.output]) : control.freedom);
         sum.foretold[c] += variance;
       }
       const double missed = radiance.unseen().variance(pixel, r, of.columns[c]);

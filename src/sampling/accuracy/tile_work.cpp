@@ -97,7 +97,8 @@ void TileWork::estimate() {
   for (int first = 0; first < sources_; first += group) {
     const bool ready = group >= sources_ && radiance_ != nullptr;  // by tighten_borders, of all pixels
     if (!ready) begin_radiance(first, std::min(sources_, first + group), integrator);
-    tracing_.controls().attach(radiance_->pixels(), tracing_.tracer().model(), integrator, *nearby_, tracing_.spread(),
+    tracing_.controls().attach(radiance_->pixels(), tracing_.tracer().model(), integrator, *nearby_,
+                               tracing_.spread(),
                                [this](int p) { return tracing_.errors().inverse_squares(p); });
     const std::vector<int> outputs = radiance_->outputs_reached(problem_.tile.count());
     recall_.recall_values(*radiance_, intervals_.states());

@@ -109,7 +109,8 @@ bool ControlVariates::integrate(const SourcePixel& pixel, std::size_t s, const B
   for (int side = kCoarsestMeans; side <= kFinestMeans; side *= 2) {
     BlockSums sums(stride_);
     const Grid grid{pixel, *surface(pixel.source, out.label), out.label, model, side};
-    walk(grid, [&](std::span<const FocalPoint>, std::span<const float* const> rows) { sums.add_block(rows); });
+    walk(grid,
+         [&](std::span<const FocalPoint>, std::span<const float* const> rows) { sums.add_block(rows); });
     if (sums.blocks() < kCoarsestMeans) continue;
     double share = 0.0;
     for (std::size_t c = 0; c < columns_; ++c)
@@ -134,14 +135,17 @@ bool ControlVariates::integrate(const SourcePixel& pixel, std::size_t s, const B
 }
 
 /// The same mean as each output weighs it, sum w c / sum w, and its variance, sum s^2 w^2 / (sum w)^2: s^2 by blocks as in BlockSums.
-void ControlVariates::weigh(const Grid& grid, const LeafIntegrator& integrator, StratumControl& control) const {
+void ControlVariates::weigh(const Grid& grid, const LeafIntegrator& integrator,
+                            StratumControl& control) const {
   const PixelModel& pixel = grid.pixel.model;
   const std::size_t slots = pixel.slots();
   struct Slot {
-    double weight = 0.0, squares = 0.0, untold = 0.0;  // `untold`: squares of weights in blocks that tell no variance
+    double weight = 0.0, squares = 0.0,
+           untold = 0.0;  // `untold`: squares of weights in blocks that tell no variance
   };
   std::vector<Slot> of_slot(slots);
-  std::vector<double> sums(pixel.outputs.size() * columns_, 0.0), variances(sums.size(), 0.0), mean_square(columns_, 0.0);
+  std::vector<double> sums(pixel.outputs.size() * columns_, 0.0), variances(sums.size(), 0.0),
+      mean_square(columns_, 0.0);
   double blocks = 0.0;
   std::vector<double> square(columns_);
   walk(grid, [&](std::span<const FocalPoint> points, std::span<const float* const> rows) {
@@ -182,12 +186,13 @@ void ControlVariates::weigh(const Grid& grid, const LeafIntegrator& integrator, 
       const Slot& slot = of_slot[o * pixel.groups + integrator.group_of(c)];
       if (slot.weight == 0.0) continue;
       const std::size_t at = o * columns_ + c;
-      const double total = slot.weight * slot.weight, untold = blocks > 0.0 ? slot.untold * mean_square[c] / blocks : 0.0;
+      const double total = slot.weight * slot.weight,
+                   untold = blocks > 0.0 ? slot.untold * mean_square[c] / blocks : 0.0;
       control.weighed_mean[at] = static_cast<float>(sums[at] / slot.weight);
       control.weighed_variance[at] = static_cast<float>((variances[at] + untold) / total);
       // Four values of a block make one degree of freedom.
-      control.weighed_freedom[o] =
-          std::min(control.weighed_freedom[o], static_cast<float>(std::max(1.0, 0.25 * total / slot.squares)));
+      control.weighed_freedom[o] = std::min(control.weighed_freedom[o],
+                                            static_cast<float>(std::max(1.0, 0.25 * total / slot.squares)));
     }
   }
 }

@@ -85,7 +85,8 @@ class ControlVariates {
   void take_spread(const LatticeValues& values, LabelSpread& spread) const;
   bool drop_useless(const LabelSpread& spread, const std::vector<std::uint8_t>& wanted);
   bool integrate(const SourcePixel& pixel, std::size_t stratum, const BorderModel& model,
-                 const LeafIntegrator& integrator, std::span<const double> inverse_squares, Stratum& out) const;
+                 const LeafIntegrator& integrator, std::span<const double> inverse_squares,
+                 Stratum& out) const;
   struct Grid;
   /// Calls back with each block of a grid over a stratum: points and their rows of c.
   template <class Block>
