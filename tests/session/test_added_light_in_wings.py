@@ -47,12 +47,12 @@ class AddedLightInWings(unittest.TestCase):
     def tearDown(self):
         self.folder.cleanup()
 
-    def render(self, materials, objects, psf, channel, light=None):
+    def render(self, materials, objects, psf, channel, light=None, error="1 %"):
         document = {"ifov": 1, "scene": {"materials": materials, "objects": objects}, "light": light or {},
                     "sensor": {"camera": {"frame": {"focal_length": "1 m", "pitch": "10 um", "pixels": [SIDE, SIDE],
                                                     "position": ["0 m", "0 m", "100 km"], "look_at": ["0 m", "0 m", "0 m"]}},
                                "channels": [{"name": "one", "top_hat": {"from": f"{channel[0]} um", "to": f"{channel[1]} um"}}], "psf": psf},
-                    "sampling": {"accuracy": {"error": "1 %"}}, "output": {"formats": ["envi"]}}
+                    "sampling": {"accuracy": {"error": error}}, "output": {"formats": ["envi"]}}
         (self.path / "scene.json").write_text(json.dumps(document))
         out = self.path / f"out{len(list(self.path.iterdir()))}"
         done = subprocess.run([PROGRAM, "render", str(self.path / "scene.json"), "-o", str(out), "-q"], capture_output=True, text=True, check=False)
@@ -72,7 +72,7 @@ class AddedLightInWings(unittest.TestCase):
             # Rings in the pattern, which pixels smooth, leave some per cent of its asymptote.
             self.assertLess(abs(off), 0.04 * light + min(annulus(half_width, radius), 0.2 * light) + 1e-3 * background, radius)
             # And it is no wide interval that holds it.
-            self.assertLess(annulus(half_width, radius), share * light + 0.003 * background, radius)
+            self.assertLess(annulus(half_width, radius), share * light + 0.006 * background, radius)
         whole = sum(radiance) - background * SIDE * SIDE
         # 1 - E at half the side, 2 / (pi^2 r), is beyond the picture.
         self.assertAlmostEqual(whole / energy, 1.0 - 2.0 / (math.pi**2 * 33.0), delta=0.01)
@@ -93,8 +93,8 @@ class AddedLightInWings(unittest.TestCase):
                 ball = {"sphere": {"center": ["6 m", "0.13 m", "1.21 m"], "radius": f"{radius} m"}, "material": "hot"}
                 roof = {"box": {"low": ["4 m", "-2 m", "2.5 m"], "high": ["8 m", "2 m", "2.6 m"]}, "material": "ground"}
                 materials = {"mirror": MIRROR, "ground": GROUND, "hot": {"reflectance": 0.0, "temperature": "1200 K"}}
-                radiance, half_width = self.render(materials, [{"plane": {}, "material": "ground"}, mirror, ball, roof], AIRY, (3.94, 3.96))
-                self.compare(HOT * math.pi * radius**2, planck(3.95, 280.0), radiance, half_width)
+                radiance, half_width = self.render(materials, [{"plane": {}, "material": "ground"}, mirror, ball, roof], AIRY, (3.94, 3.96), error="3 %")
+                self.compare(HOT * math.pi * radius**2, planck(3.95, 280.0), radiance, half_width, share=0.6)
 
     def test_a_hot_cell_of_a_map(self):
         rows = [["280"] * 240 for _ in range(240)]
@@ -109,7 +109,7 @@ class AddedLightInWings(unittest.TestCase):
         for a in tent:
             energy += sum(planck(3.95, 280.0 + 920.0 * a * b) - planck(3.95, 280.0) for b in tent)
         energy *= 4.0 * 0.25 / steps**2
-        self.compare(energy, planck(3.95, 280.0), radiance, half_width)
+        self.compare(energy, planck(3.95, 280.0), radiance, half_width, share=0.6)
 
 
 if __name__ == "__main__":
