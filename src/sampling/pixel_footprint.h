@@ -1,6 +1,9 @@
 #pragma once
 
+#include <span>
 #include <vector>
+
+#include "sampling/random.h"
 
 namespace ifov::sampling {
 
@@ -37,6 +40,9 @@ class PixelFootprint {
 
   /// h(dx, dy), bilinear between cell centres; 0 outside.
   double density(double dx_px, double dy_px) const;
+  /// The same at many places, about a footprint that stands at `centre`: of each place, what density() says.
+  void densities(std::span<const double> x_px, std::span<const double> y_px, Point2 centre,
+                 std::span<double> found) const;
 
   /// Integral of h over the rectangle [x0, x1] x [y0, y1] (about the pixel's centre), of what density() says.
   double integral(double x0_px, double y0_px, double x1_px, double y1_px) const;

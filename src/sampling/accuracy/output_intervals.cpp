@@ -43,12 +43,12 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
   sums_.clear(outputs, n);
   leading_.assign(states_.size(), {kNoLabel, 0.0});
   std::vector<StratumMoments> moments;
-  std::vector<ClutterRound::Moment> clutter;
   WeighedMoments weighed;
-  const std::vector<std::vector<std::size_t>> by_group = footprints_.positions(columns);
-  std::vector<std::vector<int>> columns_of(by_group.size());
+  Asked asked{columns, footprints_.positions(columns), {}};
+  const auto& by_group = asked.positions;
+  asked.columns_of.resize(by_group.size());
   for (std::size_t g = 0; g < by_group.size(); ++g)
-    for (const std::size_t c : by_group[g]) columns_of[g].push_back(columns[c]);
+    for (const std::size_t c : by_group[g]) asked.columns_of[g].push_back(columns[c]);
   for (const PlainPixel& pixel : radiance.pixels().plain()) {
     const OutputSums::Row sum = sums_[pixel.output];
     for (std::size_t c = 0; c < n; ++c) sum.mean[c] += pixel.weight * table_.mean(pixel.label)[columns[c]];
@@ -57,26 +57,7 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
     const PixelModel& model = pixel.model;
     if (model.outputs.empty()) continue;
     if (pixel.cluttered) {
-      for (int output : model.outputs) {
-        const OutputSums::Row sum = sums_[output];
-        const double count = pixel.clutter_count();
-        for (std::size_t g = 0; g < by_group.size(); ++g) {
-          const double w = integrator.whole_weight(pixel.source, output, g);
-          if (by_group[g].empty() || (w == 0.0 && model.groups > 1)) continue;
-          RadianceClutter::moments(pixel, integrator.unit_box() ? nullptr : &integrator.footprint(g),
-                                   integrator.centre(output, g), columns_of[g], clutter);
-          for (std::size_t k = 0; k < by_group[g].size(); ++k) {
-            const std::size_t c = by_group[g][k];
-            sum.mean[c] += w * clutter[k].mean;
-            const double missed = radiance.unseen().variance(pixel, 0, columns[c]);
-            sum.add_path(c, w * w * clutter[k].variance, clutter[k].freedom);
-            sum.add_path(c, w * w * missed, INFINITY);
-            sum.unmet[c] += w * w * missed;
-            sum.deviation[c] += w * std::sqrt(clutter[k].variance * count);
-            sum.deviation_unmet[c] += w * std::sqrt((clutter[k].variance + missed) * count);
-          }
-        }
-      }
+      add_clutter(radiance, integrator, pixel, asked);
       continue;
     }
     const std::size_t regions = model.labels.size();
@@ -87,6 +68,36 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
         add_traced(radiance, integrator, {pixel, moments, o, g, columns, by_group[g]}, weighed);
   }
   settle_paths(outputs, n);
+}
+
+/// What a cluttered pixel adds to its outputs.
+void OutputIntervals::add_clutter(const Radiance& radiance, const LeafIntegrator& integrator,
+                                  const SourcePixel& pixel, const Asked& asked) {
+  const PixelModel& model = pixel.model;
+  const double count = pixel.clutter_count();
+  const bool by_groups = model.groups > 1;
+  if (by_groups) clutter_.take(pixel, integrator, asked.columns, asked.positions);
+  for (std::size_t o = 0; o < model.outputs.size(); ++o) {
+    const OutputSums::Row sum = sums_[model.outputs[o]];
+    for (std::size_t g = 0; g < asked.positions.size(); ++g) {
+      const double w = integrator.whole_weight(pixel.source, model.outputs[o], g);
+      if (asked.positions[g].empty() || (w == 0.0 && by_groups)) continue;
+      if (!by_groups)
+        RadianceClutter::moments(pixel, integrator.unit_box() ? nullptr : &integrator.footprint(g),
+                                 integrator.centre(model.outputs[o], g), asked.columns_of[g], moments_);
+      for (std::size_t k = 0; k < asked.positions[g].size(); ++k) {
+        const std::size_t c = asked.positions[g][k];
+        const ClutterRound::Moment found = by_groups ? clutter_.of(o).moment(c) : moments_[k];
+        sum.mean[c] += w * found.mean;
+        const double missed = radiance.unseen().variance(pixel, 0, asked.columns[c]);
+        sum.add_path(c, w * w * found.variance, found.freedom);
+        sum.add_path(c, w * w * missed, INFINITY);
+        sum.unmet[c] += w * w * missed;
+        sum.deviation[c] += w * std::sqrt(found.variance * count);
+        sum.deviation_unmet[c] += w * std::sqrt((found.variance + missed) * count);
+      }
+    }
+  }
 }
 
 void OutputIntervals::settle_paths(std::span<const int> outputs, std::size_t columns) {

@@ -6,6 +6,7 @@
 
 #include "sampling/accuracy/output_state.h"
 #include "sampling/accuracy/output_sums.h"
+#include "sampling/accuracy/radiance/clutter_sums.h"
 #include "sampling/pixel_limits.h"
 
 namespace ifov::sampling {
@@ -48,6 +49,14 @@ class OutputIntervals {
     std::uint32_t label;
     double variance;
   };
+  /// The columns that are asked, and by group their positions and themselves.
+  struct Asked {
+    std::span<const int> columns;
+    std::vector<std::vector<std::size_t>> positions;
+    std::vector<std::vector<int>> columns_of;
+  };
+  void add_clutter(const Radiance& radiance, const LeafIntegrator& integrator, const SourcePixel& pixel,
+                   const Asked& asked);
   void settle_paths(std::span<const int> outputs, std::size_t columns);
   /// A traced pixel, one of its outputs, and the group that some of the asked columns are of.
   struct Traced {
@@ -66,7 +75,9 @@ class OutputIntervals {
   Stopping stopping_;
   std::vector<OutputState> states_;
   OutputSums sums_;
-  std::vector<Leading> leading_;  // of outputs
+  ClutterSums clutter_;
+  std::vector<ClutterRound::Moment> moments_;  // of clutter
+  std::vector<Leading> leading_;               // of outputs
 };
 
 }  // namespace ifov::sampling
