@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "sampling/accuracy/radiance/clutter_round.h"
+#include "sampling/accuracy/weights/clutter_round.h"
 #include "sampling/field.h"
 #include "sampling/hash.h"
 #include "sampling/pixel_footprint.h"

@@ -5,13 +5,13 @@
 
 #include "sampling/accuracy/basis/label_table.h"
 #include "sampling/accuracy/radiance/footprint_weights.h"
-#include "sampling/accuracy/radiance/leaf_integrator.h"
 #include "sampling/accuracy/radiance/radiance.h"
 #include "sampling/accuracy/radiance/radiance_clutter.h"
 #include "sampling/accuracy/radiance/sequence_gains.h"
 #include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/accuracy/radiance/stratum_moments.h"
 #include "sampling/accuracy/radiance/unseen_values.h"
+#include "sampling/accuracy/weights/leaf_integrator.h"
 #include "sampling/footprint_groups.h"
 
 namespace ifov::sampling {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "sampling/accuracy/radiance/clutter_grid.h"
-#include "sampling/accuracy/radiance/leaf_integrator.h"
 #include "sampling/accuracy/radiance/radiance_clutter.h"
 #include "sampling/accuracy/radiance/strata.h"
+#include "sampling/accuracy/weights/clutter_grid.h"
+#include "sampling/accuracy/weights/leaf_integrator.h"
 
 namespace ifov::sampling {
 

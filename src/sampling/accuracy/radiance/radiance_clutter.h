@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "sampling/accuracy/radiance/clutter_round.h"
+#include "sampling/accuracy/weights/clutter_round.h"
 
 namespace ifov::sampling {
 

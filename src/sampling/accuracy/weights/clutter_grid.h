@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "sampling/accuracy/radiance/clutter_round.h"
+#include "sampling/accuracy/weights/clutter_round.h"
 
 namespace ifov::sampling {
 

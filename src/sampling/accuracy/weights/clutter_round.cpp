@@ -1,4 +1,4 @@
-#include "sampling/accuracy/radiance/clutter_round.h"
+#include "sampling/accuracy/weights/clutter_round.h"
 
 #include <algorithm>
 

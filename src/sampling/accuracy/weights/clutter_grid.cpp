@@ -1,4 +1,4 @@
-#include "sampling/accuracy/radiance/clutter_grid.h"
+#include "sampling/accuracy/weights/clutter_grid.h"
 
 #include <algorithm>
 #include <numeric>

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "sampling/accuracy/radiance/block_sums.h"
+#include "sampling/accuracy/weights/block_sums.h"
 #include "sampling/random.h"
 
 namespace ifov::sampling {

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
-#include "sampling/accuracy/radiance/pixel_model.h"
+#include "sampling/accuracy/weights/cell_weights.h"
+#include "sampling/accuracy/weights/pixel_model.h"
+#include "sampling/accuracy/weights/polygon_nodes.h"
 #include "sampling/footprint_groups.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/pixel_rect.h"
@@ -45,6 +48,7 @@ class LeafIntegrator {
   struct Slot {
     std::size_t at, group;  ///< position in the model's lists
     Point2 centre;
+    int column, row;  ///< the first cell of the output's pixel
   };
   void outputs_of(int source, PixelModel& model) const;
   void leaves_of(int source) const;
@@ -54,6 +58,8 @@ class LeafIntegrator {
   void add_junction(const Cell& cell, PixelModel& model) const;
   void add_curve(const Cell& cell, PixelModel& model) const;
   double over_polygon(const Polygon& polygon, const Slot& slot) const;
+  void begin_polygon(std::size_t which) const;
+  double over_shared(const Polygon& polygon, std::size_t which, const Slot& slot) const;
   double density(Point2 at, const Slot& slot) const {
     return footprint(slot.group).density(at.x - slot.centre.x, at.y - slot.centre.y);
   }
@@ -66,6 +72,15 @@ class LeafIntegrator {
   PixelRect tile_;
   bool unit_box_;
   double plain_weight_ = 0.0;
+  std::optional<CellWeights> weights_;  // of several groups
+  std::vector<double> longest_;  // of triangles, by rule: footprints of several groups share what they can
+  std::vector<std::size_t> rule_of_;  // by group
+  /// Of up to three polygons at a time, by rule.
+  struct Placed {
+    PolygonNodes nodes;
+    bool ready = false;
+  };
+  mutable std::vector<Placed> placed_[3];
   mutable std::vector<std::uint32_t> leaves_;  // of the pixel at hand
   mutable std::vector<Slot> slots_;
 };
