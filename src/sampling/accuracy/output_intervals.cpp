@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sampling/accuracy/basis/label_table.h"
+#include "sampling/accuracy/radiance/clutter_sums.h"
 #include "sampling/accuracy/radiance/footprint_weights.h"
 #include "sampling/accuracy/radiance/radiance.h"
 #include "sampling/accuracy/radiance/radiance_clutter.h"
@@ -27,6 +28,28 @@ double value_variance(const SourcePixel& pixel, const std::vector<StratumMoments
 
 }  // namespace
 
+/// The columns that are asked, and by group their positions and themselves.
+struct OutputIntervals::Asked {
+  std::span<const int> columns;
+  std::vector<std::vector<std::size_t>> positions;
+  std::vector<std::vector<int>> columns_of;
+};
+
+/// A traced pixel, one of its outputs, and the group that some of the asked columns are of.
+struct OutputIntervals::Traced {
+  const SourcePixel& pixel;
+  const std::vector<StratumMoments>& moments;  ///< by region
+  std::size_t output, group;
+  std::span<const int> columns;      ///< all that are asked
+  std::span<const std::size_t> own;  ///< positions of the group's
+};
+
+/// The label that most of an output's variance comes from: of the stratum that has most of it.
+struct OutputIntervals::Leading {
+  std::uint32_t label;
+  double variance;
+};
+
 OutputIntervals::OutputIntervals(const Tolerance& tolerance, const LaterLight* later, const LabelTable& table,
                                  int outputs, const ColumnFootprints& footprints)
     : limits_(tolerance, later),
@@ -35,7 +58,10 @@ OutputIntervals::OutputIntervals(const Tolerance& tolerance, const LaterLight* l
       stopping_(tolerance.confidence()),
       states_(static_cast<std::size_t>(outputs)),
       // Values that weigh unlike are kept, and their paths' replicates tell a variance.
-      sums_(states_.size(), !footprints.whole_pixel()) {}
+      sums_(states_.size(), !footprints.whole_pixel()),
+      clutter_(std::make_unique<ClutterSums>()) {}
+
+OutputIntervals::~OutputIntervals() = default;
 
 void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& integrator,
                              std::span<const int> columns, std::span<const int> outputs) {
@@ -76,7 +102,8 @@ void OutputIntervals::add_clutter(const Radiance& radiance, const LeafIntegrator
   const PixelModel& model = pixel.model;
   const double count = pixel.clutter_count();
   const bool by_groups = model.groups > 1;
-  if (by_groups) clutter_.take(pixel, integrator, asked.columns, asked.positions);
+  std::vector<ClutterRound::Moment> moments;
+  if (by_groups) clutter_->take(pixel, integrator, asked.columns, asked.positions);
   for (std::size_t o = 0; o < model.outputs.size(); ++o) {
     const OutputSums::Row sum = sums_[model.outputs[o]];
     for (std::size_t g = 0; g < asked.positions.size(); ++g) {
@@ -84,10 +111,10 @@ void OutputIntervals::add_clutter(const Radiance& radiance, const LeafIntegrator
       if (asked.positions[g].empty() || (w == 0.0 && by_groups)) continue;
       if (!by_groups)
         RadianceClutter::moments(pixel, integrator.unit_box() ? nullptr : &integrator.footprint(g),
-                                 integrator.centre(model.outputs[o], g), asked.columns_of[g], moments_);
+                                 integrator.centre(model.outputs[o], g), asked.columns_of[g], moments);
       for (std::size_t k = 0; k < asked.positions[g].size(); ++k) {
         const std::size_t c = asked.positions[g][k];
-        const ClutterRound::Moment found = by_groups ? clutter_.of(o).moment(c) : moments_[k];
+        const ClutterRound::Moment found = by_groups ? clutter_->of(o).moment(c) : moments[k];
         sum.mean[c] += w * found.mean;
         const double missed = radiance.unseen().variance(pixel, 0, asked.columns[c]);
         sum.add_path(c, w * w * found.variance, found.freedom);

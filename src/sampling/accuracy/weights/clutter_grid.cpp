@@ -34,7 +34,7 @@ ClutterGrid::ClutterGrid(const ClutterRound& round, std::span<const int> columns
   const auto at = [side](int i, int j) { return static_cast<std::size_t>(j) * side + i; };
   for (int j = 0; j < side; ++j)
     for (int i = 0; i < side; ++i) {
-      const Point2 point = round.point(i, j);
+      const Point2 point = round.points_[round.place(i, j)];
       x_[at(i, j)] = point.x, y_[at(i, j)] = point.y;
     }
   for (const int column : columns) {
@@ -43,7 +43,9 @@ ClutterGrid::ClutterGrid(const ClutterRound& round, std::span<const int> columns
     c.across.resize(round.count());
     c.down.resize(round.count() - side_);
     for (int j = 0; j < side; ++j)
-      for (int i = 0; i < side; ++i) c.value[at(i, j)] = round.value(i, j, column);
+      for (int i = 0; i < side; ++i)
+        c.value[at(i, j)] =
+            round.values_[round.place(i, j) * round.stride_ + static_cast<std::size_t>(column)];
     const auto between = [&](std::size_t p, std::size_t q) {
       const double step = c.value[p] - c.value[q];
       return ClutterRound::kPerPair * step * step;

@@ -11,6 +11,9 @@ namespace ifov::sampling {
 ClutterRound::ClutterRound(int side, std::size_t stride, bool keep)
     : side_(side), stride_(stride), keep_(keep), sums_(stride) {}
 
+// kPerPair: a value in a cell with the share p beyond a border has the variance p (1 - p) of the step. Over straight borders
+// anywhere, that sums up to an eighth for each pair of unlike neighbours. (Noise alone sums up to half its variance.)
+
 void ClutterRound::request(int px, int py, std::uint64_t key, const Paths& paths, std::uint32_t block,
                            std::vector<PathRequest>& requests) const {
   const double cell = 1.0 / side_;

@@ -54,14 +54,6 @@ class ClutterRound {
   }  ///< variance of the values, wherever they stand
   /// Weights of the values as the footprint about `centre` has them.
   std::vector<double> weigh(const PixelFootprint& footprint, Point2 centre) const;
-  /// Of kept values, where the one of a cell is and what it is.
-  Point2 point(int i, int j) const { return points_[place(i, j)]; }
-  double value(int i, int j, int column) const {
-    return values_[place(i, j) * stride_ + static_cast<std::size_t>(column)];
-  }
-  /// A value in a cell with the share p beyond a border has the variance p (1 - p) of the step. Over straight borders
-  /// anywhere, that sums up to an eighth for each pair of unlike neighbours. (Noise alone sums up to half its variance.)
-  static constexpr double kPerPair = 1.0 / 8.0;
   /// Of values that weigh so; of values that weigh alike where none lies under the footprint.
   Moment moment(int column, std::span<const double> weights) const;
 
@@ -89,6 +81,8 @@ class ClutterRound {
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& materials() const { return materials_; }
 
  private:
+  friend class ClutterGrid;
+  static constexpr double kPerPair = 1.0 / 8.0;
   /// Of the value of a cell, in the order in which they come.
   std::size_t place(int i, int j) const {
     return static_cast<std::size_t>(((j / 2) * (side_ / 2) + i / 2) * static_cast<int>(kBlock) + j % 2 * 2 +

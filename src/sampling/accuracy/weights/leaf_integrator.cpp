@@ -6,7 +6,9 @@
 #include "sampling/accuracy/borders/border_model.h"
 #include "sampling/accuracy/borders/edge_cells.h"
 #include "sampling/accuracy/edges/edge_tracer.h"
+#include "sampling/accuracy/weights/cell_weights.h"
 #include "sampling/accuracy/weights/polygon_fan.h"
+#include "sampling/accuracy/weights/polygon_nodes.h"
 
 namespace ifov::sampling {
 
@@ -16,6 +18,27 @@ namespace {
 constexpr double kLongest_cells = 4.0;
 
 }  // namespace
+
+struct LeafIntegrator::Shared {
+  Shared(const ColumnFootprints& footprints, int cells_per_pixel) : weights(footprints, cells_per_pixel) {
+    for (std::size_t group = 0; group < footprints.groups(); ++group) {
+      const double limit = kLongest_cells * footprints.footprint(group).cell_px();
+      const auto at = std::find(longest.begin(), longest.end(), limit);
+      rule_of.push_back(static_cast<std::size_t>(at - longest.begin()));
+      if (at == longest.end()) longest.push_back(limit);
+    }
+    for (std::vector<Placed>& of_polygon : placed) of_polygon.resize(longest.size());
+  }
+
+  struct Placed {
+    PolygonNodes nodes;
+    bool ready = false;
+  };
+  CellWeights weights;
+  std::vector<double> longest;       // of triangles, by rule
+  std::vector<std::size_t> rule_of;  // by group
+  std::vector<Placed> placed[3];     // of up to three polygons at a time, by rule
+};
 
 LeafIntegrator::LeafIntegrator(const EdgeTracer& tracer, const ColumnFootprints& footprints, PixelRect tile)
     : tree_(tracer.tree()),
@@ -29,16 +52,10 @@ LeafIntegrator::LeafIntegrator(const EdgeTracer& tracer, const ColumnFootprints&
   const double side = lattice_.side_px(0);
   for (int i = 0; i < lattice_.cells_per_pixel() * lattice_.cells_per_pixel(); ++i)
     plain_weight_ += side * side;
-  if (footprints.groups() == 1) return;
-  weights_.emplace(footprints, lattice_.cells_per_pixel());
-  for (std::size_t group = 0; group < footprints.groups(); ++group) {
-    const double longest = kLongest_cells * footprint(group).cell_px();
-    const auto at = std::find(longest_.begin(), longest_.end(), longest);
-    rule_of_.push_back(static_cast<std::size_t>(at - longest_.begin()));
-    if (at == longest_.end()) longest_.push_back(longest);
-  }
-  for (std::vector<Placed>& placed : placed_) placed.resize(longest_.size());
+  if (footprints.groups() > 1) shared_ = std::make_unique<Shared>(footprints, lattice_.cells_per_pixel());
 }
+
+LeafIntegrator::~LeafIntegrator() = default;
 
 bool LeafIntegrator::plain(int source, int& output, std::uint32_t& label, double& weight) const {
   if (!unit_box_ || edge_cells_.crossed(static_cast<std::uint32_t>(source))) return false;
@@ -102,9 +119,10 @@ void LeafIntegrator::outputs_of(int source, PixelModel& model) const {
 
 double LeafIntegrator::whole_weight(int source, int output, std::size_t group) const {
   const PixelRect& domain = lattice_.domain();
-  if (weights_)
-    return weights_->of_pixel(group, domain.x0 + source % domain.width() - tile_.x0 - output % tile_.width(),
-                              domain.y0 + source / domain.width() - tile_.y0 - output / tile_.width());
+  if (shared_)
+    return shared_->weights.of_pixel(group,
+                                     domain.x0 + source % domain.width() - tile_.x0 - output % tile_.width(),
+                                     domain.y0 + source / domain.width() - tile_.y0 - output / tile_.width());
   const Point2 c = centre(output, group);
   const double x = domain.x0 + source % domain.width() - c.x, y = domain.y0 + source / domain.width() - c.y;
   return footprint(group).integral(x, y, x + 1.0, y + 1.0);
@@ -141,15 +159,16 @@ double LeafIntegrator::over_polygon(const Polygon& polygon, const Slot& slot) co
 
 /// Footprints are integrated over a polygon that others look at, too: `which` of up to three.
 void LeafIntegrator::begin_polygon(std::size_t which) const {
-  for (Placed& placed : placed_[which]) placed.ready = false;
+  if (!shared_) return;
+  for (Shared::Placed& placed : shared_->placed[which]) placed.ready = false;
 }
 
 /// As over_polygon(); where there are several groups the rule's places are found once for all outputs.
 double LeafIntegrator::over_shared(const Polygon& polygon, std::size_t which, const Slot& slot) const {
-  if (!weights_ || footprint(slot.group).cell_px() == 0.0) return over_polygon(polygon, slot);
-  const std::size_t rule = rule_of_[slot.group];
-  Placed& placed = placed_[which][rule];
-  if (!placed.ready) placed.nodes.place(polygon, longest_[rule]);
+  if (!shared_ || footprint(slot.group).cell_px() == 0.0) return over_polygon(polygon, slot);
+  const std::size_t rule = shared_->rule_of[slot.group];
+  Shared::Placed& placed = shared_->placed[which][rule];
+  if (!placed.ready) placed.nodes.place(polygon, shared_->longest[rule]);
   placed.ready = true;
   return placed.nodes.over(footprint(slot.group), slot.centre);
 }
@@ -158,9 +177,9 @@ double LeafIntegrator::over_shared(const Polygon& polygon, std::size_t which, co
 double LeafIntegrator::cell_weight(const Cell& cell, const Slot& slot) const {
   const double side = lattice_.side_px(cell.level);
   if (unit_box_) return side * side;
-  if (weights_ && cell.level == 0)
-    return weights_->of_cell(slot.group, (cell.x >> kMaxLevel) - slot.column,
-                             (cell.y >> kMaxLevel) - slot.row);
+  if (shared_ && cell.level == 0)
+    return shared_->weights.of_cell(slot.group, (cell.x >> kMaxLevel) - slot.column,
+                                    (cell.y >> kMaxLevel) - slot.row);
   const double x0 = lattice_.x_px(cell.x), y0 = lattice_.y_px(cell.y);
   const Point2 c = slot.centre;
   return footprint(slot.group).integral(x0 - c.x, y0 - c.y, x0 + side - c.x, y0 + side - c.y);
@@ -229,7 +248,7 @@ void LeafIntegrator::add_junction(const Cell& cell, PixelModel& model) const {
   const std::size_t slots = model.slots();
   for (const Slot& slot : slots_) {
     const double weight = cell_weight(cell, slot);
-    if (weights_ && weight == 0.0) continue;
+    if (shared_ && weight == 0.0) continue;
     const double at_point = unit_box_ ? 1.0 : density(junction.at, slot);
     double inside[3], sum = 0.0;
     for (int s = 0; s < 3; ++s)
@@ -265,7 +284,7 @@ void LeafIntegrator::add_curve(const Cell& cell, PixelModel& model) const {
   begin_polygon(0);
   for (const Slot& slot : slots_) {
     const double weight = cell_weight(cell, slot);
-    if (weights_ && weight == 0.0) continue;
+    if (shared_ && weight == 0.0) continue;
     double inner = area, at_middle = 1.0;
     if (!unit_box_) {
       // Where the footprint is straight over the cell one place says it all.

@@ -1,12 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <vector>
 
-#include "sampling/accuracy/weights/cell_weights.h"
 #include "sampling/accuracy/weights/pixel_model.h"
-#include "sampling/accuracy/weights/polygon_nodes.h"
 #include "sampling/footprint_groups.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/pixel_rect.h"
@@ -26,6 +24,7 @@ struct Polygon;
 class LeafIntegrator {
  public:
   LeafIntegrator(const EdgeTracer& tracer, const ColumnFootprints& footprints, PixelRect tile);
+  ~LeafIntegrator();
 
   /// The model of the source pixel with this index in the tracer's domain.
   void pixel(int source, PixelModel& model) const;
@@ -72,15 +71,8 @@ class LeafIntegrator {
   PixelRect tile_;
   bool unit_box_;
   double plain_weight_ = 0.0;
-  std::optional<CellWeights> weights_;  // of several groups
-  std::vector<double> longest_;  // of triangles, by rule: footprints of several groups share what they can
-  std::vector<std::size_t> rule_of_;  // by group
-  /// Of up to three polygons at a time, by rule.
-  struct Placed {
-    PolygonNodes nodes;
-    bool ready = false;
-  };
-  mutable std::vector<Placed> placed_[3];
+  struct Shared;
+  std::unique_ptr<Shared> shared_;             // what several groups share; null for one
   mutable std::vector<std::uint32_t> leaves_;  // of the pixel at hand
   mutable std::vector<Slot> slots_;
 };
