@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "sensor/mtf.h"
 #include "sensor/zernike.h"
 
 namespace ifov::sensor {
@@ -66,9 +67,9 @@ void check_pupil(const Pupil& pupil) {
         format("a pupil's PSF with wavelength times f-number of {:.3g} px; expected 0.001 to 100 px", q_px));
 }
 
-PupilCells pupil_cells(const Pupil& pupil, std::size_t across, double side) {
+PupilCells pupil_cells(const Pupil& pupil, std::size_t across, double side, bool means) {
   constexpr int kParts = 8;
-  PupilCells cells{across, {}};
+  PupilCells cells{across, {}, 0.0};
   cells.amplitude.reserve(across * across);
   const double first = -0.5 * static_cast<double>(across) * side;
   for (std::size_t j = 0; j < across; ++j)
@@ -86,8 +87,17 @@ PupilCells pupil_cells(const Pupil& pupil, std::size_t across, double side) {
         cells.amplitude.emplace_back();
         continue;
       }
-      cells.amplitude.push_back(std::polar(static_cast<double>(open) / (kParts * kParts),
-                                           -2.0 * kHalfTurn * pupil.wavefront_waves(mx / open, my / open)));
+      const double share = static_cast<double>(open) / (kParts * kParts), cx = mx / open, cy = my / open;
+      cells.open += share;
+      double mean = 1.0;
+      if (means && !pupil.is_flat()) {
+        const double half = 0.5 * side;
+        const auto of_turn = [](double waves) { return square_mtf(1.0, waves); };
+        mean = of_turn(pupil.wavefront_waves(cx + half, cy) - pupil.wavefront_waves(cx - half, cy)) *
+               of_turn(pupil.wavefront_waves(cx, cy + half) - pupil.wavefront_waves(cx, cy - half));
+      }
+      cells.amplitude.push_back(std::polar(1.0, -2.0 * kHalfTurn * pupil.wavefront_waves(cx, cy)) *
+                                (share * mean));
     }
   return cells;
 }
@@ -96,7 +106,7 @@ double strehl_ratio(const Pupil& pupil) {
   constexpr std::size_t kAcross = 256;
   std::complex<double> sum;
   double all = 0.0;
-  for (const std::complex<double>& a : pupil_cells(pupil, kAcross, 2.0 / kAcross).amplitude)
+  for (const std::complex<double>& a : pupil_cells(pupil, kAcross, 2.0 / kAcross, false).amplitude)
     sum += a, all += std::abs(a);
   return all > 0.0 ? std::norm(sum) / (all * all) : 0.0;
 }
@@ -111,17 +121,13 @@ double pupil_mtf(const Pupil& pupil, double cycles_px) {
   }
   const double steps = std::round(shift * kCells), side = 2.0 * shift / steps;
   const auto offset = static_cast<std::size_t>(steps);
-  const PupilCells cells = pupil_cells(pupil, static_cast<std::size_t>(std::ceil(2.0 / side)), side);
+  const PupilCells cells = pupil_cells(pupil, static_cast<std::size_t>(std::ceil(2.0 / side)), side, false);
   std::complex<double> sum;
-  double all = 0.0;  // open area
   for (std::size_t j = 0; j < cells.across; ++j) {
     const std::complex<double>* row = &cells.amplitude[j * cells.across];
-    for (std::size_t i = 0; i < cells.across; ++i) {
-      all += std::abs(row[i]);
-      if (i + offset < cells.across) sum += row[i] * std::conj(row[i + offset]);
-    }
+    for (std::size_t i = 0; i + offset < cells.across; ++i) sum += row[i] * std::conj(row[i + offset]);
   }
-  return all > 0.0 ? std::abs(sum) / all : 0.0;
+  return cells.open > 0.0 ? std::abs(sum) / cells.open : 0.0;
 }
 
 }  // namespace ifov::sensor

@@ -30,6 +30,7 @@ struct Pupil {
   double q_px() const;  ///< wavelength times f-number, in pixels
   /// Whether light passes at this place of the unit disc.
   bool open(double x, double y) const;
+  bool is_flat() const { return wavefront.empty() && defocus_m == 0.0; }
   /// In wavelengths.
   double wavefront_waves(double x, double y) const;
 };
@@ -54,8 +55,10 @@ std::unique_ptr<Psf> make_pupil_psf(const Pupil& pupil, double encircled_energy 
 struct PupilCells {
   std::size_t across = 0;
   std::vector<std::complex<double>> amplitude;
+  double open = 0.0;  ///< area, in cells
 };
-/// Cells of a side in radii of the pupil, about its middle.
-PupilCells pupil_cells(const Pupil& pupil, std::size_t across, double side);
+/// Cells of a side in radii of the pupil, about its middle. `means`: over a cell that is open the wavefront may turn the phase, and its
+/// amplitude is the mean; else that of its middle.
+PupilCells pupil_cells(const Pupil& pupil, std::size_t across, double side, bool means);
 
 }  // namespace ifov::sensor

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "math/fft.h"
 #include "sensor/energy_table.h"
+#include "sensor/mtf.h"
 #include "sensor/psf.h"
 #include "sensor/pupil.h"
 
@@ -25,7 +26,7 @@ class PupilImage {
  public:
   explicit PupilImage(const Pupil& pupil) {
     check_pupil(pupil);
-    const PupilCells cells = pupil_cells(pupil, kPupilCells, 2.0 / kPupilCells);
+    const PupilCells cells = pupil_cells(pupil, kPupilCells, 2.0 / kPupilCells, true);
     check_steepness(cells);
     reach_ = kFarthestSampled * kPerQ;
     transform(cells);
@@ -50,7 +51,7 @@ class PupilImage {
     double most = 0.0;
     const auto compare = [&](std::size_t a, std::size_t b) {
       const std::complex<double> one = cells.amplitude[a], other = cells.amplitude[b];
-      if (std::abs(one) > 0.999 && std::abs(other) > 0.999)
+      if (one != 0.0 && other != 0.0)
         most = std::max(most, std::abs(std::arg(one * std::conj(other))) / (2.0 * std::numbers::pi));
     };
     for (std::size_t j = 0; j < cells.across; ++j)
@@ -70,10 +71,7 @@ class PupilImage {
     const auto place = [](int k) {
       return static_cast<std::size_t>(k < 0 ? k + static_cast<int>(kTransform) : k);
     };
-    double energy = 0.0;
-    for (const std::complex<double>& a : cells.amplitude)
-      energy += std::abs(a);  // open area: shares are what a cell lets through
-    if (!(energy > 0.0)) throw InputError("nothing of the pupil is open");
+    if (!(cells.open > 0.0)) throw InputError("nothing of the pupil is open");
     // Rows of the pupil, of which the columns of the image are kept; then these columns.
     std::vector<std::complex<double>> across(sides * kPupilCells), line(kTransform);
     for (std::size_t j = 0; j < kPupilCells; ++j) {
@@ -84,14 +82,21 @@ class PupilImage {
         across[static_cast<std::size_t>(i + reach_) * kPupilCells + j] = line[place(i)];
     }
     share_.resize(sides * sides);
-    const double scale = 1.0 / (energy * static_cast<double>(kTransform) * static_cast<double>(kTransform));
+    // What is sampled are means over cells of the pupil: their image is that of a cell times the pupil's.
+    const auto cell = [](int k) {
+      return std::pow(square_mtf(1.0, static_cast<double>(k) / kTransform), -2.0);
+    };
+    std::vector<double> sharper;
+    for (int k = -reach_; k <= reach_; ++k) sharper.push_back(cell(k));
+    const double scale =
+        1.0 / (cells.open * static_cast<double>(kTransform) * static_cast<double>(kTransform));
     for (std::size_t i = 0; i < sides; ++i) {
       std::fill(line.begin(), line.end(), std::complex<double>{});
       std::copy_n(&across[i * kPupilCells], kPupilCells, line.begin());
       fft.transform(line);
       for (int j = -reach_; j <= reach_; ++j)
-        share_[static_cast<std::size_t>(j + reach_) * sides + i] =
-            static_cast<float>(scale * std::norm(line[place(j)]));
+        share_[static_cast<std::size_t>(j + reach_) * sides + i] = static_cast<float>(
+            scale * sharper[i] * sharper[static_cast<std::size_t>(j + reach_)] * std::norm(line[place(j)]));
     }
   }
 
@@ -158,13 +163,20 @@ class PupilPsf final : public Psf {
     kept_ = 0.0;
     for (int j = -half; j <= half; ++j)
       for (int i = -half; i <= half; ++i) {
-        within.push_back(std::hypot(i, j) <= radius_ ? image_.at(i, j) : 0.0);
+        within.push_back(std::hypot(i, j) <= radius_ ? sharpened(i, j) : 0.0);
         kept_ += within.back();
       }
     const int reach = std::clamp(2 * half, kSampled * kPerQ, kFarthestSampled * kPerQ);
     tell_wings(rings, reach);
     image_.crop(reach);
     return {2 * half + 1, 2 * half + 1, cell_px_, within};
+  }
+
+  /// A table that is even over its cells widens what it is of by a twelfth of a cell's square: less of the second differences makes it as wide.
+  double sharpened(int i, int j) const {
+    const double here = image_.at(i, j), around = image_.at(i - 1, j) + image_.at(i + 1, j) +
+                                                  image_.at(i, j - 1) + image_.at(i, j + 1);
+    return std::max(0.0, here - (around - 4.0 * here) / 24.0);
   }
 
   /// Means over rings as wide as those of the pattern, times the cube of their distance; beyond the samples the rest, falling as that
