@@ -47,7 +47,7 @@ double strehl_ratio(const Pupil& pupil);
 /// Modulation transfer function along x at a frequency in cycles a pixel: the pupil's own overlap, shifted (Hopkins 1955).
 double pupil_mtf(const Pupil& pupil, double cycles_px);
 
-/// Diffraction with a wavefront, from the pupil by Fourier transform; cut at the radius that encircles the given share of the energy, what
+/// Diffraction with a wavefront, from the pupil by Fourier transform, as a pixel responds: a point's image turned by 180 deg. Cut at the radius that encircles the given share of the energy, what
 /// lies beyond is PsfWings'.
 std::unique_ptr<Psf> make_pupil_psf(const Pupil& pupil, double encircled_energy = 0.95);
 

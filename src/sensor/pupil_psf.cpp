@@ -72,11 +72,13 @@ class PupilImage {
       return static_cast<std::size_t>(k < 0 ? k + static_cast<int>(kTransform) : k);
     };
     if (!(cells.open > 0.0)) throw InputError("nothing of the pupil is open");
+    // Of the conjugate: a pixel looks the other way than light goes, so that its response is the image of a point turned by 180 deg.
     // Rows of the pupil, of which the columns of the image are kept; then these columns.
     std::vector<std::complex<double>> across(sides * kPupilCells), line(kTransform);
     for (std::size_t j = 0; j < kPupilCells; ++j) {
       std::fill(line.begin(), line.end(), std::complex<double>{});
-      std::copy_n(&cells.amplitude[j * kPupilCells], kPupilCells, line.begin());
+      std::transform(&cells.amplitude[j * kPupilCells], &cells.amplitude[j * kPupilCells] + kPupilCells,
+                     line.begin(), [](const std::complex<double>& a) { return std::conj(a); });
       fft.transform(line);
       for (int i = -reach_; i <= reach_; ++i)
         across[static_cast<std::size_t>(i + reach_) * kPupilCells + j] = line[place(i)];
@@ -127,6 +129,7 @@ class PupilPsf final : public Psf {
   }
   double kept() const override { return kept_; }
   bool has_wings() const override { return true; }
+  bool round() const override { return false; }
   double cut_density(double dx_px, double dy_px, bool smooth) const override {
     const double r = std::hypot(dx_px, dy_px) / cell_px_;
     if (r <= radius_) return 0.0;

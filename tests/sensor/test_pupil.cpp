@@ -215,7 +215,7 @@ double most_off_the_pupils_integral(int noll, double sign) {
     const double x = k < 0 ? 0.0 : std::round(16.0 * 0.9 * std::cos(2.0 * pi * k / 12)) / 16.0,
                  y = k < 0 ? 0.0 : std::round(16.0 * 0.9 * std::sin(2.0 * pi * k / 12)) / 16.0;
     const double density = psf->energy(x - kHalf, y - kHalf, x + kHalf, y + kHalf) * 256.0 * psf->kept();
-    most = std::max(most, std::abs(density / (0.25 * pi) - by_quadrature(pupil, x, y)));
+    most = std::max(most, std::abs(density / (0.25 * pi) - by_quadrature(pupil, -x, -y)));
   }
   return most / by_quadrature(pupil, 0.0, 0.0);
 }
@@ -226,12 +226,12 @@ TEST(PupilPsf, IsThePupilsIntegral) {
     EXPECT_GT(most_off_the_pupils_integral(noll, -1.0), 0.05) << "turned around";
 }
 
-/// The image goes where the wavefront leans: by 4 q for each wave of Noll's 2 or 3.
+/// The image goes where the wavefront leans, by 4 q for each wave of Noll's 2 or 3; a pixel responds to what lies on the other side.
 TEST(PupilPsf, TiltsMoveTheImage) {
   const auto right = make_pupil_psf(with_waves(2, 0.5)), down = make_pupil_psf(with_waves(3, 0.5));
-  EXPECT_GT(right->energy(1.5, -0.5, 2.5, 0.5), 0.4);
-  EXPECT_NEAR(right->energy(1.5, -0.5, 2.5, 0.5), right->energy(1.5, -0.5, 2.0, 0.5) * 2.0, 0.01);
-  EXPECT_GT(down->energy(-0.5, 1.5, 0.5, 2.5), 0.4);
+  EXPECT_GT(right->energy(-2.5, -0.5, -1.5, 0.5), 0.4);
+  EXPECT_NEAR(right->energy(-2.5, -0.5, -1.5, 0.5), right->energy(-2.5, -0.5, -2.0, 0.5) * 2.0, 0.01);
+  EXPECT_GT(down->energy(-0.5, -2.5, 0.5, -1.5), 0.4);
 }
 
 /// Vanes spread light across themselves: a vertical pair along x.
