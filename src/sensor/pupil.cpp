@@ -21,7 +21,7 @@ double Pupil::q_px() const {
   return aperture.wavelength_um * 1e-6 * aperture.focal_length_m / (aperture.diameter_m * aperture.pitch_m);
 }
 
-bool Pupil::open(double x, double y) const {
+bool Pupil::passes(double x, double y) const {
   const double r2 = x * x + y * y;
   if (r2 > 1.0 || r2 < aperture.obscuration * aperture.obscuration) return false;
   for (int k = 0; k < spiders; ++k) {
@@ -80,7 +80,7 @@ PupilCells pupil_cells(const Pupil& pupil, std::size_t across, double side, bool
       for (int b = 0; b < kParts; ++b)
         for (int a = 0; a < kParts; ++a) {
           const double px = x + (a + 0.5) * side / kParts, py = y + (b + 0.5) * side / kParts;
-          if (!pupil.open(px, py)) continue;
+          if (!pupil.passes(px, py)) continue;
           ++open, mx += px, my += py;
         }
       if (open == 0) {

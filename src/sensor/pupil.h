@@ -29,7 +29,7 @@ struct Pupil {
 
   double q_px() const;  ///< wavelength times f-number, in pixels
   /// Whether light passes at this place of the unit disc.
-  bool open(double x, double y) const;
+  bool passes(double x, double y) const;
   bool is_flat() const { return wavefront.empty() && defocus_m == 0.0; }
   /// In wavelengths.
   double wavefront_waves(double x, double y) const;
