@@ -60,7 +60,7 @@ class PupilPsf(unittest.TestCase):
                 return scale * (defocus(0.08 / um)(x, y) + coma_to_the_right(0.06 / um)(x, y))
             found = channel_footprints.ChannelFootprints.mtf(seen["radiance"][b], 5, f)
             apart = abs(found - overlap_mtf(Q * um, f, wavefront) * numpy.sinc(0.5 * f)).max()
-            self.assertLess(apart, 0.015, um)
+            self.assertLess(apart, 0.01, um)
             # The planted fault: a wavefront of half the height.
             other = abs(found - overlap_mtf(Q * um, f, lambda x, y: wavefront(x, y, 0.5)) * numpy.sinc(0.5 * f)).max()
             self.assertGreater(other, 0.05, um)
