@@ -1,8 +1,11 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 namespace ifov::sampling {
+
+struct Point2;
 
 /// The response of one pixel over the focal plane (PSF convolved with the detector's sensitive area), as a density
 /// h(dx, dy) in 1/px^2 about the pixel's centre, with integral 1 and support |dx|, |dy| <= half_width_px.
@@ -35,8 +38,9 @@ class PixelFootprint {
   /// Uniform over the whole pixel and nothing else.
   bool whole_pixel() const { return uniform() && half_width_px() == 0.5; }
 
-  /// h(dx, dy), bilinear between cell centres; 0 outside.
+  /// h(dx, dy), bilinear between cell centres; 0 outside. densities(): at many places, of a footprint that stands `at` one.
   double density(double dx_px, double dy_px) const;
+  void densities(std::span<const double> x, std::span<const double> y, Point2 at, std::span<double> to) const;
 
   /// Integral of h over the rectangle [x0, x1] x [y0, y1] (about the pixel's centre), of what density() says.
   double integral(double x0_px, double y0_px, double x1_px, double y1_px) const;

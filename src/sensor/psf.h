@@ -38,6 +38,9 @@ class Psf {
   /// Whether that is enough to be worth rays of its own (PsfWings).
   virtual bool has_wings() const { return false; }
 
+  /// Whether the density goes by the distance from the middle alone.
+  virtual bool round() const { return true; }
+
   /// One line for people: shape, parameters, where it is cut and how much energy the cut leaves out.
   virtual std::string description() const = 0;
 };

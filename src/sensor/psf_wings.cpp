@@ -20,13 +20,14 @@ EnergyTable near_energy(const Psf& psf, double half_px, double step_px, bool smo
   const int cells = 2 * static_cast<int>(std::ceil(half_px / step_px));
   const double side = 2.0 * half_px / cells;
   std::vector<double> energy(static_cast<std::size_t>(cells) * static_cast<std::size_t>(cells));
-  // Alike in both halves of each axis.
-  for (int j = 0; j < cells / 2; ++j)
-    for (int i = 0; i < cells / 2; ++i) {
+  // Alike in both halves of each axis where it is round.
+  const bool round = psf.round();
+  for (int j = 0; j < (round ? cells / 2 : cells); ++j)
+    for (int i = 0; i < (round ? cells / 2 : cells); ++i) {
       const double e =
           side * side * psf.cut_density((i + 0.5) * side - half_px, (j + 0.5) * side - half_px, smooth);
-      for (const int row : {j, cells - 1 - j})
-        for (const int column : {i, cells - 1 - i})
+      for (const int row : {j, round ? cells - 1 - j : j})
+        for (const int column : {i, round ? cells - 1 - i : i})
           energy[static_cast<std::size_t>(row) * static_cast<std::size_t>(cells) +
                  static_cast<std::size_t>(column)] = e;
     }
@@ -83,8 +84,8 @@ PsfWings::PsfWings(const Psf& psf, double fill_factor, sampling::Point2 shift_px
             psf.cut_density(x + (a + 0.5) / kSub - 0.5 - sx, y + (b + 0.5) / kSub - 0.5 - sy, rings_average);
     return sum / (kSub * kSub);
   };
-  // Alike in all eighths where it stands in the middle.
-  const bool alike = sx == 0.0 && sy == 0.0;
+  // Alike in all eighths where it is round and stands in the middle.
+  const bool alike = psf.round() && sx == 0.0 && sy == 0.0;
   std::vector<double> quarter(static_cast<std::size_t>(kReach + 1) * (kReach + 1));
   for (int y = 0; alike && y <= kReach; ++y)
     for (int x = 0; x <= y; ++x)
@@ -110,7 +111,7 @@ double PsfWings::square(int x0, int y0, int side) const {
 void PsfWings::tabulate_radius(const Psf& psf) {
   constexpr double kStepsOverRing = 32.0, kFinestRadial_px = 1.0 / 512.0;
   const double wanted_px = 2.0 * psf.detail_px() / kStepsOverRing;
-  const bool smooth = wanted_px < kFinestRadial_px;
+  const bool smooth = wanted_px < kFinestRadial_px || !psf.round();
   radial_step_px_ = std::clamp(wanted_px, kFinestRadial_px, 1.0 / 32.0);
   const auto count = static_cast<std::size_t>((kRadialTo_px - kRadialFrom_px) / radial_step_px_) + 2;
   radial_.resize(count);

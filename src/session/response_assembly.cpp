@@ -24,8 +24,8 @@ constexpr double kWidest_px = 64.0;
 
 std::vector<sensor::ChannelResponse> responses(const io::SensorDocument& sensor,
                                                const std::vector<radiometry::Channel>& channels) {
-  const auto* airy = std::get_if<io::AiryPsf>(&sensor.psf);
-  const bool by_channel = airy != nullptr && !airy->wavelength_um;
+  const std::optional<io::AiryPsf> diffraction = diffraction_of(sensor);
+  const bool by_channel = diffraction && !diffraction->wavelength_um;
   std::vector<sensor::ChannelResponse> responses;
   for (std::size_t c = 0; c < channels.size(); ++c) {
     sensor::ChannelResponse& response = responses.emplace_back();

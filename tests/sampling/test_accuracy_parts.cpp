@@ -14,8 +14,8 @@
 #include "sampling/accuracy/borders/bracket.h"
 #include "sampling/accuracy/borders/chord.h"
 #include "sampling/accuracy/borders/clutter.h"
-#include "sampling/accuracy/radiance/pixel_model.h"
 #include "sampling/accuracy/radiance/spread.h"
+#include "sampling/accuracy/weights/pixel_model.h"
 
 namespace ifov::sampling::test_accuracy_parts {
 namespace {

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
 
-#include "sampling/accuracy/radiance/clutter_round.h"
+#include "sampling/accuracy/weights/clutter_grid.h"
+#include "sampling/accuracy/weights/clutter_round.h"
 #include "sampling/field.h"
 #include "sampling/hash.h"
 #include "sampling/pixel_footprint.h"
@@ -169,6 +171,43 @@ TEST(ClutterRound, AFootprintOverNoValueLeavesThePlainMean) {
   const ClutterRound round = filled(4, 11, true, [](double, double, std::uint64_t) { return 5.0; });
   const std::vector<double> weights = round.weigh(PixelFootprint::box(1.0), {20.0, 3.5});
   EXPECT_DOUBLE_EQ(round.moment(0, weights).mean, 5.0);
+}
+
+/// Of a grid for many footprints, as ClutterRound has it for one: a slope, a border and noise, under the middle and the rim of a
+/// footprint. `shifted_px`: a planted fault.
+double largest_difference_of_grids(double shifted_px) {
+  double most = 0.0;
+  for (const int side : {4, 6, 18}) {
+    const ClutterRound round = filled(side, hash(13, side), true, [](double x, double y, std::uint64_t path) {
+      return x + (0.9 * x + 0.4 * y > 0.6 ? 2.0 : 0.0) + 0.1 * unit_double(path);
+    });
+    std::vector<double> values;
+    for (int k = 0; k < 144; ++k)
+      values.push_back(std::exp(-0.05 * ((k % 12 - 5.5) * (k % 12 - 5.5) + (k / 12 - 5.5) * (k / 12 - 5.5))));
+    const PixelFootprint footprint = PixelFootprint::tabulated(1.2, 12, values);
+    const int column = 0;
+    ClutterGrid grid(round, {&column, 1});
+    for (const Point2 centre : {Point2{2.5, 3.5}, {1.6, 3.9}, {3.6, 4.4}}) {
+      const ClutterRound::Moment one = round.moment(column, round.weigh(footprint, centre));
+      if (!grid.weigh(footprint, {centre.x + shifted_px, centre.y})) return INFINITY;
+      const ClutterRound::Moment found = grid.moment(0);
+      most = std::max({most, std::abs(found.mean / one.mean - 1.0),
+                       std::abs(found.variance / one.variance - 1.0),
+                       std::abs(found.freedom / one.freedom - 1.0)});
+    }
+  }
+  return most;
+}
+
+TEST(ClutterGrid, SaysWhatItsRoundSays) {
+  EXPECT_LT(largest_difference_of_grids(0.0), 1e-11);
+  EXPECT_GT(largest_difference_of_grids(0.01), 1e-4) << "a shift that is not applied is seen";
+}
+
+TEST(ClutterGrid, KnowsWhereNoValueLiesUnderTheFootprint) {
+  const ClutterRound round = filled(4, 11, true, [](double, double, std::uint64_t) { return 5.0; });
+  const int column = 0;
+  EXPECT_FALSE(ClutterGrid(round, {&column, 1}).weigh(PixelFootprint::box(1.0), {20.0, 3.5}));
 }
 
 TEST(ClutterRound, CountsMaterials) {

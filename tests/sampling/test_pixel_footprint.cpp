@@ -46,6 +46,23 @@ TEST(PixelFootprint, TabulatedIsNormalisedAndAdditive) {
   EXPECT_EQ(g.density(2.01, 0.0), 0.0);
 }
 
+/// To the last bit, within the table, on its rim and beyond.
+TEST(PixelFootprint, DensitiesAreThoseOfSinglePlaces) {
+  std::vector<double> x, y;
+  for (int k = 0; k < 40; ++k)
+    for (int l = 0; l < 40; ++l) x.push_back(-2.6 + 0.13 * k), y.push_back(-2.6 + 0.13 * l);
+  const Point2 centre{0.07, -0.31};
+  for (const PixelFootprint& f :
+       {gaussian(0.6, 2.0, 16), PixelFootprint::tabulated(0.7, 1, {5.0}), PixelFootprint::box(0.9),
+        PixelFootprint::tabulated(1.0, 2, {1.0, 2.0, 3.0, 0.0}),
+        PixelFootprint::striped(0.8, {{-0.5, 0.2, 1.0, 2.0}, {0.2, 0.9, 2.0, 0.0}})}) {
+    std::vector<double> found(x.size());
+    f.densities(x, y, centre, found);
+    for (std::size_t k = 0; k < x.size(); ++k)
+      EXPECT_EQ(found[k], f.density(x[k] - centre.x, y[k] - centre.y)) << x[k] << ' ' << y[k];
+  }
+}
+
 TEST(PixelFootprint, DensityIntegratesToOne) {
   for (const PixelFootprint& f : {gaussian(0.6, 2.0, 16), PixelFootprint::tabulated(0.7, 1, {5.0}),
                                   PixelFootprint::tabulated(1.0, 2, {1.0, 2.0, 3.0, 0.0})}) {

@@ -15,6 +15,7 @@ namespace ifov::io {
 class CameraSettings;
 struct DetectorDocument;
 struct OpticsDocument;
+struct PupilDocument;
 struct SnrDocument;
 
 struct CameraDocument {
@@ -70,9 +71,8 @@ struct GaussianPsf {
 };
 /// Diffraction of a circular aperture. Its size in pixels takes focal length and pitch: of the camera, or of optics and detector.
 struct AiryPsf {
-  std::optional<double> aperture_m;     ///< that of the optics if not given
-  std::optional<double> wavelength_um;  ///< each channel's own if not given
-  std::optional<double> obscuration;    ///< that of the optics where the aperture is theirs, else 0
+  std::optional<double> aperture_m, wavelength_um;  ///< that of the optics, each channel's own if not given
+  std::optional<double> obscuration;  ///< that of the optics where the aperture is theirs, else 0
 };
 struct KernelPsf {
   DocumentFile file;               ///< an image, its centre at the pixel's centre
@@ -82,7 +82,7 @@ struct KernelPsf {
 struct SensorDocument {
   CameraDocument camera;
   std::vector<ChannelDocument> channels;  ///< at least one; names are unique
-  std::variant<NoPsf, GaussianPsf, AiryPsf, KernelPsf> psf;
+  std::variant<NoPsf, GaussianPsf, AiryPsf, KernelPsf, std::shared_ptr<const PupilDocument>> psf;
   SourcePosition psf_position;
   bool stokes = false;                           ///< Q, U and V are told beside I
   double fill_factor = 1.0;                      ///< sensitive share of an element's area, a centred square

@@ -6,9 +6,9 @@
 
 #include "sampling/accuracy/basis/label_table.h"
 #include "sampling/accuracy/basis/small_vector.h"
-#include "sampling/accuracy/radiance/leaf_integrator.h"
 #include "sampling/accuracy/radiance/radiance.h"
 #include "sampling/accuracy/radiance/source_pixels.h"
+#include "sampling/accuracy/weights/leaf_integrator.h"
 #include "sampling/tile.h"
 
 namespace ifov::sampling {

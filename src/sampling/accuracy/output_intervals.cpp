@@ -4,14 +4,15 @@
 #include <cmath>
 
 #include "sampling/accuracy/basis/label_table.h"
+#include "sampling/accuracy/radiance/clutter_sums.h"
 #include "sampling/accuracy/radiance/footprint_weights.h"
-#include "sampling/accuracy/radiance/leaf_integrator.h"
 #include "sampling/accuracy/radiance/radiance.h"
 #include "sampling/accuracy/radiance/radiance_clutter.h"
 #include "sampling/accuracy/radiance/sequence_gains.h"
 #include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/accuracy/radiance/stratum_moments.h"
 #include "sampling/accuracy/radiance/unseen_values.h"
+#include "sampling/accuracy/weights/leaf_integrator.h"
 #include "sampling/footprint_groups.h"
 
 namespace ifov::sampling {
@@ -27,6 +28,28 @@ double value_variance(const SourcePixel& pixel, const std::vector<StratumMoments
 
 }  // namespace
 
+/// The columns that are asked, and by group their positions and themselves.
+struct OutputIntervals::Asked {
+  std::span<const int> columns;
+  std::vector<std::vector<std::size_t>> positions;
+  std::vector<std::vector<int>> columns_of;
+};
+
+/// A traced pixel, one of its outputs, and the group that some of the asked columns are of.
+struct OutputIntervals::Traced {
+  const SourcePixel& pixel;
+  const std::vector<StratumMoments>& moments;  ///< by region
+  std::size_t output, group;
+  std::span<const int> columns;      ///< all that are asked
+  std::span<const std::size_t> own;  ///< positions of the group's
+};
+
+/// The label that most of an output's variance comes from: of the stratum that has most of it.
+struct OutputIntervals::Leading {
+  std::uint32_t label;
+  double variance;
+};
+
 OutputIntervals::OutputIntervals(const Tolerance& tolerance, const LaterLight* later, const LabelTable& table,
                                  int outputs, const ColumnFootprints& footprints)
     : limits_(tolerance, later),
@@ -35,7 +58,10 @@ OutputIntervals::OutputIntervals(const Tolerance& tolerance, const LaterLight* l
       stopping_(tolerance.confidence()),
       states_(static_cast<std::size_t>(outputs)),
       // Values that weigh unlike are kept, and their paths' replicates tell a variance.
-      sums_(states_.size(), !footprints.whole_pixel()) {}
+      sums_(states_.size(), !footprints.whole_pixel()),
+      clutter_(std::make_unique<ClutterSums>()) {}
+
+OutputIntervals::~OutputIntervals() = default;
 
 void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& integrator,
                              std::span<const int> columns, std::span<const int> outputs) {
@@ -43,12 +69,12 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
   sums_.clear(outputs, n);
   leading_.assign(states_.size(), {kNoLabel, 0.0});
   std::vector<StratumMoments> moments;
-  std::vector<ClutterRound::Moment> clutter;
   WeighedMoments weighed;
-  const std::vector<std::vector<std::size_t>> by_group = footprints_.positions(columns);
-  std::vector<std::vector<int>> columns_of(by_group.size());
+  Asked asked{columns, footprints_.positions(columns), {}};
+  const auto& by_group = asked.positions;
+  asked.columns_of.resize(by_group.size());
   for (std::size_t g = 0; g < by_group.size(); ++g)
-    for (const std::size_t c : by_group[g]) columns_of[g].push_back(columns[c]);
+    for (const std::size_t c : by_group[g]) asked.columns_of[g].push_back(columns[c]);
   for (const PlainPixel& pixel : radiance.pixels().plain()) {
     const OutputSums::Row sum = sums_[pixel.output];
     for (std::size_t c = 0; c < n; ++c) sum.mean[c] += pixel.weight * table_.mean(pixel.label)[columns[c]];
@@ -57,26 +83,7 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
     const PixelModel& model = pixel.model;
     if (model.outputs.empty()) continue;
     if (pixel.cluttered) {
-      for (int output : model.outputs) {
-        const OutputSums::Row sum = sums_[output];
-        const double count = pixel.clutter_count();
-        for (std::size_t g = 0; g < by_group.size(); ++g) {
-          const double w = integrator.whole_weight(pixel.source, output, g);
-          if (by_group[g].empty() || (w == 0.0 && model.groups > 1)) continue;
-          RadianceClutter::moments(pixel, integrator.unit_box() ? nullptr : &integrator.footprint(g),
-                                   integrator.centre(output, g), columns_of[g], clutter);
-          for (std::size_t k = 0; k < by_group[g].size(); ++k) {
-            const std::size_t c = by_group[g][k];
-            sum.mean[c] += w * clutter[k].mean;
-            const double missed = radiance.unseen().variance(pixel, 0, columns[c]);
-            sum.add_path(c, w * w * clutter[k].variance, clutter[k].freedom);
-            sum.add_path(c, w * w * missed, INFINITY);
-            sum.unmet[c] += w * w * missed;
-            sum.deviation[c] += w * std::sqrt(clutter[k].variance * count);
-            sum.deviation_unmet[c] += w * std::sqrt((clutter[k].variance + missed) * count);
-          }
-        }
-      }
+      add_clutter(radiance, integrator, pixel, asked);
       continue;
     }
     const std::size_t regions = model.labels.size();
@@ -87,6 +94,37 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
         add_traced(radiance, integrator, {pixel, moments, o, g, columns, by_group[g]}, weighed);
   }
   settle_paths(outputs, n);
+}
+
+/// What a cluttered pixel adds to its outputs.
+void OutputIntervals::add_clutter(const Radiance& radiance, const LeafIntegrator& integrator,
+                                  const SourcePixel& pixel, const Asked& asked) {
+  const PixelModel& model = pixel.model;
+  const double count = pixel.clutter_count();
+  const bool by_groups = model.groups > 1;
+  std::vector<ClutterRound::Moment> moments;
+  if (by_groups) clutter_->take(pixel, integrator, asked.columns, asked.positions);
+  for (std::size_t o = 0; o < model.outputs.size(); ++o) {
+    const OutputSums::Row sum = sums_[model.outputs[o]];
+    for (std::size_t g = 0; g < asked.positions.size(); ++g) {
+      const double w = integrator.whole_weight(pixel.source, model.outputs[o], g);
+      if (asked.positions[g].empty() || (w == 0.0 && by_groups)) continue;
+      if (!by_groups)
+        RadianceClutter::moments(pixel, integrator.unit_box() ? nullptr : &integrator.footprint(g),
+                                 integrator.centre(model.outputs[o], g), asked.columns_of[g], moments);
+      for (std::size_t k = 0; k < asked.positions[g].size(); ++k) {
+        const std::size_t c = asked.positions[g][k];
+        const ClutterRound::Moment found = by_groups ? clutter_->of(o).moment(c) : moments[k];
+        sum.mean[c] += w * found.mean;
+        const double missed = radiance.unseen().variance(pixel, 0, asked.columns[c]);
+        sum.add_path(c, w * w * found.variance, found.freedom);
+        sum.add_path(c, w * w * missed, INFINITY);
+        sum.unmet[c] += w * w * missed;
+        sum.deviation[c] += w * std::sqrt(found.variance * count);
+        sum.deviation_unmet[c] += w * std::sqrt((found.variance + missed) * count);
+      }
+    }
+  }
 }
 
 void OutputIntervals::settle_paths(std::span<const int> outputs, std::size_t columns) {

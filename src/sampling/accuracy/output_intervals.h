@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,7 @@
 
 namespace ifov::sampling {
 
+class ClutterSums;
 class ColumnFootprints;
 class LabelTable;
 class LeafIntegrator;
@@ -24,6 +26,7 @@ class OutputIntervals {
   /// `later` may be null.
   OutputIntervals(const Tolerance& tolerance, const LaterLight* later, const LabelTable& table, int outputs,
                   const ColumnFootprints& footprints);
+  ~OutputIntervals();
 
   const Stopping& stopping() const { return stopping_; }
   const ColumnFootprints& footprints() const { return footprints_; }
@@ -43,22 +46,14 @@ class OutputIntervals {
   double half_width(int output, std::size_t column);
 
  private:
-  /// The label that most of an output's variance comes from: of the stratum that has most of it.
-  struct Leading {
-    std::uint32_t label;
-    double variance;
-  };
-  void settle_paths(std::span<const int> outputs, std::size_t columns);
-  /// A traced pixel, one of its outputs, and the group that some of the asked columns are of.
-  struct Traced {
-    const SourcePixel& pixel;
-    const std::vector<StratumMoments>& moments;  ///< by region
-    std::size_t output, group;
-    std::span<const int> columns;      ///< all that are asked
-    std::span<const std::size_t> own;  ///< positions of the group's
-  };
+  struct Asked;
+  struct Traced;
+  struct Leading;
+  void add_clutter(const Radiance& radiance, const LeafIntegrator& integrator, const SourcePixel& pixel,
+                   const Asked& asked);
   void add_traced(const Radiance& radiance, const LeafIntegrator& integrator, const Traced& of,
                   WeighedMoments& weighed);
+  void settle_paths(std::span<const int> outputs, std::size_t columns);
 
   PixelLimits limits_;
   const LabelTable& table_;
@@ -66,6 +61,7 @@ class OutputIntervals {
   Stopping stopping_;
   std::vector<OutputState> states_;
   OutputSums sums_;
+  std::unique_ptr<ClutterSums> clutter_;
   std::vector<Leading> leading_;  // of outputs
 };
 

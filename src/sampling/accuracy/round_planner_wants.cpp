@@ -6,7 +6,6 @@
 #include "sampling/accuracy/basis/options.h"
 #include "sampling/accuracy/basis/ray_ledger.h"
 #include "sampling/accuracy/output_intervals.h"
-#include "sampling/accuracy/radiance/leaf_integrator.h"
 #include "sampling/accuracy/radiance/radiance.h"
 #include "sampling/accuracy/radiance/radiance_clutter.h"
 #include "sampling/accuracy/radiance/radiance_nets.h"
@@ -15,6 +14,7 @@
 #include "sampling/accuracy/radiance/stratum_moments.h"
 #include "sampling/accuracy/radiance/unseen_values.h"
 #include "sampling/accuracy/round_planner.h"
+#include "sampling/accuracy/weights/leaf_integrator.h"
 #include "sampling/footprint_groups.h"
 
 namespace ifov::sampling {

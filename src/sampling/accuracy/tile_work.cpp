@@ -14,12 +14,12 @@
 #include "sampling/accuracy/edges/edge_tracer.h"
 #include "sampling/accuracy/parts.h"
 #include "sampling/accuracy/radiance/control_variates.h"
-#include "sampling/accuracy/radiance/leaf_integrator.h"
 #include "sampling/accuracy/radiance/nearby_spread.h"
 #include "sampling/accuracy/radiance/radiance.h"
 #include "sampling/accuracy/radiance/stratum_moments.h"
 #include "sampling/accuracy/radiance/unseen_values.h"
 #include "sampling/accuracy/round_planner.h"
+#include "sampling/accuracy/weights/leaf_integrator.h"
 #include "sampling/tile.h"
 
 namespace ifov::sampling {

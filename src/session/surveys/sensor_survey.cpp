@@ -13,6 +13,7 @@
 #include "sensor/camera.h"
 #include "sensor/mtf.h"
 #include "sensor/psf.h"
+#include "sensor/pupil.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/whole/detector_assembly.h"
 #include "session/assembly/whole/noise_assembly.h"
@@ -49,6 +50,11 @@ std::optional<double> psf_mtf(const io::SensorDocument& sensor, double wavelengt
                    const double um = airy.wavelength_um > 0.0 ? airy.wavelength_um : wavelength_um;
                    const double q_px = 1e-6 * um * airy.focal_length_m / (airy.diameter_m * airy.pitch_m);
                    return sensor::diffraction_mtf(q_px, airy.obscuration, kNyquist);
+                 },
+                 [&](const std::shared_ptr<const io::PupilDocument>&) -> std::optional<double> {
+                   const sensor::Pupil pupil = assemble_pupil(sensor, wavelength_um);
+                   sensor::check_pupil(pupil);
+                   return sensor::pupil_mtf(pupil, kNyquist);
                  },
                  [](const io::KernelPsf&) -> std::optional<double> { return std::nullopt; }},
       sensor.psf);
@@ -101,7 +107,8 @@ SensorDescription survey_sensor(const io::DocumentSources& sources, const io::Se
     SensorDescription::Channel& one = told.channels.emplace_back();
     one.name = channels[c].name, one.centre_um = channels[c].centre_um, one.fwhm_um = channels[c].fwhm_um;
     one.pixel_mtf = sensor::square_mtf(std::sqrt(sensor.fill_factor), kNyquist);
-    one.psf_mtf = psf_mtf(sensor, channels[c].centre_um);
+    one.psf_mtf =
+        with_position(sources, sensor.psf_position, [&] { return psf_mtf(sensor, channels[c].centre_um); });
     one.nedl = noise[c];
     if (!detectors[c].figures.exists()) {
       tell_nedt(channels[c], kWarm_k, one);

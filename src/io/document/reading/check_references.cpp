@@ -13,6 +13,7 @@
 #include "io/document/document.h"
 #include "io/document/file_materials_document.h"
 #include "io/document/presence_document.h"
+#include "io/document/pupil_document.h"
 #include "io/document/samplers/accuracy_sampling.h"
 #include "io/document/samplers/sampler_settings.h"
 #include "io/quantities/quantity.h"
@@ -282,20 +283,27 @@ class ReferenceCheck {
   void check_psf() const {
     const SensorDocument& sensor = document_.sensor;
     const auto* airy = std::get_if<AiryPsf>(&sensor.psf);
-    if (airy == nullptr) return;
+    const auto* pupil = std::get_if<std::shared_ptr<const PupilDocument>>(&sensor.psf);
+    if (airy == nullptr && pupil == nullptr) return;
+    const bool own_aperture =
+        airy != nullptr ? airy->aperture_m.has_value() : (*pupil)->aperture_m.has_value();
+    const char *of = airy != nullptr ? "the Airy PSF" : "the PSF of a pupil",
+               *one = airy != nullptr ? "an Airy PSF" : "the PSF of a pupil";
     const OpticsDocument none;
     const OpticsDocument& optics = sensor.optics ? *sensor.optics : none;
-    if (!airy->aperture_m && !optics.aperture_m && !optics.f_number)
+    if (!own_aperture && !optics.aperture_m && !optics.f_number)
       throw document_error(document_.sources, sensor.psf_position,
-                           "the Airy PSF has no aperture: give it 'aperture', or the sensor 'optics' with "
-                           "'aperture' or 'f_number'");
+                           format("{} has no aperture: give it 'aperture', or the sensor 'optics' with "
+                                  "'aperture' or 'f_number'",
+                                  of));
     if (sensor.camera.settings->optics()) return;
-    const bool focal = optics.focal_length_m || (!airy->aperture_m && optics.f_number);
+    const bool focal = optics.focal_length_m || (!own_aperture && optics.f_number);
     if (focal && sensor.detector && sensor.detector->pitch_m) return;
     throw document_error(
         document_.sources, sensor.psf_position,
-        "an Airy PSF needs a 'frame' camera, whose focal length and pitch give its size in pixels, or "
-        "'optics.focal_length' and 'detector.pitch'");
+        format("{} needs a 'frame' camera, whose focal length and pitch give its size in pixels, or "
+               "'optics.focal_length' and 'detector.pitch'",
+               one));
   }
 
   const Document& document_;

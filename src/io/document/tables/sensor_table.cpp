@@ -1,6 +1,7 @@
 #include "core/format.h"
 #include "io/document/cameras/view_settings.h"
 #include "io/document/detector_document.h"
+#include "io/document/pupil_document.h"
 #include "io/document/schema/record.h"
 #include "io/document/schema/shared_target.h"
 #include "io/document/sensor_document.h"
@@ -14,6 +15,64 @@ struct PsfEntry {
   SourcePosition position;
 };
 
+/// Aperture, wavelength and what covers the middle, of whatever is diffracted at an aperture.
+template <class T>
+void add_aperture(Record<T>& record) {
+  record
+      .optional("aperture", &T::aperture_m, quantity(kLength, Range::above(0.0, "m")),
+                "diameter; that of the sensor's `optics` if not given")
+      .optional(
+          "wavelength", &T::wavelength_um, quantity(kWavelength, Range::above(0.0, "um")),
+          "for which it is computed, one for all channels; of each channel its own, the middle of its response, if not given")
+      .optional(
+          "obscuration", &T::obscuration, fraction({0.0, 0.95, false, false, {}}),
+          "diameter of what covers the middle of the aperture, over the aperture's; if not given that of `optics` where the "
+          "aperture is theirs, else 0");
+}
+
+SchemaType<PupilDocument> pupil_type() {
+  using Coefficient = PupilDocument::Coefficient;
+  Record<Coefficient> coefficient("Zernike coefficient", "A part of a wavefront.");
+  coefficient
+      .required(
+          "noll", &Coefficient::noll, integer(2, 66),
+          "the polynomial by Noll's number (1976): 4 defocus, 5 and 6 astigmatism, 7 and 8 coma, 11 spherical aberration; 2 moves "
+          "the image to the right, 3 down")
+      .exactly_one()
+      .one(
+          "rms", &Coefficient::rms_m, quantity(kLength),
+          "root of its mean square over the whole disc, with its sign, as a path: it counts more where the wavelength is short")
+      .one("waves", &Coefficient::rms_waves, number(), "the same in wavelengths, whichever a channel has");
+  Record<PupilDocument::Spiders> spiders(
+      "spiders", "Vanes across the aperture, from its middle to its rim, evenly around.");
+  spiders.required("count", &PupilDocument::Spiders::count, integer(1, 16), "how many")
+      .required("width", &PupilDocument::Spiders::width, fraction({0.0, 0.5, true, false, {}}),
+                "of each, over the aperture's diameter")
+      .with_default("angle", &PupilDocument::Spiders::angle_rad, quantity(kAngle), "\"0 deg\"",
+                    "of the first, from the image's right downwards");
+  Record<PupilDocument> pupil(
+      "pupil PSF",
+      "Diffraction of an aperture with vanes in it and a wavefront behind it. Its size in pixels follows from focal length and pitch: the "
+      "camera's, or those of `optics` and `detector`.");
+  add_aperture(pupil);
+  pupil
+      .optional("spiders", &PupilDocument::spiders, spiders.type(),
+                "what holds the middle; none if not given")
+      .optional(
+          "defocus", &PupilDocument::defocus_m, quantity(kLength),
+          "of the detector from the focus, along the axis: a path of defocus / 8 (f-number)^2 at the rim")
+      .optional("zernike", &PupilDocument::zernike, list(coefficient.type(), 1, 65),
+                "the wavefront; flat if not given")
+      .check([](const PupilDocument& read, const DocumentNode& node) {
+        for (std::size_t k = 0; k < read.zernike.size(); ++k)
+          for (std::size_t l = 0; l < k; ++l)
+            if (read.zernike[l].noll == read.zernike[k].noll)
+              node.given("zernike").fail(
+                  format("the wavefront has the polynomial {} twice: add them up", read.zernike[k].noll));
+      });
+  return pupil.type();
+}
+
 SchemaType<PsfEntry> psf_type() {
   const Range positive_px = Range::above(0.0, "px");
   Record<GaussianPsf> gaussian("Gaussian PSF", "A bell.");
@@ -23,15 +82,7 @@ SchemaType<PsfEntry> psf_type() {
       "Airy PSF",
       "Diffraction of a circular aperture. Its size in pixels follows from focal length and pitch: the camera's, or those of "
       "`optics` and `detector`.");
-  airy.optional("aperture", &AiryPsf::aperture_m, quantity(kLength, Range::above(0.0, "m")),
-                "diameter; that of the sensor's `optics` if not given")
-      .optional(
-          "wavelength", &AiryPsf::wavelength_um, quantity(kWavelength, Range::above(0.0, "um")),
-          "for which it is computed, one for all channels; of each channel its own, the middle of its response, if not given")
-      .optional(
-          "obscuration", &AiryPsf::obscuration, fraction({0.0, 0.95, false, false, {}}),
-          "diameter of what covers the middle of the aperture, over the aperture's; if not given that of `optics` where the "
-          "aperture is theirs, else 0");
+  add_aperture(airy);
   Record<KernelPsf> kernel("kernel PSF", "An image of the PSF, its centre at the pixel's centre.");
   kernel.required("file", &KernelPsf::file, file(), "the image")
       .required("samples_per_pixel", &KernelPsf::samples_per_pixel, number(Range::above(0.0)),
@@ -41,6 +92,16 @@ SchemaType<PsfEntry> psf_type() {
       .one("none", &PsfEntry::psf, Record<NoPsf>("no PSF", "Optics without blur.").type(), "no blur")
       .one("gaussian", &PsfEntry::psf, gaussian.type(), "a bell")
       .one("airy", &PsfEntry::psf, airy.type(), "diffraction")
+      .one("pupil",
+           via(
+               [](PsfEntry& entry, PupilDocument pupil) {
+                 entry.psf = std::make_shared<const PupilDocument>(std::move(pupil));
+               },
+               [](const PsfEntry& entry) {
+                 const auto* pupil = std::get_if<std::shared_ptr<const PupilDocument>>(&entry.psf);
+                 return pupil != nullptr ? std::optional(**pupil) : std::nullopt;
+               }),
+           pupil_type(), "diffraction with vanes, defocus and a wavefront")
       .one("kernel", &PsfEntry::psf, kernel.type(), "from an image");
   return record.type();
 }

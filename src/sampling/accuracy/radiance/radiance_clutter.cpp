@@ -17,10 +17,6 @@ constexpr std::uint64_t kClutterKey = 0x636c7574;
 /// Sides of a round's grid, in cells.
 constexpr int kCoarsest = 4, kFinest = 8192;
 
-/// Rounds weigh as the inverse of the variance of a round of n values where borders make it, n^(3/2), by their sizes
-/// alone and never by what they found.
-double round_weight(double count) { return count * std::sqrt(count); }
-
 }  // namespace
 
 RadianceClutter::RadianceClutter(std::vector<SourcePixel>& pixels, const Lattice& lattice, RayLedger& ledger,

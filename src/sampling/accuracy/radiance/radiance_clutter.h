@@ -1,11 +1,12 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "sampling/accuracy/radiance/clutter_round.h"
+#include "sampling/accuracy/weights/clutter_round.h"
 
 namespace ifov::sampling {
 
@@ -25,6 +26,9 @@ class RadianceClutter {
   /// Traces what was planned.
   void trace();
 
+  /// Rounds weigh as the inverse of the variance of a round of n values where borders make it, n^(3/2), by their sizes
+  /// alone and never by what they found.
+  static double round_weight(double count) { return count * std::sqrt(count); }
   /// Means over the rounds of a cluttered pixel, per column, with their variances. The footprint weighs values about
   /// `centre`; null: all alike.
   static void moments(const SourcePixel& pixel, const PixelFootprint* footprint, Point2 centre,

@@ -1,9 +1,9 @@
 #include "sampling/accuracy/radiance/source_pixels.h"
 
 #include "sampling/accuracy/borders/traced_pixels.h"
-#include "sampling/accuracy/radiance/leaf_integrator.h"
 #include "sampling/accuracy/radiance/nearby_spread.h"
 #include "sampling/accuracy/radiance/spread.h"
+#include "sampling/accuracy/weights/leaf_integrator.h"
 
 namespace ifov::sampling {
 

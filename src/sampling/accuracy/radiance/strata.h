@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "sampling/accuracy/basis/no_label.h"
-#include "sampling/accuracy/radiance/block_sums.h"
-#include "sampling/accuracy/radiance/clutter_round.h"
-#include "sampling/accuracy/radiance/pixel_model.h"
+#include "sampling/accuracy/weights/block_sums.h"
+#include "sampling/accuracy/weights/clutter_round.h"
+#include "sampling/accuracy/weights/pixel_model.h"
 #include "sampling/random.h"
 
 namespace ifov::sampling {

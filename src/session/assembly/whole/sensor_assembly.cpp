@@ -6,6 +6,7 @@
 #include "geometry/world.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/detector_document.h"
+#include "io/document/pupil_document.h"
 #include "io/document/sensor_document.h"
 #include "io/raster/raster.h"
 #include "io/spectra/channel_table.h"
@@ -16,6 +17,7 @@
 #include "sensor/airy_aperture.h"
 #include "sensor/camera.h"
 #include "sensor/psf.h"
+#include "sensor/pupil.h"
 #include "sensor/view_list.h"
 #include "sensor/view_list_camera.h"
 #include "session/assembly/shared/map_frame.h"
@@ -109,8 +111,15 @@ std::shared_ptr<const render::Polarimetry> assemble_polarimetry(const io::Sensor
   return polarimetry;
 }
 
+std::optional<io::AiryPsf> diffraction_of(const io::SensorDocument& sensor) {
+  if (const auto* airy = std::get_if<io::AiryPsf>(&sensor.psf)) return *airy;
+  const auto* pupil = std::get_if<std::shared_ptr<const io::PupilDocument>>(&sensor.psf);
+  if (pupil == nullptr) return std::nullopt;
+  return io::AiryPsf{(*pupil)->aperture_m, (*pupil)->wavelength_um, (*pupil)->obscuration};
+}
+
 sensor::AiryAperture airy_aperture(const io::SensorDocument& sensor) {
-  const auto& airy = std::get<io::AiryPsf>(sensor.psf);
+  const io::AiryPsf airy = diffraction_of(sensor).value();
   const io::OpticsDocument none;
   const io::OpticsDocument& optics = sensor.optics ? *sensor.optics : none;
   const auto camera = sensor.camera.settings->optics();
@@ -128,6 +137,22 @@ sensor::AiryAperture airy_aperture(const io::SensorDocument& sensor) {
   return made;
 }
 
+sensor::Pupil assemble_pupil(const io::SensorDocument& sensor, double wavelength_um) {
+  const io::PupilDocument& told = *std::get<std::shared_ptr<const io::PupilDocument>>(sensor.psf);
+  sensor::Pupil pupil;
+  pupil.aperture = airy_aperture(sensor);
+  if (!(pupil.aperture.wavelength_um > 0.0)) pupil.aperture.wavelength_um = wavelength_um;
+  if (told.spiders) {
+    pupil.spiders = told.spiders->count;
+    pupil.spider_width = told.spiders->width;
+    pupil.spider_angle_rad = told.spiders->angle_rad;
+  }
+  pupil.defocus_m = told.defocus_m.value_or(0.0);
+  for (const io::PupilDocument::Coefficient& one : told.zernike)
+    pupil.wavefront.push_back({one.noll, one.rms_m.value_or(0.0), one.rms_waves.value_or(0.0)});
+  return pupil;
+}
+
 std::unique_ptr<sensor::Psf> assemble_psf(const io::DocumentSources& sources,
                                           const io::SensorDocument& sensor, double wavelength_um) {
   return with_position(sources, sensor.psf_position, [&] {
@@ -141,6 +166,9 @@ std::unique_ptr<sensor::Psf> assemble_psf(const io::DocumentSources& sources,
                      sensor::AiryAperture aperture = airy_aperture(sensor);
                      if (!(aperture.wavelength_um > 0.0)) aperture.wavelength_um = wavelength_um;
                      return sensor::make_airy_psf(aperture);
+                   },
+                   [&](const std::shared_ptr<const io::PupilDocument>&) -> Made {
+                     return sensor::make_pupil_psf(assemble_pupil(sensor, wavelength_um));
                    },
                    [](const io::KernelPsf& kernel) -> Made {
                      const io::Raster raster = io::read_raster(kernel.file.path);

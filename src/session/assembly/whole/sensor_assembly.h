@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace ifov::geometry {
 class World;
 }
 namespace ifov::io {
+struct AiryPsf;
 struct CameraDocument;
 struct ChannelDocument;
 struct DocumentSources;
@@ -29,6 +31,7 @@ namespace ifov::sensor {
 class Camera;
 class Psf;
 struct AiryAperture;
+struct Pupil;
 }  // namespace ifov::sensor
 
 namespace ifov::session {
@@ -42,6 +45,10 @@ std::vector<radiometry::Channel> assemble_channels(const io::DocumentSources& so
                                                    std::span<const io::ChannelDocument> written);
 /// Whether polarization is told, and what stands before the channels.
 std::shared_ptr<const render::Polarimetry> assemble_polarimetry(const io::SensorDocument& sensor);
+/// What a PSF of diffraction says of its aperture; nothing where it is another.
+std::optional<io::AiryPsf> diffraction_of(const io::SensorDocument& sensor);
+/// Of a PSF of a pupil, at a wavelength where it states none.
+sensor::Pupil assemble_pupil(const io::SensorDocument& sensor, double wavelength_um);
 /// Diffraction as an Airy PSF has it, in lengths whose ratios are right; the wavelength 0 where it is each channel's own.
 sensor::AiryAperture airy_aperture(const io::SensorDocument& sensor);
 /// At a wavelength, where the document says none; null without one: perfect optics.

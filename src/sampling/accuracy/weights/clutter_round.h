@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "sampling/accuracy/radiance/block_sums.h"
+#include "sampling/accuracy/weights/block_sums.h"
 #include "sampling/random.h"
 
 namespace ifov::sampling {
@@ -81,6 +81,8 @@ class ClutterRound {
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& materials() const { return materials_; }
 
  private:
+  friend class ClutterGrid;
+  static constexpr double kPerPair = 1.0 / 8.0;
   /// Of the value of a cell, in the order in which they come.
   std::size_t place(int i, int j) const {
     return static_cast<std::size_t>(((j / 2) * (side_ / 2) + i / 2) * static_cast<int>(kBlock) + j % 2 * 2 +

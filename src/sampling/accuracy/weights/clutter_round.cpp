@@ -1,4 +1,4 @@
-#include "sampling/accuracy/radiance/clutter_round.h"
+#include "sampling/accuracy/weights/clutter_round.h"
 
 #include <algorithm>
 
@@ -8,16 +8,11 @@
 
 namespace ifov::sampling {
 
-namespace {
-
-/// A value in a cell with the share p beyond a border has the variance p (1 - p) of the step. Over straight borders
-/// anywhere, that sums up to an eighth for each pair of unlike neighbours. (Noise alone sums up to half its variance.)
-constexpr double kPerPair = 1.0 / 8.0;
-
-}  // namespace
-
 ClutterRound::ClutterRound(int side, std::size_t stride, bool keep)
     : side_(side), stride_(stride), keep_(keep), sums_(stride) {}
+
+// kPerPair: a value in a cell with the share p beyond a border has the variance p (1 - p) of the step. Over straight borders
+// anywhere, that sums up to an eighth for each pair of unlike neighbours. (Noise alone sums up to half its variance.)
 
 void ClutterRound::request(int px, int py, std::uint64_t key, const Paths& paths, std::uint32_t block,
                            std::vector<PathRequest>& requests) const {

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
-#include "sampling/accuracy/radiance/pixel_model.h"
+#include "sampling/accuracy/weights/pixel_model.h"
 #include "sampling/footprint_groups.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/pixel_rect.h"
@@ -23,6 +24,7 @@ struct Polygon;
 class LeafIntegrator {
  public:
   LeafIntegrator(const EdgeTracer& tracer, const ColumnFootprints& footprints, PixelRect tile);
+  ~LeafIntegrator();
 
   /// The model of the source pixel with this index in the tracer's domain.
   void pixel(int source, PixelModel& model) const;
@@ -46,6 +48,7 @@ class LeafIntegrator {
   struct Slot {
     std::size_t at, group;  ///< position in the model's lists
     Point2 centre;
+    int column, row;  ///< the first cell of the output's pixel
   };
   void outputs_of(int source, PixelModel& model) const;
   void leaves_of(int source) const;
@@ -55,6 +58,8 @@ class LeafIntegrator {
   void add_junction(const Cell& cell, PixelModel& model) const;
   void add_curve(const Cell& cell, PixelModel& model) const;
   double over_polygon(const Polygon& polygon, const Slot& slot) const;
+  void begin_polygon(std::size_t which) const;
+  double over_shared(const Polygon& polygon, std::size_t which, const Slot& slot) const;
   double density(Point2 at, const Slot& slot) const {
     return footprint(slot.group).density(at.x - slot.centre.x, at.y - slot.centre.y);
   }
@@ -67,6 +72,8 @@ class LeafIntegrator {
   PixelRect tile_;
   bool unit_box_;
   double plain_weight_ = 0.0;
+  struct Shared;
+  std::unique_ptr<Shared> shared_;             // what several groups share; null for one
   mutable std::vector<std::uint32_t> leaves_;  // of the pixel at hand
   mutable std::vector<Slot> slots_;
 };

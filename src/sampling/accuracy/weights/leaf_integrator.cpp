@@ -1,4 +1,4 @@
-#include "sampling/accuracy/radiance/leaf_integrator.h"
+#include "sampling/accuracy/weights/leaf_integrator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,39 @@
 #include "sampling/accuracy/borders/border_model.h"
 #include "sampling/accuracy/borders/edge_cells.h"
 #include "sampling/accuracy/edges/edge_tracer.h"
+#include "sampling/accuracy/weights/cell_weights.h"
+#include "sampling/accuracy/weights/polygon_fan.h"
+#include "sampling/accuracy/weights/polygon_nodes.h"
 
 namespace ifov::sampling {
+
+namespace {
+
+/// Triangles are this long at most: a table has eight cells over the finest structure that there is.
+constexpr double kLongest_cells = 4.0;
+
+}  // namespace
+
+struct LeafIntegrator::Shared {
+  Shared(const ColumnFootprints& footprints, int cells_per_pixel) : weights(footprints, cells_per_pixel) {
+    for (std::size_t group = 0; group < footprints.groups(); ++group) {
+      const double limit = kLongest_cells * footprints.footprint(group).cell_px();
+      const auto at = std::find(longest.begin(), longest.end(), limit);
+      rule_of.push_back(static_cast<std::size_t>(at - longest.begin()));
+      if (at == longest.end()) longest.push_back(limit);
+    }
+    for (std::vector<Placed>& of_polygon : placed) of_polygon.resize(longest.size());
+  }
+
+  struct Placed {
+    PolygonNodes nodes;
+    bool ready = false;
+  };
+  CellWeights weights;
+  std::vector<double> longest;       // of triangles, by rule
+  std::vector<std::size_t> rule_of;  // by group
+  std::vector<Placed> placed[3];     // of up to three polygons at a time, by rule
+};
 
 LeafIntegrator::LeafIntegrator(const EdgeTracer& tracer, const ColumnFootprints& footprints, PixelRect tile)
     : tree_(tracer.tree()),
@@ -21,7 +52,10 @@ LeafIntegrator::LeafIntegrator(const EdgeTracer& tracer, const ColumnFootprints&
   const double side = lattice_.side_px(0);
   for (int i = 0; i < lattice_.cells_per_pixel() * lattice_.cells_per_pixel(); ++i)
     plain_weight_ += side * side;
+  if (footprints.groups() > 1) shared_ = std::make_unique<Shared>(footprints, lattice_.cells_per_pixel());
 }
+
+LeafIntegrator::~LeafIntegrator() = default;
 
 bool LeafIntegrator::plain(int source, int& output, std::uint32_t& label, double& weight) const {
   if (!unit_box_ || edge_cells_.crossed(static_cast<std::uint32_t>(source))) return false;
@@ -76,75 +110,23 @@ void LeafIntegrator::outputs_of(int source, PixelModel& model) const {
       const int output = (j - tile_.y0) * tile_.width() + i - tile_.x0;
       for (std::size_t group = 0; group < model.groups; ++group)
         if (footprints_.reaches(group, x - i, y - j))
-          slots_.push_back({model.slots() + group, group, centre(output, group)});
+          slots_.push_back({model.slots() + group, group, centre(output, group),
+                            (i - domain.x0) * lattice_.cells_per_pixel(),
+                            (j - domain.y0) * lattice_.cells_per_pixel()});
       model.outputs.push_back(output);
     }
 }
 
 double LeafIntegrator::whole_weight(int source, int output, std::size_t group) const {
   const PixelRect& domain = lattice_.domain();
+  if (shared_)
+    return shared_->weights.of_pixel(group,
+                                     domain.x0 + source % domain.width() - tile_.x0 - output % tile_.width(),
+                                     domain.y0 + source / domain.width() - tile_.y0 - output / tile_.width());
   const Point2 c = centre(output, group);
   const double x = domain.x0 + source % domain.width() - c.x, y = domain.y0 + source / domain.width() - c.y;
   return footprint(group).integral(x, y, x + 1.0, y + 1.0);
 }
-
-namespace {
-
-/// Twice the area times three times the mean at the midpoints of a triangle's edges.
-template <class Density>
-double at_midpoints(Point2 o, Point2 p, Point2 q, const Density& density) {
-  double h = 0.0;
-  for (const Point2 m : {0.5 * (o + p), 0.5 * (p + q), 0.5 * (q + o)}) h += density(m);
-  return cross(p - o, q - o) * h;
-}
-
-/// A fan of triangles, each by the rule of its three edge midpoints, exact to the second degree. None is longer than
-/// `longest`: it is cut into n x n like it.
-template <class Density>
-double over_fan(const Polygon& polygon, const Density& density, double longest = INFINITY) {
-  constexpr double kMostCuts = 32.0;
-  double sum = 0.0;
-  const Point2 o = polygon.vertex[0];
-  for (int i = 1; i + 1 < polygon.count; ++i) {
-    const Point2 p = polygon.vertex[i], q = polygon.vertex[i + 1];
-    const double side = std::max({length(p - o), length(q - p), length(o - q)});
-    if (!(side > longest)) {
-      sum += at_midpoints(o, p, q, density);
-      continue;
-    }
-    const int n = static_cast<int>(std::min(kMostCuts, std::ceil(side / longest)));
-    const Point2 u = (1.0 / n) * (p - o), v = (1.0 / n) * (q - o);
-    for (int b = 0; b < n; ++b)
-      for (int a = 0; a + b < n; ++a) {
-        const Point2 corner = o + static_cast<double>(a) * u + static_cast<double>(b) * v;
-        sum += at_midpoints(corner, corner + u, corner + v, density);
-        if (a + b + 1 < n) sum += at_midpoints(corner + u, corner + u + v, corner + v, density);
-      }
-  }
-  return sum / 6.0;
-}
-
-/// Of an area; of points, their mean. None of what crosses itself lies beyond the polygon.
-Point2 centroid_of(const Polygon& polygon) {
-  const Point2 o = polygon.vertex[0];
-  Point2 moment{}, mean{}, low = o, high = o;
-  double twice = 0.0;
-  for (int i = 1; i + 1 < polygon.count; ++i) {
-    const Point2 p = polygon.vertex[i] - o, q = polygon.vertex[i + 1] - o;
-    const double part = cross(p, q);
-    moment = moment + part / 3.0 * (p + q);
-    twice += part;
-  }
-  for (int i = 1; i < polygon.count; ++i) {
-    const Point2 p = polygon.vertex[i];
-    mean = mean + 1.0 / polygon.count * (p - o);
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)}, high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  const Point2 at = twice > 0.0 ? o + 1.0 / twice * moment : o + mean;
-  return {std::clamp(at.x, low.x, high.x), std::clamp(at.y, low.y, high.y)};
-}
-
-}  // namespace
 
 double LeafIntegrator::over_polygon(const Polygon& polygon, const Slot& slot) const {
   const PixelFootprint& footprint_of_slot = footprint(slot.group);
@@ -170,17 +152,34 @@ double LeafIntegrator::over_polygon(const Polygon& polygon, const Slot& slot) co
     }
     return 0.5 * sum / h;
   }
-  // A table has eight cells over the finest structure that there is.
-  constexpr double kLongest_cells = 4.0;
   return over_fan(
       polygon, [&](Point2 m) { return footprint_of_slot.density(m.x - c.x, m.y - c.y); },
       kLongest_cells * footprint_of_slot.cell_px());
+}
+
+/// Footprints are integrated over a polygon that others look at, too: `which` of up to three.
+void LeafIntegrator::begin_polygon(std::size_t which) const {
+  if (!shared_) return;
+  for (Shared::Placed& placed : shared_->placed[which]) placed.ready = false;
+}
+
+/// As over_polygon(); where there are several groups the rule's places are found once for all outputs.
+double LeafIntegrator::over_shared(const Polygon& polygon, std::size_t which, const Slot& slot) const {
+  if (!shared_ || footprint(slot.group).cell_px() == 0.0) return over_polygon(polygon, slot);
+  const std::size_t rule = shared_->rule_of[slot.group];
+  Shared::Placed& placed = shared_->placed[which][rule];
+  if (!placed.ready) placed.nodes.place(polygon, shared_->longest[rule]);
+  placed.ready = true;
+  return placed.nodes.over(footprint(slot.group), slot.centre);
 }
 
 /// Integral of an output's footprint over a cell.
 double LeafIntegrator::cell_weight(const Cell& cell, const Slot& slot) const {
   const double side = lattice_.side_px(cell.level);
   if (unit_box_) return side * side;
+  if (shared_ && cell.level == 0)
+    return shared_->weights.of_cell(slot.group, (cell.x >> kMaxLevel) - slot.column,
+                                    (cell.y >> kMaxLevel) - slot.row);
   const double x0 = lattice_.x_px(cell.x), y0 = lattice_.y_px(cell.y);
   const Point2 c = slot.centre;
   return footprint(slot.group).integral(x0 - c.x, y0 - c.y, x0 + side - c.x, y0 + side - c.y);
@@ -244,14 +243,18 @@ void LeafIntegrator::add_junction(const Cell& cell, PixelModel& model) const {
     area[s] = std::abs(polygon[s].signed_area());
     variance[s] = model_.border_variance(cell, s);
     model.area[region[s]] += area[s];
+    begin_polygon(static_cast<std::size_t>(s));
   }
   const std::size_t slots = model.slots();
   for (const Slot& slot : slots_) {
+    const double weight = cell_weight(cell, slot);
+    if (shared_ && weight == 0.0) continue;
     const double at_point = unit_box_ ? 1.0 : density(junction.at, slot);
     double inside[3], sum = 0.0;
     for (int s = 0; s < 3; ++s)
-      sum += inside[s] = unit_box_ ? area[s] : std::abs(over_polygon(polygon[s], slot));
-    const double scale = sum > 0.0 ? cell_weight(cell, slot) / sum : 0.0;
+      sum += inside[s] =
+          unit_box_ ? area[s] : std::abs(over_shared(polygon[s], static_cast<std::size_t>(s), slot));
+    const double scale = sum > 0.0 ? weight / sum : 0.0;
     for (int s = 0; s < 3; ++s) {
       model.weight[region[s] * slots + slot.at] += scale * inside[s];
       model.border_variance[border[s] * slots + slot.at] += variance[s] * at_point * at_point;
@@ -278,14 +281,16 @@ void LeafIntegrator::add_curve(const Cell& cell, PixelModel& model) const {
   const Polygon part = outside ? model_.outer_region(cell, shape) : polygon;
   const Point2 centroid = unit_box_ ? middle : centroid_of(part);
   const double part_area = part.signed_area();
+  begin_polygon(0);
   for (const Slot& slot : slots_) {
     const double weight = cell_weight(cell, slot);
+    if (shared_ && weight == 0.0) continue;
     double inner = area, at_middle = 1.0;
     if (!unit_box_) {
       // Where the footprint is straight over the cell one place says it all.
       const bool straight = side <= footprint(slot.group).cell_px();
       at_middle = density(straight ? centroid : middle, slot);
-      const double over_part = straight ? part_area * at_middle : over_polygon(part, slot);
+      const double over_part = straight ? part_area * at_middle : over_shared(part, 0, slot);
       inner = (outside ? weight - over_part : over_part) + beyond * at_middle;
     }
     model.weight[in * slots + slot.at] += inner;
