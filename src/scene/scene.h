@@ -124,9 +124,11 @@ struct Scene {
   Scene(Scene&&) noexcept;
   Scene& operator=(Scene&&) noexcept;
   ~Scene();
+  /// Another of the same worlds and maps, to be lit otherwise.
+  Scene copy() const;
 
-  std::unique_ptr<geometry::World> world;
-  std::unique_ptr<geometry::World> departed;  ///< what is there before the picture alone; null: nothing
+  std::shared_ptr<const geometry::World> world;     ///< scenes of several times may share one
+  std::shared_ptr<const geometry::World> departed;  ///< what is there before the picture alone; null: nothing
   std::vector<materials::Material> materials;
   std::vector<SurfaceState> states;
   std::vector<SurfaceAssignment> assignments;
@@ -160,6 +162,7 @@ struct Scene {
   bool emits(std::uint32_t state) const;
 
  private:
+  Scene(const Scene&);
   ResolvedSurface resolve_own(const geometry::SurfacePoint& point) const;
   void solve(const geometry::SurfacePoint& point, std::uint64_t draw, ResolvedSurface& surface) const;
 };

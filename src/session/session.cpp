@@ -30,6 +30,7 @@
 #include "session/plausibility/light_warnings.h"
 #include "session/plausibility/plausibility.h"
 #include "session/response_assembly.h"
+#include "session/shared_scene.h"
 #include "session/solved/solved_temperatures.h"
 
 namespace ifov::session {
@@ -88,13 +89,21 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   KeptWarnings kept(outer_log, p.warnings);
   LogSink* const log = &kept;
   warn_of_former_keys(document, *log);
+  SharedScene alone;
+  SharedScene& shared = options.shared != nullptr && SharedScene::serves(document) ? *options.shared : alone;
   std::optional<io::SceneCache> cache;
-  if (options.scene_cache)
+  // A cache that is saved drops what nobody has asked it for.
+  if (options.scene_cache && !shared.is_built())
     cache.emplace(std::filesystem::path(document.sources.file_name).replace_extension(".ifovcache"),
                   version(), log);
   phase("scene");
-  AssembledScene assembled = assemble_scene(document.sources, document.scene, document.light.lamps,
-                                            document.time, document.seed, log, cache ? &*cache : nullptr);
+  const auto assemble = [&](LogSink* to) {
+    AssembledScene made = assemble_scene(document.sources, document.scene, document.light.lamps,
+                                         document.time, document.seed, to, cache ? &*cache : nullptr);
+    if (cache) shared.known_files = cache->known_files();
+    return made;
+  };
+  AssembledScene assembled = &shared == &alone ? assemble(log) : shared.scene(assemble, log);
   assemble_light({document.sources, document.light, document.atmosphere, document.scene.origin, document.time,
                   surroundings_material(document)},
                  assembled.scene);
@@ -102,7 +111,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   p.scene = std::move(assembled.scene), p.map_scales = std::move(assembled.map_scales);
   p.colour_guesses = std::move(assembled.colour_guesses);
   p.placed = std::move(assembled.placed), p.map_offset_m = assembled.map_offset_m;
-  if (cache) p.known_files = cache->known_files();
+  p.known_files = shared.known_files;
   if (document.weather) p.weather = assemble_weather(document.sources, *document.weather, document.time);
   p.channels = assemble_channels(document.sources, document.sensor.channels);
   p.polarimetry = assemble_polarimetry(document.sensor);
