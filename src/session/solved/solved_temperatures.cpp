@@ -27,18 +27,6 @@ constexpr int kAcross = 24;                                // rays along each si
 constexpr std::size_t kMeasured = 64, kLeastMeasured = 8;  // points, of all materials and of each
 constexpr int kSkyPairs = 128;
 
-/// Where the document first asks for a solved temperature.
-SourcePosition asked_at(const io::Document& document) {
-  const auto solved = [](const std::optional<io::TemperatureDocument>& temperature) {
-    return temperature && std::holds_alternative<io::SolvedTemperatureDocument>(temperature->value);
-  };
-  for (const io::MaterialDocument& material : document.scene.materials)
-    if (solved(material.temperature)) return material.temperature->position;
-  for (const auto& object : document.scene.objects)
-    if (solved(object.temperature)) return object.temperature->position;
-  return {};
-}
-
 /// What a material is solved from, and its classes.
 struct Solved {
   ThermalMaterial thermal;
@@ -231,6 +219,17 @@ void measure(TemperatureErrors& errors, const io::Document& document, const ByMa
 
 }  // namespace
 
+std::optional<SourcePosition> solved_temperature_at(const io::Document& document) {
+  const auto solved = [](const std::optional<io::TemperatureDocument>& temperature) {
+    return temperature && std::holds_alternative<io::SolvedTemperatureDocument>(temperature->value);
+  };
+  for (const io::MaterialDocument& material : document.scene.materials)
+    if (solved(material.temperature)) return material.temperature->position;
+  for (const auto& object : document.scene.objects)
+    if (solved(object.temperature)) return object.temperature->position;
+  return std::nullopt;
+}
+
 std::optional<TemperatureErrors> solve_temperatures(const io::Document& document,
                                                     const atmosphere::WeatherSeries* weather,
                                                     const sensor::Camera& camera, scene::Scene& scene,
@@ -243,7 +242,7 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
     return std::nullopt;
   }
   const auto missing = [&](const char* what) {
-    return io::document_error(document.sources, asked_at(document), what);
+    return io::document_error(document.sources, solved_temperature_at(document).value_or(SourcePosition{}), what);
   };
   if (!document.time)
     throw missing("a temperature that is solved needs a \"time\", and weather of the day before it");
