@@ -46,7 +46,7 @@ class SeriesRun {
       if (is_over() || !render(k)) return stopped_early();
     }
     add_finished();
-    const SeriesFiles made = make_series_products(result_.folder, record_, first, log_);
+    const SeriesFiles made = make_series_products(result_.folder, record_, first, &log_);
     result_.files = made.files;
     for (const ProductFile& file : made.files) record_.files.push_back(file.path.filename().string());
     record_.complete = true;
@@ -68,6 +68,21 @@ class SeriesRun {
     return document.output.folder;
   }
   std::filesystem::path folder_at(std::size_t k) const { return result_.folder / record_.times[k].folder; }
+
+  /// What goes wrong at a time names it.
+  template <class Action>
+  auto named(std::size_t k, Action&& action) const {
+    const auto text = [&](const std::exception& error) {
+      return format("at {} ({} of {} times): {}", record_.times[k].time, k + 1, count_, error.what());
+    };
+    try {
+      return action();
+    } catch (const InputError& error) {
+      throw InputError(text(error), error.position());
+    } catch (const SystemError& error) {
+      throw SystemError(text(error));
+    }
+  }
 
   /// Whose every time would be the same picture.
   void refuse_what_is_still(const io::Document& document) const {
@@ -105,21 +120,6 @@ class SeriesRun {
         const CallScope scope(call);
         outdoors_of_document(of, *assemble_weather(of.sources, *of.weather, of.time));
       });
-    }
-  }
-
-  /// What goes wrong at a time names it.
-  template <class Action>
-  auto named(std::size_t k, Action&& action) const {
-    const auto text = [&](const std::exception& error) {
-      return format("at {} ({} of {} times): {}", record_.times[k].time, k + 1, count_, error.what());
-    };
-    try {
-      return action();
-    } catch (const InputError& error) {
-      throw InputError(text(error), error.position());
-    } catch (const SystemError& error) {
-      throw SystemError(text(error));
     }
   }
 
