@@ -7,6 +7,7 @@
 #include "core/version.h"
 #include "io/document/document.h"
 #include "io/files/own_files.h"
+#include "io/quantities/quantity_set.h"
 #include "io/run_state/run_folder.h"
 #include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/runs/run_record_file.h"
@@ -38,6 +39,7 @@ class SeriesRun {
     refuse_what_is_still(first);
     refuse_what_is_there();
     require_weather(first);
+    tell_of_crossovers(first);
     std::filesystem::create_directories(result_.folder);
     record_.write(result_.folder);
     find_finished();
@@ -121,6 +123,13 @@ class SeriesRun {
         outdoors_of_document(of, *assemble_weather(of.sources, *of.weather, of.time));
       });
     }
+  }
+
+  /// What is not asked for cannot be had after hours either.
+  void tell_of_crossovers(const io::Document& first) {
+    const auto& products = first.output.products;
+    if (products && solved_temperature_at(first) && !products->has(*io::find_quantity("abundance")))
+      log_.warn("no crossovers of materials will be told: 'output.products' leaves out \"abundance\"");
   }
 
   void find_finished() {
