@@ -30,7 +30,7 @@ struct SeriesReport {
   struct Crossover {
     double time_s = 0.0;
     std::size_t warmer = 0, cooler = 0;  ///< from then on; materials by their position
-    std::string when;  ///< "dawn" or "dusk"; empty where it is not known where the scene stands
+    std::string when;  ///< "dawn", "dusk", "night"; empty where it is not known where the scene stands
   };
   std::vector<Crossover> crossovers;  ///< in order of time
 

@@ -6,13 +6,25 @@
 #include "atmosphere/weather_series.h"
 #include "geodesy/sun_position.h"
 #include "io/document/document.h"
+#include "math/angle.h"
 #include "session/assembly/atmosphere/weather_assembly.h"
 
 namespace ifov::session {
 namespace {
 
+constexpr double kHighest_rad = 30.0 * math::kDegree,
+                 kLowest_rad = -18.0 * math::kDegree;  // of dawn and dusk
+
 geodesy::SunPosition sun_at(double time_s, const geodesy::Geodetic& place) {
   return geodesy::sun_position({2440587.5, time_s / 86400.0}, place);
+}
+
+/// In the eastern half of the sky, or of what lies below the horizon, it is before noon.
+const char* time_of_day(const geodesy::SunPosition& sun) {
+  const bool climbs = sun.azimuth_rad < std::numbers::pi;
+  if (sun.elevation_rad > kHighest_rad) return climbs ? "morning" : "afternoon";
+  if (sun.elevation_rad < kLowest_rad) return "night";
+  return climbs ? "dawn" : "dusk";
 }
 
 }  // namespace
@@ -30,9 +42,8 @@ std::optional<geodesy::Geodetic> place_of_series(const io::Document& document) {
 }
 
 void tell_of_sun(const geodesy::Geodetic& place, io::SeriesReport& report) {
-  // In the eastern half of the sky, or of what lies below the horizon, it is before noon.
   for (io::SeriesReport::Crossover& one : report.crossovers)
-    one.when = sun_at(one.time_s, place).azimuth_rad < std::numbers::pi ? "dawn" : "dusk";
+    one.when = time_of_day(sun_at(one.time_s, place));
 
   constexpr double kStep_s = 300.0;
   const double first_s = report.time_s.front(), last_s = report.time_s.back();
