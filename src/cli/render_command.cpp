@@ -11,13 +11,13 @@
 #include "cli/preview_command.h"
 #include "cli/ranks.h"
 #include "cli/run_summary.h"
-#include "cli/series_command.h"
 #include "cli/terminal/console.h"
 #include "cli/terminal/progress_line.h"
 #include "cli/terminal/say.h"
 #include "core/error.h"
 #include "core/format.h"
 #include "ifov/runs.h"
+#include "ifov/series.h"
 #include "ifov/simulation.h"
 
 namespace ifov::cli {
@@ -73,6 +73,13 @@ std::optional<std::chrono::steady_clock::time_point> deadline_of(
   if (arguments.time_limit.empty()) return std::nullopt;
   return begin + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                      read_duration(arguments.time_limit, "--time-limit"));
+}
+
+/// --times gives the document its times.
+void require_no_time(const std::vector<std::string>& set) {
+  for (const std::string& one : set)
+    if (one.starts_with("time="))
+      throw InputError(format("--set {}: --times gives the document its times; leave one of them out", one));
 }
 
 RenderOptions options_of(const RenderArguments& arguments, CancelToken& cancel, Console& console) {
@@ -142,8 +149,11 @@ ExitCode render(const RenderArguments& arguments) {
                             arguments.strict};
       options.render.deadline = deadline;
       if (watchdog) watchdog->over();
-      return render_times(arguments.input.read(arguments.document), arguments.times, options, console,
-                          arguments.quiet);
+      const SeriesOutcome outcome =
+          render_series(arguments.input.read(arguments.document), arguments.times, options);
+      console.finish();
+      if (!arguments.quiet) print_summary(outcome);
+      return static_cast<ExitCode>(outcome.verdict);
     }
     const Document document = arguments.input.read(arguments.document);
     const Simulation simulation = Simulation::load(document, {.scene_cache = !arguments.no_cache,

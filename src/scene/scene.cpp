@@ -53,7 +53,6 @@ Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 Scene::~Scene() = default;
 Scene::Scene(const Scene&) = default;
-Scene Scene::copy() const { return Scene(*this); }
 
 const Lamp* Scene::lamp_of(std::uint32_t state) const {
   const std::uint32_t lamp = states[state].lamp;

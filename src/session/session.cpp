@@ -10,18 +10,17 @@
 #include "render/tolerance/atmosphere_budget.h"
 #include "render/tolerance/channel_brightness.h"
 #include "render/tolerance/node_budget.h"
-#include "sampling/means/region_interval.h"
 #include "sensor/camera.h"
 #include "session/assembly/atmosphere/atmosphere_cache.h"
 #include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/whole/light_assembly.h"
-#include "session/assembly/whole/noise_assembly.h"
 #include "session/assembly/whole/polarized_surfaces.h"
 #include "session/assembly/whole/scene_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
 #include "session/assembly/whole/surroundings_assembly.h"
 #include "session/atmosphere_messages.h"
+#include "session/image_telling.h"
 #include "session/loaded/parts.h"
 #include "session/loaded/single_views.h"
 #include "session/messages.h"
@@ -159,14 +158,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   with_position(document.sources, document.sensor.position, [&] { count_temperature_errors(p, *log); });
   p.make_tolerance();
   warn_of_atmosphere_errors(p, *log);
-  p.info = image_info(document.scene.origin, *p.camera, p.channels, p.scene, p.map_offset_m);
-  tell_irradiance(p);
-  tell_noise(document.sources, document.sensor, p.channels, p.info.channels);
-  p.info.stokes = document.sensor.stokes;
-  p.info.footprint_px = sampling::response_area_px(*p.footprint);
-  for (std::size_t g = 0; p.groups != nullptr && g < p.groups->size(); ++g)
-    p.info.footprint_px = std::max(p.info.footprint_px, sampling::response_area_px((*p.groups)[g].footprint));
-  for (std::size_t c = 0; c < p.air.size(); ++c) p.info.channels[c].air = p.air[c];
+  tell_of_image(p);
   tell_of_emitters(*p.spectral_scene, *log);
   refuse_rare_lobes(document.sources, document.scene, *p.spectral_scene);
   tell_of_highlights(*p.spectral_scene, *log);

@@ -4,13 +4,14 @@
 #include <mutex>
 
 #include "io/document/document.h"
+#include "io/scene_cache/file_stamp.h"
 #include "session/assembly/whole/scene_assembly.h"
 
 namespace ifov::session {
 namespace {
 
 AssembledScene copy_of(const AssembledScene& scene) {
-  return {scene.scene.copy(), scene.map_scales, scene.colour_guesses, scene.placed, scene.map_offset_m};
+  return {scene::Scene(scene.scene), scene.map_scales, scene.colour_guesses, scene.placed, scene.map_offset_m};
 }
 
 }  // namespace

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "core/run_control.h"
-#include "io/scene_cache/file_stamp.h"
 
 namespace ifov::io {
 struct Document;
-}
+struct FileStamp;
+}  // namespace ifov::io
 
 namespace ifov::session {
 

@@ -5,7 +5,6 @@
 #include <span>
 #include <string>
 #include <vector>
-#include <vector>
 
 #include "io/envi/colour_map.h"
 

@@ -242,7 +242,8 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
     return std::nullopt;
   }
   const auto missing = [&](const char* what) {
-    return io::document_error(document.sources, solved_temperature_at(document).value_or(SourcePosition{}), what);
+    return io::document_error(document.sources, solved_temperature_at(document).value_or(SourcePosition{}),
+                              what);
   };
   if (!document.time)
     throw missing("a temperature that is solved needs a \"time\", and weather of the day before it");
