@@ -11,7 +11,8 @@ namespace ifov::session {
 namespace {
 
 AssembledScene copy_of(const AssembledScene& scene) {
-  return {scene::Scene(scene.scene), scene.map_scales, scene.colour_guesses, scene.placed, scene.map_offset_m};
+  return {scene::Scene(scene.scene), scene.map_scales, scene.colour_guesses, scene.placed,
+          scene.map_offset_m};
 }
 
 }  // namespace
