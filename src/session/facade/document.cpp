@@ -33,6 +33,14 @@ Document FacadeAccess::document(Document::Inside inside) {
   return Document(std::make_shared<const Document::Inside>(std::move(inside)));
 }
 
+std::shared_ptr<const Call::Data> FacadeAccess::inputs(const Document& document) {
+  return document.inside_->inputs;
+}
+
+std::function<io::Document(const std::string&)> FacadeAccess::at_times(const Document& document) {
+  return [inside = document.inside_](const std::string& time) { return inside->again({"time=" + time}); };
+}
+
 Document Document::read(const std::filesystem::path& file, const std::vector<std::string>& set) {
   const auto again = [file, set](const std::vector<std::string>& more) {
     return io::read_document(file.string(), overrides_of(joined(set, more)));

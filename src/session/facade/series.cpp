@@ -4,9 +4,7 @@
 #include <array>
 
 #include "core/error.h"
-#include "io/files/inputs.h"
 #include "session/facade/access.h"
-#include "session/facade/document_inside.h"
 #include "session/facade/run_outcome.h"
 #include "session/series/series_run.h"
 
@@ -39,10 +37,12 @@ std::size_t rank_of(Verdict verdict) {
 SeriesOutcome render_series(const Document& document, const std::string& times,
                             const SeriesOptions& options) {
   require_whole_runs(options);
-  const auto& source = FacadeAccess::inside(document);
-  session::SeriesRequest request{
-      session::SeriesTimes::read(times), {}, source.inputs, {}, {}, options.strict};
-  request.document = [&](const std::string& time) { return source.again({"time=" + time}); };
+  session::SeriesRequest request{session::SeriesTimes::read(times),
+                                 FacadeAccess::at_times(document),
+                                 FacadeAccess::inputs(document),
+                                 {},
+                                 {},
+                                 options.strict};
   request.load = {.scene_cache = options.load.scene_cache,
                   .threads = options.load.threads,
                   .cancel = options.load.cancel};

@@ -1,17 +1,16 @@
 #include "session/series/series_products.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
 #include "core/format.h"
 #include "geodesy/utc_seconds.h"
-#include "io/document/document.h"
 #include "io/document/product_words.h"
 #include "io/envi/envi_header.h"
 #include "io/files/own_files.h"
 #include "io/product_parts/picture.h"
-#include "io/products/cube_scan.h"
 #include "io/products/envi_reader.h"
 #include "io/series_report/animation.h"
 #include "io/series_report/series_report.h"
@@ -35,26 +34,19 @@ struct ThermalChannel {
 };
 
 /// The one that the document's picture shows, else the nearest to the middle of the window; nothing where surfaces emit in none.
-std::optional<ThermalChannel> thermal_channel(const io::Document& document, const Record& run) {
+std::optional<ThermalChannel> thermal_channel(const std::vector<std::string>& shown, const Record& run) {
   if (run["image"]["radiance_unit"].text() != "W m-2 sr-1 um-1") return std::nullopt;
   std::optional<ThermalChannel> best;
   const std::vector<Record> channels = run["channels"].items();
-  const auto& shown = document.output.quicklook_channels;
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const ThermalChannel channel{static_cast<int>(c), channels[c]["centre_um"].number(),
                                  channels[c]["name"].text()};
     if (channel.centre_um <= kThermal_um) continue;
-    if (shown.size() == 1 && shown.front().name == channel.name) return channel;
+    if (shown.size() == 1 && shown.front() == channel.name) return channel;
     if (!best || std::abs(channel.centre_um - kUsual_um) < std::abs(best->centre_um - kUsual_um))
       best = channel;
   }
   return best;
-}
-
-/// No picture but a list.
-bool is_of_views(const io::Document& document) {
-  const std::string& model = document.sensor.camera.model;
-  return model == "points" || model == "rays";
 }
 
 /// The products of one time.
@@ -147,16 +139,17 @@ std::string printed(std::string time) {
 
 }  // namespace
 
-SeriesFiles make_series_products(const std::filesystem::path& folder, const SeriesRecord& series,
-                                 const io::Document& document, LogSink* log) {
+SeriesFiles make_series_products(const MadeSeries& of, LogSink* log) {
+  const std::filesystem::path& folder = of.folder;
+  const SeriesRecord& series = of.record;
   SeriesFiles made;
   const auto left_out = [&](const std::string& why) {
     if (log != nullptr) log->info(why);
   };
   std::vector<ProductsOfTime> times;
   for (const SeriesRecord::One& one : series.times) times.emplace_back(folder / one.folder, series.name);
-  const auto channel = thermal_channel(document, times.front().record().root());
-  if (!channel || is_of_views(document) || !times.front().has("radiance")) {
+  const auto channel = thermal_channel(of.shown_channels, times.front().record().root());
+  if (!channel || of.is_of_views || !times.front().has("radiance")) {
     left_out("no animation and no crossovers: no channel beyond 3 um whose radiance tells a temperature");
     return made;
   }
@@ -167,7 +160,7 @@ SeriesFiles make_series_products(const std::filesystem::path& folder, const Seri
   };
   const std::string told = format("{} ({:.4g} \u00b5m)", channel->name, channel->centre_um);
   const std::string why_no_figures = io::why_not_built("png");
-  const std::string name = std::filesystem::path(document.sources.file_name).filename().string();
+  const std::string name = std::filesystem::path(series.document).filename().string();
   if (why_no_figures.empty()) {
     io::Animation animation{format("{}: brightness temperature, {}", name, told), "K", {}, {}, {}};
     for (const SeriesRecord::One& one : series.times) animation.times.push_back(printed(one.time));
@@ -212,7 +205,7 @@ SeriesFiles make_series_products(const std::filesystem::path& folder, const Seri
     return made;
   }
   report.crossovers = io::crossovers_of(report);
-  if (const auto place = place_of_series(document)) tell_of_sun(*place, report);
+  if (of.place) tell_of_sun(*of.place, report);
   keep("_crossovers.csv", io::series_csv(report),
        format("temperatures of {} materials, CSV", report.materials.size()));
   if (why_no_figures.empty())

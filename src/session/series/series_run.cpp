@@ -9,17 +9,28 @@
 #include "io/files/own_files.h"
 #include "io/quantities/quantity_set.h"
 #include "io/run_state/run_folder.h"
-#include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/runs/run_record_file.h"
 #include "session/series/series_products.h"
 #include "session/series/series_record.h"
+#include "session/series/series_sun.h"
 #include "session/series/series_voice.h"
 #include "session/shared_scene.h"
-#include "session/solved/document_outdoors.h"
 #include "session/solved/solved_temperatures.h"
 
 namespace ifov::session {
 namespace {
+
+std::vector<std::string> shown_channels(const io::Document& document) {
+  std::vector<std::string> names;
+  for (const io::DocumentName& channel : document.output.quicklook_channels) names.push_back(channel.name);
+  return names;
+}
+
+/// No picture but a list.
+bool is_of_views(const io::Document& document) {
+  const std::string& model = document.sensor.camera.model;
+  return model == "points" || model == "rays";
+}
 
 class SeriesRun {
  public:
@@ -38,7 +49,7 @@ class SeriesRun {
     result_.folder = folder_of(first);
     refuse_what_is_still(first);
     refuse_what_is_there();
-    require_weather(first);
+    require_weather_at_ends(first);
     tell_of_crossovers(first);
     std::filesystem::create_directories(result_.folder);
     record_.write(result_.folder);
@@ -48,7 +59,8 @@ class SeriesRun {
       if (is_over() || !render(k)) return stopped_early();
     }
     add_finished();
-    const SeriesFiles made = make_series_products(result_.folder, record_, first, &log_);
+    const SeriesFiles made = make_series_products(
+        {result_.folder, record_, shown_channels(first), is_of_views(first), place_of(first)}, &log_);
     result_.files = made.files;
     for (const ProductFile& file : made.files) record_.files.push_back(file.path.filename().string());
     record_.complete = true;
@@ -61,6 +73,12 @@ class SeriesRun {
     const Call call{request_.inputs, request_.load.cancel};
     const CallScope scope(call);
     return request_.document(request_.times.all[k].text);
+  }
+
+  std::optional<geodesy::Geodetic> place_of(const io::Document& document) const {
+    const Call call{request_.inputs, request_.load.cancel};  // the weather's file may tell
+    const CallScope scope(call);
+    return place_of_series(document);
   }
 
   std::filesystem::path folder_of(const io::Document& document) const {
@@ -113,16 +131,13 @@ class SeriesRun {
   }
 
   /// Weather that does not reach is told before the first ray, not after hours.
-  void require_weather(const io::Document& first) const {
-    for (const std::size_t k : {std::size_t{0}, count_ - 1}) {
-      const io::Document of = k == 0 ? first : document(k);
-      if (!of.weather || !solved_temperature_at(of)) continue;
+  void require_weather_at_ends(const io::Document& first) const {
+    for (const std::size_t k : {std::size_t{0}, count_ - 1})
       named(k, [&] {
         const Call call{request_.inputs, request_.load.cancel};
         const CallScope scope(call);
-        outdoors_of_document(of, *assemble_weather(of.sources, *of.weather, of.time));
+        require_weather(k == 0 ? first : document(k));
       });
-    }
   }
 
   /// What is not asked for cannot be had after hours either.

@@ -13,6 +13,7 @@
 #include "geometry/world.h"
 #include "io/document/document.h"
 #include "scene/scene.h"
+#include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/surfaces/thermal_assembly.h"
 #include "session/assembly/whole/camera_grid.h"
@@ -228,6 +229,11 @@ std::optional<SourcePosition> solved_temperature_at(const io::Document& document
   for (const auto& object : document.scene.objects)
     if (solved(object.temperature)) return object.temperature->position;
   return std::nullopt;
+}
+
+void require_weather(const io::Document& document) {
+  if (document.weather && document.time && solved_temperature_at(document))
+    outdoors_of_document(document, *assemble_weather(document.sources, *document.weather, document.time));
 }
 
 std::optional<TemperatureErrors> solve_temperatures(const io::Document& document,

@@ -26,6 +26,9 @@ struct Parts;
 /// Where the document first asks for a temperature that is solved; nothing where it asks for none.
 std::optional<SourcePosition> solved_temperature_at(const io::Document& document);
 
+/// Nothing where temperatures that are solved have the weather that they need, or none are. Else InputError, located.
+void require_weather(const io::Document& document);
+
 /// Solves for the temperature of every material whose document asks for it (`"temperature": "solved"`) under its weather,
 /// and gives it to the scene; then measures what that may be off by at points that the camera sees. Nothing where nobody asks. InputError,
 /// located: what is missing (a time, weather, a place, what a material stands on). `weather` may be null.
