@@ -20,7 +20,6 @@
 #include "session/assembly/whole/sensor_assembly.h"
 #include "session/assembly/whole/surroundings_assembly.h"
 #include "session/atmosphere_messages.h"
-#include "session/image_telling.h"
 #include "session/loaded/parts.h"
 #include "session/loaded/single_views.h"
 #include "session/messages.h"
