@@ -71,8 +71,9 @@ void widen(std::span<const NodeHalfWidth> nodes, const AccuracyTolerance* tolera
     for (std::size_t c = 0; c < columns; ++c) {
       float& half_width = tile.half_width[p * columns + c];
       const std::size_t channel = c % channels;
-      const double more = nodes[channel].counted(
-          std::abs(mean[channel]), std::isinf(limit[c]) ? 0.0 : limit[c], emitted_by(nodes[channel], held));
+      const double more =
+          nodes[channel].counted(std::abs(mean[channel]), std::isinf(limit[c]) ? 0.0 : limit[c],
+                                 nodes[channel].emitted - emitted_by(nodes[channel], held));
       half_width += static_cast<float>(more);
       const double ratio = half_width / limit[c];
       worst = std::max(worst, std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio);
