@@ -25,6 +25,7 @@
 #include "ifov/runs.h"
 #include "ifov/sampling.h"
 #include "ifov/sensor.h"
+#include "ifov/series.h"
 #include "ifov/simulation.h"
 #include "ifov/temperature.h"
 #include "ifov/tile.h"

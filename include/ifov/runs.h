@@ -13,7 +13,7 @@
 
 namespace ifov {
 
-/// How far the run in a folder is.
+/// How far the run in a folder is, or the series of runs (ifov/series.h).
 struct RunStatus {
   bool complete = false;  ///< the products are whole, and nothing below but `kept` is told
   bool kept = false;      ///< complete, and there is what `refine` goes on from
@@ -27,7 +27,9 @@ struct RunStatus {
   double worst_error_ratio =
       0.0;              ///< largest half-width so far in units of its limit; 0 where no accuracy is asked
   std::string at_work;  ///< "process 4711 on node7"; empty: nobody on this host
-  std::string text;     ///< what `ifov status` prints
+  /// Of a series; else none. What is told of tiles and pixels is of the time that is begun and not finished.
+  std::size_t times_done = 0, times_wanted = 0;
+  std::string text;  ///< what `ifov status` prints
 };
 
 /// Looks at the headers of the finished tiles alone, and may be called while the run is at work. Throws InputError where the

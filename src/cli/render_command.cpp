@@ -17,6 +17,7 @@
 #include "core/error.h"
 #include "core/format.h"
 #include "ifov/runs.h"
+#include "ifov/series.h"
 #include "ifov/simulation.h"
 
 namespace ifov::cli {
@@ -26,7 +27,7 @@ namespace {
 constexpr std::chrono::milliseconds kLastProducts(200);
 
 struct RenderArguments {
-  std::string document, output, log, tiles, time_limit;
+  std::string document, output, log, tiles, time_limit, times;
   DocumentArguments input;
   int threads = 0;
   bool quiet = false, no_cache = false, resume = false, restart = false, no_state = false, dry_run = false;
@@ -74,6 +75,31 @@ std::optional<std::chrono::steady_clock::time_point> deadline_of(
                      read_duration(arguments.time_limit, "--time-limit"));
 }
 
+/// --times gives the document its times.
+void require_no_time(const std::vector<std::string>& set) {
+  for (const std::string& one : set)
+    if (one.starts_with("time="))
+      throw InputError(format("--set {}: --times gives the document its times; leave one of them out", one));
+}
+
+RenderOptions options_of(const RenderArguments& arguments, CancelToken& cancel, Console& console) {
+  RenderOptions options;
+  options.folder = arguments.output;
+  options.threads = arguments.threads;
+  if (!arguments.tiles.empty()) options.share = read_share(arguments.tiles);
+  options.cancel = &cancel;
+  options.progress = &console;
+  options.log = &console;
+  options.keep_tiles = !arguments.no_state;
+  options.keep = arguments.keep;
+  options.refine = arguments.refine;
+  options.anyway = arguments.anyway;
+  options.start = arguments.resume    ? RunStart::resume
+                  : arguments.restart ? RunStart::restart
+                                      : RunStart::fresh;
+  return options;
+}
+
 ExitCode render(const RenderArguments& arguments) {
   if (arguments.quick)
     return preview({.document = arguments.document,
@@ -113,6 +139,22 @@ ExitCode render(const RenderArguments& arguments) {
     watchdog->limit(*deadline, "ifov: the time limit came before the scene was loaded; nothing is rendered");
   Console console(arguments.quiet, arguments.log);
   try {
+    if (!arguments.times.empty()) {
+      require_no_time(arguments.input.set);
+      SeriesOptions options{{.scene_cache = !arguments.no_cache,
+                             .threads = arguments.threads,
+                             .cancel = &cancel,
+                             .ranks = ranks},
+                            options_of(arguments, cancel, console),
+                            arguments.strict};
+      options.render.deadline = deadline;
+      if (watchdog) watchdog->over();
+      const SeriesOutcome outcome =
+          render_series(arguments.input.read(arguments.document), arguments.times, options);
+      console.finish();
+      if (!arguments.quiet) print_summary(outcome);
+      return static_cast<ExitCode>(outcome.verdict);
+    }
     const Document document = arguments.input.read(arguments.document);
     const Simulation simulation = Simulation::load(document, {.scene_cache = !arguments.no_cache,
                                                               .threads = arguments.threads,
@@ -121,9 +163,7 @@ ExitCode render(const RenderArguments& arguments) {
                                                               .log = &console,
                                                               .ranks = ranks});
     if (arguments.strict) require_no_warnings(simulation.warnings().size());
-    RenderOptions options;
-    options.folder = arguments.output;
-    options.threads = arguments.threads;
+    RenderOptions options = options_of(arguments, cancel, console);
     options.deadline = deadline;
     options.ranks = ranks;
     if (watchdog) watchdog->over();
@@ -133,17 +173,6 @@ ExitCode render(const RenderArguments& arguments) {
           format("ifov: the time limit came before the products were whole; unfinished ones carry the ending "
                  ".part{}",
                  arguments.no_state ? "" : ", and --resume goes on with what is finished"));
-    if (!arguments.tiles.empty()) options.share = read_share(arguments.tiles);
-    options.cancel = &cancel;
-    options.progress = &console;
-    options.log = &console;
-    options.keep_tiles = !arguments.no_state;
-    options.keep = arguments.keep;
-    options.refine = arguments.refine;
-    options.anyway = arguments.anyway;
-    options.start = arguments.resume    ? RunStart::resume
-                    : arguments.restart ? RunStart::restart
-                                        : RunStart::fresh;
     if (cancel.cancelled()) throw Cancelled();
     if (arguments.dry_run) {
       const std::chrono::duration<double> loading = std::chrono::steady_clock::now() - begin;
@@ -186,6 +215,13 @@ Command add_render_command(CLI::App& app) {
                    "Threads; 0 takes all cores. The result is the same for any number")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
+  CLI::Option* times =
+      parser
+          ->add_option(
+              "--times", arguments->times,
+              "Render the document at several times, each into a folder of its own: the first, a step "
+              "and how many, such as 2025-06-20T00:00Z/PT15M/96; with an animation and crossovers")
+          ->type_name("START/STEP/COUNT");
   CLI::Option* resume =
       parser->add_flag("--resume", arguments->resume,
                        "Go on with the run in the output folder that was stopped; the products are the "
@@ -221,14 +257,19 @@ Command add_render_command(CLI::App& app) {
       ->excludes(resume)
       ->excludes(restart)
       ->excludes(keep)
-      ->excludes(refine);
-  parser->add_flag("--dry-run", arguments->dry_run,
-                   "Foretell rays, time, memory and disk from a few pieces of the image, and render nothing");
+      ->excludes(refine)
+      ->excludes(times);
+  parser
+      ->add_flag("--dry-run", arguments->dry_run,
+                 "Foretell rays, time, memory and disk from a few pieces of the image, and render nothing")
+      ->excludes(times);
   parser
       ->add_option("--tiles", arguments->tiles,
                    "Render one share of the tiles, such as 17/64, for 'ifov merge'; makes no products")
       ->excludes(keep)
-      ->excludes(refine);
+      ->excludes(refine)
+      ->excludes(times);
+  times->excludes(keep)->excludes(refine);
   parser->add_option("--log", arguments->log, "Write what happens to this file");
   add_inputs_below(*parser);
   parser->add_flag("--no-cache", arguments->no_cache,
@@ -242,7 +283,8 @@ Command add_render_command(CLI::App& app) {
       "Examples:\n"
       "  ifov render scene.json\n"
       "  ifov render scene.json --resume\n"
-      "  ifov render scene.json --output /data/run7 --threads 8 --log run7.log\n\n"
+      "  ifov render scene.json --output /data/run7 --threads 8 --log run7.log\n"
+      "  ifov render scene.json --times 2025-06-20T00:00Z/PT15M/96\n\n"
       "Exit codes: 0 done and all well; 5 done, some pixels do not meet the accuracy; 6 done, with\n"
       "warnings; 4 the time limit came first; others as 'ifov --help' says.");
   return {parser, [arguments] { return render(*arguments); }};

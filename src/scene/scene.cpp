@@ -52,6 +52,7 @@ Scene::Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 Scene::~Scene() = default;
+Scene::Scene(const Scene&) = default;
 
 const Lamp* Scene::lamp_of(std::uint32_t state) const {
   const std::uint32_t lamp = states[state].lamp;

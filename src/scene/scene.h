@@ -122,11 +122,12 @@ struct SurfaceAssignment {
 struct Scene {
   Scene();
   Scene(Scene&&) noexcept;
+  explicit Scene(const Scene&);  ///< of the same worlds and maps, to be lit otherwise
   Scene& operator=(Scene&&) noexcept;
   ~Scene();
 
-  std::unique_ptr<geometry::World> world;
-  std::unique_ptr<geometry::World> departed;  ///< what is there before the picture alone; null: nothing
+  std::shared_ptr<const geometry::World> world;     ///< scenes of several times may share one
+  std::shared_ptr<const geometry::World> departed;  ///< what is there before the picture alone; null: nothing
   std::vector<materials::Material> materials;
   std::vector<SurfaceState> states;
   std::vector<SurfaceAssignment> assignments;
@@ -150,8 +151,7 @@ struct Scene {
   /// All temperatures at which anything of the scene may emit: states, maps, patterns, surroundings and sky; none
   /// where nothing does. Whoever needs to know asks here (scene_temperatures.cpp), so that nothing is forgotten.
   std::optional<TemperatureRange> temperatures() const;
-  /// Whether every surface emits, what lies around the scene included.
-  bool all_emit() const;
+  bool all_emit() const;  ///< every surface, what lies around the scene included
   /// Of those the ones that differ from point to point: solved ones, of maps and of patterns.
   std::optional<TemperatureRange> mapped_temperatures() const;
   /// The lamp of a state; null: none.

@@ -10,13 +10,11 @@
 #include "render/tolerance/atmosphere_budget.h"
 #include "render/tolerance/channel_brightness.h"
 #include "render/tolerance/node_budget.h"
-#include "sampling/means/region_interval.h"
 #include "sensor/camera.h"
 #include "session/assembly/atmosphere/atmosphere_cache.h"
 #include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/whole/light_assembly.h"
-#include "session/assembly/whole/noise_assembly.h"
 #include "session/assembly/whole/polarized_surfaces.h"
 #include "session/assembly/whole/scene_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
@@ -30,6 +28,7 @@
 #include "session/plausibility/light_warnings.h"
 #include "session/plausibility/plausibility.h"
 #include "session/response_assembly.h"
+#include "session/shared_scene.h"
 #include "session/solved/solved_temperatures.h"
 
 namespace ifov::session {
@@ -88,13 +87,21 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   KeptWarnings kept(outer_log, p.warnings);
   LogSink* const log = &kept;
   warn_of_former_keys(document, *log);
+  SharedScene alone;
+  SharedScene& shared = options.shared != nullptr && SharedScene::serves(document) ? *options.shared : alone;
   std::optional<io::SceneCache> cache;
-  if (options.scene_cache)
+  // A cache that is saved drops what nobody has asked it for.
+  if (options.scene_cache && !shared.is_built())
     cache.emplace(std::filesystem::path(document.sources.file_name).replace_extension(".ifovcache"),
                   version(), log);
   phase("scene");
-  AssembledScene assembled = assemble_scene(document.sources, document.scene, document.light.lamps,
-                                            document.time, document.seed, log, cache ? &*cache : nullptr);
+  const auto assemble = [&](LogSink* to) {
+    AssembledScene made = assemble_scene(document.sources, document.scene, document.light.lamps,
+                                         document.time, document.seed, to, cache ? &*cache : nullptr);
+    if (cache) shared.known_files = cache->known_files();
+    return made;
+  };
+  AssembledScene assembled = &shared == &alone ? assemble(log) : shared.scene(assemble, log);
   assemble_light({document.sources, document.light, document.atmosphere, document.scene.origin, document.time,
                   surroundings_material(document)},
                  assembled.scene);
@@ -102,7 +109,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   p.scene = std::move(assembled.scene), p.map_scales = std::move(assembled.map_scales);
   p.colour_guesses = std::move(assembled.colour_guesses);
   p.placed = std::move(assembled.placed), p.map_offset_m = assembled.map_offset_m;
-  if (cache) p.known_files = cache->known_files();
+  p.known_files = shared.known_files;
   if (document.weather) p.weather = assemble_weather(document.sources, *document.weather, document.time);
   p.channels = assemble_channels(document.sources, document.sensor.channels);
   p.polarimetry = assemble_polarimetry(document.sensor);
@@ -150,14 +157,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   with_position(document.sources, document.sensor.position, [&] { count_temperature_errors(p, *log); });
   p.make_tolerance();
   warn_of_atmosphere_errors(p, *log);
-  p.info = image_info(document.scene.origin, *p.camera, p.channels, p.scene, p.map_offset_m);
-  tell_irradiance(p);
-  tell_noise(document.sources, document.sensor, p.channels, p.info.channels);
-  p.info.stokes = document.sensor.stokes;
-  p.info.footprint_px = sampling::response_area_px(*p.footprint);
-  for (std::size_t g = 0; p.groups != nullptr && g < p.groups->size(); ++g)
-    p.info.footprint_px = std::max(p.info.footprint_px, sampling::response_area_px((*p.groups)[g].footprint));
-  for (std::size_t c = 0; c < p.air.size(); ++c) p.info.channels[c].air = p.air[c];
+  tell_of_image(p);
   tell_of_emitters(*p.spectral_scene, *log);
   refuse_rare_lobes(document.sources, document.scene, *p.spectral_scene);
   tell_of_highlights(*p.spectral_scene, *log);

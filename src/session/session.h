@@ -17,6 +17,7 @@ struct DocumentOverride;
 namespace ifov::session {
 
 struct Parts;
+class SharedScene;
 
 struct RunOptions {
   int threads = 0;                      ///< 0: all cores
@@ -32,6 +33,7 @@ struct LoadOptions {
   int threads = 0;                      ///< for the atmosphere; 0: all cores
   const CancelToken* cancel = nullptr;  ///< asked while the atmosphere is worked out
   ProgressSink* progress = nullptr;     ///< of the atmosphere: solutions instead of pixels
+  SharedScene* shared = nullptr;        ///< of the same document at other times; null: it is alone
 };
 
 struct ProductFile {

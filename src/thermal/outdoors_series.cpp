@@ -35,7 +35,11 @@ double standard_pressure_pa(double height_m) {
 class Sampler {
  public:
   Sampler(const WeatherSeries& weather, const geodesy::Geodetic& place, const Span& span)
-      : weather_(weather), place_(place), span_(span), sun_(begin_s(), end_s(), place) {
+      : weather_(weather),
+        place_(place),
+        span_(span),
+        // Days before the weather are like its first 24 hours, which may end later.
+        sun_(begin_s(), end_s() + (span.repeat_first_day ? kWeatherDay_s : 0.0), place) {
     const auto& knots = weather.knots(WeatherQuantity::air_temperature_k);
     bounded_ = !weather.is_constant() && !weather.typical_year() && !knots.empty();
     if (!bounded_) return;

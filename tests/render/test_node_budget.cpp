@@ -65,6 +65,42 @@ TEST_F(NodeBudget, LeavesTheRestToTheSampler) {
   EXPECT_TRUE(std::isinf(limit[1]));
 }
 
+// Temperatures that are solved: 1 of a pixel of the first material, 5 of the second, whose are least certain.
+TEST_F(NodeBudget, CountsTheMaterialsThatAPixelHolds) {
+  nodes_ = {{0.0, 0.0, 5.0, {1.0, 5.0}}, {0.0, 0.0, 5.0, {1.0, 5.0}}};
+  const auto widened_by = [&](std::vector<sampling::Abundance> held) {
+    sampling::TileResult result = tile(60.0f, 0.5f);
+    result.abundances = std::move(held);
+    widen(nodes_, nullptr, result);
+    return result.half_width[0] - 0.5;
+  };
+  EXPECT_NEAR(widened_by({{0, 0, 1.0f, 0.0f}}), 1.0, 1e-6);
+  EXPECT_NEAR(widened_by({{0, 1, 1.0f, 0.0f}}), 5.0, 1e-6);
+  EXPECT_NEAR(widened_by({{0, 0, 0.75f, 0.0f}, {0, 1, 0.25f, 0.0f}}), 2.0, 1e-6);
+  // As much of the worse one as there may be.
+  EXPECT_NEAR(widened_by({{0, 0, 0.75f, 0.1f}, {0, 1, 0.25f, 0.1f}}), 2.0 + 0.6, 1e-6);
+  // What is not told of, and what no pixel's materials are told of, is the worst.
+  EXPECT_NEAR(widened_by({{0, 0, 0.5f, 0.0f}}), 0.5 + 2.5, 1e-6);
+  EXPECT_NEAR(widened_by({}), 5.0, 1e-6);
+  EXPECT_NEAR(widened_by({{0, 7, 1.0f, 0.0f}}), 5.0, 1e-6);
+  nodes_[0].emitted_of.clear();
+  EXPECT_NEAR(widened_by({{0, 0, 1.0f, 0.0f}}), 5.0, 1e-6);
+}
+
+TEST_F(NodeBudget, PixelsOfATileHaveMaterialsOfTheirOwn) {
+  nodes_ = {{0.0, 0.0, 5.0, {1.0, 5.0}}};
+  sampling::TileResult result;
+  result.reset({0, 0, 3, 1}, 1);
+  result.mean = {60.0f, 60.0f, 60.0f};
+  result.half_width = {0.0f, 0.0f, 0.0f};
+  result.reasons = {0, 0, 0};
+  result.abundances = {{0, 0, 1.0f, 0.0f}, {2, 0, 0.5f, 0.0f}, {2, 1, 0.5f, 0.0f}};
+  widen(nodes_, nullptr, result);
+  EXPECT_NEAR(result.half_width[0], 1.0, 1e-6);
+  EXPECT_NEAR(result.half_width[1], 5.0, 1e-6);
+  EXPECT_NEAR(result.half_width[2], 3.0, 1e-6);
+}
+
 TEST_F(NodeBudget, WidensIntervalsAndSaysWhereNodesAreTooFew) {
   const AccuracyTolerance enough = tolerance(0.02), fine = tolerance(0.005), coarse = tolerance(0.2);
   sampling::TileResult result = tile(60.0f, 0.5f);

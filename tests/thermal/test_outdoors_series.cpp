@@ -135,6 +135,24 @@ TEST(OutdoorsSeries, DaysBeforeTheFirst) {
             std::string::npos);
 }
 
+// A picture before the first day of weather is over: the afternoons before it are like the one after it, and so is their Sun.
+TEST(OutdoorsSeries, DaysBeforeAMorningHaveTheFirstDaysSun) {
+  Span span = second_day();
+  span.end = geodesy::parse_utc("2016-01-01T15:00:00Z");
+  span.spin_up_s = 24.0 * kHour_s;
+  span.repeat_first_day = true;
+  const OutdoorsSeries series = outdoors_of(made({}), kPlace, span).series;
+  const double noon_s = atmosphere::seconds_of_day(2016, 1, 1) + 19.0 * kHour_s;  // about the place's own
+  for (const double back_s : {24.0 * kHour_s, 48.0 * kHour_s}) {
+    const double row = (noon_s - back_s - series.begin_s) / series.step_s;
+    if (row < 0.0) continue;
+    const Outdoors& then = series.rows[static_cast<std::size_t>(std::round(row))];
+    EXPECT_NEAR(then.sun_elevation_rad,
+                geodesy::sun_position({2440587.5, noon_s / 86400.0}, kPlace).elevation_rad, 3e-4);
+    EXPECT_GT(then.direct_w_m2, 300.0);
+  }
+}
+
 // Twenty-four hourly rows are a day, though the last is an hour before the day's end; eighteen are not.
 TEST(OutdoorsSeries, ADayToldHourByHourIsRepeated) {
   const auto hourly = [](int rows) {

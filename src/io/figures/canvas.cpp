@@ -183,6 +183,23 @@ void Canvas::begin_clip(double x, double y, double width, double height) {
 
 void Canvas::end_clip() { cairo_restore(parts_->c()); }
 
+std::vector<std::uint32_t> Canvas::pixels() const {
+  const int columns = static_cast<int>(parts_->width), rows = static_cast<int>(parts_->height);
+  const Surface sheet = image(CAIRO_FORMAT_RGB24, columns, rows);
+  parts_->draw_on(sheet.get(), 1.0);
+  cairo_surface_flush(sheet.get());
+  const unsigned char* const data = cairo_image_surface_get_data(sheet.get());
+  const int stride = cairo_image_surface_get_stride(sheet.get());
+  std::vector<std::uint32_t> pixels;
+  pixels.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  for (int row = 0; row < rows; ++row) {
+    const auto* line =
+        reinterpret_cast<const std::uint32_t*>(data + static_cast<std::ptrdiff_t>(row) * stride);
+    for (int k = 0; k < columns; ++k) pixels.push_back(line[k] & 0xFFFFFFu);
+  }
+  return pixels;
+}
+
 std::string Canvas::png() const {
   const Surface sheet = image(CAIRO_FORMAT_RGB24, static_cast<int>(kScale * parts_->width),
                               static_cast<int>(kScale * parts_->height));

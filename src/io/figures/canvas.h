@@ -52,6 +52,8 @@ class Canvas {
   void begin_clip(double x, double y, double width, double height);
   void end_clip();
 
+  /// 0xRRGGBB, row by row from the top, one a unit.
+  std::vector<std::uint32_t> pixels() const;
   std::string png() const;
   std::string svg() const;
   std::string pdf() const;

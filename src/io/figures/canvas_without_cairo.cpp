@@ -22,6 +22,7 @@ double Canvas::text_width(const std::string&, double, bool) const { return 0.0; 
 void Canvas::picture(double, double, double, int, int, std::span<const Pixel>) {}
 void Canvas::begin_clip(double, double, double, double) {}
 void Canvas::end_clip() {}
+std::vector<std::uint32_t> Canvas::pixels() const { return {}; }
 std::string Canvas::png() const { return {}; }
 std::string Canvas::svg() const { return {}; }
 std::string Canvas::pdf() const { return {}; }

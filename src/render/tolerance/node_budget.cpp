@@ -1,5 +1,6 @@
 #include "render/tolerance/node_budget.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -20,13 +21,49 @@ std::vector<NodeHalfWidth> node_half_widths(const transport::SpectralScene& scen
   return all;
 }
 
+namespace {
+
+/// The abundances of a tile pixel by pixel, asked for in order.
+class HeldMaterials {
+ public:
+  explicit HeldMaterials(const sampling::TileResult& tile) : all_(tile.abundances) {}
+  std::span<const sampling::Abundance> of(std::size_t pixel) {
+    while (next_ < all_.size() && all_[next_].pixel < pixel) ++next_;
+    const std::size_t first = next_;
+    while (next_ < all_.size() && all_[next_].pixel == pixel) ++next_;
+    return all_.subspan(first, next_ - first);
+  }
+
+ private:
+  std::span<const sampling::Abundance> all_;
+  std::size_t next_ = 0;
+};
+
+/// Of the materials of a pixel, each with as much of it as it may have; of what nothing is known the worst.
+double emitted_by(const NodeHalfWidth& node, std::span<const sampling::Abundance> held) {
+  if (node.emitted_of.empty()) return node.emitted;
+  double sum = 0.0, known = 0.0;
+  for (const sampling::Abundance& one : held) {
+    if (one.material >= node.emitted_of.size()) continue;
+    sum += (static_cast<double>(one.fraction) + static_cast<double>(one.half_width)) *
+           node.emitted_of[one.material];
+    known += static_cast<double>(one.fraction);
+  }
+  sum += std::max(0.0, 1.0 - known) * node.emitted;
+  return std::isfinite(sum) ? std::min(sum, node.emitted) : node.emitted;
+}
+
+}  // namespace
+
 void widen(std::span<const NodeHalfWidth> nodes, const AccuracyTolerance* tolerance,
            sampling::TileResult& tile) {
   if (nodes.empty() || !tile.has_errors()) return;
   const std::size_t columns = static_cast<std::size_t>(tile.columns);
   std::vector<double> mean(columns), limit(columns, 0.0);
   const std::size_t channels = nodes.size();  // behind them Q, U and V, which err as I does
+  HeldMaterials materials(tile);
   for (std::size_t p = 0; p < tile.samples.size(); ++p) {
+    const std::span<const sampling::Abundance> held = materials.of(p);
     for (std::size_t c = 0; c < columns; ++c) mean[c] = tile.mean[p * columns + c];
     if (tolerance != nullptr) tolerance->asked(mean, limit);
     double worst = 0.0;
@@ -35,7 +72,8 @@ void widen(std::span<const NodeHalfWidth> nodes, const AccuracyTolerance* tolera
       float& half_width = tile.half_width[p * columns + c];
       const std::size_t channel = c % channels;
       const double more =
-          nodes[channel].counted(std::abs(mean[channel]), std::isinf(limit[c]) ? 0.0 : limit[c]);
+          nodes[channel].counted(std::abs(mean[channel]), std::isinf(limit[c]) ? 0.0 : limit[c],
+                                 nodes[channel].emitted - emitted_by(nodes[channel], held));
       half_width += static_cast<float>(more);
       const double ratio = half_width / limit[c];
       worst = std::max(worst, std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 namespace ifov::render {
 
@@ -9,16 +10,17 @@ namespace ifov::render {
 struct NodeHalfWidth {
   /// Share of what is asked for up to which it is left out of intervals.
   static constexpr double kNegligible = 0.1;
-
   double relative = 0.0;
   double dark = 0.0;  ///< W m-2 sr-1 um-1: radiances below it may be off by as much as it
-
-  double emitted = 0.0;  ///< W m-2 sr-1 um-1: by what surfaces emit at temperatures that were solved
+  double emitted =
+      0.0;  ///< likewise: by what surfaces emit at temperatures that were solved, of the least certain material
+  std::vector<double>
+      emitted_of{};  ///< of pixels of one alone, by number in scene::TruthMaterials; empty: alike
 
   double of(double radiance) const { return relative * std::max(radiance, dark) + emitted; }
-  /// The same, or 0 where it is negligible beside `asked`.
-  double counted(double radiance, double asked) const {
-    const double half_width = of(radiance);
+  /// The same, `less` of it, or 0 where it is negligible beside `asked`.
+  double counted(double radiance, double asked, double less = 0.0) const {
+    const double half_width = of(radiance) - less;
     return half_width > kNegligible * asked ? half_width : 0.0;
   }
 };

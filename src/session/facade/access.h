@@ -1,8 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 
+#include "core/call_scope.h"
 #include "ifov/assets.h"
 #include "ifov/document.h"
 
@@ -10,6 +13,7 @@ namespace ifov::io {
 class Assets;
 struct AtmosphereReport;
 struct BrdfReport;
+struct Document;
 struct TemperatureReport;
 }  // namespace ifov::io
 namespace ifov::session {
@@ -28,6 +32,9 @@ class TemperatureReport;
 struct FacadeAccess {
   static const Document::Inside& inside(const Document& document) { return *document.inside_; }
   static Document document(Document::Inside inside);
+  /// What is read for a document, and how it is read anew with another time in place of its own.
+  static std::shared_ptr<const Call::Data> inputs(const Document& document);
+  static std::function<io::Document(const std::string& time)> at_times(const Document& document);
   static const io::Assets& inside(const Assets& assets);
   /// Of the rank that leads; null on the others, and for null.
   static session::Coordinator* coordinator(const Ranks* ranks);

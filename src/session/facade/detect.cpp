@@ -12,9 +12,9 @@
 #include "session/cube_channels.h"
 #include "session/facade/access.h"
 #include "session/facade/document_inside.h"
-#include "session/facade/run_record_file.h"
 #include "session/line_cube.h"
 #include "session/runs/detection.h"
+#include "session/runs/run_record_file.h"
 
 namespace ifov {
 namespace {

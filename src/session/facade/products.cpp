@@ -8,7 +8,7 @@
 #include "io/products/part_file.h"
 #include "io/products/region_means.h"
 #include "sampling/reason_words.h"
-#include "session/facade/run_record_file.h"
+#include "session/runs/run_record_file.h"
 
 namespace ifov {
 namespace {

@@ -7,12 +7,12 @@
 #include "session/facade/run_outcome.h"
 #include "session/runs/coordinator.h"
 #include "session/runs/merge.h"
-#include "session/runs/run_status.h"
 #include "session/runs/worker.h"
+#include "session/series/series_status.h"
 
 namespace ifov {
 
-RunStatus run_status(const std::filesystem::path& folder) { return session::status_of(folder); }
+RunStatus run_status(const std::filesystem::path& folder) { return session::status_of_any(folder); }
 
 Outcome merge(const std::vector<std::filesystem::path>& folders, const MergeOptions& options) {
   session::RunResult result = session::merge_runs(folders, options);

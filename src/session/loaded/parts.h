@@ -81,9 +81,8 @@ struct Parts {
   std::vector<double> psf_cut;
   std::unique_ptr<transport::SpectralScene> spectral_scene;
   std::unique_ptr<render::ChannelBrightness> brightness;
-  std::vector<render::AtmosphereHalfWidth> air;  ///< by channel; empty without a modelled atmosphere
-  /// By channel; empty with a modelled one, whose error holds that.
-  std::vector<render::NodeHalfWidth> node_errors;
+  std::vector<render::AtmosphereHalfWidth> air;    ///< by channel; empty without a modelled atmosphere
+  std::vector<render::NodeHalfWidth> node_errors;  ///< by channel; empty with a modelled one that holds them
   SamplingPlan plan;
   std::unique_ptr<render::AccuracyTolerance> tolerance;  ///< null where no accuracy is asked for
   render::ImageInfo info;
@@ -92,8 +91,7 @@ struct Parts {
 
   /// Whether light comes from above the horizon beside the Sun's: of the scene's own sky, or of its air.
   bool has_sky() const;
-  /// The job that renders the document's image.
-  render::RenderJob job() const;
+  render::RenderJob job() const;  ///< that renders the document's image
   /// The same image sampled in another way; keeps references to both.
   render::RenderJob job(const SamplingPlan& sampling, const render::AccuracyTolerance* limits) const;
   /// What a plan's accuracy asks for; null where it asks for none.

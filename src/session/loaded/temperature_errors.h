@@ -30,7 +30,7 @@ struct TemperatureErrors {
 
   std::map<std::uint32_t, OfMaterial> by_material{};  ///< by its number
 
-  /// Of an image: of the material where it is largest, as a pixel may see any.
+  /// Of the material where it is largest.
   double half_width_k() const;
   std::string statement() const;
 };

@@ -13,6 +13,7 @@
 #include "geometry/world.h"
 #include "io/document/document.h"
 #include "scene/scene.h"
+#include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/surfaces/thermal_assembly.h"
 #include "session/assembly/whole/camera_grid.h"
@@ -26,18 +27,6 @@ constexpr double kSunRadius_rad = 0.00465;                 // at 1 au, of 6.957e
 constexpr int kAcross = 24;                                // rays along each side of the image
 constexpr std::size_t kMeasured = 64, kLeastMeasured = 8;  // points, of all materials and of each
 constexpr int kSkyPairs = 128;
-
-/// Where the document first asks for a solved temperature.
-SourcePosition asked_at(const io::Document& document) {
-  const auto solved = [](const std::optional<io::TemperatureDocument>& temperature) {
-    return temperature && std::holds_alternative<io::SolvedTemperatureDocument>(temperature->value);
-  };
-  for (const io::MaterialDocument& material : document.scene.materials)
-    if (solved(material.temperature)) return material.temperature->position;
-  for (const auto& object : document.scene.objects)
-    if (solved(object.temperature)) return object.temperature->position;
-  return {};
-}
 
 /// What a material is solved from, and its classes.
 struct Solved {
@@ -231,6 +220,22 @@ void measure(TemperatureErrors& errors, const io::Document& document, const ByMa
 
 }  // namespace
 
+std::optional<SourcePosition> solved_temperature_at(const io::Document& document) {
+  const auto solved = [](const std::optional<io::TemperatureDocument>& temperature) {
+    return temperature && std::holds_alternative<io::SolvedTemperatureDocument>(temperature->value);
+  };
+  for (const io::MaterialDocument& material : document.scene.materials)
+    if (solved(material.temperature)) return material.temperature->position;
+  for (const auto& object : document.scene.objects)
+    if (solved(object.temperature)) return object.temperature->position;
+  return std::nullopt;
+}
+
+void require_weather(const io::Document& document) {
+  if (document.weather && document.time && solved_temperature_at(document))
+    outdoors_of_document(document, *assemble_weather(document.sources, *document.weather, document.time));
+}
+
 std::optional<TemperatureErrors> solve_temperatures(const io::Document& document,
                                                     const atmosphere::WeatherSeries* weather,
                                                     const sensor::Camera& camera, scene::Scene& scene,
@@ -243,7 +248,8 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
     return std::nullopt;
   }
   const auto missing = [&](const char* what) {
-    return io::document_error(document.sources, asked_at(document), what);
+    return io::document_error(document.sources, solved_temperature_at(document).value_or(SourcePosition{}),
+                              what);
   };
   if (!document.time)
     throw missing("a temperature that is solved needs a \"time\", and weather of the day before it");

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/error.h"
 #include "core/run_control.h"
 #include "session/loaded/temperature_errors.h"
 
@@ -21,6 +22,12 @@ class Camera;
 namespace ifov::session {
 
 struct Parts;
+
+/// Where the document first asks for a temperature that is solved; nothing where it asks for none.
+std::optional<SourcePosition> solved_temperature_at(const io::Document& document);
+
+/// Nothing where temperatures that are solved have the weather that they need, or none are. Else InputError, located.
+void require_weather(const io::Document& document);
 
 /// Solves for the temperature of every material whose document asks for it (`"temperature": "solved"`) under its weather,
 /// and gives it to the scene; then measures what that may be off by at points that the camera sees. Nothing where nobody asks. InputError,

@@ -39,8 +39,9 @@ AssembledScene assemble_scene(const io::DocumentSources& sources, const io::Scen
   AssignmentAssembly assignments(sources, written.materials, seed, frame, scene, log);
   const std::vector<PlacedLamp> placed = assemble_lamps(sources, lamps, frame, scene);
   const GeometrySubject geometry{sources, written.objects, written.prototypes, time};
-  scene.world =
+  std::unique_ptr<geometry::World> world =
       assemble_geometry(geometry, assignments, placed, frame, log, cache, assembled.placed, progress);
+  std::unique_ptr<geometry::World> departed;
   assembled.map_scales = assignments.map_scales();
   assembled.colour_guesses = assignments.colour_guesses();
   if (std::any_of(scene.states.begin(), scene.states.end(),
@@ -48,7 +49,7 @@ AssembledScene assemble_scene(const io::DocumentSources& sources, const io::Scen
     // What nobody sees covers nothing.
     const std::size_t materials = scene.materials.size(), states = scene.states.size(),
                       covers = scene.assignments.size();
-    scene.departed = assemble_departed(geometry, assignments, frame, log, cache);
+    departed = assemble_departed(geometry, assignments, frame, log, cache);
     scene.materials.resize(materials), scene.states.resize(states), scene.assignments.resize(covers);
   }
   if (written.periodic) {
@@ -59,12 +60,13 @@ AssembledScene assemble_scene(const io::DocumentSources& sources, const io::Scen
       cell.west_m = (*periodic.low_left_m)[0] - written.origin.offset_m.x;
       cell.south_m = (*periodic.low_left_m)[1] - written.origin.offset_m.y;
     }
-    for (std::unique_ptr<geometry::World>* const world : {&scene.world, &scene.departed})
-      if (*world)
-        *world = with_position(sources, periodic.position, [&] {
-          return std::make_unique<geometry::PeriodicWorld>(std::move(*world), cell);
+    for (std::unique_ptr<geometry::World>* const one : {&world, &departed})
+      if (*one)
+        *one = with_position(sources, periodic.position, [&] {
+          return std::make_unique<geometry::PeriodicWorld>(std::move(*one), cell);
         });
   }
+  scene.world = std::move(world), scene.departed = std::move(departed);
   return assembled;
 }
 

@@ -1,4 +1,4 @@
-#include "session/facade/run_record_file.h"
+#include "session/runs/run_record_file.h"
 
 #include "core/error.h"
 #include "io/files/input_file.h"

@@ -1,0 +1,253 @@
+#include "session/series/series_run.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/error.h"
+#include "core/version.h"
+#include "io/document/document.h"
+#include "io/files/own_files.h"
+#include "io/quantities/quantity_set.h"
+#include "io/run_state/run_folder.h"
+#include "session/runs/run_record_file.h"
+#include "session/series/series_products.h"
+#include "session/series/series_record.h"
+#include "session/series/series_sun.h"
+#include "session/series/series_voice.h"
+#include "session/shared_scene.h"
+#include "session/solved/solved_temperatures.h"
+
+namespace ifov::session {
+namespace {
+
+std::vector<std::string> shown_channels(const io::Document& document) {
+  std::vector<std::string> names;
+  for (const io::DocumentName& channel : document.output.quicklook_channels) names.push_back(channel.name);
+  return names;
+}
+
+/// No picture but a list.
+bool is_of_views(const io::Document& document) {
+  const std::string& model = document.sensor.camera.model;
+  return model == "points" || model == "rays";
+}
+
+class SeriesRun {
+ public:
+  explicit SeriesRun(const SeriesRequest& request)
+      : request_(request),
+        count_(request.times.all.size()),
+        log_(request.run.options.log),
+        progress_(request.run.options.progress, count_) {}
+
+  SeriesResult go() {
+    const io::Document first = document(0);
+    record_.version = version();
+    record_.document = first.sources.file_name;
+    record_.name = first.output.name;
+    for (const SeriesTimes::One& one : request_.times.all) record_.times.push_back({one.text, one.folder});
+    result_.folder = folder_of(first);
+    refuse_what_is_still(first);
+    refuse_what_is_there();
+    require_weather_at_ends(first);
+    tell_of_crossovers(first);
+    std::filesystem::create_directories(result_.folder);
+    record_.write(result_.folder);
+    find_finished();
+    for (std::size_t k = 0; k < count_; ++k) {
+      if (finished_[k]) continue;
+      if (is_over() || !render(k)) return stopped_early();
+    }
+    add_finished();
+    const SeriesFiles made = make_series_products(
+        {result_.folder, record_, shown_channels(first), is_of_views(first), place_of(first)}, &log_);
+    result_.files = made.files;
+    for (const ProductFile& file : made.files) record_.files.push_back(file.path.filename().string());
+    record_.complete = true;
+    record_.write(result_.folder);
+    return finished();
+  }
+
+ private:
+  io::Document document(std::size_t k) const {
+    const Call call{request_.inputs, request_.load.cancel};
+    const CallScope scope(call);
+    return request_.document(request_.times.all[k].text);
+  }
+
+  std::optional<geodesy::Geodetic> place_of(const io::Document& document) const {
+    const Call call{request_.inputs, request_.load.cancel};  // the weather's file may tell
+    const CallScope scope(call);
+    return place_of_series(document);
+  }
+
+  std::filesystem::path folder_of(const io::Document& document) const {
+    if (!request_.run.options.output_folder.empty()) return request_.run.options.output_folder;
+    io::refuse_links_below(std::filesystem::path(document.sources.file_name).parent_path(),
+                           document.output.folder);
+    return document.output.folder;
+  }
+  std::filesystem::path folder_at(std::size_t k) const { return result_.folder / record_.times[k].folder; }
+
+  /// What goes wrong at a time names it.
+  template <class Action>
+  auto named(std::size_t k, Action&& action) const {
+    const auto text = [&](const std::exception& error) {
+      return format("at {} ({} of {} times): {}", record_.times[k].time, k + 1, count_, error.what());
+    };
+    try {
+      return action();
+    } catch (const InputError& error) {
+      throw InputError(text(error), error.position());
+    } catch (const SystemError& error) {
+      throw SystemError(text(error));
+    }
+  }
+
+  /// Whose every time would be the same picture.
+  void refuse_what_is_still(const io::Document& document) const {
+    if (count_ == 1 || document.weather || document.scene.origin.geographic || document.platform ||
+        !SharedScene::serves(document))
+      return;
+    throw InputError(format(
+        "{}: nothing in it changes with the time: it has no \"weather\", no object with \"present\", and no latitude and "
+        "longitude in its \"origin\", from which it follows where the Sun stands",
+        document.sources.file_name));
+  }
+
+  /// Nothing finished is thrown away unasked, and what was begun is not begun again.
+  void refuse_what_is_there() const {
+    for (std::size_t k = 0; k < count_; ++k) io::refuse_links_below(result_.folder, folder_at(k));
+    if (request_.run.start != RunStart::fresh) return;
+    std::error_code ignored;
+    const auto earlier = SeriesRecord::in(result_.folder);
+    bool begun = earlier && !earlier->complete;
+    for (std::size_t k = 0; k < count_; ++k)
+      begun = begun || std::filesystem::exists(io::plan_file(folder_at(k)), ignored);
+    if (begun)
+      throw InputError(format(
+          "'{}' holds a series that is not finished: --resume goes on with it, --restart throws it away and begins",
+          result_.folder.string()));
+  }
+
+  /// Weather that does not reach is told before the first ray, not after hours.
+  void require_weather_at_ends(const io::Document& first) const {
+    for (const std::size_t k : {std::size_t{0}, count_ - 1})
+      named(k, [&] {
+        const Call call{request_.inputs, request_.load.cancel};
+        const CallScope scope(call);
+        require_weather(k == 0 ? first : document(k));
+      });
+  }
+
+  /// What is not asked for cannot be had after hours either.
+  void tell_of_crossovers(const io::Document& first) {
+    const auto& products = first.output.products;
+    if (products && solved_temperature_at(first) && !products->has(*io::find_quantity("abundance")))
+      log_.warn("no crossovers of materials will be told: 'output.products' leaves out \"abundance\"");
+  }
+
+  void find_finished() {
+    finished_.assign(count_, false);
+    if (request_.run.start != RunStart::resume) return;
+    for (std::size_t k = 0; k < count_; ++k) {
+      const auto path = complete_run(folder_at(k), record_.name);
+      if (!path) continue;
+      const RunRecordFile file(*path);
+      if (file.root()["document"]["text"].text() != *document(k).text ||
+          file.root()["program"]["version"].text() != version())
+        throw InputError(format(
+            "'{}' holds products of another document, or of another version of ifov: --restart makes all times anew",
+            folder_at(k).string()));
+      finished_[k] = true;
+    }
+    const auto there = std::count(finished_.begin(), finished_.end(), true);
+    if (there > 0) log_.info(format("{} of {} times are done already", there, count_));
+  }
+
+  bool is_over() const {
+    return request_.run.deadline && std::chrono::steady_clock::now() >= *request_.run.deadline;
+  }
+
+  /// False where the deadline came first.
+  bool render(std::size_t k) {
+    const auto more =
+        std::count(finished_.begin() + static_cast<std::ptrdiff_t>(k) + 1, finished_.end(), false);
+    progress_.time(k, record_.times[k].time, static_cast<std::size_t>(more));
+    log_.info(format("time {} ({} of {})", record_.times[k].time, k + 1, count_));
+    return named(k, [&] {
+      const Session session = load(k);
+      if (request_.strict && !session.warnings().empty())
+        throw InputError(format("{} warning{} on loading, which --strict makes {}", session.warnings().size(),
+                                session.warnings().size() == 1 ? "" : "s",
+                                session.warnings().size() == 1 ? "an error" : "errors"));
+      for (const std::string& warning : session.warnings())
+        if (std::find(result_.warnings.begin(), result_.warnings.end(), warning) == result_.warnings.end())
+          result_.warnings.push_back(warning);
+      if (request_.load.cancel != nullptr && request_.load.cancel->cancelled()) throw Cancelled();
+      RunRequest run = request_.run;
+      run.options.output_folder = folder_at(k);
+      run.options.log = &log_;
+      run.options.progress = &progress_;
+      const Call call{request_.inputs};  // what is finished is put away undisturbed
+      const CallScope scope(call);
+      SeriesResult::OfTime made_now{record_.times[k].time, folder_at(k), false, render_run(session, run),
+                                    session.warnings().size()};
+      const bool whole = made_now.run.tiles_left == 0;
+      result_.times.push_back(std::move(made_now));
+      return whole;
+    });
+  }
+
+  Session load(std::size_t k) {
+    const Call call{request_.inputs, request_.load.cancel};
+    const CallScope scope(call);
+    LoadOptions options = request_.load;
+    options.shared = &scene_;
+    options.progress = &progress_;
+    return Session::load(document(k), &log_, options);
+  }
+
+  /// Those of earlier starts, told by their records.
+  void add_finished() {
+    for (std::size_t k = 0; k < count_; ++k) {
+      if (!finished_[k]) continue;
+      const RunRecordFile file(*complete_run(folder_at(k), record_.name));
+      const Record accuracy = file.root()["accuracy"];
+      SeriesResult::OfTime one{record_.times[k].time, folder_at(k), true, {}, 0};
+      one.run.summary.judged = !accuracy["asked"].text("").empty();
+      one.run.summary.totals.pixels_done = accuracy["pixels"].integer();
+      one.run.summary.totals.pixels_converged = accuracy["pixels_converged"].integer();
+      for (const Record& note : file.root()["notes"].items())
+        if (note.text().starts_with("warning: ")) ++one.warnings;
+      result_.times.insert(result_.times.begin() + static_cast<std::ptrdiff_t>(k), std::move(one));
+    }
+  }
+
+  SeriesResult stopped_early() {
+    const auto there = static_cast<std::size_t>(std::count(finished_.begin(), finished_.end(), true));
+    const bool partial = !result_.times.empty() && result_.times.back().run.tiles_left > 0;
+    result_.times_left = count_ - there - result_.times.size() + (partial ? 1 : 0);
+    return finished();
+  }
+
+  SeriesResult finished() {
+    result_.totals = progress_.all();
+    return std::move(result_);
+  }
+
+  const SeriesRequest& request_;
+  std::size_t count_;
+  SeriesLog log_;
+  SeriesProgress progress_;
+  SharedScene scene_;
+  SeriesRecord record_;
+  std::vector<bool> finished_;
+  SeriesResult result_;
+};
+
+}  // namespace
+
+SeriesResult render_series(const SeriesRequest& request) { return SeriesRun(request).go(); }
+
+}  // namespace ifov::session

@@ -1,0 +1,117 @@
+// What a pixel's half-width says of temperatures that are solved: that of the materials it holds, good ones and bad ones.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "core/format.h"
+#include "exposure/clear_days.h"
+#include "exposure/solved_surface.h"
+#include "geometry/world.h"
+#include "io/document/document.h"
+#include "radiometry/spectral_nodes.h"
+#include "session/assembly/surfaces/thermal_assembly.h"
+#include "session/loaded/parts.h"
+#include "session/session.h"
+#include "session/solved/document_outdoors.h"
+#include "thermal/surface_solution.h"
+
+namespace ifov::session::test_image_half_widths {
+namespace {
+
+constexpr double kHalf_m = 9.0;
+constexpr int kSide = 60, kSkyPairs = 64, kSunRays = 8;
+
+/// Roofs of thin tiles and a wet lawn between them; a mirror that may show either.
+Session street(const DaysOfJune& weather) {
+  return Session::load(
+      io::parse_document(format(
+                             R"({{"ifov": 1, "time": "2026-06-21T12:00:00Z", "weather": {{"file": "{}"}},
+          "temperatures": {{"spin_up": "1 d", "step": "10 min", "repeat_first_day": true}},
+          "scene": {{"origin": {{"latitude": "52 deg", "longitude": "5 deg"}},
+            "materials": {{
+              "lawn": {{"reflectance": {{"library": "grass, lawn"}}, "temperature": "solved"}},
+              "roof": {{"reflectance": {{"library": "roof tile, red clay"}}, "temperature": "solved"}},
+              "mirror": {{"reflectance": 0.98, "scattering": "mirror"}}}},
+            "objects": [{{"plane": {{}}, "material": "lawn"}},
+              {{"box": {{"low": ["-7 m", "2 m", "0 m"], "high": ["3 m", "9 m", "6 m"]}}, "material": "roof"}},
+              {{"box": {{"low": ["4 m", "-3 m", "0.3 m"], "high": ["8 m", "-1 m", "1.4 m"]}}, "material": "roof"}},
+              {{"disk": {{"center": ["-5 m", "-5 m", "0.5 m"], "normal": [0, 0, 1], "radius": "1 m"}}, "material": "mirror"}}]}},
+          "light": {{"sky": {{"temperature": "255 K"}}}},
+          "sensor": {{"camera": {{"orthographic": {{"gsd": "0.5 m", "pixels": [36, 36]}}}},
+            "channels": [{{"name": "thermal", "monochromatic": {{"at": "10 um"}}}}]}},
+          "sampling": {{"accuracy": {{"error": "4 K"}}}}}})",
+                             weather.path()),
+                         "street.json"),
+      nullptr);
+}
+
+/// Of a grid of places from above: what classes make of each against its own full solution, kelvins by material.
+std::map<std::uint32_t, std::vector<double>> off_by_material(const Parts& parts) {
+  const DocumentOutdoors about = outdoors_of_document(parts.document, *parts.weather);
+  const thermal::OutdoorsSeries& series = about.outdoors.series;
+  std::map<std::uint32_t, std::vector<double>> off_k;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const auto along = [](int k) { return kHalf_m * (2.0 * (k + 0.5) / kSide - 1.0); };
+    const math::Ray ray{.origin_m = {along(i % kSide), along(i / kSide), 50.0},
+                        .direction = {0.0, 0.0, -1.0}};
+    geometry::SurfacePoint hit;
+    parts.scene.world->intersect({&ray, 1}, {&hit, 1});
+    const std::uint32_t by =
+        parts.scene.states[parts.scene.resolve_without_temperature(hit).constituents[0].state].solved;
+    if (by == 0) continue;
+    const auto& surface = dynamic_cast<const exposure::SolvedSurface&>(*parts.scene.solved[by - 1]);
+    const auto exposure = surface.exposure(hit, static_cast<std::uint64_t>(i), kSkyPairs, kSunRays);
+    thermal::Stand stand;
+    stand.terrain = about.terrain;
+    stand.free_sky = exposure.free_sky;
+    stand.height_m = exposure.height_m;
+    std::vector<double> visibility(series.rows.size(), 0.0);
+    for (std::size_t k = 0; k < exposure.visibility.size(); ++k)
+      visibility[surface.classes().row_of_series(k)] = exposure.visibility[k];
+    const ThermalMaterial material =
+        *assemble_thermal(parts.document.sources, parts.document.scene.materials[by - 1],
+                          parts.scene.materials[by - 1], about.mean_air_k);
+    const double full_k = thermal::solve_surface(material.solid, material.skin, stand, series, material.start,
+                                                 std::move(visibility))
+                              .history.nodes.back()
+                              .surface_k;
+    off_k[by - 1].push_back(surface.temperature_k(hit, exposure) - full_k);
+  }
+  return off_k;
+}
+
+TEST(ImageHalfWidths, CoverPixelsOfAGoodMaterialAndOfABadOne) {
+  const ClearDays weather("half_widths", 2.5);
+  const Session session = street(weather);
+  const Parts& parts = session.parts();
+  const render::NodeHalfWidth& channel = parts.node_errors.at(0);
+  constexpr std::uint32_t kLawn = 0, kRoof = 1, kMirror = 2;
+  ASSERT_GE(channel.emitted_of.size(), 3u);
+  // A pixel of the lawn is the least certain one; of tiles it is much more certain; a mirror may show the lawn.
+  EXPECT_DOUBLE_EQ(channel.emitted_of[kLawn], channel.emitted);
+  EXPECT_DOUBLE_EQ(channel.emitted_of[kMirror], channel.emitted);
+  EXPECT_LT(channel.emitted_of[kRoof], 0.4 * channel.emitted);
+
+  const auto covered = [&](const std::vector<double>& off_k, double half_width) {
+    int count = 0;
+    for (const double by_k : off_k) {
+      std::vector<double> there(1), off(1);
+      parts.nodes->planck_channels(300.0, there);
+      parts.nodes->planck_channels(300.0 + by_k, off);
+      if (std::abs(off[0] - there[0]) <= half_width) ++count;
+    }
+    return static_cast<double>(count) / static_cast<double>(off_k.size());
+  };
+  const auto off_k = off_by_material(parts);
+  ASSERT_GT(off_k.at(kLawn).size(), 200u);
+  ASSERT_GT(off_k.at(kRoof).size(), 50u);
+  EXPECT_GE(covered(off_k.at(kLawn), channel.emitted_of[kLawn]), 0.93);
+  EXPECT_GE(covered(off_k.at(kRoof), channel.emitted_of[kRoof]), 0.93);
+  // A fault: a pixel of the lawn that is told as one of tiles.
+  EXPECT_LT(covered(off_k.at(kLawn), channel.emitted_of[kRoof]), 0.93);
+}
+
+}  // namespace
+}  // namespace ifov::session::test_image_half_widths
