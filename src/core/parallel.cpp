@@ -73,4 +73,12 @@ void parallel_for(std::int64_t count, int threads, const std::function<void(std:
   });
 }
 
+void run_apart(const std::function<void()>& body) {
+  tbb::task_group_context apart(tbb::task_group_context::isolated);
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(
+        0, 1, [&](int) { body(); }, tbb::simple_partitioner(), apart);
+  });
+}
+
 }  // namespace ifov

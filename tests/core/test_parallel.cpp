@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
 
 #include <atomic>
 #include <chrono>
@@ -92,6 +93,40 @@ TEST(Parallel, ACancelledCallEndsItsLoops) {
   }
   EXPECT_LT(calls, 100000);
   stop_if_cancelled();
+}
+
+TEST(Parallel, WhatRunsApartIsNotEndedWithItsLoop) {
+  // Of 1000 turns within one of a loop whose other one throws meanwhile.
+  const auto turns = [](bool apart) {
+    std::atomic<int> within{0}, done{0};
+    const auto work = [&] {
+      ++within;
+      // A library's own, as Embree's.
+      tbb::parallel_for(0, 1000, [&](int) {
+        std::this_thread::sleep_for(std::chrono::microseconds(20));
+        ++done;
+      });
+    };
+    EXPECT_THROW(parallel_for(2, 2,
+                              [&](std::int64_t k) {
+                                if (k == 0) {
+                                  wait_for(within, 1);
+                                  throw Cancelled();
+                                }
+                                if (apart)
+                                  run_apart(work);
+                                else
+                                  work();
+                              }),
+                 Cancelled);
+    return done.load();
+  };
+  EXPECT_EQ(turns(true), 1000);
+  EXPECT_LT(turns(false), 1000);  // the twin
+  EXPECT_THROW(run_apart([] { throw Cancelled(); }), Cancelled);
+  int calls = 0;
+  run_apart([&] { ++calls; });
+  EXPECT_EQ(calls, 1);
 }
 
 }  // namespace
