@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include "core/call_scope.h"
+#include "core/thread_pool.h"
 
 #ifdef __SANITIZE_THREAD__
 #include <atomic>
@@ -54,6 +55,7 @@ void allow_many_threads() {
 int usual_threads() { return tbb::info::default_concurrency(); }
 
 void parallel_for(std::int64_t count, int threads, const std::function<void(std::int64_t)>& body) {
+  const PoolUse use;
   allow_many_threads();
   tbb::task_arena arena(threads > 0 ? threads : usual_threads());
   const Call& call = current_call();

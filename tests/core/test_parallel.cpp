@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <tbb/parallel_for.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
+#include <functional>
+#include <string>
 #include <thread>
 
 #include "core/call_scope.h"
@@ -127,6 +131,68 @@ TEST(Parallel, WhatRunsApartIsNotEndedWithItsLoop) {
   int calls = 0;
   run_apart([&] { ++calls; });
   EXPECT_EQ(calls, 1);
+}
+
+/// What a forked process answers with its code; it has a minute.
+int in_child(const std::function<int()>& work) {
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(60);
+    _exit(work());
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+int threads_at_work() {
+  std::atomic<int> inside{0};
+  parallel_for(3, 3, [&](std::int64_t) {
+    ++inside;
+    wait_for(inside, 3);
+  });
+  return inside;
+}
+
+TEST(Parallel, AForkedProcessMakesThreadsOfItsOwn) {
+#ifdef __SANITIZE_THREAD__
+  GTEST_SKIP() << "the sanitizer ends processes that were forked from several threads";
+#endif
+  for (int round = 0; round < 20; ++round) {
+    ASSERT_EQ(threads_at_work(), 3);
+    ASSERT_EQ(in_child([] { return in_child([] { return threads_at_work(); }) + threads_at_work(); }), 6);
+  }
+}
+
+TEST(Parallel, AProcessThatWasForkedFromWorkSaysSo) {
+#ifdef __SANITIZE_THREAD__
+  GTEST_SKIP() << "the sanitizer ends processes that were forked from several threads";
+#endif
+  const auto refused = [] {
+    try {
+      parallel_for(3, 3, [](std::int64_t) {});
+    } catch (const SystemError& error) {
+      return std::string(error.what()).find("forked from one in which ifov was at work") != std::string::npos
+                 ? 7
+                 : 8;
+    }
+    return 9;
+  };
+  std::atomic<int> inside{0};
+  std::atomic<bool> over{false};
+  std::thread other([&] {
+    parallel_for(2, 2, [&](std::int64_t) {
+      ++inside;
+      while (!over) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    });
+  });
+  wait_for(inside, 2);
+  EXPECT_EQ(in_child(refused), 7);
+  EXPECT_EQ(in_child([&] { return in_child(refused); }), 7);
+  over = true;
+  other.join();
+  EXPECT_EQ(in_child(refused), 9);
+  EXPECT_EQ(threads_at_work(), 3);
 }
 
 }  // namespace
