@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/call_scope.h"
 #include "sampling/accuracy/basis/label_table.h"
 #include "sampling/accuracy/radiance/footprint_weights.h"
 #include "sampling/accuracy/radiance/leaf_integrator.h"
@@ -54,6 +55,7 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
     for (std::size_t c = 0; c < n; ++c) sum.mean[c] += pixel.weight * table_.mean(pixel.label)[columns[c]];
   }
   for (const SourcePixel& pixel : radiance.pixels().others()) {
+    stop_if_cancelled();
     const PixelModel& model = pixel.model;
     if (model.outputs.empty()) continue;
     if (pixel.cluttered) {
