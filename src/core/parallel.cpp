@@ -55,8 +55,8 @@ void allow_many_threads() {
 int usual_threads() { return tbb::info::default_concurrency(); }
 
 void parallel_for(std::int64_t count, int threads, const std::function<void(std::int64_t)>& body) {
-  const PoolUse use;
   allow_many_threads();
+  const PoolUse use;
   tbb::task_arena arena(threads > 0 ? threads : usual_threads());
   const Call& call = current_call();
   LoopOrder order;
