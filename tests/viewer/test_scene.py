@@ -3,6 +3,7 @@ are left out, and what a client may cost."""
 
 import json
 import math
+import os
 import pathlib
 import socket
 import time
@@ -384,6 +385,31 @@ def many_hills(size=1100):
 
 
 class Loading(unittest.TestCase):
+    def test_what_a_document_names_is_loaded_when_it_is_wanted(self):
+        """And by one at a time: the checks come after the picture."""
+        document, files = many_hills()
+        with Shown(document, files=files) as shown:
+            def processor_s():
+                words = pathlib.Path(f"/proc/{shown.viewer.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+                return (int(words[11]) + int(words[12])) / os.sysconf("SC_CLK_TCK")
+
+            shown.viewer.ask("sources")
+            time.sleep(1)
+            self.assertLess(processor_s(), 0.3)
+            waited = 0
+            while shown.viewer.ask("scene")["state"] == "loading":
+                self.assertFalse(shown.viewer.ask("document", source=0)["checked"])
+                self.assertNotIn("triangles", str(shown.viewer.ask("document", source=0)["messages"]))
+                waited += 1
+                time.sleep(0.02)
+            self.assertGreater(waited, 3)
+            for _ in range(600):
+                said = shown.viewer.ask("document", source=0)
+                if said["checked"]:
+                    break
+                time.sleep(0.05)
+            self.assertIn(f"{2 * 1099 ** 2} triangles", str(said["messages"]))
+
     def test_progress_is_told(self):
         document, files = hills()
         with Shown(document, files=files) as shown:
