@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include "core/call_scope.h"
+#include "core/run_apart.h"
 #include "core/thread_pool.h"
 
 #ifdef __SANITIZE_THREAD__

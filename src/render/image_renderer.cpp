@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/call_scope.h"
 #include "core/error.h"
 #include "geometry/world.h"
 #include "render/open_sky.h"
@@ -142,12 +141,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     const auto later = unsampled.tell(problem.tile, static_cast<std::size_t>(field.blends().first_column()));
     problem.later = later.get();
     sampling::TileResult result;
-    {
-      // What is worked out between rays ends with the run, too; what is put away below does not.
-      const Call ending{current_call().inputs, control.cancel};
-      const CallScope scope(ending);
-      job.sampler.sample(problem, field, result);
-    }
+    job.sampler.sample(problem, field, result);
     const std::vector<sampling::Reasons> sampled = result.reasons;
     if (!job.wings.empty())
       add_wings(job.wings, problem, job.tolerance, spot_light ? &*spot_light : nullptr, field, result);

@@ -12,6 +12,7 @@
 #include "core/call_scope.h"
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/run_apart.h"
 
 namespace ifov::test_parallel {
 namespace {

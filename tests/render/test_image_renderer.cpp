@@ -4,8 +4,6 @@
 #include <cstdlib>
 #include <mutex>
 
-#include "core/call_scope.h"
-#include "core/error.h"
 #include "render/image_renderer.h"
 #include "render/tile_grid.h"
 #include "render/tile_sink.h"
@@ -26,7 +24,6 @@ struct Order final : render::TileSink {
   explicit Order(const std::vector<sampling::PixelRect>& tiles) : grid(tiles) {}
   void begin(const render::ImageInfo&) override {}
   void write(const sampling::TileResult& tile) override {
-    stop_if_cancelled();
     const auto place = std::find_if(grid.begin(), grid.end(), [&](const sampling::PixelRect& rect) {
       return rect.x0 == tile.tile.x0 && rect.y0 == tile.tile.y0;
     });
@@ -40,19 +37,7 @@ struct Order final : render::TileSink {
 
 constexpr int kSide = 48, kTile = 8;
 
-/// Ends its run within a tile, and says whether work between rays would end, too.
-struct Ending final : sampling::PixelSampler {
-  int halo_px() const override { return 0; }
-  void sample(const sampling::TileProblem& problem, sampling::Field& field,
-              sampling::TileResult& result) const override {
-    sampling::SingleSampler().sample(problem, field, result);
-    cancel->cancel();
-    EXPECT_THROW(stop_if_cancelled(), Cancelled);
-  }
-  CancelToken* cancel = nullptr;
-};
-
-std::vector<int> order_of(int threads, std::span<const int> wanted, Ending* ending = nullptr) {
+std::vector<int> order_of(int threads, std::span<const int> wanted) {
   SmallScene scene;
   scene.place(geometry::Plane{}, scene.material(0.5, 300.0));
   const transport::SpectralScene& spectral = scene.build();
@@ -62,22 +47,14 @@ std::vector<int> order_of(int threads, std::span<const int> wanted, Ending* endi
   settings.start_height_m = 10.0;
   const sensor::OrthographicCamera camera(settings);
   const sampling::PixelFootprint footprint = sampling::PixelFootprint::box(1.0);
-  const sampling::SingleSampler single;
-  const sampling::PixelSampler& sampler =
-      ending != nullptr ? static_cast<const sampling::PixelSampler&>(*ending) : single;
+  const sampling::SingleSampler sampler;
   render::RenderJob job{spectral, camera, footprint, sampler};
   job.tile_px = kTile;
   render::RenderControl control;
   control.threads = threads;
   control.tile_order = wanted;
-  CancelToken cancel;
-  control.cancel = &cancel;
-  if (ending != nullptr) ending->cancel = &cancel;
   Order order(render::tile_grid(kSide, kSide, kTile));
-  if (ending != nullptr)
-    EXPECT_THROW(render::render_image(job, control, order), Cancelled);
-  else
-    render::render_image(job, control, order);
+  render::render_image(job, control, order);
   return order.came;
 }
 
@@ -93,12 +70,6 @@ TEST(RenderImage, TilesComeLineByLine) {
 TEST(RenderImage, WantedTilesComeInTheirOrder) {
   const std::vector<int> wanted{7, 3, 30, 4};
   EXPECT_EQ(order_of(1, wanted), wanted);
-}
-
-TEST(RenderImage, ATileThatIsDoneIsPutAwayWhenItsRunIsCancelled) {
-  Ending ending;
-  const std::vector<int> wanted{7, 3, 30, 4};
-  EXPECT_EQ(order_of(1, wanted, &ending), std::vector<int>{7});
 }
 
 }  // namespace

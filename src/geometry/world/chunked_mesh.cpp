@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/call_scope.h"
-#include "core/parallel.h"
+#include "core/run_apart.h"
 #include "geometry/world/flush_denormals.h"
 #include "geometry/world/instance_set.h"
 #include "geometry/world/ray_packet.h"
