@@ -37,7 +37,7 @@ def overhead(context, python):
     code = f"import ifov; ifov.run(ifov.read({str(document)!r}), {str(out)!r}, restart=True, progress=False, threads=2)"
     memory = f"import ifov; ifov.render(ifov.read({str(document)!r}), progress=False, threads=2)"
     imports = "import ifov, xarray; ifov.version()"
-    program = [context.program("ifov"), "render", document, "--quiet", "--threads", "2", "--restart", "-o", out]
+    program = [context.program("ifov"), "render", document, "--quiet", "--threads", "2", "--restart", "--no-cache", "-o", out]  # Python's run keeps none
     times = {"program": [], "run": [], "memory": [], "import": []}
     ways = {"program": program, "run": [python, "-c", code], "memory": [python, "-c", memory], "import": [python, "-c", imports]}
     for k in range(15 if context.long else 7):
