@@ -4,6 +4,7 @@
 #   make demo     the same, render examples/demo.json, say where its pictures and report are
 #   make test     build and run every test
 #   make python   build the Python package into build/venv (build/venv/bin/python has it)
+#   make docs     make the pages of docs/ a site: build/site/index.html
 #   make deb      build a Debian package of program, library, headers, manual pages and the Python package
 #   make bench    build and run the benchmarks (BENCH="speed honesty": only these; BENCH_FLAGS=--long: the long versions)
 #   make sanitize build and run the C++ tests under sanitizers (SANITIZE=thread: for data races)
@@ -44,6 +45,10 @@ python: configure
 	@sh tools/make_python.sh $(BUILD)
 	@echo "Python with ifov: $(BUILD)/venv/bin/python"
 
+docs: python
+	@$(BUILD)/venv/bin/python -m mkdocs build --quiet --site-dir $(abspath $(BUILD))/site
+	@echo "Site: $(BUILD)/site/index.html"
+
 deb: program python
 	@python3 tools/make_deb.py $(BUILD)
 
@@ -68,4 +73,4 @@ tidy: packages
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all packages configure program demo python deb test bench sanitize tidy clean
+.PHONY: all packages configure program demo python docs deb test bench sanitize tidy clean

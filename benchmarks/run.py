@@ -13,7 +13,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 from drivers import (  # noqa: E402
-    atmosphere, bookkeeping, channels, cluster, documents, honesty, instances, micro, mitsuba, rami, refine, runs,
+    atmosphere, bookkeeping, channels, cluster, documents, hands, honesty, instances, micro, mitsuba, rami, refine, runs,
     signals, speed, start, stream, studies,
 )
 from drivers.figures import Context, show  # noqa: E402
@@ -36,6 +36,7 @@ GROUPS = {
     "documents": documents.run,
     "cluster": cluster.run,
     "mitsuba": mitsuba.run,
+    "hands": hands.run,
 }
 
 

@@ -50,14 +50,17 @@ class Check:
 
     @property
     def statements(self) -> list[str]:
+        """What is said of the document, a text for each line or paragraph."""
         return [message.text for message in self.messages if message.severity == "statement"]
 
     @property
     def warnings(self) -> list[str]:
+        """What is left out, or is most likely not meant."""
         return [message.text for message in self.messages if message.severity == "warning"]
 
     @property
     def errors(self) -> list[str]:
+        """What is wrong: the document cannot be rendered."""
         return [message.text for message in self.messages if message.severity in ("error", "failure")]
 
     def __bool__(self) -> bool:
@@ -135,6 +138,7 @@ class Scene:
 
     @property
     def warnings(self) -> list[str]:
+        """What loading warned of."""
         return list(self._simulation.warnings)
 
     def render(

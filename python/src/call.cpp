@@ -2,18 +2,21 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <stdexcept>
 
 namespace ifov::python {
 namespace {
 
-/// A fork takes one thread along; those of the library would be waited for for ever.
+/// Calls at work, and the process that began them. A fork takes one thread along: what others held when it came is held for ever.
+std::atomic<int> at_work{0};
+std::atomic<pid_t> where{0};
+
 void require_own_threads() {
-  static const pid_t kAtWork = getpid();
-  if (getpid() != kAtWork)
+  if (at_work > 0 && where != getpid())
     throw std::runtime_error(
-        "this process was forked from one in which ifov was at work, and has none of its threads; start processes with "
-        "multiprocessing's 'spawn'");
+        "this process was forked from one in which ifov was at work, and has none of its threads; fork before or after that, "
+        "or start processes with multiprocessing's 'spawn'");
 }
 
 }  // namespace
@@ -21,6 +24,14 @@ void require_own_threads() {
 Call::Call(nb::object progress, nb::object log) : progress_(std::move(progress)), log_(std::move(log)) {
   require_own_threads();
 }
+
+Call::AtWork::AtWork() {
+  require_own_threads();
+  where = getpid();
+  ++at_work;
+}
+
+Call::AtWork::~AtWork() { --at_work; }
 
 void Call::report(const Progress& progress) {
   if (!is_function(progress_)) return;

@@ -47,6 +47,7 @@ class Call final : public ProgressSink, public LogSink {
   /// the work threw, what a function of Python threw, or KeyboardInterrupt.
   template <class Work>
   auto run(const Work& work) {
+    const AtWork counted;
     auto result = std::async(std::launch::async, work);
     {
       const nb::gil_scoped_release released;
@@ -64,6 +65,14 @@ class Call final : public ProgressSink, public LogSink {
 
  private:
   static constexpr std::chrono::milliseconds kGlance{15};
+
+  /// Counts a call for forks that come meanwhile.
+  struct AtWork {
+    AtWork();
+    ~AtWork();
+    AtWork(const AtWork&) = delete;
+    AtWork& operator=(const AtWork&) = delete;
+  };
 
   void look_for_signals();
   void stop(nb::python_error&& error);

@@ -6,6 +6,8 @@
 #include <tbb/task_arena.h>
 
 #include "core/call_scope.h"
+#include "core/run_apart.h"
+#include "core/thread_pool.h"
 
 #ifdef __SANITIZE_THREAD__
 #include <atomic>
@@ -55,6 +57,7 @@ int usual_threads() { return tbb::info::default_concurrency(); }
 
 void parallel_for(std::int64_t count, int threads, const std::function<void(std::int64_t)>& body) {
   allow_many_threads();
+  const PoolUse use;
   tbb::task_arena arena(threads > 0 ? threads : usual_threads());
   const Call& call = current_call();
   LoopOrder order;
@@ -70,6 +73,14 @@ void parallel_for(std::int64_t count, int threads, const std::function<void(std:
           }
         },
         tbb::simple_partitioner());
+  });
+}
+
+void run_apart(const std::function<void()>& body) {
+  tbb::task_group_context apart(tbb::task_group_context::isolated);
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(
+        0, 1, [&](int) { body(); }, tbb::simple_partitioner(), apart);
   });
 }
 

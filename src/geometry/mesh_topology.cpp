@@ -7,17 +7,27 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/call_scope.h"
+#include "core/parallel.h"
+
 namespace ifov::geometry {
 namespace {
 
 using math::Point3;
 using math::Vec3;
 
+constexpr std::size_t kBetweenLooks = 1 << 16;  // steps of a loop until it looks whether it is cancelled
+
+void stop_at_times(std::size_t step) {
+  if (step % kBetweenLooks == 0) stop_if_cancelled();
+}
+
 /// For each vertex the first one at the same position.
 std::vector<std::uint32_t> merged_vertices(std::span<const Point3> vertices_m) {
   const std::size_t slots = std::bit_ceil(2 * vertices_m.size() + 1);
   std::vector<std::uint32_t> table(slots, kNoIndex), first(vertices_m.size());
   for (std::uint32_t v = 0; v < vertices_m.size(); ++v) {
+    stop_at_times(v);
     const Point3& p = vertices_m[v];
     std::uint64_t h = 0;
     for (const double c : {p.x, p.y, p.z}) {
@@ -42,16 +52,33 @@ struct Edge {
 /// All edges, equal ones side by side.
 std::vector<Edge> sorted_edges(std::span<const Point3> vertices_m, std::span<const Triangle> triangles) {
   const std::vector<std::uint32_t> first = merged_vertices(vertices_m);
-  std::vector<Edge> edges;
-  edges.reserve(3 * triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t a = first[triangles[t][k]], b = first[triangles[t][(k + 1) % 3]];
-      if (a != b) edges.push_back({(std::uint64_t{std::min(a, b)} << 32) | std::max(a, b), t, a < b});
+  const auto each = [&](const auto& take) {
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+      stop_at_times(t);
+      for (int k = 0; k < 3; ++k) {
+        const std::uint32_t a = first[triangles[t][k]], b = first[triangles[t][(k + 1) % 3]];
+        if (a != b) take(std::min(a, b), std::max(a, b), t, a < b);
+      }
     }
-  }
-  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-    return a.ends != b.ends ? a.ends < b.ends : a.triangle < b.triangle;
+  };
+  // Counted by their smaller ends, of which each has a few; these are sorted. end[v + 1] is where those of v go next, and at last
+  // where they end.
+  std::vector<std::size_t> end(vertices_m.size() + 2, 0);
+  each([&](std::uint32_t low, std::uint32_t, std::uint32_t, bool) { ++end[low + 2]; });
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<Edge> edges(end.back());
+  each([&](std::uint32_t low, std::uint32_t high, std::uint32_t t, bool rising) {
+    edges[end[low + 1]++] = {(std::uint64_t{low} << 32) | high, t, rising};
+  });
+  const auto blocks = static_cast<std::int64_t>((vertices_m.size() + kBetweenLooks - 1) / kBetweenLooks);
+  parallel_for(blocks, 0, [&](std::int64_t block) {
+    const std::size_t from = static_cast<std::size_t>(block) * kBetweenLooks,
+                      to = std::min(from + kBetweenLooks, vertices_m.size());
+    for (std::size_t v = from; v < to; ++v)
+      std::sort(edges.begin() + static_cast<std::ptrdiff_t>(end[v]),
+                edges.begin() + static_cast<std::ptrdiff_t>(end[v + 1]), [](const Edge& a, const Edge& b) {
+                  return a.ends != b.ends ? a.ends < b.ends : a.triangle < b.triangle;
+                });
   });
   return edges;
 }
@@ -93,8 +120,10 @@ MeshTopology topology_of(std::span<const Point3> vertices_m, std::span<const Tri
   Groups smooth(triangles.size()), pieces(triangles.size());
   MeshTopology topology;
   topology.closed = !edges.empty();
+  std::size_t groups = 0;
   for (std::size_t begin = 0, end; begin < edges.size(); begin = end) {
     end = begin + 1;
+    stop_at_times(groups++);
     while (end < edges.size() && edges[end].ends == edges[begin].ends) ++end;
     if (end - begin != 2 || edges[begin].rising == edges[begin + 1].rising) topology.closed = false;
     for (std::size_t i = begin; i + 1 < end; ++i) {

@@ -1,12 +1,18 @@
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <tbb/parallel_for.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
+#include <functional>
+#include <string>
 #include <thread>
 
 #include "core/call_scope.h"
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/run_apart.h"
 
 namespace ifov::test_parallel {
 namespace {
@@ -92,6 +98,102 @@ TEST(Parallel, ACancelledCallEndsItsLoops) {
   }
   EXPECT_LT(calls, 100000);
   stop_if_cancelled();
+}
+
+TEST(Parallel, WhatRunsApartIsNotEndedWithItsLoop) {
+  // Of 1000 turns within one of a loop whose other one throws meanwhile.
+  const auto turns = [](bool apart) {
+    std::atomic<int> within{0}, done{0};
+    const auto work = [&] {
+      ++within;
+      // A library's own, as Embree's.
+      tbb::parallel_for(0, 1000, [&](int) {
+        std::this_thread::sleep_for(std::chrono::microseconds(20));
+        ++done;
+      });
+    };
+    EXPECT_THROW(parallel_for(2, 2,
+                              [&](std::int64_t k) {
+                                if (k == 0) {
+                                  wait_for(within, 1);
+                                  throw Cancelled();
+                                }
+                                if (apart)
+                                  run_apart(work);
+                                else
+                                  work();
+                              }),
+                 Cancelled);
+    return done.load();
+  };
+  EXPECT_EQ(turns(true), 1000);
+  EXPECT_LT(turns(false), 1000);  // the twin
+  EXPECT_THROW(run_apart([] { throw Cancelled(); }), Cancelled);
+  int calls = 0;
+  run_apart([&] { ++calls; });
+  EXPECT_EQ(calls, 1);
+}
+
+/// What a forked process answers with its code; it has a minute.
+int in_child(const std::function<int()>& work) {
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(60);
+    _exit(work());
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+int threads_at_work() {
+  std::atomic<int> inside{0};
+  parallel_for(3, 3, [&](std::int64_t) {
+    ++inside;
+    wait_for(inside, 3);
+  });
+  return inside;
+}
+
+TEST(Parallel, AForkedProcessMakesThreadsOfItsOwn) {
+#ifdef __SANITIZE_THREAD__
+  GTEST_SKIP() << "the sanitizer ends processes that were forked from several threads";
+#endif
+  for (int round = 0; round < 20; ++round) {
+    ASSERT_EQ(threads_at_work(), 3);
+    ASSERT_EQ(in_child([] { return in_child([] { return threads_at_work(); }) + threads_at_work(); }), 6);
+  }
+}
+
+TEST(Parallel, AProcessThatWasForkedFromWorkSaysSo) {
+#ifdef __SANITIZE_THREAD__
+  GTEST_SKIP() << "the sanitizer ends processes that were forked from several threads";
+#endif
+  const auto refused = [] {
+    try {
+      parallel_for(3, 3, [](std::int64_t) {});
+    } catch (const SystemError& error) {
+      return std::string(error.what()).find("forked from one in which ifov was at work") != std::string::npos
+                 ? 7
+                 : 8;
+    }
+    return 9;
+  };
+  std::atomic<int> inside{0};
+  std::atomic<bool> over{false};
+  std::thread other([&] {
+    parallel_for(2, 2, [&](std::int64_t) {
+      ++inside;
+      while (!over) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    });
+  });
+  wait_for(inside, 2);
+  EXPECT_EQ(in_child(refused), 7);
+  EXPECT_EQ(in_child([&] { return in_child(refused); }), 7);
+  over = true;
+  other.join();
+  EXPECT_EQ(in_child(refused), 9);
+  EXPECT_EQ(threads_at_work(), 3);
 }
 
 }  // namespace

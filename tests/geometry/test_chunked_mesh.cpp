@@ -3,14 +3,18 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <memory>
 #include <numeric>
+#include <thread>
 #include <utility>
 #include <vector>
 
+#include "core/call_scope.h"
+#include "core/error.h"
 #include "core/parallel.h"
 #include "geometry/mesh_chunks.h"
 #include "geometry/world/world_builder.h"
@@ -207,6 +211,37 @@ TEST(ChunkedMesh, ManyThreadsMayComeToOneChunkAtOnce) {
   const Answers expected = answers_of(*one_placed(body, {}, LargeMeshes::by_chunk), rays);
   for (int round = 0; round < 3; ++round)
     ASSERT_EQ(differences(answers_of(*one_placed(body, {}, LargeMeshes::by_chunk), rays, 16), expected), 0u);
+}
+
+TEST(ChunkedMesh, WhatIsCancelledMeanwhileLeavesTheTreesWhole) {
+  const Body body = body_of(hills());
+  const std::vector<Ray> rays = rays_about({30.0, -20.0, 5.0}, 1.1 * kCells, 61);
+  const Answers expected = answers_of(*one_placed(body, {}, LargeMeshes::at_once), rays);
+  // The call is cancelled before the first tree is made: rays end, the world goes on.
+  const auto stopped = one_placed(body, {}, LargeMeshes::by_chunk);
+  {
+    CancelToken cancel;
+    cancel.cancel();
+    const Call call{.inputs = {}, .cancel = &cancel};
+    const CallScope scope(call);
+    std::vector<SurfacePoint> hits(rays.size());
+    EXPECT_NO_THROW(stopped->intersect(rays, hits));
+  }
+  EXPECT_EQ(differences(answers_of(*stopped, rays), expected), 0u);
+  // A loop ends by an exception, at any moment, while trees are made within it.
+  for (int round = 0; round < 10; ++round) {
+    const auto world = one_placed(body, {}, LargeMeshes::by_chunk);
+    const auto look = [&](std::int64_t k) {
+      if (k == 1) {
+        std::this_thread::sleep_for(std::chrono::microseconds(2000 * round));
+        throw Cancelled();
+      }
+      std::vector<SurfacePoint> hits(rays.size());
+      world->intersect(rays, hits);
+    };
+    EXPECT_THROW(parallel_for(2, 2, look), Cancelled);
+    ASSERT_EQ(differences(answers_of(*world, rays), expected), 0u) << round;
+  }
 }
 
 TEST(ChunkedMesh, AChunkInTheWrongPlaceWouldBeSeen) {

@@ -103,6 +103,19 @@ class Values(unittest.TestCase):
                 units.Unit(variable.attrs["units"])
         self.assertTrue(units.Unit(self.image["radiance"].attrs["units"]).is_compatible_with("W / m**3 / sr"))
 
+    def test_units_are_read_by_the_registry_of_cf_xarray(self):
+        try:
+            from cf_xarray.units import units
+        except ImportError:
+            self.skipTest("cf_xarray is not installed")
+        image = ifov.render(scenes.small(), quantities=["all"], progress=False)
+        air = ifov.atmosphere(scenes.small(atmosphere={"profile": "mid-latitude summer"}))
+        for variable in [*image.variables.values(), *air.variables.values()]:
+            if "units" in variable.attrs:
+                units.parse_units(variable.attrs["units"])
+        self.assertEqual(units.parse_units(image["radiance"].attrs["units"]), units.watt / units.meter**2 / units.steradian / units.micrometer)
+        self.assertEqual(units.parse_units(image["view_zenith"].attrs["units"]), units.degree)
+
 
 class Files(scenes.InFolder):
     def image(self, **origin):

@@ -161,17 +161,61 @@ class Arguments(unittest.TestCase):
 
 
 class Processes(unittest.TestCase):
-    def test_a_forked_process_says_that_it_cannot_go_on(self):
-        """The threads of the library stay behind in the parent."""
-        ifov.Scene(scenes.small())
+    def in_child(self, work):
+        """What a forked process, which ends at once, answers with a number; None where it does not come to an end."""
         child = os.fork()
         if child == 0:
+            signal.alarm(60)  # what hangs is ended by it
             try:
-                ifov.Scene(scenes.small())
-            except RuntimeError as error:
-                os._exit(7 if "spawn" in str(error) else 8)
-            os._exit(9)
-        self.assertEqual(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), 7)
+                os._exit(work())
+            except BaseException:
+                import traceback
+
+                traceback.print_exc()
+            os._exit(99)
+        return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+
+    def test_forked_processes_work(self):
+        """With what was loaded before, and with what they load, on threads of their own; so does their parent afterwards."""
+        scene = ifov.Scene(scenes.small())
+        before = scene.render(progress=False)["radiance"].values.tobytes()
+
+        def work():
+            again = scene.render(progress=False, threads=2)["radiance"].values.tobytes() == before
+            return 7 if again and render_small() == before else 8
+
+        for _ in range(3):
+            self.assertEqual(self.in_child(work), 7)
+            self.assertEqual(scene.render(progress=False)["radiance"].values.tobytes(), before)
+
+    def test_a_pool_of_forked_processes(self):
+        import multiprocessing
+
+        here = render_small()
+        with multiprocessing.get_context("fork").Pool(2) as pool:
+            self.assertEqual(pool.starmap(render_small, [()] * 4), [here] * 4)
+
+    def test_a_process_forked_from_work_says_that_it_cannot_go_on(self):
+        """The threads that are at work stay behind in the parent, with all that they hold."""
+        codes = []
+
+        def look(_):
+            if codes:
+                return
+            codes.append(None)
+
+            def work():
+                try:
+                    ifov.Scene(scenes.small())
+                except RuntimeError as error:
+                    return 7 if "spawn" in str(error) else 8
+                return 9
+
+            codes[0] = self.in_child(work)
+
+        ifov.render(scenes.small(), callback=look, progress=False)
+        self.assertEqual(codes, [7])
+        self.assertEqual(self.in_child(lambda: 7 if render_small() else 8), 7)
 
     def test_spawned_processes(self):
         import multiprocessing

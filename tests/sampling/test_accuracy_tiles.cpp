@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "accuracy_scenes.h"
+#include "core/call_scope.h"
 #include "core/error.h"
 #include "core/run_control.h"
 
@@ -137,6 +138,25 @@ TEST(AccuracyTiles, StopsWhenCancelled) {
   problem.cancel = &cancel;
   sampling::TileResult result;
   EXPECT_THROW(sampling::AccuracySampler().sample(problem, field, result), Cancelled);
+}
+
+TEST(AccuracyTiles, ACallThatIsCancelledEndsBetweenRays) {
+  // The problem's own token, at which rays look, is not set.
+  const Clutter clutter(4, 4.0, 40);
+  CancelToken cancel;
+  cancel.cancel();
+  const auto sample = [&](const sampling::PixelFootprint& footprint) {
+    ShapeField field = clutter.field();
+    Rendering render;
+    render.tile = render.image = {0, 0, 4, 4};
+    render.footprint = footprint;
+    render(field);
+    const Call call{.inputs = {}, .cancel = &cancel};
+    const CallScope scope(call);
+    EXPECT_THROW(render(field), Cancelled);
+  };
+  sample(sampling::PixelFootprint::box(1.0));
+  sample(gaussian(0.6, 2.0));
 }
 
 /// RMS error (K) and rays per source pixel under a Gaussian PSF of 0.6 px over clutter.

@@ -3,11 +3,14 @@ are left out, and what a client may cost."""
 
 import json
 import math
+import os
 import pathlib
 import socket
 import time
 import unittest
 import urllib.parse
+
+import numpy as np
 
 from viewing import DOME, Refused, Scratch, Viewer, run, write_products
 
@@ -40,8 +43,8 @@ class Shown:
     def __init__(self, document, *arguments, files=None):
         self.scratch = Scratch()
         self.folder = self.scratch.__enter__()
-        for name, text in (files or {}).items():
-            (self.folder / name).write_text(text)
+        for name, content in (files or {}).items():
+            (self.folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
         self.text = document if isinstance(document, str) else json.dumps(document, indent=1)
         (self.folder / "scene.json").write_text(self.text)
         self.viewer = Viewer(self.folder / "scene.json", "--no-browser", *arguments)
@@ -366,7 +369,47 @@ def hills(size=400):
     return document, {"hills.obj": "\n".join(lines) + "\n"}
 
 
+def many_hills(size=1100):
+    """The same of more triangles than are given their trees at once, as binary PLY."""
+    row, column = np.mgrid[0:size, 0:size]
+    points = np.stack([column, row, (row * column) % 7], -1).astype("<f4")
+    first = (row * size + column)[:-1, :-1].ravel()
+    corners = np.concatenate([np.stack([first, first + 1, first + size], -1), np.stack([first + 1, first + size + 1, first + size], -1)])
+    faces = np.zeros(len(corners), [("count", "u1"), ("corners", "<i4", 3)])
+    faces["count"], faces["corners"] = 3, corners
+    head = (f"ply\nformat binary_little_endian 1.0\nelement vertex {size * size}\nproperty float x\nproperty float y\nproperty float z\n"
+            f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n")
+    document, _ = hills(2)
+    document["scene"]["objects"][1]["mesh"]["file"] = "hills.ply"
+    return document, {"hills.ply": head.encode() + points.tobytes() + faces.tobytes()}
+
+
 class Loading(unittest.TestCase):
+    def test_what_a_document_names_is_loaded_when_it_is_wanted(self):
+        """And by one at a time: the checks come after the picture."""
+        document, files = many_hills()
+        with Shown(document, files=files) as shown:
+            def processor_s():
+                words = pathlib.Path(f"/proc/{shown.viewer.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+                return (int(words[11]) + int(words[12])) / os.sysconf("SC_CLK_TCK")
+
+            shown.viewer.ask("sources")
+            time.sleep(1)
+            self.assertLess(processor_s(), 0.3)
+            waited = 0
+            while shown.viewer.ask("scene")["state"] == "loading":
+                self.assertFalse(shown.viewer.ask("document", source=0)["checked"])
+                self.assertNotIn("triangles", str(shown.viewer.ask("document", source=0)["messages"]))
+                waited += 1
+                time.sleep(0.02)
+            self.assertGreater(waited, 3)
+            for _ in range(600):
+                said = shown.viewer.ask("document", source=0)
+                if said["checked"]:
+                    break
+                time.sleep(0.05)
+            self.assertIn(f"{2 * 1099 ** 2} triangles", str(said["messages"]))
+
     def test_progress_is_told(self):
         document, files = hills()
         with Shown(document, files=files) as shown:
@@ -435,11 +478,11 @@ class Bounds(unittest.TestCase):
 
     def test_who_goes_spoils_nothing(self):
         """Not even while the trees of a large mesh are made, as the first rays come near."""
-        document, files = hills(700)
-        look = {"x": 350, "y": -200, "z": 400, "azimuth": 0, "elevation": -40, "fov": 60, "width": 400, "height": 300, "x0": 0, "y0": 0, "x1": 400, "y1": 300,
+        document, files = many_hills()
+        look = {"x": 500, "y": -300, "z": 400, "azimuth": 0, "elevation": -40, "fov": 60, "width": 400, "height": 300, "x0": 0, "y0": 0, "x1": 400, "y1": 300,
                 "step": 1, "paint": "object"}
         with Shown(document, files=files) as shown:
-            shown.ready()
+            self.assertIn("chunks of large meshes, each built when a ray comes near", shown.ready()["statement"])
             for pause in (0.0, 0.005, 0.01, 0.02, 0.04):
                 for connection in self.send(shown.viewer, {**look, "fov": 1 + 1000 * pause}, 1):
                     time.sleep(pause)

@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/call_scope.h"
+#include "core/run_apart.h"
 #include "geometry/world/flush_denormals.h"
 #include "geometry/world/instance_set.h"
 #include "geometry/world/ray_packet.h"
@@ -80,7 +82,7 @@ RTCScene ChunkedMesh::tree(std::size_t chunk) const {
   const std::lock_guard lock(c.mutex);
   if (c.tree) return c.tree->scene.get();
   try {
-    c.tree = make_tree(chunk);
+    run_apart([&] { c.tree = make_tree(chunk); });
   } catch (...) {
     failure_.note(std::current_exception());
     return nullptr;
@@ -91,6 +93,9 @@ RTCScene ChunkedMesh::tree(std::size_t chunk) const {
 
 std::unique_ptr<ChunkedMesh::Tree> ChunkedMesh::make_tree(std::size_t chunk) const {
   const KeepDenormals keep;  // as for trees that are made before any ray
+  // The tree outlives the call whose ray came first, and is made whole even if that call is cancelled.
+  const Call whole{current_call().inputs, nullptr};
+  const CallScope scope(whole);
   const MeshChunk& c = mesh_.chunks[chunk];
   auto tree = std::make_unique<Tree>();
   tree->triangles.take(mesh_, mesh_.order.subspan(c.first, c.count), placement_.set_from_object);

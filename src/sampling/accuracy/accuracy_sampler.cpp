@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "core/call_scope.h"
 #include "sampling/accuracy/footprint_draws.h"
 #include "sampling/accuracy/parts.h"
 #include "sampling/accuracy/tile_work.h"
@@ -25,6 +26,10 @@ const AccuracyParts& AccuracySampler::parts() const {
 void AccuracySampler::sample(const TileProblem& problem, Field& field, TileResult& result) const {
   if (problem.tolerance == nullptr || problem.footprint == nullptr || problem.steering_channels.empty())
     throw std::invalid_argument("the accuracy sampler needs a tolerance, a footprint and steering channels");
+  // What is worked out between rays ends with the run, too.
+  const Call& call = current_call();
+  const Call ending{call.inputs, problem.cancel != nullptr ? problem.cancel : call.cancel};
+  const CallScope scope(ending);
   if (!options_.footprint_by_model) {
     draw_from_footprint(problem, field, options_.max_samples_per_pixel, result);
     return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/call_scope.h"
 #include "sampling/accuracy/basis/label_table.h"
 #include "sampling/accuracy/radiance/clutter_sums.h"
 #include "sampling/accuracy/radiance/footprint_weights.h"
@@ -80,6 +81,7 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
     for (std::size_t c = 0; c < n; ++c) sum.mean[c] += pixel.weight * table_.mean(pixel.label)[columns[c]];
   }
   for (const SourcePixel& pixel : radiance.pixels().others()) {
+    stop_if_cancelled();
     const PixelModel& model = pixel.model;
     if (model.outputs.empty()) continue;
     if (pixel.cluttered) {

@@ -135,6 +135,8 @@ std::shared_ptr<const SceneModel> Answers::scene_model() {
 
 Answer Answers::scene(const Query&) {
   const SceneSource::State state = scene_source().state();
+  // Once it is there the checks are worked out, too, before they are looked at.
+  if (document_ != nullptr && (state.model || !state.failure.empty())) document_->begin();
   JsonWriter json(JsonWriter::Layout::compact);
   json.object([&] {
     json.member("state", state.model ? "ready" : state.failure.empty() ? "loading" : "failed");

@@ -3,6 +3,7 @@
 #include "io/json/json_writer.h"
 #include "viewer/answers/answers.h"
 #include "viewer/sources/open_run.h"
+#include "viewer/sources/scene_source.h"
 
 namespace ifov::viewer {
 namespace {
@@ -24,6 +25,8 @@ constexpr std::size_t kMostMaterials = 60;
 Answer Answers::document(const Query& query) {
   io::JsonWriter json(io::JsonWriter::Layout::compact);
   if (document_) {
+    // Not both at a time: each loads what the document names, and the second finds what the first has left in the cache.
+    if (scene_ == nullptr || !scene_->is_loading()) document_->begin();
     const CheckedDocument::State state = document_->state();
     json.object([&] {
       json.member("file", state.file);

@@ -53,6 +53,11 @@ SceneSource::State SceneSource::state() {
   return now;
 }
 
+bool SceneSource::is_loading() {
+  const std::lock_guard lock(mutex_);
+  return loading_.joinable() && !state_.model && state_.failure.empty();
+}
+
 void SceneSource::load() {
   std::shared_ptr<const session::SceneModel> model;
   std::vector<session::DocumentFault> faults;

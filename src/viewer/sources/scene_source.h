@@ -35,6 +35,8 @@ class SceneSource {
   };
   /// Begins to load where nobody has asked before.
   State state();
+  /// Whether it has begun to load, and goes on.
+  bool is_loading();
 
   std::string file() const { return file_.string(); }
 

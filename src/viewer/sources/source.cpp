@@ -1,6 +1,5 @@
 #include "viewer/sources/source.h"
 
-#include "core/call_scope.h"
 #include "core/error.h"
 #include "io/files/input_file.h"
 #include "viewer/sources/open_run.h"
@@ -13,7 +12,8 @@ constexpr std::chrono::milliseconds kBetweenLooks{300};
 
 }  // namespace
 
-CheckedDocument::CheckedDocument(const std::filesystem::path& file, const std::vector<std::string>& set) {
+CheckedDocument::CheckedDocument(const std::filesystem::path& file, const std::vector<std::string>& set)
+    : file_(file), set_(set), call_(current_call()) {
   state_.file = file.string();
   state_.text = io::read_input(file);
   try {
@@ -21,12 +21,16 @@ CheckedDocument::CheckedDocument(const std::filesystem::path& file, const std::v
   } catch (const std::exception&) {
     // The checks say what is wrong.
   }
-  const Call call = current_call();
-  checks_ = std::thread([this, file, set, call] {
-    const CallScope scope(call);
+}
+
+void CheckedDocument::begin() {
+  const std::lock_guard lock(mutex_);
+  if (checks_.joinable()) return;
+  checks_ = std::thread([this] {
+    const CallScope scope(call_);
     std::vector<Message> messages;
     try {
-      messages = check(Document::read(file, set), {.scene_cache = true, .cancel = &cancel_});
+      messages = check(Document::read(file_, set_), {.scene_cache = true, .cancel = &cancel_});
     } catch (const InputError& error) {
       messages.push_back({Severity::error, error.what(), error.position()});
     } catch (const Cancelled&) {
@@ -34,7 +38,7 @@ CheckedDocument::CheckedDocument(const std::filesystem::path& file, const std::v
     } catch (const std::exception& error) {
       messages.push_back({Severity::failure, error.what(), {}});
     }
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard told(mutex_);
     state_.messages = std::move(messages);
     state_.checked = true;
   });
@@ -42,7 +46,7 @@ CheckedDocument::CheckedDocument(const std::filesystem::path& file, const std::v
 
 CheckedDocument::~CheckedDocument() {
   cancel_.cancel();
-  checks_.join();
+  if (checks_.joinable()) checks_.join();
 }
 
 CheckedDocument::State CheckedDocument::state() const {

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/call_scope.h"
 #include "ifov/check.h"
 
 namespace ifov::viewer {
@@ -16,7 +17,7 @@ namespace ifov::viewer {
 struct OpenRun;
 class RunWatch;
 
-/// A document and what `ifov check` says of it, which is found out beside.
+/// A document and what `ifov check` says of it, which is found out beside once that is wanted: it loads all that the document names.
 class CheckedDocument {
  public:
   CheckedDocument(const std::filesystem::path& file, const std::vector<std::string>& set);
@@ -31,6 +32,8 @@ class CheckedDocument {
     std::vector<Message> messages;
   };
   State state() const;
+  /// Begins the checks where they have not begun.
+  void begin();
   /// Where its products go; empty where that cannot be told.
   std::filesystem::path output_folder() const;
 
@@ -39,6 +42,9 @@ class CheckedDocument {
   mutable std::mutex mutex_;
   State state_;
   std::filesystem::path output_folder_;
+  std::filesystem::path file_;
+  std::vector<std::string> set_;
+  Call call_;
   std::thread checks_;
 };
 

@@ -1,5 +1,6 @@
 #include "sampling/accuracy/radiance/radiance.h"
 
+#include "core/call_scope.h"
 #include "sampling/accuracy/basis/ray_ledger.h"
 #include "sampling/accuracy/edges/edge_tracer.h"
 #include "sampling/accuracy/radiance/footprint_weights.h"
@@ -72,6 +73,7 @@ void Radiance::trace() {
 void Radiance::weigh(const Stratum& stratum, const PixelFootprint& footprint, Point2 centre,
                      std::span<const int> columns, std::span<const std::size_t> own,
                      const StratumMoments& moments, WeighedMoments& out) const {
+  stop_if_cancelled();
   weigh_by_footprint(stratum, parts_->kept, footprint, centre, columns, own, moments, out);
 }
 

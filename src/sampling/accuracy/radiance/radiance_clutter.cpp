@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/call_scope.h"
 #include "sampling/accuracy/basis/lattice.h"
 #include "sampling/accuracy/basis/ray_ledger.h"
 #include "sampling/accuracy/radiance/strata.h"
@@ -78,6 +79,7 @@ void RadianceClutter::moments(const SourcePixel& pixel, const PixelFootprint* fo
   std::vector<double> weights;
   std::vector<double> weighted(columns.size(), 0.0);
   for (const ClutterRound& round : pixel.rounds) {
+    stop_if_cancelled();
     if (footprint != nullptr) weights = round.weigh(*footprint, centre);
     const double share = round_weight(static_cast<double>(round.count())) / total;
     for (std::size_t c = 0; c < columns.size(); ++c) {
