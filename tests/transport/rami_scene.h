@@ -51,11 +51,11 @@ class RamiScene {
     for (const std::vector<double>& v : numbers(folder / "het01_UNI_instances.def", 3))
       builder.place(ball, math::Transform::translation({v[0], v[1], v[2]}), leaf);
     builder.place(builder.add_shape(geometry::Plane{}), {}, ground);
-    scene_.world = builder.build(0);
+    std::unique_ptr<geometry::World> world = builder.build(0);
     if (fault != Fault::not_periodic)
-      scene_.world = std::make_unique<geometry::PeriodicWorld>(
-          std::move(scene_.world),
-          geometry::PeriodicWorld::Cell{-0.5 * kSide_m, -0.5 * kSide_m, kSide_m, kSide_m});
+      world = std::make_unique<geometry::PeriodicWorld>(
+          std::move(world), geometry::PeriodicWorld::Cell{-0.5 * kSide_m, -0.5 * kSide_m, kSide_m, kSide_m});
+    scene_.world = std::move(world);
 
     const bool swapped = fault == Fault::swapped;
     add_material("leaf", swapped ? kLeafTransmittance : kLeafReflectance,

@@ -6,11 +6,11 @@
 #include "sampling/accuracy/basis/no_label.h"
 #include "sampling/accuracy/borders/border_model.h"
 #include "sampling/accuracy/radiance/control_variates.h"
-#include "sampling/accuracy/weights/leaf_integrator.h"
 #include "sampling/accuracy/radiance/nearby_spread.h"
 #include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/accuracy/radiance/spread.h"
 #include "sampling/accuracy/radiance/strata.h"
+#include "sampling/accuracy/weights/leaf_integrator.h"
 #include "sampling/hash.h"
 
 // What is foretold, as means over strata.
