@@ -12,8 +12,8 @@
 
 namespace ifov::sampling {
 
-/// Values of a stratum in replicated nets: scrambled sequences whose paths are stratified among themselves, so that the
-/// spread of the replicates' means shows what that gains. Only sums of such values are kept.
+/// Values of a stratum in replicated nets: sequences whose paths are stratified among themselves, so that the spread of
+/// the replicates' means shows what that gains. Only sums of such values are kept.
 struct StratumNets {
   std::uint32_t size = 0;               ///< values planned per replicate; 0: none
   std::vector<std::uint32_t> drawn;     ///< points of each replicate's sequence used so far
@@ -24,17 +24,14 @@ struct StratumNets {
 
 /// Of a stratum whose values maps foretell in part (ControlVariates): its values are rests, and by column, of what is foretold,
 struct StratumControl {
-  std::vector<double> mean;      ///< over the stratum; empty: nothing is foretold
-  std::vector<double> variance;  ///< of that mean
-  std::vector<double> spread;    ///< variance from place to place
-  double freedom = 0.0;          ///< degrees of freedom behind `variance`
-  /// Where footprints weigh places unlike: mean and its variance as each output of the pixel's model weighs them, [output][column],
-  /// and degrees of freedom, by output. Empty: all weigh alike.
+  std::vector<double> mean, variance;  ///< over the stratum (empty: nothing is foretold), and of that mean
+  std::vector<double> spread;          ///< variance from place to place
+  double freedom = 0.0;                ///< degrees of freedom behind `variance`
+  /// Where footprints weigh places unlike, of each output of the pixel's model: [output][column], and [output]. Empty: all weigh alike.
   std::vector<float> weighed_mean, weighed_variance, weighed_freedom;
 };
 
-/// A label within a source pixel, and what is known of its values. It starts with values at jittered points. Where paths
-/// vary so much that many are needed, those are replaced by nets.
+/// A label within a source pixel. It starts with values at jittered points; where many are needed, nets replace those.
 struct Stratum {
   std::uint32_t label = kNoLabel;
   std::uint32_t round = 0;
