@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -45,6 +46,8 @@ std::unique_ptr<Psf> make_kernel_psf(int columns, int rows, std::vector<double> 
   for (const double value : values)
     if (!(value >= 0.0) || !std::isfinite(value))
       throw InputError(format("a PSF kernel with the value {}; expected finite values of at least 0", value));
+  // A pixel looks the other way than light goes: its response is the image of a point turned by 180 deg.
+  std::reverse(values.begin(), values.end());
   return std::make_unique<KernelPsf>(columns, rows, values, samples_per_pixel);
 }
 

@@ -13,8 +13,9 @@ namespace ifov::sensor {
 struct AiryAperture;
 struct AlongTrack;
 
-/// Point spread function of the optics: a density over the focal plane in 1/px^2, cut to a finite support and
-/// normalised to 1 within it. Coordinates are image offsets in pixels, x right, y down.
+/// Point spread function of the optics as a pixel looks through it: what of the light of a point that lies so far from the pixel comes to
+/// it, which is the image of a point turned by 180 deg. A density over the focal plane in 1/px^2, cut to a finite support
+/// and normalised to 1 within it. Coordinates are image offsets in pixels, x right, y down.
 class Psf {
  public:
   virtual ~Psf() = default;
@@ -52,8 +53,8 @@ std::unique_ptr<Psf> make_gaussian_psf(double sigma_px, double cut_sigmas = 4.4)
 /// Diffraction, cut at the radius that encircles the given share of the energy; what lies beyond is PsfWings'.
 std::unique_ptr<Psf> make_airy_psf(const AiryAperture& aperture, double encircled_energy = 0.95);
 
-/// A measured or computed PSF: rows x columns samples, each a constant over a square of side 1 /
-/// samples_per_pixel, the middle of the image on the middle of the pixel. Normalised here.
+/// A measured or computed image of a point: rows x columns samples, each a constant over a square of side 1 /
+/// samples_per_pixel, its middle where the point is. Normalised here.
 std::unique_ptr<Psf> make_kernel_psf(int columns, int rows, std::vector<double> values,
                                      double samples_per_pixel);
 

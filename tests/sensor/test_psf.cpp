@@ -179,12 +179,12 @@ TEST(KernelPsf, OneSampleIsItsSquare) {
 }
 
 TEST(KernelPsf, KeepsItsShiftAndItsAxes) {
-  // All energy in the sample right of the middle and above it: x = +1, y = -1 samples of 1/4 px.
+  // Points are seen right of where they are and above: x = +1, y = -1 samples of 1/4 px. So a pixel sees what is left of it and below.
   const auto psf = make_kernel_psf(3, 3, {0, 0, 1, 0, 0, 0, 0, 0, 0}, 4.0);
-  EXPECT_DOUBLE_EQ(psf->energy(0.125, -0.375, 0.375, -0.125), 1.0);
+  EXPECT_DOUBLE_EQ(psf->energy(-0.375, 0.125, -0.125, 0.375), 1.0);
   const auto footprint = make_footprint(psf.get(), 1.0);
-  EXPECT_NEAR(footprint.integral(0.25, -2, 2, 2), 0.5, 1e-3);
-  EXPECT_NEAR(footprint.integral(-2, -2, 2, -0.25), 0.5, 1e-3);
+  EXPECT_NEAR(footprint.integral(-2, -2, -0.25, 2), 0.5, 1e-3);
+  EXPECT_NEAR(footprint.integral(-2, 0.25, 2, 2), 0.5, 1e-3);
 }
 
 TEST(KernelPsf, OfASampledGaussianAgreesWithTheGaussian) {
