@@ -83,7 +83,8 @@ SchemaType<PsfEntry> psf_type() {
       "Diffraction of a circular aperture. Its size in pixels follows from focal length and pitch: the camera's, or those of "
       "`optics` and `detector`.");
   add_aperture(airy);
-  Record<KernelPsf> kernel("kernel PSF", "An image of the PSF, as a point is seen, its middle where the point is.");
+  Record<KernelPsf> kernel("kernel PSF",
+                           "An image of the PSF, as a point is seen, its middle where the point is.");
   kernel.required("file", &KernelPsf::file, file(), "the image")
       .required("samples_per_pixel", &KernelPsf::samples_per_pixel, number(Range::above(0.0)),
                 "samples of the image along one side of a pixel");
