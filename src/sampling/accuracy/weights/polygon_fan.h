@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sampling/accuracy/borders/chord.h"
 #include "sampling/accuracy/borders/polygon.h"
 #include "sampling/random.h"
 
