@@ -81,7 +81,7 @@ class Forecast:
 class Run:
     """A run of a document in a folder; nothing is begun by making one.
 
-    document: a dict or what ``read`` gives; folder: of the products
+    document: a dict or what ``read`` gives; folder: of the products; scene_cache: as of ``run``
     """
 
     def __init__(
@@ -91,11 +91,13 @@ class Run:
         assets: Mapping[str, Any] | None = None,
         *,
         threads: int = 0,
+        scene_cache: bool | None = None,
     ):
         self.document = document
         self.folder = pathlib.Path(folder)
         self.assets = assets
         self.threads = threads
+        self.scene_cache = bool(getattr(document, "file", None)) and assets is None if scene_cache is None else scene_cache
         self.outcome: Outcome | None = None
 
     def start(
@@ -160,7 +162,7 @@ class Run:
         checked_limit(time_limit)
         with Reporter(progress, callback) as reporter, Written(document) as written:
             told = reporter.function()
-            simulation = library().load(parsed(written, self.assets), False, self.threads, told, _said)
+            simulation = library().load(parsed(written, self.assets), self.scene_cache, self.threads, told, _said)
             left = None if time_limit is None else max(0.0, time_limit - (time.monotonic() - begun))
             ended = simulation.render(self.folder, self.threads, start, keep, refine, anyway, share, left, told, _said)
         self.outcome = _of(Outcome, ended)
@@ -178,16 +180,19 @@ def run(
     time_limit: float | None = None,
     anyway: bool = False,
     threads: int = 0,
+    scene_cache: bool | None = None,
     progress: Show = "auto",
     callback: Callback | None = None,
 ) -> Run:
     """Renders a document into a folder, as ``ifov render`` does; returns when it is done or the time is over.
 
     restart: throw away what an earlier run has left there; keep: leave what ``refine`` goes on from; share: (17, 64) makes the 17th of 64
-    shares of the tiles, and no products, for ``merge``; time_limit: s, from loading on; anyway: also where memory or disk will not do.
+    shares of the tiles, and no products, for ``merge``; time_limit: s, from loading on; anyway: also where memory or disk will not do;
+    scene_cache: keep beside the document what loading works out, as the program does, for the next time; None: of a document
+    that was read from a file and has no assets.
     A run that was stopped goes on with ``ifov.Run(document, folder).resume()``.
     """
-    return Run(document, folder, assets, threads=threads).start(
+    return Run(document, folder, assets, threads=threads, scene_cache=scene_cache).start(
         restart=restart, keep=keep, share=share, time_limit=time_limit, anyway=anyway, progress=progress, callback=callback
     )
 

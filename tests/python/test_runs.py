@@ -1,5 +1,6 @@
 """Runs in folders: stopped, gone on with, shared, refined, and looked at meanwhile."""
 
+import json
 import pathlib
 import time
 import unittest
@@ -82,6 +83,19 @@ class Runs(scenes.InFolder):
                     self.assertTrue((values[..., ~there] == gap).all(), name)
             band = part["radiance"].isel(wavelength=1, x=slice(4, 9))
             np.testing.assert_array_equal(band, part["radiance"].values[1][:, 4:9])
+
+    def test_what_loading_works_out_is_kept_as_the_program_keeps_it(self):
+        air = {**scenes.small(), "atmosphere": {"profile": "mid-latitude summer"}}
+        air["light"] = {"sun": {"disc": {"zenith": "40 deg", "azimuth": "180 deg"}}}
+        ifov.run(air, "nothing", progress=False)
+        self.assertEqual(list(pathlib.Path().glob("*.ifovcache")), [])
+        pathlib.Path("scene.json").write_text(json.dumps(air))
+        document = ifov.read("scene.json")
+        ifov.run(document, "without", progress=False, scene_cache=False)
+        self.assertEqual(list(pathlib.Path().glob("*.ifovcache")), [])
+        ifov.run(document, "with", progress=False)
+        self.assertEqual([found.name for found in pathlib.Path().glob("*.ifovcache")], ["scene.ifovcache"])
+        self.assertEqual((pathlib.Path("with") / "image_radiance.img").read_bytes(), (pathlib.Path("without") / "image_radiance.img").read_bytes())
 
     def test_shares(self):
         folders = [f"share{number}" for number in (1, 2)]
