@@ -87,6 +87,7 @@ class Runs(scenes.InFolder):
     def test_what_loading_works_out_is_kept_as_the_program_keeps_it(self):
         air = {**scenes.small(), "atmosphere": {"profile": "mid-latitude summer"}}
         air["light"] = {"sun": {"disc": {"zenith": "40 deg", "azimuth": "180 deg"}}}
+        air["sensor"]["channels"] = [{"name": "S", "series": {"gaussian": {"from": "0.4 um", "to": "0.7 um", "count": 12, "fwhm": "10 nm"}}}]
         ifov.run(air, "nothing", progress=False)
         self.assertEqual(list(pathlib.Path().glob("*.ifovcache")), [])
         pathlib.Path("scene.json").write_text(json.dumps(air))
