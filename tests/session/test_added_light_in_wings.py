@@ -75,7 +75,7 @@ class AddedLightInWings(unittest.TestCase):
             self.assertLess(annulus(half_width, radius), share * light + 0.006 * background, radius)
         whole = sum(radiance) - background * SIDE * SIDE
         # 1 - E at half the side, 2 / (pi^2 r), is beyond the picture.
-        self.assertAlmostEqual(whole / energy, 1.0 - 2.0 / (math.pi**2 * 33.0), delta=0.01)
+        self.assertAlmostEqual(whole / energy, 1.0 - 2.0 / (math.pi**2 * 33.0), delta=0.004)
 
     def test_a_glint(self):
         ball = {"sphere": {"center": ["0.1 m", "0.2 m", "0.1 m"], "radius": "0.1 m"}, "material": "mirror"}
