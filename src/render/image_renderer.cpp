@@ -7,6 +7,7 @@
 #include "geometry/world.h"
 #include "render/open_sky.h"
 #include "render/pilot_rays.h"
+#include "render/polarized/scene_light.h"
 #include "render/polarized/steering.h"
 #include "render/scene_field.h"
 #include "render/tile_grid.h"
@@ -97,7 +98,9 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   const UnsampledLight unsampled(job, control.threads, control.cancel);
   transport::TransportOptions transport = unsampled.transport();
   const std::vector<float> sky_shares =
-      job.sampler.takes_many_values() ? open_sky_shares(job.scene, job.camera) : std::vector<float>();
+      job.sampler.takes_many_values() && !SceneLight::polarized(job.scene, told)
+          ? open_sky_shares(job.scene, job.camera)
+          : std::vector<float>();
   if (!sky_shares.empty()) transport.sky_shares = &sky_shares;
   const auto problem_of = [&](const sampling::PixelRect& tile) {
     sampling::TileProblem problem;

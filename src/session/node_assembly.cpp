@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <chrono>
 
+#include "atmosphere/column/light_limits.h"
 #include "atmosphere/imported_atmosphere.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "io/document/document.h"
+#include "materials/bsdf/bsdf.h"
 #include "radiometry/spectral_nodes.h"
 #include "session/assembly/atmosphere/adjacency_assembly.h"
 #include "session/assembly/atmosphere/atmosphere_assembly.h"
@@ -21,6 +23,17 @@ namespace {
 
 /// Channels integrate within this of a full integration.
 constexpr double kChannelError = 1e-3;
+
+/// Whether surfaces see polarized skylight: a mirror of glass or water at Brewster's angle shows half as much again of it, or half.
+bool polarizes_skylight(const Parts& parts) {
+  if (!parts.document.atmosphere.modelled || !parts.scene.sun) return false;
+  const auto scatters = [](const radiometry::Channel& channel) {
+    return channel.centre_um - 0.5 * channel.fwhm_um < atmosphere::kLastSolar_um;
+  };
+  const auto polarizes = [](const materials::Material& material) { return material.bsdf->polarizes(); };
+  return std::ranges::any_of(parts.channels, scatters) &&
+         std::ranges::any_of(parts.scene.materials, polarizes);
+}
 
 /// Tells how many of the atmosphere's solutions are there, and ends the work when asked to.
 std::function<void(std::size_t, std::size_t)> atmosphere_progress(const LoadOptions& options) {
@@ -41,7 +54,7 @@ std::function<void(std::size_t, std::size_t)> atmosphere_progress(const LoadOpti
 void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept) {
   const io::Document& document = parts.document;
   const scene::Scene& scene = parts.scene;
-  const bool polarized = parts.polarimetry != nullptr;
+  const bool polarized = parts.polarimetry != nullptr || polarizes_skylight(parts);
   const std::vector<radiometry::Spectrum> surfaces = spectra_of_surfaces(
       {scene, parts.channels, parts.colour_guesses, polarized, document.atmosphere.modelled.has_value()});
 

@@ -156,6 +156,14 @@ void PathLight::add_first(const PathRecord& record, const PathVertex& vertex, bo
                         n_);
 }
 
+void PathLight::add_open_sky(const PathRecord& record, std::size_t k, float* to) {
+  const PathRecord::Path& path = record.paths[k];
+  if (path.sky_share <= 0.0f) return;
+  sum_ = to;
+  add_open_sky(record, path, record.vertices[path.first]);
+  sum_ = spectrum(kSum);
+}
+
 void PathLight::add_open_sky(const PathRecord& record, const PathRecord::Path& path,
                              const PathVertex& vertex) {
   float *sum = sum_, *difference = spectrum(kDimmed), *drawn = spectrum(kWork);

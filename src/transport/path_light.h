@@ -27,6 +27,9 @@ class PathLight {
   Levels levels(const PathRecord& record, std::size_t k, bool whole);
   /// Of that, what the first surface makes of direct sunlight.
   float* first_sunlight(const PathRecord& record, std::size_t k);
+  /// Adds what radiance() has of TransportOptions::sky_shares, which PolarizedPathLight leaves out. Keeps the spectra that
+  /// levels() gave.
+  void add_open_sky(const PathRecord& record, std::size_t k, float* to);
 
  protected:
   enum Work {

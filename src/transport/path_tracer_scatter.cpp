@@ -224,7 +224,7 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
 float PathTracer::open_sky_share(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
                                  const Sides& sides, Branch branch, int depth) const {
   const bool possible = depth == 0 && options_.sky_shares != nullptr && sky_ != nullptr &&
-                        branch == Branch::by_chance && !sides.perturbed && !scene_.polarized();
+                        branch == Branch::by_chance && !sides.perturbed;
   if (!possible || lobe.highest_transmittance > 0.0 || !lobe.bsdf->is_lambertian()) return 0.0f;
   return (*options_.sky_shares)[surface.constituents[0].material];
 }

@@ -46,9 +46,10 @@ SceneLight::SceneLight(const transport::SpectralScene& scene, const sensor::Came
       camera_(camera),
       light_(std::make_unique<transport::PathLight>(scene)),
       air_(std::make_unique<const transport::ViewAtmosphere>(scene)),
-      polarized_(told.polarimetry != nullptr && told.polarimetry->any()
-                     ? std::make_unique<Polarized>(scene, told.parts)
-                     : nullptr),
+      polarized_(polarized(scene, told) ? std::make_unique<Polarized>(scene, told.parts) : nullptr),
+      carried_(scene.polarized() && polarized_ == nullptr
+                   ? std::make_unique<transport::PolarizedPathLight>(scene)
+                   : nullptr),
       parts_(told.parts && polarized_ == nullptr ? std::make_unique<transport::LightInParts>(scene)
                                                  : nullptr),
       columns_(told, scene.nodes()) {
@@ -58,6 +59,43 @@ SceneLight::SceneLight(const transport::SpectralScene& scene, const sensor::Came
 
 SceneLight::~SceneLight() = default;
 
+bool SceneLight::polarized(const transport::SpectralScene& scene, const LightTold& told) {
+  // Parts of light are followed with it or without, not path by path.
+  return (told.polarimetry != nullptr && told.polarimetry->any()) || (told.parts && scene.polarized());
+}
+
+bool SceneLight::is_changed(const transport::PathRecord& paths, std::size_t k) const {
+  using transport::PathVertex;
+  if (carried_ == nullptr) return false;
+  for (auto at = static_cast<std::uint32_t>(k); at != PathVertex::kNone; at = paths.paths[at].also) {
+    const transport::PathRecord::Path& path = paths.paths[at];
+    std::size_t polarizing = 0;
+    for (std::uint32_t v = path.first; v != PathVertex::kNone; v = paths.vertices[v].next) {
+      const PathVertex& vertex = paths.vertices[v];
+      const bool here = paths.directions[v].polarizing != nullptr;
+      polarizing += here ? 1 : 0;
+      if (vertex.mirrored != PathVertex::kNone || vertex.sun_passes != PathVertex::kNone ||
+          vertex.sought_passes != PathVertex::kNone || (here && vertex.sought_weight > 0.0f))
+        return true;
+    }
+    if (polarizing > 1) return true;
+    if (polarizing == 1 && path.escaped && paths.directions[path.last].polarizing != nullptr) return true;
+  }
+  return false;
+}
+
+transport::StokesRows SceneLight::carried(const transport::PathRecord& paths, std::size_t k) {
+  // Any frame: Q and U are nobody's.
+  return carried_->light(paths, k, radiometry::meridional_frame(paths.paths[k].towards_sensor));
+}
+
+float* SceneLight::radiance(const transport::PathRecord& paths, std::size_t k) {
+  if (!is_changed(paths, k)) return light_->radiance(paths, k);
+  float* radiance = carried(paths, k)[0];
+  light_->add_open_sky(paths, k, radiance);
+  return radiance;
+}
+
 void SceneLight::to_channels(const float* radiance, float* row) const {
   scene_.nodes().to_channels(radiance, row);
 }
@@ -65,7 +103,7 @@ void SceneLight::to_channels(const float* radiance, float* row) const {
 void SceneLight::write(const transport::PathRecord& paths, std::size_t k, const sampling::FocalPoint& point,
                        const math::Ray& ray, float* row) {
   if (polarized_ != nullptr) return write_polarized(paths, k, point, ray, row);
-  float* radiance = light_->radiance(paths, k);
+  float* radiance = this->radiance(paths, k);
   air_->apply(paths.paths[k], radiance);
   to_channels(radiance, row);
   if (parts_ != nullptr) columns_.parts().write(parts_->at_sensor(paths, k), row);
@@ -73,6 +111,12 @@ void SceneLight::write(const transport::PathRecord& paths, std::size_t k, const 
 
 SceneLight::Levels SceneLight::levels(const transport::PathRecord& paths, std::size_t k, bool whole) {
   const transport::PathLight::Levels light = light_->levels(paths, k, whole);
+  if (whole && is_changed(paths, k)) {
+    // The first part is that of light which is sent for, as it is told of paths that are not whole.
+    const float* all = carried(paths, k)[0];
+    for (std::size_t n = 0; n < scene_.stride(); ++n) light.rest[n] = all[n] - light.direct[n];
+    light_->add_open_sky(paths, k, light.rest);
+  }
   air_->apply(paths.paths[k], light.direct, light.rest);
   return {light.direct, light.rest};
 }
@@ -106,7 +150,10 @@ void SceneLight::write_sunlight(const transport::PathRecord& paths, std::size_t 
     return columns_.parts().write_one(fell_on(paths, k), row);
   }
   radiometry::SpectrumBlock nothing(1, scene_.node_count());
-  float* radiance = light_->first_sunlight(paths, k);
+  float* radiance =
+      is_changed(paths, k)
+          ? carried_->first_sunlight(paths, k, radiometry::meridional_frame(paths.paths[k].towards_sensor))[0]
+          : light_->first_sunlight(paths, k);
   // Of what the air makes of light its own light is no part here.
   air_->apply(paths.paths[k], radiance);
   air_->apply(paths.paths[k], nothing.row(0));

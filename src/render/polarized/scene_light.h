@@ -16,6 +16,7 @@ class Camera;
 namespace ifov::transport {
 class LightInParts;
 class PathLight;
+class PolarizedPathLight;
 class SpectralScene;
 class ViewAtmosphere;
 struct PathRecord;
@@ -24,7 +25,8 @@ struct PathRecord;
 namespace ifov::render {
 
 /// The light of recorded paths as it reaches a sensor, by column (StokesColumns): radiance alone, or with its polarization where
-/// that is asked for and the scene tells it, and in parts where these are. An object serves one thread.
+/// that is asked for and the scene tells it, and in parts where these are. Radiance alone of a scene that is polarized() has what
+/// surfaces make of polarized light. An object serves one thread.
 class SceneLight {
  public:
   /// Keeps references.
@@ -38,6 +40,8 @@ class SceneLight {
   void write(const transport::PathRecord& paths, std::size_t k, const sampling::FocalPoint& point,
              const math::Ray& ray, float* row);
   bool polarized() const { return polarized_ != nullptr; }
+  /// As polarized(), of light that is to be.
+  static bool polarized(const transport::SpectralScene& scene, const LightTold& told);
   /// Of light that is not polarized, in nodes, as it leaves the air (transport::PathLight::levels()).
   struct Levels {
     float *direct, *rest;
@@ -52,6 +56,12 @@ class SceneLight {
  private:
   struct Polarized;
   void to_channels(const float* radiance, float* row) const;
+  /// At the far end of a path's first segment, with what surfaces make of its polarization. The spectrum is the caller's until
+  /// the next call.
+  float* radiance(const transport::PathRecord& paths, std::size_t k);
+  /// Whether a path's radiance is another one for the polarization of light on its way.
+  bool is_changed(const transport::PathRecord& paths, std::size_t k) const;
+  transport::StokesRows carried(const transport::PathRecord& paths, std::size_t k);
   void write_polarized(const transport::PathRecord& paths, std::size_t k, const sampling::FocalPoint& point,
                        const math::Ray& ray, float* row);
 
@@ -59,7 +69,8 @@ class SceneLight {
   const sensor::Camera& camera_;
   std::unique_ptr<transport::PathLight> light_;
   std::unique_ptr<const transport::ViewAtmosphere> air_;
-  std::unique_ptr<Polarized> polarized_;            // null: radiance alone
+  std::unique_ptr<Polarized> polarized_;  // null: radiance alone
+  std::unique_ptr<transport::PolarizedPathLight> carried_;  // of which there may be more than PathLight knows; null: not so
   std::unique_ptr<transport::LightInParts> parts_;  // null: as a whole
   StokesColumns columns_;
 };
