@@ -24,15 +24,18 @@ namespace {
 /// Channels integrate within this of a full integration.
 constexpr double kChannelError = 1e-3;
 
-/// Whether surfaces see polarized skylight: a mirror of glass or water at Brewster's angle shows half as much again of it, or half.
-bool polarizes_skylight(const Parts& parts) {
-  if (!parts.document.atmosphere.modelled || !parts.scene.sun) return false;
-  const auto scatters = [](const radiometry::Channel& channel) {
-    return channel.centre_um - 0.5 * channel.fwhm_um < atmosphere::kLastSolar_um;
-  };
-  const auto polarizes = [](const materials::Material& material) { return material.bsdf->polarizes(); };
-  return std::ranges::any_of(parts.channels, scatters) &&
-         std::ranges::any_of(parts.scene.materials, polarizes);
+/// Whether surfaces change the radiance of light that sky or other surfaces polarize: a pane at Brewster's angle shows half as much
+/// again of polarized skylight, or half.
+bool polarizes(const scene::Scene& scene) {
+  return std::ranges::any_of(scene.materials,
+                             [](const materials::Material& material) { return material.bsdf->polarizes(); });
+}
+
+/// Whether there is scattered sunlight in any channel.
+bool is_sunlit(const Parts& parts) {
+  return parts.scene.sun && std::ranges::any_of(parts.channels, [](const radiometry::Channel& channel) {
+           return channel.centre_um - 0.5 * channel.fwhm_um < atmosphere::kLastSolar_um;
+         });
 }
 
 /// Tells how many of the atmosphere's solutions are there, and ends the work when asked to.
@@ -54,12 +57,13 @@ std::function<void(std::size_t, std::size_t)> atmosphere_progress(const LoadOpti
 void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept) {
   const io::Document& document = parts.document;
   const scene::Scene& scene = parts.scene;
-  const bool polarized = parts.polarimetry != nullptr || polarizes_skylight(parts);
+  const bool told = parts.polarimetry != nullptr, polarized = told || polarizes(scene);
   const std::vector<radiometry::Spectrum> surfaces = spectra_of_surfaces(
       {scene, parts.channels, parts.colour_guesses, polarized, document.atmosphere.modelled.has_value()});
 
   const render::AccuracyRequest* request = parts.plan.request ? &*parts.plan.request : nullptr;
-  const AtmosphereSubject subject{document.sources, scene, *parts.camera, parts.channels, request, polarized};
+  const AtmosphereSubject subject{document.sources, scene,   *parts.camera,
+                                  parts.channels,   request, told || (polarized && is_sunlit(parts))};
   radiometry::NodeDemands demands;
   demands.tolerance = node_tolerance(scene, parts.channels, request, demands.tolerance);
   if (const std::optional<int>& depth = document.sampling.max_depth)

@@ -152,6 +152,21 @@ TEST_F(DirectionalSurroundings, APlaneOfTheirMaterialIsAsTheColumnOverIt) {
   EXPECT_GT(std::abs(middle(asked)[0] / told[0].light.over_ground.radiance - 1.0), 6e-3);
 }
 
+// Traced sea reflects the sky's polarization whether the sensor tells it or not; unpolarized skylight left it 0.8 % too dark.
+TEST_F(DirectionalSurroundings, ATracedSeaIsAsTheColumnOverIt) {
+  for (const bool stokes : {false, true}) {
+    const Asked asked{R"({"material": "sea"})", "sea", 60.0, 130.0, stokes};
+    const std::string image = bytes(asked);
+    std::vector<float> values(image.size() / sizeof(float));
+    std::copy_n(image.data(), image.size(), reinterpret_cast<char*>(values.data()));
+    const auto told = column(asked, "sea");
+    double mean = 0.0;
+    for (std::size_t row = 0; row < 3; ++row)
+      for (std::size_t k = 0; k < 3; ++k) mean += static_cast<double>(values[row * 6 + k]) / 9.0;
+    EXPECT_NEAR(mean / told[0].light.over_ground.radiance, 1.0, 3e-3) << stokes;
+  }
+}
+
 TEST_F(DirectionalSurroundings, OfALambertianMaterialAreThoseOfItsReflectance) {
   const std::string named = bytes({R"({"material": "grass"})"});
   EXPECT_EQ(named, bytes({R"({"reflectance": 0.2, "temperature": "300 K"})"}));

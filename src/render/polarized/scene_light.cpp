@@ -28,6 +28,28 @@ transport::LightPart fell_on(const transport::PathRecord& paths, std::size_t k) 
              : transport::LightInParts::part_of_sunlight(paths.vertices[first]);
 }
 
+/// Whether unpolarized light that is sent to a vertex meets two surfaces that may polarize it, the vertex's own with them.
+bool is_polarized_twice(const transport::PathRecord& paths, const transport::PathVertex& vertex, bool here) {
+  constexpr std::uint32_t kNone = transport::PathVertex::kNone;
+  const std::size_t own = here ? 1 : 0;
+  const auto met = [&](std::uint32_t passes) {
+    std::size_t count = 0;
+    for (; passes != kNone; passes = paths.passes[passes].next)
+      count += paths.passes[passes].segment == kNone ? 1 : 0;
+    return count;
+  };
+  if (own + met(vertex.sun_passes) > 1 || own + met(vertex.sought_passes) > 1) return true;
+  // What emits polarizes, too.
+  if (vertex.sought_weight > 0.0f && vertex.sought_mixed != kNone && own + met(vertex.sought_passes) > 0)
+    return true;
+  for (std::uint32_t k = vertex.mirrored; k != kNone; k = paths.mirrored[k].next) {
+    const transport::PathRecord::Mirrored& way = paths.mirrored[k];
+    const std::size_t emits = way.emitted && way.emission_mixed != kNone ? 1 : 0;
+    if (emits + own + way.count + met(way.passes) > 1) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 struct SceneLight::Polarized {
@@ -71,12 +93,9 @@ bool SceneLight::is_changed(const transport::PathRecord& paths, std::size_t k) c
     const transport::PathRecord::Path& path = paths.paths[at];
     std::size_t polarizing = 0;
     for (std::uint32_t v = path.first; v != PathVertex::kNone; v = paths.vertices[v].next) {
-      const PathVertex& vertex = paths.vertices[v];
       const bool here = paths.directions[v].polarizing != nullptr;
       polarizing += here ? 1 : 0;
-      if (vertex.mirrored != PathVertex::kNone || vertex.sun_passes != PathVertex::kNone ||
-          vertex.sought_passes != PathVertex::kNone || (here && vertex.sought_weight > 0.0f))
-        return true;
+      if (is_polarized_twice(paths, paths.vertices[v], here)) return true;
     }
     if (polarizing > 1) return true;
     if (polarizing == 1 && path.escaped && paths.directions[path.last].polarizing != nullptr) return true;

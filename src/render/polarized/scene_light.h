@@ -70,7 +70,8 @@ class SceneLight {
   std::unique_ptr<transport::PathLight> light_;
   std::unique_ptr<const transport::ViewAtmosphere> air_;
   std::unique_ptr<Polarized> polarized_;  // null: radiance alone
-  std::unique_ptr<transport::PolarizedPathLight> carried_;  // of which there may be more than PathLight knows; null: not so
+  std::unique_ptr<transport::PolarizedPathLight>
+      carried_;  // of which there may be more than PathLight knows; null: not so
   std::unique_ptr<transport::LightInParts> parts_;  // null: as a whole
   StokesColumns columns_;
 };
