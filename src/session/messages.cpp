@@ -15,6 +15,7 @@
 #include "session/image_errors.h"
 #include "session/loaded/parts.h"
 #include "session/plausibility/light_warnings.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::session {
 
@@ -121,6 +122,10 @@ std::vector<std::string> notes(const Parts& parts) {
                           ? "polarization: sky and path of imported runs are taken to be unpolarized"
                           : "polarization: the sky is unpolarized without a modelled atmosphere");
   }
+  if (!parts.polarimetry && parts.imported && parts.spectral_scene->polarized())
+    lines.push_back(
+        "polarization: the sky of imported runs is taken to be unpolarized; what glass, water and metal reflect of it may be off by as "
+        "much as it is polarized (up to two thirds at Brewster's angle)");
   if (!parts.air.empty()) {
     lines.push_back(atmosphere_error_note(parts.air));
     const auto& modelled = parts.document.atmosphere.modelled;
