@@ -7,7 +7,6 @@
 #include "geometry/world.h"
 #include "render/open_sky.h"
 #include "render/pilot_rays.h"
-#include "render/polarized/scene_light.h"
 #include "render/polarized/steering.h"
 #include "render/scene_field.h"
 #include "render/tile_grid.h"
@@ -97,10 +96,10 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   const LightTold told(job.polarimetry, job.parts);
   const UnsampledLight unsampled(job, control.threads, control.cancel);
   transport::TransportOptions transport = unsampled.transport();
-  const std::vector<float> sky_shares =
-      job.sampler.takes_many_values() && !SceneLight::polarized(job.scene, told)
-          ? open_sky_shares(job.scene, job.camera)
-          : std::vector<float>();
+  // Light of which Q and U are told is not followed apart from the open sky's.
+  const std::vector<float> sky_shares = job.sampler.takes_many_values() && job.polarimetry == nullptr
+                                            ? open_sky_shares(job.scene, job.camera)
+                                            : std::vector<float>();
   if (!sky_shares.empty()) transport.sky_shares = &sky_shares;
   const auto problem_of = [&](const sampling::PixelRect& tile) {
     sampling::TileProblem problem;

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <chrono>
 
-#include "atmosphere/column/light_limits.h"
 #include "atmosphere/imported_atmosphere.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "io/document/document.h"
-#include "materials/bsdf/bsdf.h"
 #include "radiometry/spectral_nodes.h"
 #include "session/assembly/atmosphere/adjacency_assembly.h"
 #include "session/assembly/atmosphere/atmosphere_assembly.h"
@@ -23,20 +21,6 @@ namespace {
 
 /// Channels integrate within this of a full integration.
 constexpr double kChannelError = 1e-3;
-
-/// Whether surfaces change the radiance of light that sky or other surfaces polarize: a pane at Brewster's angle shows half as much
-/// again of polarized skylight, or half.
-bool polarizes(const scene::Scene& scene) {
-  return std::ranges::any_of(scene.materials,
-                             [](const materials::Material& material) { return material.bsdf->polarizes(); });
-}
-
-/// Whether there is scattered sunlight in any channel.
-bool is_sunlit(const Parts& parts) {
-  return parts.scene.sun && std::ranges::any_of(parts.channels, [](const radiometry::Channel& channel) {
-           return channel.centre_um - 0.5 * channel.fwhm_um < atmosphere::kLastSolar_um;
-         });
-}
 
 /// Tells how many of the atmosphere's solutions are there, and ends the work when asked to.
 std::function<void(std::size_t, std::size_t)> atmosphere_progress(const LoadOptions& options) {
@@ -57,13 +41,14 @@ std::function<void(std::size_t, std::size_t)> atmosphere_progress(const LoadOpti
 void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept) {
   const io::Document& document = parts.document;
   const scene::Scene& scene = parts.scene;
-  const bool told = parts.polarimetry != nullptr, polarized = told || polarizes(scene);
+  // What surfaces make of polarized light is radiance, too: a pane at Brewster's angle shows half as much again of skylight, or half.
+  const bool told = parts.polarimetry != nullptr, polarized = told || scene.polarizes();
   const std::vector<radiometry::Spectrum> surfaces = spectra_of_surfaces(
       {scene, parts.channels, parts.colour_guesses, polarized, document.atmosphere.modelled.has_value()});
 
   const render::AccuracyRequest* request = parts.plan.request ? &*parts.plan.request : nullptr;
   const AtmosphereSubject subject{document.sources, scene,   *parts.camera,
-                                  parts.channels,   request, told || (polarized && is_sunlit(parts))};
+                                  parts.channels,   request, told || (polarized && scene.sun.has_value())};
   radiometry::NodeDemands demands;
   demands.tolerance = node_tolerance(scene, parts.channels, request, demands.tolerance);
   if (const std::optional<int>& depth = document.sampling.max_depth)

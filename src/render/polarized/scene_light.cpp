@@ -28,6 +28,11 @@ transport::LightPart fell_on(const transport::PathRecord& paths, std::size_t k) 
              : transport::LightInParts::part_of_sunlight(paths.vertices[first]);
 }
 
+/// Of light towards the sensor, where Q and U are nobody's.
+radiometry::PolarizationFrame any_frame(const transport::PathRecord& paths, std::size_t k) {
+  return radiometry::meridional_frame(paths.paths[k].towards_sensor);
+}
+
 /// Whether unpolarized light that is sent to a vertex meets two surfaces that may polarize it, the vertex's own with them.
 bool is_polarized_twice(const transport::PathRecord& paths, const transport::PathVertex& vertex, bool here) {
   constexpr std::uint32_t kNone = transport::PathVertex::kNone;
@@ -62,16 +67,28 @@ struct SceneLight::Polarized {
   std::unique_ptr<transport::PolarizedLightInParts> parts;  // null: as a whole
 };
 
+struct SceneLight::Changed {
+  Changed(const transport::SpectralScene& scene, bool in_parts)
+      : light(scene),
+        parts(in_parts ? std::make_unique<transport::PolarizedLightInParts>(scene) : nullptr),
+        open_sky(1, scene.node_count()) {}
+  transport::PolarizedPathLight light;
+  std::unique_ptr<transport::PolarizedLightInParts> parts;
+  radiometry::SpectrumBlock open_sky;
+  transport::PartRows rows;
+};
+
 SceneLight::SceneLight(const transport::SpectralScene& scene, const sensor::Camera& camera,
                        const LightTold& told)
     : scene_(scene),
       camera_(camera),
       light_(std::make_unique<transport::PathLight>(scene)),
       air_(std::make_unique<const transport::ViewAtmosphere>(scene)),
-      polarized_(polarized(scene, told) ? std::make_unique<Polarized>(scene, told.parts) : nullptr),
-      carried_(scene.polarized() && polarized_ == nullptr
-                   ? std::make_unique<transport::PolarizedPathLight>(scene)
-                   : nullptr),
+      polarized_(told.polarimetry != nullptr && told.polarimetry->any()
+                     ? std::make_unique<Polarized>(scene, told.parts)
+                     : nullptr),
+      changed_(scene.polarized() && polarized_ == nullptr ? std::make_unique<Changed>(scene, told.parts)
+                                                          : nullptr),
       parts_(told.parts && polarized_ == nullptr ? std::make_unique<transport::LightInParts>(scene)
                                                  : nullptr),
       columns_(told, scene.nodes()) {
@@ -81,14 +98,9 @@ SceneLight::SceneLight(const transport::SpectralScene& scene, const sensor::Came
 
 SceneLight::~SceneLight() = default;
 
-bool SceneLight::polarized(const transport::SpectralScene& scene, const LightTold& told) {
-  // Parts of light are followed with it or without, not path by path.
-  return (told.polarimetry != nullptr && told.polarimetry->any()) || (told.parts && scene.polarized());
-}
-
 bool SceneLight::is_changed(const transport::PathRecord& paths, std::size_t k) const {
   using transport::PathVertex;
-  if (carried_ == nullptr) return false;
+  if (changed_ == nullptr) return false;
   for (auto at = static_cast<std::uint32_t>(k); at != PathVertex::kNone; at = paths.paths[at].also) {
     const transport::PathRecord::Path& path = paths.paths[at];
     std::size_t polarizing = 0;
@@ -103,16 +115,26 @@ bool SceneLight::is_changed(const transport::PathRecord& paths, std::size_t k) c
   return false;
 }
 
-transport::StokesRows SceneLight::carried(const transport::PathRecord& paths, std::size_t k) {
-  // Any frame: Q and U are nobody's.
-  return carried_->light(paths, k, radiometry::meridional_frame(paths.paths[k].towards_sensor));
-}
-
 float* SceneLight::radiance(const transport::PathRecord& paths, std::size_t k) {
   if (!is_changed(paths, k)) return light_->radiance(paths, k);
-  float* radiance = carried(paths, k)[0];
+  float* radiance = changed_->light.light(paths, k, any_frame(paths, k))[0];
   light_->add_open_sky(paths, k, radiance);
   return radiance;
+}
+
+const transport::PartRows& SceneLight::changed_parts(const transport::PathRecord& paths, std::size_t k) {
+  using transport::LightPart;
+  const transport::PolarizedLightInParts::AtSensor& parts =
+      changed_->parts->at_sensor(paths, k, any_frame(paths, k));
+  transport::PartRows& rows = changed_->rows;
+  for (std::size_t p = 0; p < transport::kRadianceParts; ++p) rows.row[p] = parts.radiance[p][0];
+  rows.row[transport::kRadianceParts] = parts.transmittance;
+  float* open = changed_->open_sky.row(0);
+  std::fill_n(open, scene_.stride(), 0.0f);
+  light_->add_open_sky(paths, k, open);
+  air_->dim(paths.paths[k], open);
+  for (std::size_t n = 0; n < scene_.stride(); ++n) rows[LightPart::sky][n] += open[n];
+  return rows;
 }
 
 void SceneLight::to_channels(const float* radiance, float* row) const {
@@ -125,14 +147,15 @@ void SceneLight::write(const transport::PathRecord& paths, std::size_t k, const 
   float* radiance = this->radiance(paths, k);
   air_->apply(paths.paths[k], radiance);
   to_channels(radiance, row);
-  if (parts_ != nullptr) columns_.parts().write(parts_->at_sensor(paths, k), row);
+  if (parts_ != nullptr)
+    columns_.parts().write(is_changed(paths, k) ? changed_parts(paths, k) : parts_->at_sensor(paths, k), row);
 }
 
 SceneLight::Levels SceneLight::levels(const transport::PathRecord& paths, std::size_t k, bool whole) {
   const transport::PathLight::Levels light = light_->levels(paths, k, whole);
   if (whole && is_changed(paths, k)) {
     // The first part is that of light which is sent for, as it is told of paths that are not whole.
-    const float* all = carried(paths, k)[0];
+    const float* all = changed_->light.light(paths, k, any_frame(paths, k))[0];
     for (std::size_t n = 0; n < scene_.stride(); ++n) light.rest[n] = all[n] - light.direct[n];
     light_->add_open_sky(paths, k, light.rest);
   }
@@ -145,7 +168,14 @@ void SceneLight::write_parts(const transport::PathRecord& paths, std::size_t k, 
   if (parts_ == nullptr) return;
   const transport::LightInParts::Levels light = parts_->levels(paths, k, whole);
   columns_.parts().write(light.direct, direct);
-  if (whole) columns_.parts().write(light.rest, rest);
+  if (!whole) return;
+  if (is_changed(paths, k)) {
+    const transport::PartRows& all = changed_parts(paths, k);
+    for (std::size_t p = 0; p < transport::kRadianceParts; ++p)
+      for (std::size_t n = 0; n < scene_.stride(); ++n)
+        light.rest.row[p][n] = all.row[p][n] - light.direct.row[p][n];
+  }
+  columns_.parts().write(light.rest, rest);
 }
 
 void SceneLight::write_polarized(const transport::PathRecord& paths, std::size_t k,
@@ -169,10 +199,8 @@ void SceneLight::write_sunlight(const transport::PathRecord& paths, std::size_t 
     return columns_.parts().write_one(fell_on(paths, k), row);
   }
   radiometry::SpectrumBlock nothing(1, scene_.node_count());
-  float* radiance =
-      is_changed(paths, k)
-          ? carried_->first_sunlight(paths, k, radiometry::meridional_frame(paths.paths[k].towards_sensor))[0]
-          : light_->first_sunlight(paths, k);
+  float* radiance = is_changed(paths, k) ? changed_->light.first_sunlight(paths, k, any_frame(paths, k))[0]
+                                         : light_->first_sunlight(paths, k);
   // Of what the air makes of light its own light is no part here.
   air_->apply(paths.paths[k], radiance);
   air_->apply(paths.paths[k], nothing.row(0));

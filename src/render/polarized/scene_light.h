@@ -16,9 +16,9 @@ class Camera;
 namespace ifov::transport {
 class LightInParts;
 class PathLight;
-class PolarizedPathLight;
 class SpectralScene;
 class ViewAtmosphere;
+struct PartRows;
 struct PathRecord;
 }  // namespace ifov::transport
 
@@ -40,8 +40,6 @@ class SceneLight {
   void write(const transport::PathRecord& paths, std::size_t k, const sampling::FocalPoint& point,
              const math::Ray& ray, float* row);
   bool polarized() const { return polarized_ != nullptr; }
-  /// As polarized(), of light that is to be.
-  static bool polarized(const transport::SpectralScene& scene, const LightTold& told);
   /// Of light that is not polarized, in nodes, as it leaves the air (transport::PathLight::levels()).
   struct Levels {
     float *direct, *rest;
@@ -55,13 +53,14 @@ class SceneLight {
 
  private:
   struct Polarized;
+  struct Changed;
   void to_channels(const float* radiance, float* row) const;
   /// At the far end of a path's first segment, with what surfaces make of its polarization. The spectrum is the caller's until
   /// the next call.
   float* radiance(const transport::PathRecord& paths, std::size_t k);
   /// Whether a path's radiance is another one for the polarization of light on its way.
   bool is_changed(const transport::PathRecord& paths, std::size_t k) const;
-  transport::StokesRows carried(const transport::PathRecord& paths, std::size_t k);
+  const transport::PartRows& changed_parts(const transport::PathRecord& paths, std::size_t k);
   void write_polarized(const transport::PathRecord& paths, std::size_t k, const sampling::FocalPoint& point,
                        const math::Ray& ray, float* row);
 
@@ -69,9 +68,8 @@ class SceneLight {
   const sensor::Camera& camera_;
   std::unique_ptr<transport::PathLight> light_;
   std::unique_ptr<const transport::ViewAtmosphere> air_;
-  std::unique_ptr<Polarized> polarized_;  // null: radiance alone
-  std::unique_ptr<transport::PolarizedPathLight>
-      carried_;  // of which there may be more than PathLight knows; null: not so
+  std::unique_ptr<Polarized> polarized_;            // null: radiance alone
+  std::unique_ptr<Changed> changed_;                // of radiance alone that surfaces change; null: none do
   std::unique_ptr<transport::LightInParts> parts_;  // null: as a whole
   StokesColumns columns_;
 };
