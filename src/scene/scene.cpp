@@ -98,11 +98,6 @@ std::vector<bool> Scene::lobe_assignments() const {
       *this, [&](std::uint32_t material) { return materials::has_narrow_lobe(*materials[material].bsdf); });
 }
 
-bool Scene::polarizes() const {
-  return std::ranges::any_of(materials,
-                             [](const materials::Material& material) { return material.bsdf->polarizes(); });
-}
-
 ResolvedSurface Scene::resolve(const geometry::SurfacePoint& point, std::uint64_t draw) const {
   ResolvedSurface surface = resolve_without_temperature(point);
   if (!solved.empty()) solve(point, draw, surface);

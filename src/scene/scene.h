@@ -147,8 +147,6 @@ struct Scene {
   std::vector<bool> mirror_assignments() const;
   /// The same of materials whose lobe is narrow (has_narrow_lobe).
   std::vector<bool> lobe_assignments() const;
-  /// Whether any of its materials polarizes light.
-  bool polarizes() const;
 
   /// All temperatures at which anything of the scene may emit: states, maps, patterns, surroundings and sky; none
   /// where nothing does. Whoever needs to know asks here (scene_temperatures.cpp), so that nothing is forgotten.

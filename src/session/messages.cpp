@@ -15,6 +15,7 @@
 #include "session/image_errors.h"
 #include "session/loaded/parts.h"
 #include "session/plausibility/light_warnings.h"
+#include "session/surface_spectra.h"
 
 namespace ifov::session {
 
@@ -121,7 +122,7 @@ std::vector<std::string> notes(const Parts& parts) {
                           ? "polarization: sky and path of imported runs are taken to be unpolarized"
                           : "polarization: the sky is unpolarized without a modelled atmosphere");
   }
-  if (!parts.polarimetry && parts.imported && parts.scene.polarizes())
+  if (!parts.polarimetry && parts.imported && polarizes(parts.scene))
     lines.push_back(
         "polarization: the sky of imported runs is taken to be unpolarized; what glass, water and metal reflect of it may be off by as "
         "much as it is polarized (up to two thirds at Brewster's angle)");

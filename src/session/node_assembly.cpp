@@ -42,7 +42,7 @@ void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmo
   const io::Document& document = parts.document;
   const scene::Scene& scene = parts.scene;
   // What surfaces make of polarized light is radiance, too: a pane at Brewster's angle shows half as much again of skylight, or half.
-  const bool told = parts.polarimetry != nullptr, polarized = told || scene.polarizes();
+  const bool told = parts.polarimetry != nullptr, polarized = told || polarizes(scene);
   const std::vector<radiometry::Spectrum> surfaces = spectra_of_surfaces(
       {scene, parts.channels, parts.colour_guesses, polarized, document.atmosphere.modelled.has_value()});
 

@@ -111,4 +111,9 @@ std::vector<radiometry::Spectrum> spectra_of_lamps(const scene::Scene& scene) {
   return lamps;
 }
 
+bool polarizes(const scene::Scene& scene) {
+  return std::ranges::any_of(scene.materials,
+                             [](const materials::Material& material) { return material.bsdf->polarizes(); });
+}
+
 }  // namespace ifov::session

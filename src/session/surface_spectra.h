@@ -30,4 +30,7 @@ std::vector<radiometry::Spectrum> spectra_of_surfaces(const SurfacesOfNodes& of)
 /// Of lamps, each shape once: a street of them has one light.
 std::vector<radiometry::Spectrum> spectra_of_lamps(const scene::Scene& scene);
 
+/// Whether any of its materials polarizes light.
+bool polarizes(const scene::Scene& scene);
+
 }  // namespace ifov::session
