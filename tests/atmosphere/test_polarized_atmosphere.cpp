@@ -102,6 +102,78 @@ TEST_F(PolarizedAtmosphere, TablesHoldWhatTheSolverTells) {
   }
 }
 
+/// How far two are apart, in parts of what is wanted.
+double off(double found, double wanted) { return std::abs(found / wanted - 1.0); }
+
+// Where no gas absorbs (pairs of oxygen neither) nothing is interpolated, and a hundredth of any Q or U is seen.
+TEST_F(PolarizedAtmosphere, WithoutGasTablesAreWhatTheSolverTells) {
+  constexpr double kSeen = 1e-4;  // a hundredth of what a hundredth would be
+  AtmosphereDescription description;
+  description.air.ozone_DU = 0.0;
+  description.air.water_vapour_g_cm2 = 0.0;
+  column_ = AtmosphereColumn(description);
+  inputs_.geometry.view_zenith_rad = 35.0 * kDegree;
+  inputs_.geometry.view_azimuth_rad = 65.0 * kDegree;
+  const std::vector<radiometry::Channel> channels{radiometry::Channel::monochromatic("", 1.0 / 2.439),
+                                                  radiometry::Channel::monochromatic("", 1.0 / 1.4925)};
+  const SensorAtmosphere air = build(channels);
+  const double ground_km = column_.levels().altitude_km.front(), mu = std::cos(35.0 * kDegree);
+  const SkyDirections& sky = air.sky_directions();
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const double um = channels[c].centre_um, sun = inputs_.solar_irradiance.at(um);
+    const ColumnOptics optics = column_.at(1e4 / um);
+    ASSERT_EQ(optics.terms(), 1u) << um;
+    const ColumnSolution solved =
+        ColumnSolver().solve(column_.levels(), optics.term(0), *inputs_.geometry.sun_zenith_rad);
+    const StokesVector path =
+        sun * solved.sunlit().line_of_sight({mu, 65.0 * kDegree - kPi}, 6.0, ground_km).radiance();
+    const SensorAtmosphere::LineOfSightPolarization seen = air.line_of_sight_polarization(0);
+    EXPECT_LT(off(seen.q[c], path.q), kSeen) << um;
+    EXPECT_LT(off(seen.u[c], path.u), kSeen) << um;
+    // What comes more than once alone: a hundredth of it is not seen in the sum.
+    const StokesVector once =
+        sun * solved.sunlit().line_of_sight({mu, 65.0 * kDegree - kPi}, 6.0, ground_km).single;
+    EXPECT_LT(off(seen.q[c] - once.q, path.q - once.q), 10.0 * kSeen) << um;
+    EXPECT_LT(off(seen.u[c] - once.u, path.u - once.u), 10.0 * kSeen) << um;
+    const StokesVector diffuse = solved.diffuse_transmittance(mu, 6.0);
+    EXPECT_LT(off(seen.diffuse_q[c], diffuse.q), kSeen) << um;
+    for (const std::size_t z : {std::size_t{1}, std::size_t{5}, sky.zenith_rad.size() - 2})
+      for (const std::size_t a : {std::size_t{4}, std::size_t{9}, std::size_t{16}}) {
+        const Propagation from{-std::cos(sky.zenith_rad[z]), sky.azimuth_rad[a]};
+        const StokesVector expected = sun * solved.sunlit().sky(from, ground_km).radiance(),
+                           found = air.sky_stokes(z, a, c);
+        EXPECT_LT(off(found.q / found.i, expected.q / expected.i), kSeen) << z << " " << a;
+        EXPECT_LT(off(found.u / found.i, expected.u / expected.i), kSeen) << z << " " << a;
+      }
+    const StokesVector ground =
+                           solved.groundlit().sky({-std::cos(sky.zenith_rad[8]), 0.0}, ground_km).radiance(),
+                       found = air.groundlit_sky_stokes(8, c);
+    EXPECT_LT(off(found.q / found.i, ground.q / ground.i), kSeen) << um;
+  }
+}
+
+// Near the vertical and under a high Sun a round Earth polarizes as a flat one, where tables and other programs check Q and U.
+TEST_F(PolarizedAtmosphere, ThroughShellsNearTheVerticalIsAsThroughFlatLayers) {
+  const ColumnSolution solved =
+      ColumnSolver().solve(column_.levels(), column_.at(22220.0).term(0), 30.0 * kDegree);
+  const double ground_km = column_.levels().altitude_km.front();
+  for (const double azimuth : {0.7, 1.9, 2.8}) {
+    const Propagation up{std::cos(15.0 * kDegree), azimuth}, down{-std::cos(15.0 * kDegree), azimuth};
+    for (const bool from_above : {true, false}) {
+      const PathLight round = from_above ? solved.sunlit().line_of_sight(up, 90.0, ground_km)
+                                         : solved.sunlit().sky(down, ground_km),
+                      flat =
+                          from_above ? solved.sunlit().path(up, 90.0) : solved.sunlit().path(down, ground_km);
+      for (const auto part : {&PathLight::single, &PathLight::multiple}) {
+        EXPECT_LT(off((round.*part).q / (round.*part).i, (flat.*part).q / (flat.*part).i), 4e-3)
+            << azimuth << from_above;
+        EXPECT_LT(off((round.*part).u / (round.*part).i, (flat.*part).u / (flat.*part).i), 4e-3)
+            << azimuth << from_above;
+      }
+    }
+  }
+}
+
 // The irradiance of a coarse table with sunlight and emission in it is put right by a factor, the same for I, Q and U.
 TEST_F(PolarizedAtmosphere, ACoarseTableIsAsPolarizedAsAFineOne) {
   const std::vector<radiometry::Channel> mixed{radiometry::Channel::monochromatic("", 3.8)};
