@@ -9,16 +9,11 @@
 #include "io/document/cameras/flight_motion.h"
 #include "io/document/cameras/flight_path.h"
 #include "io/document/platform_document.h"
+#include "math/angle.h"
 #include "platform/trajectory.h"
 #include "sensor/scanning/scan_camera.h"
 
 namespace ifov::io {
-namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
-
-}  // namespace
-
 double ScanningCamera::step() const {
   return element_angle_rad ? *element_angle_rad : *pitch_m / *focal_length_m;
 }
@@ -80,7 +75,7 @@ std::unique_ptr<sensor::Camera> ScanningCamera::build(const CameraSite& site) co
 std::string ScanningCamera::description(math::Vec3 shift_m, std::string_view axes) const {
   const sensor::SweepPattern p = pattern();
   return format("{}, {} sweeps of {} samples by {} element{} over {:.4g} deg, in {:.6g} of {:.6g} ms, {}", name(),
-                p.sweeps, p.samples, p.elements, p.elements == 1 ? "" : "s", sweep_angle_rad * kDegrees,
+                p.sweeps, p.samples, p.elements, p.elements == 1 ? "" : "s", sweep_angle_rad / math::kDegree,
                 1e3 * p.sweep_s, 1e3 * p.period_s,
                 flight ? path_description(flight->platform, shift_m, axes) : "without a platform");
 }

@@ -1,41 +1,44 @@
-#include <cmath>
-#include <numbers>
+#include <algorithm>
 
 #include "core/format.h"
 #include "io/document/cameras/scanning_cameras.h"
 #include "io/document/schema/record.h"
+#include "math/angle.h"
 
 namespace ifov::io {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
+template <class Camera, class M>
+M Camera::*own(M ScanningCamera::*member) {
+  return member;
+}
 
 /// The keys that both have.
 template <class Camera>
 void tell_scanning(Record<Camera>& record, double widest_deg, const char* sweep_angle) {
   const SchemaType<double> length = quantity(kLength, Range::above(0.0, "m"));
   const SchemaType<double> duration = quantity(kDuration, Range::above(0.0, "s"));
-  record.required("pixels", &Camera::size, image_size_type(), "samples of a sweep, and lines: `elements` of them for each sweep")
-      .with_default("elements", &Camera::elements, integer(1, 4096), "1",
+  record.required("pixels", own<Camera>(&ScanningCamera::size), image_size_type(), "samples of a sweep, and lines: `elements` of them for each sweep")
+      .with_default("elements", own<Camera>(&ScanningCamera::elements), integer(1, 4096), "1",
                     "detector elements along the track, seen together: lines that one sweep makes")
       .exactly_one()
-      .one("focal_length", &Camera::focal_length_m, length, "focal length; with `pitch`")
-      .one("element_angle", &Camera::element_angle_rad, quantity(kAngle, {0.0, 90.0, true, true, "deg"}),
+      .one("focal_length", own<Camera>(&ScanningCamera::focal_length_m), length, "focal length; with `pitch`")
+      .one("element_angle", own<Camera>(&ScanningCamera::element_angle_rad), quantity(kAngle, {0.0, 90.0, true, true, "deg"}),
            "instead: from element to element")
-      .optional("pitch", &Camera::pitch_m, length, "distance between elements")
+      .optional("pitch", own<Camera>(&ScanningCamera::pitch_m), length, "distance between elements")
       .needs("pitch", "focal_length")
-      .required("sweep_angle", &Camera::sweep_angle_rad, quantity(kAngle, {0.0, widest_deg, true, false, "deg"}), sweep_angle)
-      .required("period", &Camera::period_s, duration, "from the beginning of a sweep to that of the next")
-      .optional("sweep_time", &Camera::sweep_time_s, duration, "for which a sweep takes samples; if not given all of the period")
-      .with_default("reversed", &Camera::reversed, boolean(), "false",
+      .required("sweep_angle", own<Camera>(&ScanningCamera::sweep_angle_rad), quantity(kAngle, {0.0, widest_deg, true, false, "deg"}), sweep_angle)
+      .required("period", own<Camera>(&ScanningCamera::period_s), duration, "from the beginning of a sweep to that of the next")
+      .optional("sweep_time", own<Camera>(&ScanningCamera::sweep_time_s), duration, "for which a sweep takes samples; if not given all of the period")
+      .with_default("reversed", own<Camera>(&ScanningCamera::reversed), boolean(), "false",
                     "whether sweeps run towards the right wing, against the image's x")
-      .with_default("both_ways", &Camera::both_ways, boolean(), "false", "whether every second sweep runs back")
-      .optional("element_width", &Camera::element_width_m, quantity(kLength, Range::at_least(0.0, "m")),
+      .with_default("both_ways", own<Camera>(&ScanningCamera::both_ways), boolean(), "false", "whether every second sweep runs back")
+      .optional("element_width", own<Camera>(&ScanningCamera::element_width_m), quantity(kLength, Range::at_least(0.0, "m")),
                 "sensitive width of an element along the sweep; if not given 0, so that at one time it sees a line")
       .needs("element_width", "pitch")
-      .with_default("exposure_share", &Camera::exposure_share, number(Range{0.0, 1.0, true, false, ""}), "1",
+      .with_default("exposure_share", own<Camera>(&ScanningCamera::exposure_share), number(Range{0.0, 1.0, true, false, ""}), "1",
                     "of a sample's time, for which it is exposed, in its middle")
-      .with_default("start", &Camera::start_s, quantity(kDuration), "\"0 s\"",
+      .with_default("start", own<Camera>(&ScanningCamera::start_s), quantity(kDuration), "\"0 s\"",
                     "when the first sweep begins, after the document's `time`")
       .check([](const Camera& camera, const DocumentNode& node) {
         if (camera.focal_length_m && !camera.pitch_m)
@@ -68,8 +71,8 @@ SchemaType<std::shared_ptr<const CameraSettings>> whiskbroom_type() {
         if (!(*camera.amplitude_rad > 0.5 * camera.sweep_angle_rad))
           node.given("amplitude")
               .fail(format("a line of sight that swings by {:g} deg to each side does not sweep over {:g} deg; expected more than {:g} deg",
-                           *camera.amplitude_rad * kDegrees, camera.sweep_angle_rad * kDegrees,
-                           0.5 * camera.sweep_angle_rad * kDegrees));
+                           *camera.amplitude_rad / math::kDegree, camera.sweep_angle_rad / math::kDegree,
+                           0.5 * camera.sweep_angle_rad / math::kDegree));
       });
   return settings_type(record.type());
 }

@@ -18,6 +18,7 @@
 #include "sensor/camera.h"
 #include "sensor/psf.h"
 #include "sensor/pupil.h"
+#include "sensor/scanning/scan_camera.h"
 #include "sensor/view_list.h"
 #include "sensor/view_list_camera.h"
 #include "session/assembly/shared/map_frame.h"
