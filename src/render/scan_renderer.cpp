@@ -34,7 +34,9 @@ class EarlierSweep final : public EarlierTiles {
 class Sweep {
  public:
   Sweep(const RenderJob& all, const sensor::ScanCamera& scans, int number, const RenderControl& control)
-      : camera_(scans.sweep(number)), first_line_(number * scans.pattern().elements), job_(of_camera(all, *camera_)) {
+      : camera_(scans.sweep(number)),
+        first_line_(number * scans.pattern().elements),
+        job_(of_camera(all, *camera_)) {
     job_.seed = sampling::hash(all.seed, static_cast<std::uint64_t>(number));
     if (all.earlier != nullptr)
       job_.earlier = (earlier_ = std::make_unique<EarlierSweep>(*all.earlier, first_line_)).get();

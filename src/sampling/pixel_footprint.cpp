@@ -144,8 +144,8 @@ double PixelFootprint::integral(double x0_px, double y0_px, double x1_px, double
   const double x0 = inside(x0_px), x1 = inside(x1_px), y0 = inside(y0_px), y1 = inside(y1_px);
   if (x1 <= x0 || y1 <= y0) return 0.0;
   if (!pieces_.empty()) {
-    const double across = std::min(along_x_ ? y1 : x1, half_width_across_) -
-                          std::max(along_x_ ? y0 : x0, -half_width_across_);
+    const double across =
+        std::min(along_x_ ? y1 : x1, half_width_across_) - std::max(along_x_ ? y0 : x0, -half_width_across_);
     const double along = striped_below(along_x_ ? x1 : y1) - striped_below(along_x_ ? x0 : y0);
     return across > 0.0 ? 0.5 * across / half_width_across_ * along : 0.0;
   }

@@ -55,7 +55,9 @@ SweepPattern cone(SweepPattern::Axis axis) {
   return p;
 }
 
-math::Point3 ground(const math::Ray& ray) { return ray.origin_m + ray.direction * (ray.origin_m.z / -ray.direction.z); }
+math::Point3 ground(const math::Ray& ray) {
+  return ray.origin_m + ray.direction * (ray.origin_m.z / -ray.direction.z);
+}
 
 ScanCamera scanner(const SweepPattern& pattern, std::shared_ptr<const Trajectory> platform = north()) {
   return ScanCamera({pattern, std::move(platform)});
@@ -69,17 +71,20 @@ TEST(ScanCamera, WhiskbroomSweepsThePlaneAcrossTheTrack) {
   for (const double x : {0.0, 100.0, 250.0, 377.5, 500.0})
     for (const double y : {0.5, 4.0, 9.9, 10.1, 55.5}) {
       const int sweep = static_cast<int>(y / 10.0);
-      const double turn = (x - 250.0) / 500.0 * 100.0 * kDegree, time_s = 0.5 + 0.2 * sweep + 0.08 * x / 500.0;
+      const double turn = (x - 250.0) / 500.0 * 100.0 * kDegree,
+                   time_s = 0.5 + 0.2 * sweep + 0.08 * x / 500.0;
       const math::Ray ray = camera.ray({x, y});
       EXPECT_NEAR(ray.time_s, time_s, 1e-14);
       const math::Point3 seen = ground(ray);
       EXPECT_NEAR(seen.x, -kHeight_m * std::tan(turn), 1e-9) << x << " " << y;
-      EXPECT_NEAR(seen.y, kSpeed_m_s * time_s + (y - 10.0 * sweep - 5.0) * 1e-3 * kHeight_m / std::cos(turn), 1e-9);
+      EXPECT_NEAR(seen.y, kSpeed_m_s * time_s + (y - 10.0 * sweep - 5.0) * 1e-3 * kHeight_m / std::cos(turn),
+                  1e-9);
     }
   EXPECT_NEAR(camera.ray({100.0, 3.0, 0.01}).time_s, camera.ray({100.0, 3.0}).time_s + 0.01, 1e-15);
   const CameraPose pose = camera.pose(25.0);
   EXPECT_NEAR(pose.time_s, 0.5 + 0.4 + 0.04, 1e-15);
-  EXPECT_NEAR(math::length(math::cross(pose.axes.right, pose.axes.down) - pose.axes.forward), 0.0, 1e-15) << "not mirrored";
+  EXPECT_NEAR(math::length(math::cross(pose.axes.right, pose.axes.down) - pose.axes.forward), 0.0, 1e-15)
+      << "not mirrored";
 }
 
 /// A pixel grows by 1/cos^2 along the sweep and 1/cos along the track; neighbouring sweeps, which touch in the middle, overlap by what the
@@ -89,7 +94,8 @@ TEST(ScanCamera, PixelsGrowAndSweepsOverlap) {
   for (const double x : {250.0, 300.0, 400.0, 490.0}) {
     const double turn = (x - 250.0) / 500.0 * 100.0 * kDegree, grown = 1.0 / std::cos(turn);
     const double per_sample = 100.0 * kDegree / 500.0;
-    const math::Point3 left = ground(camera.ray({x - 1e-3, 5.0})), right = ground(camera.ray({x + 1e-3, 5.0}));
+    const math::Point3 left = ground(camera.ray({x - 1e-3, 5.0})),
+                       right = ground(camera.ray({x + 1e-3, 5.0}));
     EXPECT_NEAR((left.x - right.x) / 2e-3, kHeight_m * per_sample * grown * grown, 1e-6);
     const math::Point3 last = ground(camera.ray({x, 10.0 - 1e-9})), next = ground(camera.ray({x, 10.0}));
     EXPECT_NEAR(last.y - next.y, 10.0 * (grown - 1.0), 1e-6) << "overlap";
@@ -107,10 +113,12 @@ TEST(ScanCamera, ModisPixelsHaveThePublishedSizes) {
   SweepPattern p = whisk();
   p.samples = 1354, p.turn_rad = 110.0 * kDegree, p.step = 1.0 / 705.0;
   p.start_s = 0.0, p.period_s = 1.477, p.sweep_s = 1354 * 333.333e-6;
-  const ScanCamera camera = scanner(p, std::make_shared<const Trajectory>(Trajectory::straight({0.0, 0.0, kOrbit_m}, {0.0, 6750.0, 0.0}, {})));
+  const ScanCamera camera = scanner(p, std::make_shared<const Trajectory>(Trajectory::straight(
+                                           {0.0, 0.0, kOrbit_m}, {0.0, 6750.0, 0.0}, {})));
   const auto sphere = [&](double x, double y) {
     const math::Ray ray = camera.ray({x, y});
-    const math::Vec3 from = ray.origin_m - math::Point3{0.0, ray.origin_m.y, -kEarth_m};  // below the platform, as it flies on
+    const math::Vec3 from =
+        ray.origin_m - math::Point3{0.0, ray.origin_m.y, -kEarth_m};  // below the platform, as it flies on
     const double b = math::dot(from, ray.direction), c = math::dot(from, from) - kEarth_m * kEarth_m;
     return from + ray.direction * (-b - std::sqrt(b * b - c));
   };
@@ -123,11 +131,12 @@ TEST(ScanCamera, ModisPixelsHaveThePublishedSizes) {
 
 /// On level ground a circle of H tan(cone) about the point below, at its sample's time; the same zenith angle everywhere.
 TEST(ScanCamera, ConesSeeTheGroundAtOneAngle) {
-  for (const auto& [axis, sign] :
-       {std::pair{SweepPattern::Axis::belly_looking_ahead, 1.0}, {SweepPattern::Axis::belly_looking_behind, -1.0}}) {
+  for (const auto& [axis, sign] : {std::pair{SweepPattern::Axis::belly_looking_ahead, 1.0},
+                                   {SweepPattern::Axis::belly_looking_behind, -1.0}}) {
     const ScanCamera camera = scanner(cone(axis));
     for (const double x : {0.0, 125.0, 250.0, 480.0}) {
-      const double turn = (x - 250.0) / 500.0 * 140.0 * kDegree, radius_m = kHeight_m * std::tan(50.0 * kDegree);
+      const double turn = (x - 250.0) / 500.0 * 140.0 * kDegree,
+                   radius_m = kHeight_m * std::tan(50.0 * kDegree);
       const math::Ray ray = camera.ray({x, 25.0});
       EXPECT_NEAR(nadir_angle_rad(ray), 50.0 * kDegree, 1e-12);
       const math::Point3 seen = ground(ray);
@@ -193,7 +202,8 @@ TEST(ScanCamera, OnePlaceMayBeInTwoSweeps) {
   EXPECT_LT(next.y_px, 10.0);
   ASSERT_TRUE(camera.project(place, whole));
   EXPECT_NEAR(whole.x_px, 450.0, 0.1);
-  EXPECT_NEAR(whole.y_px, std::abs(own.y_px - 5.0) < std::abs(next.y_px - 5.0) ? 28.5 : 30.0 + next.y_px, 1e-9);
+  EXPECT_NEAR(whole.y_px, std::abs(own.y_px - 5.0) < std::abs(next.y_px - 5.0) ? 28.5 : 30.0 + next.y_px,
+              1e-9);
 }
 
 TEST(ScanCamera, MirrorsTurnEvenlyOrSwing) {
@@ -226,12 +236,14 @@ TEST(ScanCamera, ElementsHaveAWidthAlongTheSweep) {
   EXPECT_TRUE(scanner(whisk()).along_line().plain());
   const auto swept = make_swept_footprint(nullptr, 1.0, along), down = make_footprint(nullptr, 1.0, along);
   const auto blur = make_gaussian_psf(0.4);
-  const auto blurred = make_swept_footprint(blur.get(), 1.0, along), blurred_down = make_footprint(blur.get(), 1.0, along);
+  const auto blurred = make_swept_footprint(blur.get(), 1.0, along),
+             blurred_down = make_footprint(blur.get(), 1.0, along);
   for (const double a : {-0.9, -0.3, 0.1, 0.7})
     for (const double b : {-0.45, 0.2, 0.6}) {
       EXPECT_EQ(swept.integral(a, b, a + 0.3, b + 0.2), down.integral(b, a, b + 0.2, a + 0.3));
       EXPECT_EQ(swept.density(a, b), down.density(b, a));
-      EXPECT_NEAR(blurred.integral(a, b, a + 0.3, b + 0.2), blurred_down.integral(b, a, b + 0.2, a + 0.3), 1e-14);
+      EXPECT_NEAR(blurred.integral(a, b, a + 0.3, b + 0.2), blurred_down.integral(b, a, b + 0.2, a + 0.3),
+                  1e-14);
     }
   // A trapezoid's share of its own sample: its middle 0.2 whole, its flanks of 0.8 that fall from 0.4 wide on.
   EXPECT_NEAR(swept.integral(-0.1, -0.5, 0.1, 0.5), 0.2, 1e-12);
@@ -251,25 +263,35 @@ TEST(ScanCamera, SaysWhatCannotBe) {
   SweepPattern p = whisk();
   EXPECT_EQ(refusal(p), "taken");
   p.start_s = 4.0;
-  EXPECT_EQ(refusal(p), "the platform's path covers -1 to 5 s, and the 8 sweeps take from 4 to 5.48 s: it ends 0.48 s too early");
+  EXPECT_EQ(
+      refusal(p),
+      "the platform's path covers -1 to 5 s, and the 8 sweeps take from 4 to 5.48 s: it ends 0.48 s too early");
   p = whisk();
   p.sweep_s = 0.3;
-  EXPECT_EQ(refusal(p), "sweeps of 0.3 s every 0.2 s; expected positive durations, and sweeps that end before the next begins");
+  EXPECT_EQ(
+      refusal(p),
+      "sweeps of 0.3 s every 0.2 s; expected positive durations, and sweeps that end before the next begins");
   p = whisk();
   p.amplitude_rad = 40.0 * kDegree;
-  EXPECT_EQ(refusal(p), "a line of sight that swings by 40 deg to each side cannot sweep over 100 deg; expected an amplitude above half of that");
+  EXPECT_EQ(
+      refusal(p),
+      "a line of sight that swings by 40 deg to each side cannot sweep over 100 deg; expected an amplitude above half of that");
   // 100 deg in 80 ms are 22 rad/s; rolling by 3 rad in 0.8 s is 24.
   p = whisk();
-  EXPECT_NE(refusal(p, shaking(3.1)).find("the platform turns faster than the sweep, and the same ground would be seen more than once in it"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal(p, shaking(3.1))
+          .find(
+              "the platform turns faster than the sweep, and the same ground would be seen more than once in it"),
+      std::string::npos);
   // At 50 m/s a platform moves by 5 cm in 1 ms; of 50 samples a second one takes it a meter.
   p = whisk();
   p.element_px = 1.0;
   EXPECT_EQ(refusal(p, north()), "taken");
   p.samples = 4, p.turn_rad = 4e-3;
-  EXPECT_EQ(refusal(p, north()),
-            "what elements 1 pitches wide see is 0.5 pixels off from what is known of their samples, as the platform moves while they pass; "
-            "expected 0.005 pixels at most: a smaller 'element_width', or none");
+  EXPECT_EQ(
+      refusal(p, north()),
+      "what elements 1 pitches wide see is 0.5 pixels off from what is known of their samples, as the platform moves while they pass; "
+      "expected 0.005 pixels at most: a smaller 'element_width', or none");
 }
 
 }  // namespace

@@ -250,9 +250,8 @@ RunPlan plan_of(const JsonView& v) {
 
 bool is_sound(const RunPlan& plan) {
   return plan.image.width_px > 0 && plan.image.height_px > 0 && plan.tile_px > 0 &&
-         plan.image.sweep_lines >= 0 &&
-         !plan.image.channels.empty() && plan.share.count > 0 && plan.share.number > 0 &&
-         plan.share.number <= plan.share.count;
+         plan.image.sweep_lines >= 0 && !plan.image.channels.empty() && plan.share.count > 0 &&
+         plan.share.number > 0 && plan.share.number <= plan.share.count;
 }
 
 }  // namespace

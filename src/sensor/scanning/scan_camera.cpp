@@ -25,17 +25,20 @@ void check_pattern(const SweepPattern& p) {
     throw InputError(format("a line of sight {:g} deg off the axis that it turns about; expected more than 0",
                             p.cone_rad * kDegrees));
   if (!positive(p.turn_rad) || !(p.turn_rad * kDegrees <= 350.0))
-    throw InputError(format("a sweep of {:g} deg; expected more than 0 and at most 350", p.turn_rad * kDegrees));
+    throw InputError(
+        format("a sweep of {:g} deg; expected more than 0 and at most 350", p.turn_rad * kDegrees));
   if (p.amplitude_rad != 0.0 && !(p.amplitude_rad > 0.5 * p.turn_rad))
     throw InputError(format(
         "a line of sight that swings by {:g} deg to each side cannot sweep over {:g} deg; expected an amplitude above half of that",
         p.amplitude_rad * kDegrees, p.turn_rad * kDegrees));
   if (!positive(p.period_s) || !positive(p.sweep_s) || p.sweep_s > p.period_s * (1.0 + 1e-12))
-    throw InputError(format("sweeps of {:g} s every {:g} s; expected positive durations, and sweeps that end before the next begins",
-                            p.sweep_s, p.period_s));
+    throw InputError(format(
+        "sweeps of {:g} s every {:g} s; expected positive durations, and sweeps that end before the next begins",
+        p.sweep_s, p.period_s));
   if (!(p.element_px >= 0.0) || !std::isfinite(p.element_px) || !positive(p.exposure) || p.exposure > 1.0)
-    throw InputError(format("an element of {} pitches, exposed for {} of a sample; expected 0 or more, and at most all of it",
-                            p.element_px, p.exposure));
+    throw InputError(format(
+        "an element of {} pitches, exposed for {} of a sample; expected 0 or more, and at most all of it",
+        p.element_px, p.exposure));
 }
 
 }  // namespace
@@ -55,7 +58,8 @@ void ScanCamera::cover() const {
   const double start_s = p.start_s, end_s = p.start_s + (p.sweeps - 1) * p.period_s + p.sweep_s;
   // A row may end where the last sweep does, but for its rounding.
   const double rounding_s = 1e-9 * std::max(std::abs(start_s), std::abs(end_s));
-  const double early_s = settings_.platform->first_s() - start_s, late_s = end_s - settings_.platform->last_s();
+  const double early_s = settings_.platform->first_s() - start_s,
+               late_s = end_s - settings_.platform->last_s();
   if (!(early_s > rounding_s) && !(late_s > rounding_s)) return;
   throw InputError(
       format("the platform's path covers {:g} to {:g} s, and the {} sweeps take from {:g} to {:g} s: {}",
@@ -71,8 +75,7 @@ std::unique_ptr<const SweepCamera> ScanCamera::sweep(int number) const {
 }
 
 int ScanCamera::number_of(double line_px) const {
-  return static_cast<int>(
-      std::clamp(std::floor(line_px / pattern().elements), 0.0, pattern().sweeps - 1.0));
+  return static_cast<int>(std::clamp(std::floor(line_px / pattern().elements), 0.0, pattern().sweeps - 1.0));
 }
 
 SweepCamera ScanCamera::sweep_of(double line_px) const {
@@ -157,10 +160,10 @@ void ScanCamera::hold_together() const {
         const math::Vec3 onward =
             sweep.element_ray(x, 0.0, 0.5).direction - sweep.element_ray(x, 0.0, -0.5).direction;
         if (!(math::dot(*after - *before, onward) > 0.0))
-          throw InputError(
-              format("sample {:.4g} of sweep {} does not look beyond the one before it: by {:.4g} s the platform turns faster than "
-                     "the sweep, and the same ground would be seen more than once in it",
-                     x, number + 1, sweep.time_s(x)));
+          throw InputError(format(
+              "sample {:.4g} of sweep {} does not look beyond the one before it: by {:.4g} s the platform turns faster than "
+              "the sweep, and the same ground would be seen more than once in it",
+              x, number + 1, sweep.time_s(x)));
         if (!(p.element_px > 0.0)) continue;
         for (const double ahead : {-0.5 * p.elements, 0.5 * p.elements})
           for (const double beside : {-0.5 * p.element_px, 0.5 * p.element_px}) {

@@ -14,7 +14,8 @@ class ScanCamera final : public Camera {
  public:
   struct Settings {
     SweepPattern pattern;
-    std::shared_ptr<const platform::Trajectory> platform;  ///< scene frame, with what is between it and the camera
+    std::shared_ptr<const platform::Trajectory>
+        platform;  ///< scene frame, with what is between it and the camera
     std::shared_ptr<const platform::Trajectory> reported = nullptr;  ///< as it is reported; null: as it is
     double lowest_m = 0.0, highest_m = 0.0;                          ///< of what is looked at, z
   };

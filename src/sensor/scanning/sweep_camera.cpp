@@ -48,7 +48,8 @@ SweepCamera::SweepCamera(const SweepPattern& pattern, int number,
       number_(number),
       back_(pattern.reversed != (pattern.both_ways && number % 2 == 1)),
       platform_(std::move(platform)) {
-  if (reported) reported_ = std::make_unique<const SweepCamera>(pattern, number, std::move(reported), nullptr);
+  if (reported)
+    reported_ = std::make_unique<const SweepCamera>(pattern, number, std::move(reported), nullptr);
 }
 
 double SweepCamera::time_s(double x_px) const {
@@ -77,7 +78,8 @@ SweepCamera::Look SweepCamera::look(double x_px, double time_s) const {
       axes_of(pattern_, {-pose.enu_from_body.y().v, pose.enu_from_body.x().v, pose.enu_from_body.z().v});
   look.turn_rad = (x_px - 0.5 * pattern_.samples) * pattern_.turn_per_sample_rad();
   const double c = std::cos(pattern_.cone_rad), s = std::sin(pattern_.cone_rad);
-  const math::Vec3 from_axis = look.axes.first * std::cos(look.turn_rad) + look.axes.side * std::sin(look.turn_rad);
+  const math::Vec3 from_axis =
+      look.axes.first * std::cos(look.turn_rad) + look.axes.side * std::sin(look.turn_rad);
   look.beside = look.axes.side * std::cos(look.turn_rad) - look.axes.first * std::sin(look.turn_rad);
   look.sight = look.axes.axis * c + from_axis * s;
   look.ahead = (from_axis * c - look.axes.axis * s) * look.axes.outwards;

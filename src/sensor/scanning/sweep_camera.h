@@ -19,22 +19,22 @@ namespace ifov::sensor {
 struct SweepPattern {
   enum class Axis { nose, belly_looking_ahead, belly_looking_behind };
 
-  int samples = 0;           ///< of a sweep
-  int elements = 1;          ///< along the track, seen together; lines of the image that one sweep makes
+  int samples = 0;   ///< of a sweep
+  int elements = 1;  ///< along the track, seen together; lines of the image that one sweep makes
   int sweeps = 1;
   Axis axis = Axis::nose;
-  double cone_rad = 0.0;     ///< between the line of sight and the axis
-  double turn_rad = 0.0;     ///< of a whole sweep about the axis, about the middle of it
-  double step = 0.0;         ///< angle between elements: pitch over focal length
+  double cone_rad = 0.0;        ///< between the line of sight and the axis
+  double turn_rad = 0.0;        ///< of a whole sweep about the axis, about the middle of it
+  double step = 0.0;            ///< angle between elements: pitch over focal length
   double focal_length_m = 0.0;  ///< 0: only the step is known
-  double start_s = 0.0;      ///< when the first sweep begins, after the document's instant
-  double period_s = 0.0;     ///< from the beginning of a sweep to that of the next
-  double sweep_s = 0.0;      ///< that a sweep takes
-  double amplitude_rad = 0.0;  ///< of a line of sight that oscillates as a sine does; 0: it turns evenly
-  bool reversed = false;     ///< sweeps run against the image's x
-  bool both_ways = false;    ///< every second sweep runs back
-  double element_px = 0.0;   ///< sensitive width along the sweep, over the pitch
-  double exposure = 1.0;     ///< share of a sample's time, in its middle
+  double start_s = 0.0;         ///< when the first sweep begins, after the document's instant
+  double period_s = 0.0;        ///< from the beginning of a sweep to that of the next
+  double sweep_s = 0.0;         ///< that a sweep takes
+  double amplitude_rad = 0.0;   ///< of a line of sight that oscillates as a sine does; 0: it turns evenly
+  bool reversed = false;        ///< sweeps run against the image's x
+  bool both_ways = false;       ///< every second sweep runs back
+  double element_px = 0.0;      ///< sensitive width along the sweep, over the pitch
+  double exposure = 1.0;        ///< share of a sample's time, in its middle
 
   double turn_per_sample_rad() const { return turn_rad / samples; }
   /// At the ends of a sweep: of one that a sine makes the longest.

@@ -74,9 +74,9 @@ std::unique_ptr<sensor::Camera> ScanningCamera::build(const CameraSite& site) co
 
 std::string ScanningCamera::description(math::Vec3 shift_m, std::string_view axes) const {
   const sensor::SweepPattern p = pattern();
-  return format("{}, {} sweeps of {} samples by {} element{} over {:.4g} deg, in {:.6g} of {:.6g} ms, {}", name(),
-                p.sweeps, p.samples, p.elements, p.elements == 1 ? "" : "s", sweep_angle_rad / math::kDegree,
-                1e3 * p.sweep_s, 1e3 * p.period_s,
+  return format("{}, {} sweeps of {} samples by {} element{} over {:.4g} deg, in {:.6g} of {:.6g} ms, {}",
+                name(), p.sweeps, p.samples, p.elements, p.elements == 1 ? "" : "s",
+                sweep_angle_rad / math::kDegree, 1e3 * p.sweep_s, 1e3 * p.period_s,
                 flight ? path_description(flight->platform, shift_m, axes) : "without a platform");
 }
 
@@ -89,7 +89,8 @@ std::shared_ptr<const CameraSettings> ScanningCamera::shrunk(int longest_px) con
   const int fewer_sweeps = std::clamp(wanted.height_px / fewer, 1, sweeps);
   camera->elements = fewer;
   camera->size = {wanted.width_px, fewer * fewer_sweeps};
-  const double larger = static_cast<double>(elements) / fewer, longer = static_cast<double>(sweeps) / fewer_sweeps;
+  const double larger = static_cast<double>(elements) / fewer,
+               longer = static_cast<double>(sweeps) / fewer_sweeps;
   (pitch_m ? *camera->pitch_m : *camera->element_angle_rad) *= larger;
   camera->period_s *= longer;
   if (sweep_time_s) *camera->sweep_time_s *= longer;
