@@ -213,6 +213,22 @@ class WhiskScanning(unittest.TestCase):
                                  timeout=200, check=False)
         self.assertEqual(preview.returncode, 0, preview.stderr)
 
+    def test_runs_are_refined_and_shared_out(self):
+        coarse, fine = document(DISKS), document(DISKS)
+        coarse["sampling"]["accuracy"]["error"] = "5 %"
+        for scene in (coarse, fine):
+            scene["sampling"]["tile"] = 8  # four columns of tiles, of six lines
+        self.render(coarse, "coarse", "--keep")
+        (self.folder / "coarse.json").write_text(json.dumps(fine))
+        refined = self.render(fine, "coarse", "--refine")
+        self.assert_is(refined, expected(DISKS))
+        whole = self.render(fine, "whole")
+        for number in (1, 2):
+            self.render(fine, f"share{number}", "--tiles", f"{number}/2")
+        subprocess.run([PROGRAM, "merge", "share1", "share2", "--output", "merged"], cwd=self.folder, check=True, capture_output=True, timeout=200)
+        for quantity in ("radiance", "half_width"):
+            self.assertEqual((whole / f"image_{quantity}.img").read_bytes(), (self.folder / "merged" / f"image_{quantity}.img").read_bytes())
+
     def test_what_is_refused(self):
         def with_keys(**keys):
             return document(DISKS, **keys)
