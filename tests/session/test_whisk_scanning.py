@@ -147,6 +147,15 @@ class WhiskScanning(unittest.TestCase):
         scene["sensor"]["camera"]["whiskbroom"]["sweep_time"] = f"{SWEEP_S} s"
         self.assertRegex(self.refused(scene), r"bad\.json:\d+:\d+: what elements 1 pitches wide see is 0\.028 pixels off from what is known of their samples")
 
+    def test_modulation_is_told(self):
+        """sinc of the exposure times sinc of the width, at half a cycle a sample."""
+        scene = document(DISKS, element_width="0.05 mm", exposure_share=0.8, sweep_time="5 ms")
+        (self.folder / "scene.json").write_text(json.dumps(scene))
+        told = subprocess.run([PROGRAM, "sensor", "scene.json"], cwd=self.folder, text=True, capture_output=True, timeout=200, check=True).stdout
+        sinc = lambda x: math.sin(math.pi * x) / (math.pi * x)
+        width = 0.5 * STEP / (ANGLE / SAMPLES)
+        self.assertIn(f"MTF at 1/2   pixel {sinc(0.4) * sinc(0.5 * width):.3f}", told)
+
     def test_cones(self):
         folder = self.render(document(CONE_DISKS, "conical", roll=None, cone="50 deg"))
         self.assert_is(folder, expected(CONE_DISKS, cone=CONE))
