@@ -147,6 +147,35 @@ class WhiskScanning(unittest.TestCase):
         scene["sensor"]["camera"]["whiskbroom"]["sweep_time"] = f"{SWEEP_S} s"
         self.assertRegex(self.refused(scene), r"bad\.json:\d+:\d+: what elements 1 pitches wide see is 0\.028 pixels off from what is known of their samples")
 
+    def test_one_fast_sweep_is_the_image_of_a_frame(self):
+        """With diffraction's wings, a hot ball smaller than a pixel, a mirror ball with the Sun's glint, boxes and their shadows; x grows to the west, y to the north."""
+        n = 24
+        scene = {"ifov": 1,
+                 "scene": {"materials": {"dark": {"reflectance": 0.1}, "roof": {"reflectance": 0.5}, "chrome": {"reflectance": 0.8, "scattering": "mirror"},
+                                         "hot": {"emissivity": 1, "temperature": "1500 K"}},
+                           "objects": [{"plane": {}, "material": "dark"},
+                                       {"box": {"low": ["-7 m", "-8 m", "0 m"], "high": ["3.3 m", "-2.2 m", "4 m"]}, "material": "roof"},
+                                       {"sphere": {"center": ["6.2 m", "7.1 m", "0.5 m"], "radius": "0.1 m"}, "material": "hot"},
+                                       {"sphere": {"center": ["-5.4 m", "6.3 m", "1 m"], "radius": "1 m"}, "material": "chrome"}]},
+                 "light": {"sun": {"disc": {"zenith": "40 deg", "azimuth": "160 deg"}}, "sky": {"radiance": "20 W m-2 sr-1 um-1"}},
+                 "sensor": {"camera": {"frame": {"focal_length": "0.1 m", "pitch": "0.1 mm", "pixels": [n, n], "position": ["0 m", "0 m", f"{HEIGHT_M} m"], "attitude": {"yaw": "180 deg"}}},
+                            "psf": {"airy": {"aperture": "2.2 mm", "wavelength": "2.2 um"}},
+                            "channels": [{"name": "swir", "monochromatic": {"at": "2.2 um"}}]},
+                 "sampling": {"accuracy": {"error": "2 %"}}, "output": {"products": ["radiance", "half_width"]}}
+        framed = self.render(scene, "framed")
+        angle = n * STEP  # on the ground the sweep's ends lie 0.0006 pixels off the frame's
+        scan = {"pixels": [n, n], "elements": n, "focal_length": "0.1 m", "pitch": "0.1 mm", "sweep_angle": f"{1e3 * angle} mrad", "period": "1 us"}
+        moving = json.loads(json.dumps(scene))
+        moving["sensor"]["camera"] = {"whiskbroom": scan}
+        moving["platform"] = {"straight": {"frame": "scene", "position": ["0 m", "0 m", f"{HEIGHT_M} m"], "velocity": ["0 m/s", "50 m/s", "0 m/s"]}}
+        swept = self.render(moving, "swept")
+        read = lambda folder, what: np.fromfile(folder / f"image_{what}.img", "f4").astype(float)
+        off, half = np.abs(read(swept, "radiance") - read(framed, "radiance")), np.hypot(read(swept, "half_width"), read(framed, "half_width"))
+        self.assertLess((off > half).mean(), 0.03)
+        self.assertGreater(read(framed, "radiance").max(), 20.0 * np.median(read(framed, "radiance")))
+        shifted = read(framed, "radiance").reshape(n, n)[:, ::-1].ravel()
+        self.assertGreater((np.abs(read(swept, "radiance") - shifted) > half).mean(), 0.2)
+
     def test_modulation_is_told(self):
         """sinc of the exposure times sinc of the width, at half a cycle a sample."""
         scene = document(DISKS, element_width="0.05 mm", exposure_share=0.8, sweep_time="5 ms")
