@@ -81,8 +81,7 @@ PsfWings::PsfWings(const Psf& psf, double fill_factor, sampling::Point2 shift_px
     double sum = 0.0;
     for (int b = 0; b < sub; ++b)
       for (int a = 0; a < sub; ++a)
-        sum +=
-            psf.cut_density(x + (a + 0.5) / sub - 0.5 - sx, y + (b + 0.5) / sub - 0.5 - sy, rings_average);
+        sum += psf.cut_density(x + (a + 0.5) / sub - 0.5 - sx, y + (b + 0.5) / sub - 0.5 - sy, rings_average);
     return sum / (sub * sub);
   };
   // Alike in all eighths where it is round and stands in the middle.
