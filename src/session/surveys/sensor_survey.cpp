@@ -108,8 +108,8 @@ SensorDescription survey_sensor(const io::DocumentSources& sources, const io::Se
     SensorDescription::Channel& one = told.channels.emplace_back();
     one.name = channels[c].name, one.centre_um = channels[c].centre_um, one.fwhm_um = channels[c].fwhm_um;
     const sensor::AlongTrack swept = camera->along_line();
-    one.pixel_mtf = swept.plain() ? sensor::square_mtf(std::sqrt(sensor.fill_factor), kNyquist)
-                                  : swept.mtf(kNyquist);
+    one.pixel_mtf =
+        swept.plain() ? sensor::square_mtf(std::sqrt(sensor.fill_factor), kNyquist) : swept.mtf(kNyquist);
     one.psf_mtf =
         with_position(sources, sensor.psf_position, [&] { return psf_mtf(sensor, channels[c].centre_um); });
     one.nedl = noise[c];
