@@ -8,8 +8,11 @@
 namespace ifov::render {
 
 /// Cuts an image into square tiles of the document's size (the last row and column may be smaller), row by row.
-/// The grid belongs to the document: a tile's result depends on it, never on threads or order.
-std::vector<sampling::PixelRect> tile_grid(int width_px, int height_px, int tile_px);
+/// The grid belongs to the document: a tile's result depends on it, never on threads or order. Where the image is made of sweeps of so many
+/// lines each, no tile has lines of two.
+std::vector<sampling::PixelRect> tile_grid(int width_px, int height_px, int tile_px, int sweep_lines = 0);
+/// How many rows of tiles that has.
+int tile_rows(int height_px, int tile_px, int sweep_lines = 0);
 
 /// The share of the tiles of an image that one job of an array renders: the first of 64 takes tiles 0, 64, 128, ...
 struct TileShare {
@@ -22,6 +25,6 @@ struct TileShare {
 };
 
 /// Position in that grid of the tile with this upper left corner.
-std::size_t tile_index(int x0, int y0, int width_px, int tile_px);
+std::size_t tile_index(int x0, int y0, int width_px, int tile_px, int sweep_lines = 0);
 
 }  // namespace ifov::render

@@ -33,7 +33,10 @@ class Tally {
     total_.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     if (sink_ != nullptr) sink_->report(total_);
   }
-  void add(const sampling::RayCounts& rays) { total_.rays += static_cast<std::int64_t>(rays.total()); }
+  void add(const sampling::RayCounts& rays) {
+    const std::scoped_lock lock(mutex_);
+    total_.rays += static_cast<std::int64_t>(rays.total());
+  }
   const Progress& total() const { return total_; }
 
  private:
@@ -42,6 +45,15 @@ class Tally {
   std::mutex mutex_;
   Progress total_;
 };
+
+/// Of the tiles of a grid that are wanted; of all where no order is given.
+inline std::int64_t pixels_of(std::span<const int> order, std::span<const sampling::PixelRect> tiles) {
+  std::int64_t pixels = 0;
+  for (const int index : order) pixels += tiles[static_cast<std::size_t>(index)].count();
+  if (order.empty())
+    for (const sampling::PixelRect& tile : tiles) pixels += tile.count();
+  return pixels;
+}
 
 /// One after the other, so that lines of the image become whole in the order of the file.
 class TilesInOrder final : public TileSource {

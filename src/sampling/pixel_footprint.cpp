@@ -52,8 +52,8 @@ PixelFootprint PixelFootprint::striped(double side_px, std::vector<Piece> pieces
   if (!(side_px > 0.0) || !std::isfinite(side_px) || pieces.empty())
     throw std::invalid_argument("a striped footprint needs a positive side and a piece at least");
   PixelFootprint footprint;
-  footprint.half_width_x_ = 0.5 * side_px;
-  footprint.half_width_ = footprint.half_width_x_;
+  footprint.half_width_across_ = 0.5 * side_px;
+  footprint.half_width_ = footprint.half_width_across_;
   double sum = 0.0, before = -INFINITY;
   for (const Piece& piece : pieces) {
     if (!(piece.y1 > piece.y0) || !(piece.y0 >= before) || !(piece.from >= 0.0) || !(piece.to >= 0.0) ||
@@ -66,6 +66,12 @@ PixelFootprint PixelFootprint::striped(double side_px, std::vector<Piece> pieces
   if (sum == 0.0) throw std::invalid_argument("a footprint's values must not all be zero");
   for (Piece& piece : pieces) piece.from /= sum, piece.to /= sum;
   footprint.pieces_ = std::move(pieces);
+  return footprint;
+}
+
+PixelFootprint PixelFootprint::striped_along_x(double side_px, std::vector<Piece> pieces) {
+  PixelFootprint footprint = striped(side_px, std::move(pieces));
+  footprint.along_x_ = true;
   return footprint;
 }
 
@@ -82,9 +88,10 @@ double PixelFootprint::striped_below(double y_px) const {
 double PixelFootprint::density(double dx_px, double dy_px) const {
   if (std::abs(dx_px) > half_width_ || std::abs(dy_px) > half_width_) return 0.0;
   if (!pieces_.empty()) {
-    if (std::abs(dx_px) > half_width_x_) return 0.0;
+    const double across = along_x_ ? dy_px : dx_px, along = along_x_ ? dx_px : dy_px;
+    if (std::abs(across) > half_width_across_) return 0.0;
     for (const Piece& piece : pieces_)
-      if (dy_px >= piece.y0 && dy_px <= piece.y1) return 0.5 * piece.at(dy_px) / half_width_x_;
+      if (along >= piece.y0 && along <= piece.y1) return 0.5 * piece.at(along) / half_width_across_;
     return 0.0;
   }
   if (uniform()) return 0.25 / (half_width_ * half_width_);
@@ -137,8 +144,10 @@ double PixelFootprint::integral(double x0_px, double y0_px, double x1_px, double
   const double x0 = inside(x0_px), x1 = inside(x1_px), y0 = inside(y0_px), y1 = inside(y1_px);
   if (x1 <= x0 || y1 <= y0) return 0.0;
   if (!pieces_.empty()) {
-    const double across = std::min(x1, half_width_x_) - std::max(x0, -half_width_x_);
-    return across > 0.0 ? 0.5 * across / half_width_x_ * (striped_below(y1) - striped_below(y0)) : 0.0;
+    const double across =
+        std::min(along_x_ ? y1 : x1, half_width_across_) - std::max(along_x_ ? y0 : x0, -half_width_across_);
+    const double along = striped_below(along_x_ ? x1 : y1) - striped_below(along_x_ ? x0 : y0);
+    return across > 0.0 ? 0.5 * across / half_width_across_ * along : 0.0;
   }
   if (uniform()) return (x1 - x0) * (y1 - y0) * 0.25 / (half_width_ * half_width_);
   // Of the bilinear density: up to a place, all cells before the last centre count whole, that one and the next in part.

@@ -18,7 +18,7 @@ class PixelFootprint {
   /// row by row, y downwards; normalised here. Negative values are an error.
   static PixelFootprint tabulated(double half_width_px, int cells_per_side, std::vector<double> values);
 
-  /// A stretch of a density along y, straight from `from` to `to`; nothing below y0 or above y1.
+  /// A stretch of a density along y (or x), straight from `from` to `to`; nothing below y0 or above y1.
   struct Piece {
     double y0 = 0.0, y1 = 0.0, from = 0.0, to = 0.0;
     double at(double y) const { return from + (to - from) * (y - y0) / (y1 - y0); }
@@ -26,12 +26,15 @@ class PixelFootprint {
 
   /// Uniform over `side_px` along x times pieces along y, which follow each other upwards without overlap; normalised here.
   static PixelFootprint striped(double side_px, std::vector<Piece> pieces);
+  /// The same turned: pieces along x, uniform along y.
+  static PixelFootprint striped_along_x(double side_px, std::vector<Piece> pieces);
 
   double half_width_px() const { return half_width_; }
-  /// Along x; along y the half width holds.
-  double half_width_x_px() const { return pieces_.empty() ? half_width_ : half_width_x_; }
+  /// Of striped(), along x, where it is uniform; of striped_along_x() along y. Along the pieces the half width holds.
+  double half_width_across_px() const { return pieces_.empty() ? half_width_ : half_width_across_; }
+  bool along_x() const { return along_x_; }
   bool uniform() const { return cells_ == 0 && pieces_.empty(); }
-  /// Of striped(), the density along y; integrals over polygons are exact piece by piece. Else empty.
+  /// Of striped(), the density along y (of striped_along_x() along x); integrals over polygons are exact piece by piece. Else empty.
   const std::vector<Piece>& pieces() const { return pieces_; }
   /// Side of a table's cells, px; 0 of others.
   double cell_px() const { return cells_ == 0 ? 0.0 : 2.0 * half_width_ / cells_; }
@@ -47,11 +50,12 @@ class PixelFootprint {
 
  private:
   PixelFootprint() = default;
-  double striped_below(double y_px) const;  // integral along y up to there
+  double striped_below(double y_px) const;  // integral along the pieces up to there
 
-  double half_width_ = 0.5, half_width_x_ = 0.5;
+  double half_width_ = 0.5, half_width_across_ = 0.5;
+  bool along_x_ = false;
   int cells_ = 0;                // cells per side; 0 for a box
-  std::vector<Piece> pieces_;    // along y, their integral 1; empty for others
+  std::vector<Piece> pieces_;    // their integral 1; empty for others
   std::vector<double> density_;  // h at cell centres
   std::vector<double> summed_;   // summed-area table, (cells_ + 1)^2
 };

@@ -22,6 +22,8 @@ math::Ray Camera::ray(const sampling::FocalPoint& point) const {
 
 AlongTrack Camera::along_track() const { return {}; }
 
+AlongTrack Camera::along_line() const { return {}; }
+
 Ifov Camera::ifov(double line_px) const {
   const double middle = 0.5 * width_px();
   const auto angle = [&](const sampling::FocalPoint& from, const sampling::FocalPoint& to) {

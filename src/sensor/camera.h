@@ -16,6 +16,7 @@ struct PolarizationFrame;
 namespace ifov::sensor {
 
 struct AlongTrack;
+class ScanCamera;
 class ViewListCamera;
 
 /// How a camera stands in the scene while a line of its image is exposed.
@@ -71,12 +72,16 @@ class Camera {
 
   /// What its pixels are spread over along image y beside the optics; of a camera that stands still nothing.
   virtual AlongTrack along_track() const;
+  /// And along image x, by elements that are swept across the track.
+  virtual AlongTrack along_line() const;
 
   /// The camera where its platform reports it to be, by which places of its pixels are told; itself where its pose is known.
   virtual const Camera& reported() const { return *this; }
 
   /// Single views side by side, each to be sampled by itself; null: a picture.
   virtual const ViewListCamera* view_list() const { return nullptr; }
+  /// Sweeps one below the other, each a picture of its own; null: the image is one picture.
+  virtual const ScanCamera* scans() const { return nullptr; }
 
   /// None where pixels are no squares of one size on the ground.
   virtual std::optional<GroundGrid> ground_grid() const = 0;
@@ -90,7 +95,7 @@ class Camera {
   math::Ray middle_ray() const { return middle_ray(middle_line_px()); }
 
   /// Of a pixel in the middle of a line.
-  Ifov ifov(double line_px) const;
+  virtual Ifov ifov(double line_px) const;
 
   /// Ground sample distance where the middle of a line meets level ground at a height (z); none where it does not look
   /// down at it.

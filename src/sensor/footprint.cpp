@@ -28,12 +28,16 @@ std::vector<double> sharpened(const std::vector<double>& density, int cells) {
   return sharp;
 }
 
+double side_of(double fill_factor) {
+  if (!(fill_factor > 0.0) || !(fill_factor <= 1.0))
+    throw InputError(format("a fill factor of {}; expected more than 0 and at most 1", fill_factor));
+  return std::sqrt(fill_factor);
+}
+
 }  // namespace
 
 sampling::PixelFootprint make_footprint(const Psf* psf, double fill_factor) {
-  if (!(fill_factor > 0.0) || !(fill_factor <= 1.0))
-    throw InputError(format("a fill factor of {}; expected more than 0 and at most 1", fill_factor));
-  const double side_px = std::sqrt(fill_factor);
+  const double side_px = side_of(fill_factor);
   if (psf == nullptr) return sampling::PixelFootprint::box(side_px);
 
   const double half_width_px = psf->half_width_px() + 0.5 * side_px;
@@ -55,39 +59,55 @@ sampling::PixelFootprint make_footprint(const Psf* psf, double fill_factor) {
   return sampling::PixelFootprint::tabulated(half_width_px, cells, sharpened(density, cells));
 }
 
-sampling::PixelFootprint make_footprint(const Psf* psf, double fill_factor, const AlongTrack& along) {
-  if (along.plain()) return make_footprint(psf, fill_factor);
-  if (!(fill_factor > 0.0) || !(fill_factor <= 1.0))
-    throw InputError(format("a fill factor of {}; expected more than 0 and at most 1", fill_factor));
-  const double side_px = std::sqrt(fill_factor);
-  const auto striped = sampling::PixelFootprint::striped(side_px, along.pieces());
-  if (psf == nullptr) return striped;
+namespace {
 
-  const double half_width_px = psf->half_width_px() + striped.half_width_px();
+/// A table of what is spread over by a density along the track (y), or along x where the elements are swept, and by the PSF.
+sampling::PixelFootprint spread(const Psf& psf, double side_px, const sampling::PixelFootprint& striped) {
+  const double half_width_px = psf.half_width_px() + striped.half_width_px();
   const double cells_per_pixel =
-      std::max<double>(kFewestCellsPerPixel, kCellsOverDetail / std::min(psf->detail_px(), side_px));
+      std::max<double>(kFewestCellsPerPixel, kCellsOverDetail / std::min(psf.detail_px(), side_px));
   const int cells = static_cast<int>(
       std::clamp(std::ceil(2.0 * half_width_px * cells_per_pixel), 1.0, static_cast<double>(kMostCells)));
   const double cell_px = 2.0 * half_width_px / cells;
   const auto n = static_cast<std::size_t>(cells);
-  // Along y as the shares of rows, each spread by the PSF to rows 0, 1, 2, ... away, either way.
+  const bool along_x = striped.along_x();
+  // Along the pieces as shares of rows, each spread by the PSF to rows 0, 1, 2, ... away, either way.
   std::vector<double> share(n), spread(2 * n - 1), density(n * n, 0.0);
   for (std::size_t k = 0; k < n; ++k) {
-    const double y = static_cast<double>(k) * cell_px - half_width_px;
-    share[k] = striped.integral(-half_width_px, y, half_width_px, y + cell_px);
+    const double from = static_cast<double>(k) * cell_px - half_width_px, to = from + cell_px;
+    share[k] = along_x ? striped.integral(from, -half_width_px, to, half_width_px)
+                       : striped.integral(-half_width_px, from, half_width_px, to);
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const double x = (static_cast<double>(i) + 0.5) * cell_px - half_width_px;
+    const double across = (static_cast<double>(i) + 0.5) * cell_px - half_width_px;
+    const double a0 = across - 0.5 * side_px, a1 = across + 0.5 * side_px;
     for (std::size_t m = 0; m < spread.size(); ++m) {
-      const double y = (static_cast<double>(m) - (cells - 1.0)) * cell_px;
-      spread[m] = std::max(
-          0.0, psf->energy(x - 0.5 * side_px, y - 0.5 * cell_px, x + 0.5 * side_px, y + 0.5 * cell_px));
+      const double along = (static_cast<double>(m) - (cells - 1.0)) * cell_px;
+      const double b0 = along - 0.5 * cell_px, b1 = along + 0.5 * cell_px;
+      spread[m] = std::max(0.0, along_x ? psf.energy(b0, a0, b1, a1) : psf.energy(a0, b0, a1, b1));
     }
     for (std::size_t k = 0; k < n; ++k)
       if (share[k] > 0.0)
-        for (std::size_t j = 0; j < n; ++j) density[j * n + i] += share[k] * spread[j + n - 1 - k];
+        for (std::size_t j = 0; j < n; ++j)
+          density[along_x ? i * n + j : j * n + i] += share[k] * spread[j + n - 1 - k];
   }
   return sampling::PixelFootprint::tabulated(half_width_px, cells, sharpened(density, cells));
+}
+
+}  // namespace
+
+sampling::PixelFootprint make_footprint(const Psf* psf, double fill_factor, const AlongTrack& along) {
+  if (along.plain()) return make_footprint(psf, fill_factor);
+  const double side_px = side_of(fill_factor);
+  const auto striped = sampling::PixelFootprint::striped(side_px, along.pieces());
+  return psf == nullptr ? striped : spread(*psf, side_px, striped);
+}
+
+sampling::PixelFootprint make_swept_footprint(const Psf* psf, double fill_factor, const AlongTrack& along) {
+  if (along.plain()) return make_footprint(psf, fill_factor);
+  const double side_px = side_of(fill_factor);
+  const auto striped = sampling::PixelFootprint::striped_along_x(side_px, along.pieces());
+  return psf == nullptr ? striped : spread(*psf, side_px, striped);
 }
 
 }  // namespace ifov::sensor

@@ -65,4 +65,7 @@ sampling::PixelFootprint make_footprint(const Psf* psf, double fill_factor);
 /// The same of a line scanner, whose sensitive area is sqrt(fill_factor) across and what AlongTrack says along the track.
 sampling::PixelFootprint make_footprint(const Psf* psf, double fill_factor, const AlongTrack& along);
 
+/// The same of elements that are swept along image x, where AlongTrack counts there; sqrt(fill_factor) along y.
+sampling::PixelFootprint make_swept_footprint(const Psf* psf, double fill_factor, const AlongTrack& along);
+
 }  // namespace ifov::sensor

@@ -59,7 +59,10 @@ class PsfWings {
   void tabulate_radius(const Psf& psf);
   double twice_integrated(double r_px) const;
 
+  Density between_pixels(double dx_px, double dy_px) const;
+
   double kept_, side_px_;
+  bool round_;
   sampling::Point2 shift_;
   double radial_step_px_ = 0.0;
   std::vector<Radial> radial_;

@@ -11,7 +11,6 @@
 #include "core/parallel.h"
 #include "core/version.h"
 #include "io/document/document.h"
-#include "io/product_parts/product_headers.h"
 #include "io/product_parts/run_record.h"
 #include "io/products/quicklook.h"
 #include "render/image_renderer.h"

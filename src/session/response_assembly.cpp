@@ -50,14 +50,14 @@ double apart_from(const sensor::ChannelGroup& group, std::span<const sensor::Cha
 void assemble_response(Parts& parts) {
   const io::SensorDocument& document = parts.document.sensor;
   const double fill_factor = document.fill_factor;
-  const sensor::AlongTrack along = parts.camera->along_track();
+  const sensor::AlongTrack along = parts.camera->along_track(), swept = parts.camera->along_line();
   const std::vector<sensor::ChannelResponse> channels = responses(document, parts.channels);
   const std::vector<sensor::ChannelGroup> found =
       sensor::group_channels(channels, fill_factor, [&](double wavelength_um) {
         return std::shared_ptr<const sensor::Psf>(
             assemble_psf(parts.document.sources, document, wavelength_um));
       });
-  const bool has_wings = parts.plan.knows_errors && along.plain();
+  const bool has_wings = parts.plan.knows_errors && along.plain() && swept.plain();
   std::vector<sampling::FootprintGroup> groups;
   std::vector<int> group_of_channel(channels.size(), 0);
   std::vector<double> cut(channels.size(), 0.0);
@@ -68,8 +68,10 @@ void assemble_response(Parts& parts) {
       throw InputError(format("the PSF of channel '{}' reaches {:.3g} px to each side; expected {} at most",
                               parts.channels[static_cast<std::size_t>(group.like)].name, psf->half_width_px(),
                               kWidest_px));
-    groups.push_back({sensor::make_footprint(psf, fill_factor, along), shift});
-    // Wings are those of a square: along the track of a longer element the cut stands in the interval.
+    groups.push_back({swept.plain() ? sensor::make_footprint(psf, fill_factor, along)
+                                    : sensor::make_swept_footprint(psf, fill_factor, swept),
+                      shift});
+    // Wings are those of a square: along the track of a longer element, or its sweep, the cut stands in the interval.
     const bool wings = psf != nullptr && psf->has_wings() && has_wings;
     if (wings) parts.wings.push_back(std::make_unique<sensor::PsfWings>(*psf, fill_factor, shift));
     for (const int channel : group.channels) {

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "sensor/mtf.h"
 #include "sensor/psf.h"
+#include "sensor/psf_wings.h"
 #include "sensor/pupil.h"
 #include "sensor/zernike.h"
 
@@ -245,6 +246,31 @@ TEST(PupilPsf, VanesSpreadLightAcrossThemselves) {
     along += psf->cut_density(0.0, 9.0 + k / 16.0, false);
   }
   EXPECT_GT(across, 2.0 * along);
+}
+
+/// As far as the image is sampled, what a small hot thing sends a pixel has the vanes' spikes, and stands within what is said of it; rings all around would not.
+TEST(PupilPsf, SpikesReachAsFarAsSamples) {
+  Pupil pupil = open_pupil(1.0, 0.2);
+  pupil.spiders = 2, pupil.spider_width = 0.04, pupil.spider_angle_rad = 0.5 * pi;
+  const auto psf = make_pupil_psf(pupil);
+  const PsfWings wings(*psf, 1.0);
+  int rings_off = 0, places = 0;
+  for (const double r : {13.0, 15.4, 17.7, 20.2, 22.0})
+    for (const double angle : {0.0, 0.02, 0.25 * pi, 0.5 * pi, pi}) {
+      const double x = r * std::cos(angle), y = r * std::sin(angle);
+      double direct = 0.0;
+      constexpr int kAcross = 48;
+      for (int j = 0; j < kAcross; ++j)
+        for (int i = 0; i < kAcross; ++i)
+          direct += psf->cut_density(x + (i + 0.5) / kAcross - 0.5, y + (j + 0.5) / kAcross - 0.5, false) /
+                    (kAcross * kAcross);
+      const PsfWings::Density told = wings.density(x, y);
+      EXPECT_NEAR(told.per_px2, direct, told.half_width) << r << " " << angle;
+      rings_off += std::abs(psf->cut_density(x, y, true) - direct) > 0.5 * direct;
+      ++places;
+    }
+  EXPECT_GT(wings.density(20.0, 0.0).per_px2, 3.0 * wings.density(0.0, 20.0).per_px2);
+  EXPECT_GT(2 * rings_off, places) << "the mean all around";
 }
 
 /// Energy is neither made nor lost: of squares around, the table's share of all and the wings'.

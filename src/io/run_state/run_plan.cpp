@@ -60,7 +60,7 @@ void compare_files(const std::vector<FileStamp>& was, const std::vector<FileStam
 }  // namespace
 
 std::vector<sampling::PixelRect> RunPlan::grid() const {
-  return render::tile_grid(image.width_px, image.height_px, tile_px);
+  return render::tile_grid(image.width_px, image.height_px, tile_px, image.sweep_lines);
 }
 
 QuantitySet RunPlan::made_cubes() const { return possible_quantities(cubes, image, knows_errors); }

@@ -70,6 +70,7 @@ std::shared_ptr<const sensor::ViewList> views_of(const JsonView& v) {
 void write_members(JsonWriter& json, const render::ImageInfo& image, bool with_objects) {
   json.member("width_px", image.width_px);
   json.member("height_px", image.height_px);
+  if (image.sweep_lines > 0) json.member("sweep_lines", image.sweep_lines);
   json.member("radiance_unit", image.radiance_unit);
   json.member("footprint_px", image.footprint_px);
   json.list("channels", [&] {
@@ -110,6 +111,7 @@ render::ImageInfo image_of(const JsonView& v) {
   render::ImageInfo image;
   image.width_px = v["width_px"].small_integer();
   image.height_px = v["height_px"].small_integer();
+  if (v["sweep_lines"].is_there()) image.sweep_lines = v["sweep_lines"].small_integer();
   image.radiance_unit = v["radiance_unit"].text();
   image.footprint_px = v["footprint_px"].number();
   for (const JsonView& c : v["channels"].items()) {
@@ -248,8 +250,8 @@ RunPlan plan_of(const JsonView& v) {
 
 bool is_sound(const RunPlan& plan) {
   return plan.image.width_px > 0 && plan.image.height_px > 0 && plan.tile_px > 0 &&
-         !plan.image.channels.empty() && plan.share.count > 0 && plan.share.number > 0 &&
-         plan.share.number <= plan.share.count;
+         plan.image.sweep_lines >= 0 && !plan.image.channels.empty() && plan.share.count > 0 &&
+         plan.share.number > 0 && plan.share.number <= plan.share.count;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "io/run_state/kept_run.h"
 #include "io/run_state/run_state.h"
 #include "render/image_renderer.h"
+#include "render/tile_grid.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/pixel_sampler.h"
 #include "session/loaded/parts.h"
@@ -107,7 +108,7 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
   job.tile_px = earlier ? plan.tile_px : std::min(plan.tile_px, std::max(wanted, least));
   Probing probing(
       {.columns = pieces_across(width, job.tile_px),
-       .rows = pieces_across(height, job.tile_px),
+       .rows = render::tile_rows(plan.image.height_px, job.tile_px, plan.image.sweep_lines),
        .pixels = area,
        .surroundings = surroundings(plan.tile_px, margin_px) / surroundings(job.tile_px, margin_px)},
       [&world] { return world.storage().chunks_made; }, earlier.get());
@@ -150,7 +151,8 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
   const double threads = request.coordinator != nullptr ? request.coordinator->all_threads()
                                                         : std::min(own_threads, usual_threads());
   const double tiles =
-      std::ceil(share * pieces_across(width, plan.tile_px) * pieces_across(height, plan.tile_px));
+      std::ceil(share * pieces_across(width, plan.tile_px) *
+                render::tile_rows(plan.image.height_px, plan.tile_px, plan.image.sweep_lines));
   const double rounds = std::ceil(tiles / threads);
   forecast.elapsed_s = probing.setup_s() + (tracing_s + writing_s) * rounds / tiles + kPublishing_s +
                        static_cast<double>(products.cached) / kPublishing_bytes_per_s;

@@ -39,8 +39,8 @@ class KeepingSink final : public render::TileSink {
       : plan_(plan), assembly_(assembly), state_(state), tiles_(tiles) {}
   void begin(const render::ImageInfo&) override {}
   void write(const sampling::TileResult& tile) override {
-    const std::size_t index =
-        render::tile_index(tile.tile.x0, tile.tile.y0, plan_.image.width_px, plan_.tile_px);
+    const std::size_t index = render::tile_index(tile.tile.x0, tile.tile.y0, plan_.image.width_px,
+                                                 plan_.tile_px, plan_.image.sweep_lines);
     if (state_ != nullptr) state_->put(static_cast<std::uint32_t>(index), tile);
     if (assembly_ != nullptr) assembly_->write(index, tile);
     const std::scoped_lock lock(mutex_);

@@ -27,8 +27,8 @@ class StoringSink final : public render::TileSink {
   StoringSink(io::TileStore& store, const io::RunPlan& plan) : store_(store), plan_(plan) {}
   void begin(const render::ImageInfo&) override {}
   void write(const sampling::TileResult& tile) override {
-    store_.put(static_cast<std::uint32_t>(
-                   render::tile_index(tile.tile.x0, tile.tile.y0, plan_.image.width_px, plan_.tile_px)),
+    store_.put(static_cast<std::uint32_t>(render::tile_index(tile.tile.x0, tile.tile.y0, plan_.image.width_px,
+                                                             plan_.tile_px, plan_.image.sweep_lines)),
                tile);
   }
 

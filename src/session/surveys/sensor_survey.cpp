@@ -10,6 +10,7 @@
 #include "io/document/sensor_document.h"
 #include "render/image_info.h"
 #include "sensor/airy_aperture.h"
+#include "sensor/along_track.h"
 #include "sensor/camera.h"
 #include "sensor/mtf.h"
 #include "sensor/psf.h"
@@ -106,7 +107,9 @@ SensorDescription survey_sensor(const io::DocumentSources& sources, const io::Se
   for (std::size_t c = 0; c < channels.size(); ++c) {
     SensorDescription::Channel& one = told.channels.emplace_back();
     one.name = channels[c].name, one.centre_um = channels[c].centre_um, one.fwhm_um = channels[c].fwhm_um;
-    one.pixel_mtf = sensor::square_mtf(std::sqrt(sensor.fill_factor), kNyquist);
+    const sensor::AlongTrack swept = camera->along_line();
+    one.pixel_mtf =
+        swept.plain() ? sensor::square_mtf(std::sqrt(sensor.fill_factor), kNyquist) : swept.mtf(kNyquist);
     one.psf_mtf =
         with_position(sources, sensor.psf_position, [&] { return psf_mtf(sensor, channels[c].centre_um); });
     one.nedl = noise[c];

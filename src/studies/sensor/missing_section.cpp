@@ -10,7 +10,8 @@ ReportSection missing_section(const SectionOptions&) {
        {"moving_car", "a moving car under a frame of 10 ms and a rolling shutter: 0.02 pixels",
         "objects that move while they are seen"},
        {"moving_coverage",
-        "coverage of intervals in scenes that are scanned, jittered and hold what moves: 0.93 to 0.995",
+        "coverage of intervals in scenes that hold what moves: 0.93 to 0.995 (of scanned, shaken and swept ones "
+        "`tests/session/test_scanned_coverage.py --full` tells)",
         "objects that move while they are seen"},
        {"ray_time_cost", "cost of a time in every ray: 2 %", "build without it to compare with"},
        {"products_of_others", "products opened by GDAL, SPy, xarray; cubes of others read and rewritten",

@@ -5,11 +5,13 @@
 #include "io/document/cameras/frame_camera.h"
 #include "io/document/cameras/orthographic_camera.h"
 #include "io/document/cameras/pushbroom_camera.h"
+#include "io/document/cameras/scanning_cameras.h"
 
 namespace ifov::io {
 namespace {
 
-constexpr std::array kModels{&OrthographicCamera::kModel, &FrameCamera::kModel, &PushbroomCamera::kModel};
+constexpr std::array kModels{&OrthographicCamera::kModel, &FrameCamera::kModel, &PushbroomCamera::kModel,
+                             &WhiskbroomCamera::kModel, &ConicalCamera::kModel};
 
 }  // namespace
 
@@ -19,7 +21,7 @@ std::shared_ptr<const CameraSettings> CameraSettings::carried_by(
     std::shared_ptr<const PlatformFlight> by) const {
   if (by)
     throw InputError(
-        "a platform carries a camera that scans: expected a 'pushbroom' camera, or no 'platform'");
+        "a platform carries a camera that scans: expected a 'pushbroom', 'whiskbroom' or 'conical' camera, or no 'platform'");
   return nullptr;
 }
 

@@ -60,6 +60,9 @@ class CameraSettings {
   /// InputError where a platform is missing, lacks what it needs, or would carry a camera that stands still.
   virtual std::shared_ptr<const CameraSettings> carried_by(std::shared_ptr<const PlatformFlight> by) const;
 
+  /// Lines of the image that one sweep of a scanner makes; 0: the image is no scanner's.
+  virtual int sweep_lines() const { return 0; }
+
   /// What a user should know of the settings, one sentence each.
   virtual std::vector<std::string> remarks() const { return {}; }
 };

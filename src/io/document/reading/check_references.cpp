@@ -8,6 +8,7 @@
 #include "core/format.h"
 #include "core/names.h"
 #include "core/overloaded.h"
+#include "io/document/cameras/camera_settings.h"
 #include "io/document/cameras/view_settings.h"
 #include "io/document/detector_document.h"
 #include "io/document/document.h"
@@ -106,9 +107,34 @@ class ReferenceCheck {
               list_names(without, "and")));
   }
 
+  /// What a mirror that turns does to polarization is not known; and sweeps are pictures of their own, so that none knows the image's error.
+  void check_sweeps(const AccuracySampling* accuracy) const {
+    if (document_.sensor.camera.settings == nullptr || document_.sensor.camera.settings->sweep_lines() == 0)
+      return;
+    const auto polarizes = [](const ChannelDocument& channel) {
+      return channel.polarizer || channel.retarder;
+    };
+    if (document_.sensor.stokes ||
+        std::any_of(document_.sensor.channels.begin(), document_.sensor.channels.end(), polarizes))
+      throw document_error(
+          document_.sources, document_.sensor.camera.position,
+          format(
+              "a {} camera turns its view, and what that does to polarization is not modelled: expected no \"stokes\": true, "
+              "polarizers or retarders, or another camera",
+              document_.sensor.camera.model));
+    if (accuracy != nullptr && accuracy->of_image())
+      throw document_error(
+          document_.sources, accuracy->position,
+          format(
+              "\"of\": \"image\" takes an image that is one picture, and each sweep of a {} camera is one of its own: "
+              "ask for errors of pixels (\"of\": \"pixel\")",
+              document_.sensor.camera.model));
+  }
+
   /// Degrees of polarization are known where Q and U are told.
   void check_error() const {
     const auto* accuracy = sampler_as<AccuracySampling>(document_.sampling);
+    check_sweeps(accuracy);
     if (accuracy != nullptr && accuracy->of_image() && document_.sensor.stokes)
       throw document_error(
           document_.sources, accuracy->position,

@@ -140,15 +140,23 @@ double LeafIntegrator::over_polygon(const Polygon& polygon, const Slot& slot) co
     return inside.signed_area() * 0.25 / (h * h);
   }
   if (!footprint_of_slot.pieces().empty()) {
-    const double h = footprint_of_slot.half_width_x_px();
-    const Polygon inside = polygon.clipped(-1.0, 0.0, -(c.x - h)).clipped(1.0, 0.0, c.x + h);
+    const double h = footprint_of_slot.half_width_across_px();
+    const bool turned = footprint_of_slot.along_x();
+    const double across = turned ? c.y : c.x, along = turned ? c.x : c.y;
+    const auto place = [&](Point2 p) { return (turned ? p.x : p.y) - along; };
+    // What lies above a line (sign -1) or below it, across the pieces or along them.
+    const auto cut = [&](const Polygon& of, bool along_pieces, double sign, double at) {
+      const bool x = along_pieces == turned;
+      return of.clipped(x ? sign : 0.0, x ? 0.0 : sign, sign * at);
+    };
+    const Polygon inside = cut(cut(polygon, false, -1.0, across - h), false, 1.0, across + h);
     double low = INFINITY, high = -INFINITY, sum = 0.0;
     for (int i = 0; i < inside.count; ++i)
-      low = std::min(low, inside.vertex[i].y - c.y), high = std::max(high, inside.vertex[i].y - c.y);
+      low = std::min(low, place(inside.vertex[i])), high = std::max(high, place(inside.vertex[i]));
     for (const PixelFootprint::Piece& piece : footprint_of_slot.pieces()) {
       if (!(piece.y0 < high) || !(piece.y1 > low)) continue;
-      const Polygon strip = inside.clipped(0.0, -1.0, -(c.y + piece.y0)).clipped(0.0, 1.0, c.y + piece.y1);
-      sum += over_fan(strip, [&](Point2 m) { return piece.at(m.y - c.y); });
+      const Polygon strip = cut(cut(inside, true, -1.0, along + piece.y0), true, 1.0, along + piece.y1);
+      sum += over_fan(strip, [&](Point2 m) { return piece.at(place(m)); });
     }
     return 0.5 * sum / h;
   }

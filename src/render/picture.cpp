@@ -1,0 +1,159 @@
+#include "render/picture.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "geometry/world.h"
+#include "render/image_renderer.h"
+#include "render/open_sky.h"
+#include "render/polarized/steering.h"
+#include "render/scene_field.h"
+#include "render/tolerance/accuracy_tolerance.h"
+#include "render/tolerance/atmosphere_budget.h"
+#include "render/tolerance/node_budget.h"
+#include "render/truth_layers.h"
+#include "render/wings/wing_light.h"
+#include "render/wings/wing_maps.h"
+#include "render/wings/wing_spots.h"
+#include "sampling/pixel_sampler.h"
+#include "scene/scene.h"
+#include "sensor/camera.h"
+#include "transport/mirrors/sun_disc.h"
+#include "transport/mirrors/sun_images.h"
+#include "transport/spectral_scene.h"
+
+namespace ifov::render {
+
+namespace {
+
+/// Where the image is judged as a whole, no pixel is too wide of its own: what the sampler said of it stands, and light that is not
+/// found or not described.
+void judge_as_image(const std::vector<sampling::Reasons>& sampled, sampling::TileResult& tile) {
+  constexpr sampling::Reasons kOfPixels =
+      bit(sampling::Reason::unseen_light) | bit(sampling::Reason::edge) | bit(sampling::Reason::structure);
+  for (std::size_t p = 0; p < tile.reasons.size(); ++p)
+    tile.reasons[p] = static_cast<sampling::Reasons>(sampled[p] | (tile.reasons[p] & kOfPixels));
+  std::fill(tile.worst_ratio.begin(), tile.worst_ratio.end(), 0.0f);
+}
+
+/// Directions in which a sensor would see the Sun, by way of flat mirrors too.
+std::vector<math::Vec3> sun_and_its_images(const transport::SpectralScene& scene) {
+  constexpr int kReflections = 2;  // as labels follow them (SeenThrough)
+  std::vector<math::Vec3> directions = {scene.scene().sun->direction};
+  if (scene.sun_mirrors() != nullptr) {
+    const transport::SunImages images(*scene.sun_mirrors(), directions[0], kReflections);
+    for (const transport::SunImages::Image& image : images.images()) directions.push_back(image.direction);
+  }
+  return directions;
+}
+
+/// What is no channel's own has what that of the reference, the first, has.
+std::vector<double> cut_by_column(const std::vector<double>& by_channel, const SceneField& field) {
+  std::vector<double> cut;
+  for (int c = 0; !by_channel.empty() && c < field.columns(); ++c)
+    cut.push_back(by_channel[static_cast<std::size_t>(std::max(0, field.channel_of(c)))]);
+  return cut;
+}
+
+}  // namespace
+
+Picture::Picture(const RenderJob& job, const RenderControl& control)
+    : job_(job),
+      cancel_(control.cancel),
+      margin_px_(PilotRays::margin_px(job)),
+      told_(job.polarimetry, job.parts),
+      unsampled_(job, control.threads, control.cancel),
+      transport_(unsampled_.transport()),
+      steering_channels_(job.steering_channels) {
+  if (job.pilot_rays) {
+    const scene::Scene& scene = job.scene.scene();
+    std::vector<math::Vec3> towards_sun, glare;
+    if (scene.sun) {
+      towards_sun = transport::fixed_disc_points(scene.sun->direction, scene.sun->half_angle_rad);
+      glare = sun_and_its_images(job.scene);
+    }
+    pilot_rays_.emplace(*scene.world, scene.assignments.size(), job.camera, towards_sun,
+                        job.scene.sought_assignments(), margin_px_, glare);
+  }
+  // Samplers that judge every column where none is named are not to judge the shares of mixtures.
+  if (steering_channels_.empty())
+    for (std::size_t c = 0; c < job.scene.nodes().channel_count(); ++c)
+      steering_channels_.push_back(static_cast<int>(c));
+  add_stokes_columns(job.polarimetry, job.scene.nodes().channel_count(), steering_channels_);
+  // Light of which Q and U are told is not followed apart from the open sky's.
+  if (job.sampler.takes_many_values() && job.polarimetry == nullptr)
+    sky_shares_ = open_sky_shares(job.scene, job.camera);
+  if (!sky_shares_.empty()) transport_.sky_shares = &sky_shares_;
+  const sampling::TileProblem whole = problem_of({0, 0, job.camera.width_px(), job.camera.height_px()});
+  survey_ = job.sampler.survey({whole, [this] { return field(); }, control.threads});
+  if (survey_ != nullptr) rays_ += survey_->rays;
+  if (!job.wings.empty()) find_wings();
+}
+
+Picture::~Picture() = default;
+
+sampling::TileProblem Picture::problem_of(const sampling::PixelRect& tile) const {
+  sampling::TileProblem problem;
+  problem.tile = tile;
+  problem.image = {0, 0, job_.camera.width_px(), job_.camera.height_px()};
+  problem.seed = job_.seed;
+  problem.footprint = &job_.footprint;
+  problem.groups = job_.groups;
+  problem.tolerance = job_.tolerance;
+  problem.steering_channels = steering_channels_;
+  problem.cancel = cancel_;
+  problem.keep_memory = job_.keep_memory;
+  return problem;
+}
+
+std::unique_ptr<SceneField> Picture::field() const {
+  return std::make_unique<SceneField>(job_.scene, job_.camera, transport_, job_.label_detail, told_);
+}
+
+void Picture::find_wings() {
+  const auto field = this->field();
+  std::vector<WingSpots::Box> boxes = unsampled_.met();
+  for (const WingSpots::Box& box : shining_map_places(job_.scene, job_.camera, job_.seed, cancel_, *field))
+    boxes.push_back(box);
+  wing_spots_.emplace(WingSpots::find(job_.scene, job_.camera, std::move(boxes)));
+  spot_light_.emplace(*wing_spots_, job_.seed, cancel_, *field);
+  spot_light_->add(unsampled_.spots(static_cast<std::size_t>(field->columns())));
+  rays_ += field->counts();
+}
+
+sampling::TileResult Picture::tile(const sampling::PixelRect& tile, std::size_t number) const {
+  if (cancel_ != nullptr && cancel_->cancelled()) throw Cancelled();
+  const PilotRays::Near pilot_rays = pilot_rays_ ? pilot_rays_->near(tile, margin_px_) : PilotRays::Near{};
+  sampling::TileProblem problem = problem_of(tile);
+  problem.survey = survey_.get();
+  problem.pilot_points = pilot_rays.points;
+  problem.pilot_objects = pilot_rays.objects;
+  sampling::TileResult before;
+  if (job_.earlier != nullptr && job_.earlier->read(number, before)) problem.before = &before;
+
+  SceneField field(job_.scene, job_.camera, transport_, job_.label_detail, told_);
+  const auto later = unsampled_.tell(problem.tile, static_cast<std::size_t>(field.blends().first_column()));
+  problem.later = later.get();
+  sampling::TileResult result;
+  job_.sampler.sample(problem, field, result);
+  const std::vector<sampling::Reasons> sampled = result.reasons;
+  if (!job_.wings.empty())
+    add_wings(job_.wings, problem, job_.tolerance, spot_light_ ? &*spot_light_ : nullptr, field, result);
+  widen_by_cut(cut_by_column(job_.cut, field), problem.later, job_.tolerance, result);
+  result.rays = field.counts();
+  result.rays += before.rays;
+  field.unseen().settle(job_.tolerance, problem.later, result);
+  field.blends().settle(result);
+  unsampled_.add_to(result);
+  widen(job_.nodes, job_.tolerance, result);
+  unsampled_.settle(result);
+  widen(job_.air, job_.tolerance, result);
+  field.settle(result);
+  if (job_.image_wide) judge_as_image(sampled, result);
+  if (!result.column_errors.empty()) result.column_errors.resize(static_cast<std::size_t>(result.columns));
+  if (!job_.keep_variances && !job_.keep_memory) result.drop_variances();
+  add_truth_layers(job_.collectors, job_.scene.scene(), job_.camera, result);
+  return result;
+}
+
+}  // namespace ifov::render
