@@ -1,0 +1,327 @@
+#include "thermal/classes_of_times.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+
+namespace ifov::thermal {
+namespace {
+
+constexpr std::size_t kRegister = 8;  // floats
+constexpr double kOnRow = 1e-6;       // steps that a row may be off
+// A time has at least the rays that it has alone, where it needs most.
+constexpr double kBinsAlone = 5.0, kMostBins = 48.0;
+constexpr double kEven =
+    0.05;  // of what is drawn, by length: what is little worth to the level surface is met, too
+constexpr double kLeastLeftOf = 0.01;  // as of SurfaceClasses::bends
+
+math::Vec3 sun_of_row(const Outdoors& now) {
+  const double level = std::cos(now.sun_elevation_rad);
+  return {level * std::sin(now.sun_azimuth_rad), level * std::cos(now.sun_azimuth_rad),
+          std::sin(now.sun_elevation_rad)};
+}
+
+}  // namespace
+
+/// Of a direction at a level of wind, by lane; in pairs: with the sky hidden, free.
+struct NodeOfTimes {
+  std::array<std::vector<float>, 2> shaded_k, ratio;
+  std::vector<float> twice_shift;  ///< both of c
+  /// By row and lane alpha E times the kernel of the span after a row, and of that before it. Behind the last row of a time nothing is;
+  /// what the series says of it stands for the half step before it alone.
+  std::array<std::vector<float>, 2> left, right;
+  std::array<std::vector<float>, 2> moment;  ///< by bin, summed with the directions to the Sun: x, y, z
+  std::array<std::vector<float>, 2> sum;     ///< without them
+  std::vector<float> difference;             ///< the same of K_1 - K_0
+};
+
+struct ClassesOfTimes::Place {
+  std::once_flag once;
+  std::atomic<bool> filled = false;
+  NodeOfTimes node;
+};
+
+ClassesOfTimes::~ClassesOfTimes() = default;
+
+bool ClassesOfTimes::serves(std::span<const std::shared_ptr<const SurfaceClasses>> by_time) {
+  const OutdoorsSeries& first = *by_time.front()->series_;
+  return std::all_of(by_time.begin(), by_time.end(), [&](const auto& one) {
+    const OutdoorsSeries& series = *one->series_;
+    const double steps = (series.begin_s - first.begin_s) / first.step_s;
+    return series.step_s == first.step_s && std::abs(steps - std::round(steps)) < kOnRow &&
+           one->of_free_sky_w_m2_.empty() && one->places_.size() == by_time.front()->places_.size();
+  });
+}
+
+ClassesOfTimes::ClassesOfTimes(std::vector<std::shared_ptr<const SurfaceClasses>> by_time)
+    : classes_(std::move(by_time)),
+      lanes_((classes_.size() + kRegister - 1) / kRegister * kRegister),
+      places_(classes_.front()->places_.size()) {
+  const double step_s = classes_.front()->step_s();
+  double begin_s = classes_.front()->series_->begin_s;
+  for (const auto& one : classes_) begin_s = std::min(begin_s, one->series_->begin_s);
+  std::vector<std::size_t> first;
+  std::size_t rows = 0;
+  for (const auto& one : classes_) {
+    // One row before the first, of which half a triangle lies before it.
+    first.push_back(1 + static_cast<std::size_t>(std::llround((one->series_->begin_s - begin_s) / step_s)));
+    last_row_.push_back(first.back() + one->rows() - 1);
+    rows = std::max(rows, last_row_.back() + 1);
+  }
+  sun_.resize(rows);
+  is_lit_.assign(rows, false);
+  std::vector<bool> known(rows, false);
+  sunlit_.assign(classes_.size(), std::vector<std::int32_t>(rows, -1));
+  for (std::size_t t = 0; t < classes_.size(); ++t) {
+    const auto& series = classes_[t]->series_->rows;
+    for (std::size_t i = 0; i < series.size(); ++i)
+      if (!known[first[t] + i]) sun_[first[t] + i] = sun_of_row(series[i]), known[first[t] + i] = true;
+    for (std::size_t k = 0; k < classes_[t]->rows_.size(); ++k) {
+      const std::size_t row = first[t] + classes_[t]->rows_[k].index;
+      sunlit_[t][row] = static_cast<std::int32_t>(k);
+      is_lit_[row] = true;
+    }
+  }
+  sun_[0] = sun_[1];
+  for (std::size_t row = 0; row + 1 < rows; ++row)
+    if (known[row + 1] && (is_lit_[row] || is_lit_[row + 1]))
+      spans_.push_back({static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(row + 1), 0.0, 0.0});
+  make_bins();
+}
+
+void ClassesOfTimes::make_bins() {
+  if (spans_.empty()) return;
+  // What a span is worth to a level surface, of all that the past is worth to each time.
+  std::vector<double> of_all(spans_.size(), 0.0);
+  std::vector<std::vector<double>> of_time;
+  for (std::size_t t = 0; t < classes_.size(); ++t) {
+    const SurfaceClasses::Node& level = classes_[t]->node_at(0);
+    const auto gain = [&](std::size_t row, bool right) {
+      const std::int32_t k = sunlit_[t][row];
+      if (k < 0 || (!right && row >= last_row_[t])) return 0.0;
+      const auto n = static_cast<std::size_t>(k);
+      return (right && row == last_row_[t] ? 2.0 : 1.0) * static_cast<double>(level.kernel[n]) *
+             classes_[t]->rows_[n].absorbed_w_m2;
+    };
+    std::vector<double> one;
+    double sum = 0.0;
+    for (const Span& span : spans_) {
+      one.push_back(gain(span.left, false) + gain(span.right, true));
+      sum += one.back();
+    }
+    if (!(sum > 0.0)) continue;
+    for (std::size_t e = 0; e < one.size(); ++e) of_all[e] += one[e] /= sum;
+    of_time.push_back(std::move(one));
+  }
+  const double even = kEven / static_cast<double>(spans_.size());
+  for (double& share : of_all)
+    share =
+        of_time.empty() ? even / kEven : even + (1.0 - kEven) * share / static_cast<double>(of_time.size());
+  double most = 1.0;
+  for (const std::vector<double>& one : of_time) {
+    double needs = 0.0;
+    for (std::size_t e = 0; e < one.size(); ++e) needs += one[e] * one[e] / of_all[e];
+    most = std::max(most, needs);
+  }
+  const double count = std::min(kMostBins, std::ceil(kBinsAlone * most));
+  double before = 0.0, in_bin = 0.0;
+  Bin bin;
+  for (std::size_t e = 0; e < spans_.size(); ++e) {
+    in_bin += of_all[e];
+    before += of_all[e];
+    const bool last = e + 1 == spans_.size();
+    // A bin ends where that lies nearest to an even share.
+    const double here = std::floor(before * count + 0.5 * (last ? 0.0 : of_all[e + 1] * count));
+    if (!last && here < static_cast<double>(bins_.size() + 1)) continue;
+    bin.end = static_cast<std::uint32_t>(e + 1);
+    double until = 0.0;
+    for (std::uint32_t k = bin.first; k < bin.end; ++k) {
+      spans_[k].density = of_all[k] / in_bin;
+      spans_[k].until = until += spans_[k].density;
+      for (const std::uint32_t row : {spans_[k].left, spans_[k].right})
+        if (is_lit_[row]) bin.suns.push_back(sun_[row]);
+    }
+    bins_.push_back(bin);
+    bin = {bin.end, bin.end, {}};
+    in_bin = 0.0;
+  }
+}
+
+ClassesOfTimes::Moment ClassesOfTimes::draw(std::size_t bin, double u, double within) const {
+  const auto first = spans_.begin() + bins_[bin].first, last = spans_.begin() + bins_[bin].end - 1;
+  const auto found =
+      std::upper_bound(first, last, u, [](double x, const Span& span) { return x < span.until; });
+  return {static_cast<std::uint32_t>(found - spans_.begin()), static_cast<float>(within)};
+}
+
+math::Vec3 ClassesOfTimes::sun_at(const Moment& moment) const {
+  const Span& span = spans_[moment.span];
+  const double after = static_cast<double>(moment.within);
+  return math::normalized((1.0 - after) * sun_[span.left] + after * sun_[span.right]);
+}
+
+const NodeOfTimes& ClassesOfTimes::node_at(std::size_t number) const {
+  Place& place = places_[number];
+  if (!place.filled.load(std::memory_order_acquire))
+    std::call_once(place.once, [&] {
+      fill(place.node, number);
+      place.filled.store(true, std::memory_order_release);
+    });
+  return place.node;
+}
+
+void ClassesOfTimes::fill(NodeOfTimes& node, std::size_t place) const {
+  for (std::size_t sky = 0; sky < 2; ++sky) {
+    for (std::vector<float>* of : {&node.left[sky], &node.right[sky]}) of->assign(sun_.size() * lanes_, 0.0f);
+    for (std::vector<float>* of : {&node.shaded_k[sky], &node.ratio[sky]}) of->assign(lanes_, 0.0f);
+    node.moment[sky].assign(3 * bins() * lanes_, 0.0f);
+    node.sum[sky].assign(bins() * lanes_, 0.0f);
+  }
+  node.twice_shift.assign(lanes_, 0.0f);
+  node.difference.assign(bins() * lanes_, 0.0f);
+  for (std::size_t t = 0; t < classes_.size(); ++t) {
+    const SurfaceClasses::Node& own = classes_[t]->node_at(place);
+    node.twice_shift[t] = static_cast<float>(own.shift[0] + own.shift[1]);
+    for (std::size_t sky = 0; sky < 2; ++sky) {
+      node.shaded_k[sky][t] = static_cast<float>(own.shaded_k[sky]);
+      node.ratio[sky][t] = static_cast<float>(own.ratio[sky]);
+      for (std::size_t row = 0; row < sun_.size(); ++row) {
+        if (sunlit_[t][row] < 0) continue;
+        const auto k = static_cast<std::size_t>(sunlit_[t][row]);
+        const bool last = row == last_row_[t];
+        const auto gain =
+            static_cast<float>(classes_[t]->rows_[k].absorbed_w_m2 * own.kernel_at(k, own.shift[sky]));
+        node.left[sky][row * lanes_ + t] = last ? 0.0f : gain;
+        node.right[sky][row * lanes_ + t] = last ? 2.0f * gain : gain;
+      }
+    }
+  }
+  for (std::size_t b = 0; b < bins(); ++b)
+    for (std::uint32_t e = bins_[b].first; e < bins_[b].end; ++e)
+      for (const bool right : {false, true})
+        add_to_bin(node, place, b, right ? spans_[e].right : spans_[e].left, right);
+}
+
+void ClassesOfTimes::add_to_bin(NodeOfTimes& node, std::size_t place, std::size_t bin, std::size_t row,
+                                bool right) const {
+  const std::array<float, 3> way{static_cast<float>(0.5 * sun_[row].x), static_cast<float>(0.5 * sun_[row].y),
+                                 static_cast<float>(0.5 * sun_[row].z)};
+  for (std::size_t sky = 0; sky < 2; ++sky) {
+    const float* gain = row_of((right ? node.right : node.left)[sky], row);
+    for (std::size_t t = 0; t < lanes_; ++t) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        node.moment[sky][(3 * bin + axis) * lanes_ + t] += way[axis] * gain[t];
+      node.sum[sky][bin * lanes_ + t] += 0.5f * gain[t];
+    }
+  }
+  for (std::size_t t = 0; t < classes_.size(); ++t) {
+    const bool last = row == last_row_[t];
+    if (sunlit_[t][row] < 0 || (last && !right)) continue;
+    const auto k = static_cast<std::size_t>(sunlit_[t][row]);
+    node.difference[bin * lanes_ + t] +=
+        static_cast<float>((last ? 1.0 : 0.5) * classes_[t]->rows_[k].absorbed_w_m2 *
+                           static_cast<double>(classes_[t]->node_at(place).difference[k]));
+  }
+}
+
+void ClassesOfTimes::at(const Pose& pose, double free_sky, At& at) const {
+  const std::size_t lanes = lanes_;
+  at.of_ = this;
+  at.normal_ = pose.normal;
+  at.corners_.clear();
+  at.shaded_k.assign(lanes, 0.0f);
+  at.of_sky_k.assign(lanes, 0.0f);
+  at.weight_k.assign(bins() * lanes, 0.0f);
+  const SurfaceClasses::Corners corners = classes_.front()->corners(pose);
+  for (std::vector<float>* of : {&at.hidden_, &at.free_, &at.bent_}) of->resize(corners.count * lanes);
+  const auto free = static_cast<float>(free_sky);
+  for (const SurfaceClasses::Corners::Corner& corner : corners) {
+    const NodeOfTimes& node = node_at(corner.place);
+    const std::size_t c = at.corners_.size() * lanes;
+    const auto share = static_cast<float>(corner.share);
+    at.corners_.push_back({&node, share});
+    for (std::size_t t = 0; t < lanes; ++t) {
+      const float hidden_k = node.shaded_k[0][t], open_k = node.shaded_k[1][t];
+      at.shaded_k[t] += share * (hidden_k + free * (open_k - hidden_k));
+      at.of_sky_k[t] += share * (open_k - hidden_k);
+      const float ratio = share * (node.ratio[0][t] + free * (node.ratio[1][t] - node.ratio[0][t]));
+      at.hidden_[c + t] = ratio * (1.0f - free);
+      at.free_[c + t] = ratio * free;
+      at.bent_[c + t] = share * (1.0f + node.twice_shift[t]);
+    }
+  }
+  for (std::size_t b = 0; b < bins(); ++b) {
+    float* weight = at.weight_k.data() + b * lanes;
+    std::size_t above = 0, below = 0;
+    const Bin& bin = bins_[b];
+    for (const math::Vec3& sun : bin.suns) ++(math::dot(pose.normal, sun) > 0.0 ? above : below);
+    if (above == 0) continue;
+    if (below == 0) {
+      const std::array<float, 3> n{static_cast<float>(pose.normal.x), static_cast<float>(pose.normal.y),
+                                   static_cast<float>(pose.normal.z)};
+      for (std::size_t k = 0; k < at.corners_.size(); ++k) {
+        const float *hidden = at.hidden_.data() + k * lanes, *open = at.free_.data() + k * lanes;
+        const float* one = at.corners_[k].node->moment[0].data() + 3 * b * lanes;
+        const float* other = at.corners_[k].node->moment[1].data() + 3 * b * lanes;
+        for (std::size_t t = 0; t < lanes; ++t)
+          weight[t] += hidden[t] * (n[0] * one[t] + n[1] * one[lanes + t] + n[2] * one[2 * lanes + t]) +
+                       open[t] * (n[0] * other[t] + n[1] * other[lanes + t] + n[2] * other[2 * lanes + t]);
+      }
+    } else {
+      for (std::uint32_t e = bin.first; e < bin.end; ++e)
+        for (const bool right : {false, true}) {
+          const std::size_t row = right ? spans_[e].right : spans_[e].left;
+          at.add_row(row, math::dot(pose.normal, sun_[row]), right, 0.5, weight);
+        }
+    }
+    for (std::size_t t = 0; t < lanes; ++t) weight[t] = std::max(weight[t], 0.0f);
+  }
+}
+
+void ClassesOfTimes::At::add_row(std::size_t row, double cosine, bool right, double by, float* kelvin) const {
+  if (!(cosine > 0.0)) return;
+  const std::size_t lanes = of_->lanes_;
+  const auto scale = static_cast<float>(cosine * by);
+  for (std::size_t k = 0; k < corners_.size(); ++k) {
+    const NodeOfTimes& node = *corners_[k].node;
+    const float *hidden = hidden_.data() + k * lanes, *open = free_.data() + k * lanes;
+    const auto& gains = right ? node.right : node.left;
+    const float *one = gains[0].data() + row * lanes, *other = gains[1].data() + row * lanes;
+    for (std::size_t t = 0; t < lanes; ++t) kelvin[t] += scale * (hidden[t] * one[t] + open[t] * other[t]);
+  }
+}
+
+void ClassesOfTimes::At::weigh(const Moment& moment, std::span<float> kelvin) const {
+  const Span& span = of_->spans_[moment.span];
+  const double after = static_cast<double>(moment.within);
+  std::fill(kelvin.begin(), kelvin.end(), 0.0f);
+  add_row(span.left, math::dot(normal_, of_->sun_[span.left]), false, (1.0 - after) / span.density,
+          kelvin.data());
+  add_row(span.right, math::dot(normal_, of_->sun_[span.right]), true, after / span.density, kelvin.data());
+}
+
+void ClassesOfTimes::At::bends(std::span<float> per_pair) const {
+  const std::size_t lanes = of_->lanes_, bins = of_->bins();
+  std::vector<float> until(weight_k), last(lanes, 0.0f), sum(lanes, 0.0f);
+  for (std::size_t b = 1; b < bins; ++b)
+    for (std::size_t t = 0; t < lanes; ++t) until[b * lanes + t] += until[(b - 1) * lanes + t];
+  for (std::size_t b = bins; b-- > 0;)
+    for (std::size_t t = 0; t < lanes; ++t) {
+      float kernel = 0.0f, bent = 0.0f;
+      for (std::size_t k = 0; k < corners_.size(); ++k) {
+        const NodeOfTimes& node = *corners_[k].node;
+        const std::size_t at = b * lanes + t;
+        kernel += corners_[k].share * 0.5f * (node.sum[0][at] + node.sum[1][at]);
+        bent += bent_[k * lanes + t] * node.difference[at];
+      }
+      const float bend = kernel > 0.0f ? std::clamp(bent / kernel, -1.0f, 1.0f) : last[t];
+      const float here = until[b * lanes + t];
+      if (here > static_cast<float>(kLeastLeftOf) * until[(bins - 1) * lanes + t])
+        sum[t] += (bend - last[t]) / here;
+      last[t] = bend;
+      per_pair[b * lanes + t] = sum[t];
+    }
+}
+
+}  // namespace ifov::thermal
