@@ -24,25 +24,27 @@ struct Pairs {
   std::vector<math::Vec3> directions;
   std::vector<ClassesOfTimes::Moment> moments;
   std::vector<std::uint8_t> is_free;
-  std::vector<float> kelvin, variance, first, second;  // by lane
+  std::vector<float> kelvin, variance;   // by lane
+  std::vector<float> weights;            // by ray and lane
   std::vector<float> bends, lit, hidden;               // by bin and lane; by lane
 };
 
 std::uint64_t bits_of(double value) { return std::bit_cast<std::uint64_t>(value); }
 
 /// By lane what pairs of gains take from each other, of the visibilities of rays `lit` and the hiding of rays `hidden` (0, 1: the
-/// first, the second of each bin).
+/// first, the second of each bin), each with w_k at its own time.
 void add_bends(Pairs& pairs, std::size_t bins, std::size_t lanes, std::size_t lit, std::size_t hidden) {
   pairs.lit.assign(lanes, 0.0f);
   pairs.hidden.assign(lanes, 0.0f);
   for (std::size_t b = 0; b < bins; ++b) {
-    const float* weight = pairs.at.weight_k.data() + b * lanes;
     const float* bend = pairs.bends.data() + b * lanes;
+    const float* light = pairs.weights.data() + (2 * b + lit) * lanes;
+    const float* shade = pairs.weights.data() + (2 * b + hidden) * lanes;
     const float sees = pairs.is_free[2 * b + lit], hides = 1.0f - pairs.is_free[2 * b + hidden];
     for (std::size_t t = 0; t < lanes; ++t) {
-      const float here_lit = sees * weight[t], here_hidden = hides * weight[t];
-      pairs.kelvin[t] -=
-          0.25f * bend[t] * (here_lit * (pairs.hidden[t] + here_hidden) + here_hidden * pairs.lit[t]);
+      const float here_lit = sees * light[t], here_hidden = hides * shade[t];
+      pairs.kelvin[t] -= 0.25f * bend[t] *
+                         (here_lit * (pairs.hidden[t] + here_hidden) + here_hidden * pairs.lit[t]);
       pairs.lit[t] += here_lit;
       pairs.hidden[t] += here_hidden;
     }
@@ -131,8 +133,13 @@ void SurfacesOfTimes::at(std::size_t number, const geometry::SurfacePoint& point
   pairs.variance.resize(lanes);
   for (std::size_t t = 0; t < lanes; ++t)
     pairs.variance[t] = static_cast<float>(sky_variance) * pairs.at.of_sky_k[t] * pairs.at.of_sky_k[t];
-  pairs.first.resize(lanes);
-  pairs.second.resize(lanes);
+  const auto seen = std::count(pairs.is_free.begin(), pairs.is_free.end(), std::uint8_t{1});
+  const bool mixed = seen > 0 && static_cast<std::size_t>(seen) < 2 * bins;
+  if (mixed) {
+    pairs.weights.resize(2 * bins * lanes);
+    for (std::size_t ray = 0; ray < 2 * bins; ++ray)
+      pairs.at.weigh(pairs.moments[ray], {pairs.weights.data() + ray * lanes, lanes});
+  }
   for (std::size_t b = 0; b < bins; ++b) {
     const bool first = pairs.is_free[2 * b] != 0, second = pairs.is_free[2 * b + 1] != 0;
     const float* weight = pairs.at.weight_k.data() + b * lanes;
@@ -141,17 +148,15 @@ void SurfacesOfTimes::at(std::size_t number, const geometry::SurfacePoint& point
         for (std::size_t t = 0; t < lanes; ++t) pairs.kelvin[t] += weight[t];
       continue;
     }
-    pairs.at.weigh(pairs.moments[2 * b], pairs.first);
-    pairs.at.weigh(pairs.moments[2 * b + 1], pairs.second);
+    const float *of_first = pairs.weights.data() + 2 * b * lanes, *of_second = of_first + lanes;
     const float sign = first ? 0.5f : -0.5f;
     for (std::size_t t = 0; t < lanes; ++t) {
-      const float one = pairs.first[t], other = pairs.second[t];
+      const float one = of_first[t], other = of_second[t];
       pairs.kelvin[t] += 0.5f * weight[t] + sign * (one - other);
       pairs.variance[t] += 0.25f * (one * one + other * other - weight[t] * weight[t]);
     }
   }
-  const auto seen = std::count(pairs.is_free.begin(), pairs.is_free.end(), std::uint8_t{1});
-  if (seen > 0 && static_cast<std::size_t>(seen) < 2 * bins) {
+  if (mixed) {
     pairs.bends.resize(bins * lanes);
     pairs.at.bends(pairs.bends);
     add_bends(pairs, bins, lanes, 0, 1);

@@ -133,6 +133,7 @@ double SurfaceClasses::time_s(std::size_t row, double steps) const {
 
 math::Vec3 SurfaceClasses::sun_at(std::size_t row, double steps) const {
   const Row& of = rows_[row];
+  if (of.index + 1 == rows()) steps = -std::abs(steps);  // as time_s()
   const math::Vec3& other = steps < 0.0 ? of.before : of.after;
   const math::Vec3 between = (1.0 - std::abs(steps)) * of.sun + std::abs(steps) * other;
   return math::normalized(between);

@@ -100,7 +100,7 @@ TEST(SurfacesOfTimes, MeansAreThoseOfExactSums) {
     }
     for (std::size_t t = 0; t < 12; ++t) {
       const exposure::SolvedSurface& own = times.surface(t, place.number);
-      const double exact_k = own.temperature_k(point, own.exposure(point, 5, 2000, 64));
+      const double exact_k = own.temperature_k(point, own.exposure(point, 5, 20000, 2000));
       const double spread_k2 = std::max(0.0, squares_k2[t] - mean_k[t] * mean_k[t]);
       const double error_k = std::sqrt(spread_k2 / kDraws);
       if (std::getenv("SHOW") != nullptr) {
