@@ -150,6 +150,12 @@ ImageTiles::~ImageTiles() = default;
 const std::vector<sampling::PixelRect>& ImageTiles::grid() const { return parts_->grid; }
 const sampling::RayCounts& ImageTiles::rays_before() const { return parts_->before; }
 std::unique_ptr<SceneField> ImageTiles::field() const { return parts_->field(); }
+std::unique_ptr<SceneField> ImageTiles::tracer() const {
+  const Parts& p = *parts_;
+  transport::TransportOptions transport = p.transport;
+  transport.no_spectra = true;
+  return std::make_unique<SceneField>(p.job.scene, p.job.camera, transport, p.job.label_detail, p.told);
+}
 
 sampling::TileResult ImageTiles::render(std::size_t index, SceneField& field) const {
   const Parts& p = *parts_;

@@ -25,6 +25,7 @@ class ImageTiles {
   const std::vector<sampling::PixelRect>& grid() const;
   const sampling::RayCounts& rays_before() const;  ///< that all this took
   std::unique_ptr<SceneField> field() const;       ///< of one tile
+  std::unique_ptr<SceneField> tracer() const;      ///< the same, for paths whose light others make
   /// Throws Cancelled.
   sampling::TileResult render(std::size_t index, SceneField& field) const;
 

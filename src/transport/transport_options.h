@@ -37,6 +37,9 @@ struct TransportOptions {
   const std::vector<float>* sky_shares = nullptr;
   /// Images in mirrors that are added separately: paths see through what they show; null: none.
   const SeparateImages* separate_images = nullptr;
+  /// What paths met is recorded without any spectrum, so that light of another scene can be made of it that has the same surfaces
+  /// (PathRecord::Mixed); the light is the same.
+  bool no_spectra = false;
 };
 
 }  // namespace ifov::transport

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
-#include <mutex>
 
 #include "geometry/world.h"
-#include "radiometry/spectral_nodes.h"
 #include "render/image_renderer.h"
 #include "render/image_tiles.h"
 #include "render/scene_field.h"
@@ -22,27 +20,19 @@
 namespace ifov::render {
 namespace {
 
-bool same_nodes(const radiometry::SpectralNodes& one, const radiometry::SpectralNodes& other) {
-  if (one.node_count() != other.node_count() || one.channel_count() != other.channel_count()) return false;
-  for (std::size_t n = 0; n < one.node_count(); ++n)
-    if (one.node_wavelength_um(n) != other.node_wavelength_um(n) ||
-        one.node_weight(n) != other.node_weight(n))
-      return false;
-  return true;
-}
+bool wants(const ImageOfTime& image, std::size_t tile) { return !image.wanted.empty() && image.wanted[tile]; }
 
 }  // namespace
 
 std::string cannot_share_paths(std::span<const RenderJob* const> by_time) {
   const RenderJob& first = *by_time.front();
   if (first.camera.view_list() != nullptr) return "their rays are a list";
-  if (first.sampler.takes_many_values()) return "the accuracy is that of the image as a whole";
+  if (first.image_wide) return "the accuracy is that of the image as a whole";
   if (first.polarimetry != nullptr || first.parts) return "more than radiance is told";
   if (!first.scene.scene().mirror_assignments().empty()) return "there are mirrors or panes";
   for (const RenderJob* job : by_time) {
     if (job->scene.scene().sun) return "the Sun lights the image";
     if (job->scene.scene().world != first.scene.scene().world) return "the scene is not the same";
-    if (!same_nodes(job->scene.nodes(), first.scene.nodes())) return "their spectral nodes differ";
   }
   return "";
 }
@@ -51,50 +41,54 @@ std::vector<double> render_times(std::span<const ImageOfTime> images,
                                  const scene::TemperaturesOfTimes& temperatures, const RenderControl& control,
                                  std::size_t most_bytes) {
   using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
   std::vector<std::unique_ptr<ImageTiles>> tiles;
   std::vector<std::unique_ptr<Tally>> tallies;
   std::vector<double> seconds(images.size(), 0.0);
-  std::mutex mutex;
-  for (const ImageOfTime& image : images) {
-    const auto begin = Clock::now();
-    tiles.push_back(std::make_unique<ImageTiles>(image.job, control));
-    seconds[tiles.size() - 1] += std::chrono::duration<double>(Clock::now() - begin).count();
+  for (std::size_t t = 0; t < images.size(); ++t) {
+    tiles.push_back(images[t].wanted.empty() && t > 0 ? nullptr
+                                                      : std::make_unique<ImageTiles>(images[t].job, control));
+    tallies.push_back(nullptr);
+    if (images[t].wanted.empty()) continue;
     std::int64_t pixels = 0;
-    for (std::size_t k = 0; k < image.wanted.size(); ++k)
-      if (image.wanted[k]) pixels += tiles.back()->grid()[k].count();
-    tallies.push_back(std::make_unique<Tally>(pixels, image.progress));
-    tallies.back()->add(tiles.back()->rays_before());
+    for (std::size_t k = 0; k < images[t].wanted.size(); ++k)
+      if (images[t].wanted[k]) pixels += tiles[t]->grid()[k].count();
+    tallies[t] = std::make_unique<Tally>(pixels, images[t].progress);
+    tallies[t]->add(tiles[t]->rays_before());
   }
   std::vector<int> order;
   for (std::size_t k = 0; k < tiles.front()->grid().size(); ++k)
-    if (std::any_of(images.begin(), images.end(), [&](const ImageOfTime& image) { return image.wanted[k]; }))
+    if (std::any_of(images.begin(), images.end(), [&](const ImageOfTime& image) { return wants(image, k); }))
       order.push_back(static_cast<int>(k));
   if (order.empty()) return seconds;
   TilesInOrder source(order, tiles.front()->grid().size());
   render_from(source, control.threads, [&](std::size_t index) {
-    const std::unique_ptr<SceneField> tracer = tiles.front()->field();
+    const std::unique_ptr<SceneField> tracer = tiles.front()->tracer();
     std::vector<std::unique_ptr<SceneField>> fields(images.size());
     std::vector<SceneField*> asked(images.size(), nullptr);
     for (std::size_t t = 0; t < images.size(); ++t)
-      if (images[t].wanted[index]) asked[t] = (fields[t] = tiles[t]->field()).get();
+      if (wants(images[t], index)) asked[t] = (fields[t] = tiles[t]->field()).get();
     SharedPaths paths(*tracer, asked, temperatures, most_bytes);
     TemperaturesByTime middles(temperatures);
     for (std::size_t t = 0; t < images.size(); ++t) {
       if (asked[t] == nullptr) continue;
-      const auto begin = Clock::now();
       fields[t]->share(&paths.of(t));
       sampling::TileResult result;
       {
         const TemperaturesByTime::Scope scope(middles, t);
         result = tiles[t]->render(index, *fields[t]);
       }
-      images[t].sink.write(result);
+      images[t].sink->write(result);
       tallies[t]->add(result);
       fields[t].reset();
-      const std::scoped_lock lock(mutex);
-      seconds[t] += std::chrono::duration<double>(Clock::now() - begin).count();
     }
   });
+  // Who asks first finds the paths for all: the time goes to all alike.
+  const double all_s = std::chrono::duration<double>(Clock::now() - start).count();
+  const auto made =
+      std::count_if(tallies.begin(), tallies.end(), [](const auto& tally) { return tally != nullptr; });
+  for (std::size_t t = 0; t < images.size(); ++t)
+    seconds[t] = tallies[t] != nullptr ? all_s / static_cast<double>(made) : 0.0;
   return seconds;
 }
 

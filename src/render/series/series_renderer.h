@@ -20,9 +20,9 @@ class TileSink;
 /// An image of one time of a series.
 struct ImageOfTime {
   const RenderJob& job;
-  TileSink& sink;
-  ProgressSink* progress = nullptr;
-  std::vector<bool> wanted;  ///< by tile
+  TileSink* sink;
+  ProgressSink* progress;
+  std::vector<bool> wanted;  ///< by tile; empty: none
 };
 
 /// Why images of several times cannot share their paths, in words; empty: they can. Of jobs that differ in how warm surfaces are, and in
@@ -31,7 +31,7 @@ std::string cannot_share_paths(std::span<const RenderJob* const> by_time);
 
 /// Renders them tile by tile, each tile at all times before the next, along paths that all times share (SharedPaths). Of `control`
 /// what is no image's own; `most_bytes` by thread for what is shared. A tile's result depends on the jobs of all times and the tile
-/// alone. Returns the share of the work by time. Throws Cancelled.
+/// alone. Returns the seconds that each time counts. Throws Cancelled.
 std::vector<double> render_times(std::span<const ImageOfTime> images,
                                  const scene::TemperaturesOfTimes& temperatures, const RenderControl& control,
                                  std::size_t most_bytes);
