@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kRegister = 8;  // floats
 constexpr double kOnRow = 1e-6;       // steps that a row may be off
 // A time has at least the rays that it has alone, where it needs most.
-constexpr double kBinsAlone = 5.0, kMostBins = 48.0;
+constexpr double kBinsAlone = 5.0, kMostBins = 64.0;
 constexpr double kEven =
     0.05;  // of what is drawn, by length: what is little worth to the level surface is met, too
 constexpr double kLeastLeftOf = 0.01;  // as of SurfaceClasses::bends
@@ -155,10 +155,11 @@ ClassesOfTimes::Moment ClassesOfTimes::draw(std::size_t bin, double u, double wi
   return {static_cast<std::uint32_t>(found - spans_.begin()), static_cast<float>(within)};
 }
 
-math::Vec3 ClassesOfTimes::sun_at(const Moment& moment) const {
+math::Vec3 ClassesOfTimes::towards_sun(const Moment& moment) const {
   const Span& span = spans_[moment.span];
   const double after = static_cast<double>(moment.within);
-  return math::normalized((1.0 - after) * sun_[span.left] + after * sun_[span.right]);
+  const math::Vec3 between = (1.0 - after) * sun_[span.left] + after * sun_[span.right];
+  return (1.0 / std::sqrt(math::dot(between, between))) * between;
 }
 
 const NodeOfTimes& ClassesOfTimes::node_at(std::size_t number) const {

@@ -34,7 +34,7 @@ class ClassesOfTimes {
     float within = 0.0f;
   };
   Moment draw(std::size_t bin, double u, double within) const;
-  math::Vec3 sun_at(const Moment& moment) const;  ///< unit
+  math::Vec3 towards_sun(const Moment& moment) const;  ///< unit
 
   /// What a point's classes are, at all times.
   class At {

@@ -35,7 +35,7 @@ bool is_of_views(const io::Document& document) {
 
 /// Times that are rendered together: those of the series in parts of so many, whoever of them are there already, so that what comes out
 /// does not depend on where it was stopped.
-constexpr std::size_t kTogether = 16;
+constexpr std::size_t kTogether = 32;
 constexpr std::size_t kMostShared_bytes = 256'000'000;
 
 class SeriesRun {
