@@ -24,9 +24,9 @@ struct Pairs {
   std::vector<math::Vec3> directions;
   std::vector<ClassesOfTimes::Moment> moments;
   std::vector<std::uint8_t> is_free;
-  std::vector<float> kelvin, variance;   // by lane
-  std::vector<float> weights;            // by ray and lane
-  std::vector<float> bends, lit, hidden;               // by bin and lane; by lane
+  std::vector<float> kelvin, variance;    // by lane
+  std::vector<float> weights;             // by ray and lane
+  std::vector<float> bends, lit, hidden;  // by bin and lane; by lane
 };
 
 math::Vec3 unit_of(math::Vec3 vector) { return (1.0 / std::sqrt(math::dot(vector, vector))) * vector; }
@@ -38,17 +38,18 @@ std::uint64_t bits_of(double value) { return std::bit_cast<std::uint64_t>(value)
 void add_bends(Pairs& pairs, std::size_t bins, std::size_t lanes, std::size_t lit, std::size_t hidden) {
   pairs.lit.assign(lanes, 0.0f);
   pairs.hidden.assign(lanes, 0.0f);
+  float *__restrict kelvin = pairs.kelvin.data(), *__restrict before = pairs.lit.data(),
+        *__restrict dark = pairs.hidden.data();
   for (std::size_t b = 0; b < bins; ++b) {
-    const float* bend = pairs.bends.data() + b * lanes;
-    const float* light = pairs.weights.data() + (2 * b + lit) * lanes;
-    const float* shade = pairs.weights.data() + (2 * b + hidden) * lanes;
+    const float* __restrict bend = pairs.bends.data() + b * lanes;
+    const float* __restrict light = pairs.weights.data() + (2 * b + lit) * lanes;
+    const float* __restrict shade = pairs.weights.data() + (2 * b + hidden) * lanes;
     const float sees = pairs.is_free[2 * b + lit], hides = 1.0f - pairs.is_free[2 * b + hidden];
     for (std::size_t t = 0; t < lanes; ++t) {
       const float here_lit = sees * light[t], here_hidden = hides * shade[t];
-      pairs.kelvin[t] -= 0.25f * bend[t] *
-                         (here_lit * (pairs.hidden[t] + here_hidden) + here_hidden * pairs.lit[t]);
-      pairs.lit[t] += here_lit;
-      pairs.hidden[t] += here_hidden;
+      kelvin[t] -= 0.25f * bend[t] * (here_lit * (dark[t] + here_hidden) + here_hidden * before[t]);
+      before[t] += here_lit;
+      dark[t] += here_hidden;
     }
   }
 }
@@ -58,7 +59,8 @@ void add_bends(Pairs& pairs, std::size_t bins, std::size_t lanes, std::size_t li
 void see_behind(Pairs& pairs, math::Vec3 normal) {
   const std::size_t bins = pairs.directions.size() / 2;
   const auto behind = [&](std::size_t ray) { return !(math::dot(pairs.directions[ray], normal) > 0.0); };
-  const std::vector<std::uint8_t> seen = pairs.is_free;
+  static thread_local std::vector<std::uint8_t> seen;
+  seen = pairs.is_free;
   const auto nearest = [&](std::size_t bin) -> std::uint8_t {
     for (std::size_t apart = 1; apart < bins; ++apart)
       for (const std::size_t other : {bin - apart, bin + apart})
@@ -152,18 +154,20 @@ void SurfacesOfTimes::at(std::size_t number, const geometry::SurfacePoint& point
   }
   for (std::size_t b = 0; b < bins; ++b) {
     const bool first = pairs.is_free[2 * b] != 0, second = pairs.is_free[2 * b + 1] != 0;
-    const float* weight = pairs.at.weight_k.data() + b * lanes;
+    const float* __restrict weight = pairs.at.weight_k.data() + b * lanes;
+    float* __restrict kelvin = pairs.kelvin.data(), * __restrict variance = pairs.variance.data();
     if (first == second) {
       if (first)
-        for (std::size_t t = 0; t < lanes; ++t) pairs.kelvin[t] += weight[t];
+        for (std::size_t t = 0; t < lanes; ++t) kelvin[t] += weight[t];
       continue;
     }
-    const float *of_first = pairs.weights.data() + 2 * b * lanes, *of_second = of_first + lanes;
+    const float* __restrict of_first = pairs.weights.data() + 2 * b * lanes;
+    const float* __restrict of_second = of_first + lanes;
     const float sign = first ? 0.5f : -0.5f;
     for (std::size_t t = 0; t < lanes; ++t) {
       const float one = of_first[t], other = of_second[t];
-      pairs.kelvin[t] += 0.5f * weight[t] + sign * (one - other);
-      pairs.variance[t] += 0.25f * (one * one + other * other - weight[t] * weight[t]);
+      kelvin[t] += 0.5f * weight[t] + sign * (one - other);
+      variance[t] += 0.25f * (one * one + other * other - weight[t] * weight[t]);
     }
   }
   if (mixed) {

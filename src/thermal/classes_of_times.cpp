@@ -10,8 +10,9 @@ namespace {
 
 constexpr std::size_t kRegister = 8;  // floats
 constexpr double kOnRow = 1e-6;       // steps that a row may be off
-// A time has at least the rays that it has alone, where it needs most.
-constexpr double kBinsAlone = 5.0, kMostBins = 64.0;
+// Bins that a time needs if they were its own. A ray to each counts by w_k at all times; two are sent to each of five strata of one alone,
+// which tell half as much of what lies within them.
+constexpr double kBinsAlone = 3.0, kMostBins = 64.0;
 constexpr double kEven =
     0.05;  // of what is drawn, by length: what is little worth to the level surface is met, too
 constexpr double kLeastLeftOf = 0.01;  // as of SurfaceClasses::bends
@@ -253,7 +254,7 @@ void ClassesOfTimes::at(const Pose& pose, double free_sky, At& at) const {
     }
   }
   for (std::size_t b = 0; b < bins(); ++b) {
-    float* weight = at.weight_k.data() + b * lanes;
+    float* __restrict weight = at.weight_k.data() + b * lanes;
     std::size_t above = 0, below = 0;
     const Bin& bin = bins_[b];
     for (const math::Vec3& sun : bin.suns) ++(math::dot(pose.normal, sun) > 0.0 ? above : below);
@@ -262,9 +263,10 @@ void ClassesOfTimes::at(const Pose& pose, double free_sky, At& at) const {
       const std::array<float, 3> n{static_cast<float>(pose.normal.x), static_cast<float>(pose.normal.y),
                                    static_cast<float>(pose.normal.z)};
       for (std::size_t k = 0; k < at.corners_.size(); ++k) {
-        const float *hidden = at.hidden_.data() + k * lanes, *open = at.free_.data() + k * lanes;
-        const float* one = at.corners_[k].node->moment[0].data() + 3 * b * lanes;
-        const float* other = at.corners_[k].node->moment[1].data() + 3 * b * lanes;
+        const float* __restrict hidden = at.hidden_.data() + k * lanes, * __restrict open =
+                                                                            at.free_.data() + k * lanes;
+        const float* __restrict one = at.corners_[k].node->moment[0].data() + 3 * b * lanes;
+        const float* __restrict other = at.corners_[k].node->moment[1].data() + 3 * b * lanes;
         for (std::size_t t = 0; t < lanes; ++t)
           weight[t] += hidden[t] * (n[0] * one[t] + n[1] * one[lanes + t] + n[2] * one[2 * lanes + t]) +
                        open[t] * (n[0] * other[t] + n[1] * other[lanes + t] + n[2] * other[2 * lanes + t]);
@@ -280,15 +282,17 @@ void ClassesOfTimes::at(const Pose& pose, double free_sky, At& at) const {
   }
 }
 
-void ClassesOfTimes::At::add_row(std::size_t row, double cosine, bool right, double by, float* kelvin) const {
+void ClassesOfTimes::At::add_row(std::size_t row, double cosine, bool right, double by, float* to) const {
   if (!(cosine > 0.0)) return;
+  float* __restrict kelvin = to;
   const std::size_t lanes = of_->lanes_;
   const auto scale = static_cast<float>(cosine * by);
   for (std::size_t k = 0; k < corners_.size(); ++k) {
     const NodeOfTimes& node = *corners_[k].node;
-    const float *hidden = hidden_.data() + k * lanes, *open = free_.data() + k * lanes;
+    const float* __restrict hidden = hidden_.data() + k * lanes, * __restrict open = free_.data() + k * lanes;
     const auto& gains = right ? node.right : node.left;
-    const float *one = gains[0].data() + row * lanes, *other = gains[1].data() + row * lanes;
+    const float* __restrict one = gains[0].data() + row * lanes, * __restrict other =
+                                                                     gains[1].data() + row * lanes;
     for (std::size_t t = 0; t < lanes; ++t) kelvin[t] += scale * (hidden[t] * one[t] + open[t] * other[t]);
   }
 }
@@ -304,25 +308,38 @@ void ClassesOfTimes::At::weigh(const Moment& moment, std::span<float> kelvin) co
 
 void ClassesOfTimes::At::bends(std::span<float> per_pair) const {
   const std::size_t lanes = of_->lanes_, bins = of_->bins();
-  std::vector<float> until(weight_k), last(lanes, 0.0f), sum(lanes, 0.0f);
-  for (std::size_t b = 1; b < bins; ++b)
-    for (std::size_t t = 0; t < lanes; ++t) until[b * lanes + t] += until[(b - 1) * lanes + t];
-  for (std::size_t b = bins; b-- > 0;)
-    for (std::size_t t = 0; t < lanes; ++t) {
-      float kernel = 0.0f, bent = 0.0f;
-      for (std::size_t k = 0; k < corners_.size(); ++k) {
-        const NodeOfTimes& node = *corners_[k].node;
-        const std::size_t at = b * lanes + t;
-        kernel += corners_[k].share * 0.5f * (node.sum[0][at] + node.sum[1][at]);
-        bent += bent_[k * lanes + t] * node.difference[at];
+  static thread_local std::vector<float> until, scratch;
+  until.assign(weight_k.begin(), weight_k.end());
+  for (std::size_t at = lanes; at < bins * lanes; ++at) until[at] += until[at - lanes];
+  scratch.assign(4 * lanes, 0.0f);
+  float* __restrict kernel = scratch.data();
+  float* __restrict bent = kernel + lanes, * __restrict last = bent + lanes, * __restrict sum = last + lanes;
+  const float* __restrict all = until.data() + (bins - 1) * lanes;
+  for (std::size_t b = bins; b-- > 0;) {
+    std::fill_n(kernel, 2 * lanes, 0.0f);
+    for (std::size_t k = 0; k < corners_.size(); ++k) {
+      const NodeOfTimes& node = *corners_[k].node;
+      const float half = 0.5f * corners_[k].share;
+      const float *__restrict one = node.sum[0].data() + b * lanes, *__restrict other = node.sum[1].data() + b * lanes,
+                  *__restrict difference = node.difference.data() + b * lanes,
+                  *__restrict by = bent_.data() + k * lanes;
+      for (std::size_t t = 0; t < lanes; ++t) {
+        kernel[t] += half * (one[t] + other[t]);
+        bent[t] += by[t] * difference[t];
       }
-      const float bend = kernel > 0.0f ? std::clamp(bent / kernel, -1.0f, 1.0f) : last[t];
-      const float here = until[b * lanes + t];
-      if (here > static_cast<float>(kLeastLeftOf) * until[(bins - 1) * lanes + t])
-        sum[t] += (bend - last[t]) / here;
-      last[t] = bend;
-      per_pair[b * lanes + t] = sum[t];
     }
+    const float* __restrict here = until.data() + b * lanes;
+    float* __restrict told = per_pair.data() + b * lanes;
+    for (std::size_t t = 0; t < lanes; ++t) {
+      constexpr float kSmall = 1e-30f;  // of a kernel, in place of 0
+      const float found = std::min(1.0f, std::max(-1.0f, bent[t] / std::max(kernel[t], kSmall)));
+      const float bend = kernel[t] > 0.0f ? found : last[t];
+      const float more = (bend - last[t]) / std::max(here[t], kSmall);
+      sum[t] += here[t] > static_cast<float>(kLeastLeftOf) * all[t] ? more : 0.0f;
+      last[t] = bend;
+      told[t] = sum[t];
+    }
+  }
 }
 
 }  // namespace ifov::thermal
