@@ -7,7 +7,7 @@
 
 #include "exposure/past_scene.h"
 #include "scene/temperature_scope.h"
-#include "thermal/classes_of_times.h"
+#include "thermal/times/classes_of_times.h"
 
 namespace ifov::scene {
 struct Scene;
@@ -16,7 +16,7 @@ struct Scene;
 namespace ifov::exposure {
 
 /// The temperatures of points at several times of one scene in which nothing came or went. Rays to where the Sun stood are asked
-/// once for all: two to each bin of the past (thermal/classes_of_times.h), at a time that is drawn within it. Where both see the same
+/// once for all: two to each bin of the past (thermal/times/classes_of_times.h), at a time that is drawn within it. Where both see the same
 /// of the Sun the bin's whole w_k counts by it; where they do not, each tells how far w_k at its time is off the bin's mean,
 ///
 ///   sum of w_k V over the bin = (V_1 + V_2) / 2 W + (f_1 - f_2) (V_1 - V_2) / 2,   variance (V_1 - V_2)^2 ((f_1^2 + f_2^2) - W^2) / 4,

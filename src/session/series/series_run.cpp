@@ -10,6 +10,7 @@
 #include "io/quantities/quantity_set.h"
 #include "io/run_state/run_folder.h"
 #include "session/runs/run_record_file.h"
+#include "session/series/series_document.h"
 #include "session/series/series_products.h"
 #include "session/series/series_record.h"
 #include "session/series/series_sun.h"
@@ -20,18 +21,6 @@
 
 namespace ifov::session {
 namespace {
-
-std::vector<std::string> shown_channels(const io::Document& document) {
-  std::vector<std::string> names;
-  for (const io::DocumentName& channel : document.output.quicklook_channels) names.push_back(channel.name);
-  return names;
-}
-
-/// No picture but a list.
-bool is_of_views(const io::Document& document) {
-  const std::string& model = document.sensor.camera.model;
-  return model == "points" || model == "rays";
-}
 
 /// Times that are rendered together: those of the series in parts of so many, whoever of them are there already, so that what comes out
 /// does not depend on where it was stopped.
@@ -53,7 +42,7 @@ class SeriesRun {
     record_.name = first.output.name;
     for (const SeriesTimes::One& one : request_.times.all) record_.times.push_back({one.text, one.folder});
     result_.folder = folder_of(first);
-    refuse_what_is_still(first);
+    if (count_ > 1) refuse_what_is_still(first);
     refuse_what_is_there();
     require_weather_at_ends(first);
     shares_ = count_ > 1 && SharedScene::serves(first) && solved_temperature_at(first).has_value();
@@ -107,17 +96,6 @@ class SeriesRun {
     } catch (const SystemError& error) {
       throw SystemError(text(error));
     }
-  }
-
-  /// Whose every time would be the same picture.
-  void refuse_what_is_still(const io::Document& document) const {
-    if (count_ == 1 || document.weather || document.scene.origin.geographic || document.platform ||
-        !SharedScene::serves(document))
-      return;
-    throw InputError(format(
-        "{}: nothing in it changes with the time: it has no \"weather\", no object with \"present\", and no latitude and "
-        "longitude in its \"origin\", from which it follows where the Sun stands",
-        document.sources.file_name));
   }
 
   /// Nothing finished is thrown away unasked, and what was begun is not begun again.

@@ -1,0 +1,54 @@
+#include <algorithm>
+
+#include "session/runs/one_run.h"
+#include "session/runs/run.h"
+
+namespace ifov::session {
+
+std::vector<RunResult> render_runs(std::span<const RunOfTime> runs,
+                                   const scene::TemperaturesOfTimes& temperatures, const RunTogether& how) {
+  std::vector<std::unique_ptr<Run>> begun;
+  std::vector<render::RenderJob> jobs;
+  std::vector<render::ImageOfTime> images;
+  std::vector<std::unique_ptr<StopRequest>> stops;
+  const CancelToken* cancel = how.cancel;
+  std::optional<TimeLimit::Clock::time_point> end = how.deadline;
+  jobs.reserve(runs.size());
+  for (const RunOfTime& run : runs) jobs.push_back(run.session->parts().job());
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    if (runs[k].request == nullptr) {
+      begun.push_back(nullptr);
+      continue;
+    }
+    begun.push_back(std::make_unique<Run>(*runs[k].session, *runs[k].request));
+    Run& run = *begun.back();
+    run.keeping([&] { run.begin(); });
+    if (end) *end -= run.time_for_products();
+    stops.push_back(std::make_unique<StopRequest>(run.stop_file(), cancel));
+    cancel = stops.back()->token();
+  }
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    images.push_back(begun[k] != nullptr ? begun[k]->image()
+                                         : render::ImageOfTime{jobs[k], nullptr, nullptr, {}});
+  if (how.progress != nullptr) how.progress->phase("");
+  const TimeLimit limit(end, cancel);
+  render::RenderControl control;
+  control.threads = how.threads;
+  control.cancel = limit.token();
+  std::vector<double> seconds(runs.size(), 0.0);
+  try {
+    const auto trace = [&] { seconds = render::render_times(images, temperatures, control, how.most_bytes); };
+    if (const auto any =
+            std::find_if(begun.begin(), begun.end(), [](const auto& run) { return run != nullptr; });
+        any != begun.end())
+      (*any)->keeping(trace);
+  } catch (const Cancelled&) {
+    if (!limit.reached()) throw;
+  }
+  std::vector<RunResult> results(runs.size());
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    if (begun[k] != nullptr) results[k] = begun[k]->keeping([&] { return begun[k]->end(seconds[k]); });
+  return results;
+}
+
+}  // namespace ifov::session
