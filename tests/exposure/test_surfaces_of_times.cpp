@@ -84,8 +84,8 @@ TEST(SurfacesOfTimes, MeansAreThoseOfExactSums) {
   for (const Place& place :
        {Place{"open", 0, {-9.0, -7.0, 9.0}, down}, Place{"north", 0, {0.0, 1.8, 9.0}, down},
         Place{"east", 0, {2.6, 0.2, 9.0}, down}, Place{"roof", 0, {0.3, 0.2, 9.0}, down},
-        Place{"wall", 0, {0.4, -9.0, 1.3}, {0.0, 1.0, 0.0}}, Place{"west wall", 0, {-9.0, 0.1, 1.3}, {1.0, 0.0, 0.0}},
-        Place{"metal", 1, {0.2, 3.6, 9.0}, down}}) {
+        Place{"wall", 0, {0.4, -9.0, 1.3}, {0.0, 1.0, 0.0}},
+        Place{"west wall", 0, {-9.0, 0.1, 1.3}, {1.0, 0.0, 0.0}}, Place{"metal", 1, {0.2, 3.6, 9.0}, down}}) {
     const geometry::SurfacePoint point = times.hit(place.from, place.along);
     ASSERT_TRUE(point.hit()) << place.name;
     std::vector<double> mean_k(12, 0.0), squares_k2(12, 0.0), told_k2(12, 0.0);
@@ -109,14 +109,16 @@ TEST(SurfacesOfTimes, MeansAreThoseOfExactSums) {
           for (int draw = 0; draw < 12; ++draw) {
             shared->at(place.number, point, static_cast<std::uint64_t>(draw), one);
             const auto e = own.exposure(point, 5, 2000, 64);
-            std::printf("alone %.3f shared %.3f  sky %.3f\n", own.at(point, static_cast<std::uint64_t>(draw)).kelvin, one[0].kelvin, e.free_sky);
+            std::printf("alone %.3f shared %.3f  sky %.3f\n",
+                        own.at(point, static_cast<std::uint64_t>(draw)).kelvin, one[0].kelvin, e.free_sky);
           }
         for (int draw = 0; draw < 1000; ++draw) {
           const double k = own.at(point, static_cast<std::uint64_t>(draw)).kelvin;
           alone_k += k / 1000, alone_k2 += k * k / 1000;
         }
-        std::printf("%s %zu rays %zu exact %.3f mean %.3f alone %.3f | spread %.3f told %.3f alone %.3f\n", place.name, t,
-                    shared->sun_rays(place.number), exact_k, mean_k[t], alone_k, std::sqrt(spread_k2), std::sqrt(told_k2[t]),
+        std::printf("%s %zu rays %zu exact %.3f mean %.3f alone %.3f | spread %.3f told %.3f alone %.3f\n",
+                    place.name, t, shared->sun_rays(place.number), exact_k, mean_k[t], alone_k,
+                    std::sqrt(spread_k2), std::sqrt(told_k2[t]),
                     std::sqrt(std::max(0.0, alone_k2 - alone_k * alone_k)));
       }
       EXPECT_NEAR(mean_k[t], exact_k, 0.03 + 4.0 * error_k) << place.name << " " << t;
@@ -125,7 +127,8 @@ TEST(SurfacesOfTimes, MeansAreThoseOfExactSums) {
       EXPECT_GT(told_k2[t], 0.93 * spread_k2 - 1e-4) << place.name << " " << t;
       EXPECT_LT(told_k2[t], 1.5 * spread_k2 + 1e-3) << place.name << " " << t;
       const exposure::SolvedSurface& other = times.surface((t + 1) % 12, place.number);
-      misplaced_k = std::max(misplaced_k, std::abs(other.temperature_k(point, other.exposure(point, 5, 64, 4)) - mean_k[t]));
+      misplaced_k = std::max(
+          misplaced_k, std::abs(other.temperature_k(point, other.exposure(point, 5, 64, 4)) - mean_k[t]));
     }
   }
   EXPECT_GT(misplaced_k, 10.0 * farthest_k);  // the planted fault: a time taken for the next one

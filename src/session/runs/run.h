@@ -3,16 +3,10 @@
 #include <chrono>
 #include <cstddef>
 #include <optional>
-#include <span>
-#include <vector>
 
 #include "core/run_start.h"
 #include "render/tile_grid.h"
 #include "session/session.h"
-
-namespace ifov::scene {
-class TemperaturesOfTimes;
-}
 
 namespace ifov::session {
 
@@ -45,22 +39,5 @@ struct RunResult {
 
 /// Errors as of Session; EnvironmentErrors say that what is finished is kept.
 RunResult render_run(const Session& session, const RunRequest& request);
-
-/// One of several times that are rendered along the same paths.
-struct RunOfTime {
-  const Session* session;
-  const RunRequest* request;  ///< null: it is done, and there for the others
-};
-struct RunTogether {
-  int threads = 0;
-  const CancelToken* cancel = nullptr;
-  ProgressSink* progress = nullptr;  ///< phases; those of the requests are told of their tiles
-  std::optional<std::chrono::steady_clock::time_point> deadline;
-  std::size_t most_bytes = 0;  ///< by thread, of what they share
-};
-
-/// Errors as of render_run(). Of those that are done nothing comes back.
-std::vector<RunResult> render_runs(std::span<const RunOfTime> runs,
-                                   const scene::TemperaturesOfTimes& temperatures, const RunTogether& how);
 
 }  // namespace ifov::session

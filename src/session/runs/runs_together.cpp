@@ -1,13 +1,19 @@
+#include "session/runs/runs_together.h"
+
 #include <algorithm>
 
-#include "session/runs/one_run.h"
-#include "session/runs/run.h"
+#include "core/error.h"
+#include "render/image_renderer.h"
+#include "render/series/series_renderer.h"
+#include "session/loaded/parts.h"
+#include "session/runs/stop_request.h"
+#include "session/runs/time_limit.h"
 
 namespace ifov::session {
 
 std::vector<RunResult> render_runs(std::span<const RunOfTime> runs,
                                    const scene::TemperaturesOfTimes& temperatures, const RunTogether& how) {
-  std::vector<std::unique_ptr<Run>> begun;
+  std::vector<std::unique_ptr<OneRun>> begun;
   std::vector<render::RenderJob> jobs;
   std::vector<render::ImageOfTime> images;
   std::vector<std::unique_ptr<StopRequest>> stops;
@@ -20,8 +26,8 @@ std::vector<RunResult> render_runs(std::span<const RunOfTime> runs,
       begun.push_back(nullptr);
       continue;
     }
-    begun.push_back(std::make_unique<Run>(*runs[k].session, *runs[k].request));
-    Run& run = *begun.back();
+    begun.push_back(std::make_unique<OneRun>(*runs[k].session, *runs[k].request));
+    OneRun& run = *begun.back();
     run.keeping([&] { run.begin(); });
     if (end) *end -= run.time_for_products();
     stops.push_back(std::make_unique<StopRequest>(run.stop_file(), cancel));
@@ -47,7 +53,7 @@ std::vector<RunResult> render_runs(std::span<const RunOfTime> runs,
   }
   std::vector<RunResult> results(runs.size());
   for (std::size_t k = 0; k < runs.size(); ++k)
-    if (begun[k] != nullptr) results[k] = begun[k]->keeping([&] { return begun[k]->end(seconds[k]); });
+    if (begun[k] != nullptr) begun[k]->keeping([&] { results[k] = begun[k]->end(seconds[k]); });
   return results;
 }
 

@@ -10,6 +10,7 @@
 #include "io/quantities/quantity_set.h"
 #include "io/run_state/run_folder.h"
 #include "session/runs/run_record_file.h"
+#include "session/runs/runs_together.h"
 #include "session/series/series_document.h"
 #include "session/series/series_products.h"
 #include "session/series/series_record.h"
@@ -167,8 +168,8 @@ class SeriesRun {
       if (!shares_) break;
       while (first + sessions.size() < until)
         sessions.push_back(loaded(first + sessions.size(), left(first + sessions.size() + 1)));
-      std::vector<const Session*> all;
-      for (const Session& session : sessions) all.push_back(&session);
+      std::vector<const Parts*> all;
+      for (const Session& session : sessions) all.push_back(&session.parts());
       shared = share_temperatures(all);
       if (shared.of == nullptr) break;
     }

@@ -7,21 +7,20 @@
 #include "render/image_renderer.h"
 #include "render/series/series_renderer.h"
 #include "session/loaded/parts.h"
-#include "session/session.h"
 
 namespace ifov::session {
 
-SharedTemperatures share_temperatures(std::span<const Session* const> by_time) {
+SharedTemperatures share_temperatures(std::span<const Parts* const> by_time) {
   SharedTemperatures shared;
   if (by_time.size() < 2) return {nullptr, "there is one"};
-  if (by_time.front()->parts().document.platform) return {nullptr, "the sensor moves"};
+  if (by_time.front()->document.platform) return {nullptr, "the sensor moves"};
   std::vector<render::RenderJob> jobs;
   std::vector<const render::RenderJob*> all;
   std::vector<const scene::Scene*> scenes;
   jobs.reserve(by_time.size());
-  for (const Session* session : by_time) {
-    all.push_back(&jobs.emplace_back(session->parts().job()));
-    scenes.push_back(&session->parts().scene);
+  for (const Parts* parts : by_time) {
+    all.push_back(&jobs.emplace_back(parts->job()));
+    scenes.push_back(&parts->scene);
   }
   shared.why_not = render::cannot_share_paths(all);
   if (!shared.why_not.empty()) return shared;

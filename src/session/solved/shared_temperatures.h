@@ -8,14 +8,14 @@
 
 namespace ifov::session {
 
-class Session;
+struct Parts;
 
-/// The solved temperatures of sessions of one document at several times, asked together.
+/// The solved temperatures of one document, loaded at several times, to be asked together.
 struct SharedTemperatures {
   std::unique_ptr<const scene::TemperaturesOfTimes> of;  ///< null: they cannot be
   std::string why_not;                                   ///< in words
 };
-/// Keeps references to the sessions' scenes.
-SharedTemperatures share_temperatures(std::span<const Session* const> by_time);
+/// Keeps references to the scenes.
+SharedTemperatures share_temperatures(std::span<const Parts* const> by_time);
 
 }  // namespace ifov::session
