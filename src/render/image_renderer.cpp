@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "render/image_tiles.h"
-#include "render/scene_field.h"
 #include "render/tile_loop.h"
 #include "render/tile_sink.h"
 #include "render/view_renderer.h"
@@ -25,8 +24,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   TilesInOrder in_order(control.tile_order, tiles.size());
   TileSource& source = control.source != nullptr ? *control.source : in_order;
   render_from(source, control.threads, [&](std::size_t index) {
-    const std::unique_ptr<SceneField> field = image.field();
-    const sampling::TileResult result = image.render(index, *field);
+    const sampling::TileResult result = image.render(index);
     sink.write(result);
     tally.add(result);
   });

@@ -194,4 +194,19 @@ sampling::TileResult ImageTiles::render(std::size_t index, SceneField& field) co
   return result;
 }
 
+sampling::TileResult ImageTiles::render(std::size_t index) const { return render(index, *parts_->field()); }
+
+std::string cannot_share_paths(std::span<const RenderJob* const> by_time) {
+  const RenderJob& first = *by_time.front();
+  if (first.camera.view_list() != nullptr) return "their rays are a list";
+  if (first.image_wide) return "the accuracy is that of the image as a whole";
+  if (first.polarimetry != nullptr || first.parts) return "more than radiance is told";
+  if (!first.scene.scene().mirror_assignments().empty()) return "there are mirrors or panes";
+  for (const RenderJob* job : by_time) {
+    if (job->scene.scene().sun) return "the Sun lights the image";
+    if (job->scene.scene().world != first.scene.scene().world) return "the scene is not the same";
+  }
+  return "";
+}
+
 }  // namespace ifov::render

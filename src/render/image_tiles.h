@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "sampling/field.h"
@@ -28,10 +30,15 @@ class ImageTiles {
   std::unique_ptr<SceneField> tracer() const;      ///< the same, for paths whose light others make
   /// Throws Cancelled.
   sampling::TileResult render(std::size_t index, SceneField& field) const;
+  sampling::TileResult render(std::size_t index) const;
 
  private:
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
+
+/// Why images of several times cannot share their paths, in words; empty: they can. Of jobs that differ in how warm surfaces are, and in
+/// what follows from that alone.
+std::string cannot_share_paths(std::span<const RenderJob* const> by_time);
 
 }  // namespace ifov::render

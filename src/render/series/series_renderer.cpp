@@ -4,7 +4,6 @@
 #include <chrono>
 #include <memory>
 
-#include "geometry/world.h"
 #include "render/image_renderer.h"
 #include "render/image_tiles.h"
 #include "render/scene_field.h"
@@ -12,10 +11,6 @@
 #include "render/series/temperatures_by_time.h"
 #include "render/tile_loop.h"
 #include "render/tile_sink.h"
-#include "sampling/pixel_sampler.h"
-#include "scene/scene.h"
-#include "sensor/camera.h"
-#include "transport/spectral_scene.h"
 
 namespace ifov::render {
 namespace {
@@ -23,19 +18,6 @@ namespace {
 bool wants(const ImageOfTime& image, std::size_t tile) { return !image.wanted.empty() && image.wanted[tile]; }
 
 }  // namespace
-
-std::string cannot_share_paths(std::span<const RenderJob* const> by_time) {
-  const RenderJob& first = *by_time.front();
-  if (first.camera.view_list() != nullptr) return "their rays are a list";
-  if (first.image_wide) return "the accuracy is that of the image as a whole";
-  if (first.polarimetry != nullptr || first.parts) return "more than radiance is told";
-  if (!first.scene.scene().mirror_assignments().empty()) return "there are mirrors or panes";
-  for (const RenderJob* job : by_time) {
-    if (job->scene.scene().sun) return "the Sun lights the image";
-    if (job->scene.scene().world != first.scene.scene().world) return "the scene is not the same";
-  }
-  return "";
-}
 
 std::vector<double> render_times(std::span<const ImageOfTime> images,
                                  const scene::TemperaturesOfTimes& temperatures, const RenderControl& control,

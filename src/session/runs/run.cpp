@@ -12,7 +12,7 @@
 #include "io/run_state/run_folder.h"
 #include "io/run_state/run_state.h"
 #include "render/image_renderer.h"
-#include "render/series/series_renderer.h"
+#include "render/series/image_of_time.h"
 #include "session/loaded/parts.h"
 #include "session/messages.h"
 #include "session/runs/coordinator.h"

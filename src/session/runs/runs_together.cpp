@@ -4,12 +4,22 @@
 
 #include "core/error.h"
 #include "render/image_renderer.h"
+#include "render/image_tiles.h"
 #include "render/series/series_renderer.h"
 #include "session/loaded/parts.h"
 #include "session/runs/stop_request.h"
 #include "session/runs/time_limit.h"
 
 namespace ifov::session {
+
+std::string cannot_run_together(std::span<const Parts* const> by_time) {
+  if (by_time.size() < 2) return "there is one";
+  std::vector<render::RenderJob> jobs;
+  std::vector<const render::RenderJob*> all;
+  jobs.reserve(by_time.size());
+  for (const Parts* parts : by_time) all.push_back(&jobs.emplace_back(parts->job()));
+  return render::cannot_share_paths(all);
+}
 
 std::vector<RunResult> render_runs(std::span<const RunOfTime> runs,
                                    const scene::TemperaturesOfTimes& temperatures, const RunTogether& how) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "session/runs/run.h"
@@ -19,6 +20,8 @@ class TemperaturesOfTimes;
 }
 
 namespace ifov::session {
+
+struct Parts;
 
 /// A run whose tiles somebody else traces: begun, then ended when these have come.
 class OneRun {
@@ -39,6 +42,9 @@ class OneRun {
   struct Inside;
   std::unique_ptr<Inside> run_;
 };
+
+/// Why times cannot be rendered along the same paths, in words; empty: they can.
+std::string cannot_run_together(std::span<const Parts* const> by_time);
 
 /// One of several times that are rendered along the same paths.
 struct RunOfTime {

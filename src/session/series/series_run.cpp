@@ -46,7 +46,8 @@ class SeriesRun {
     if (count_ > 1) refuse_what_is_still(first);
     refuse_what_is_there();
     require_weather_at_ends(first);
-    shares_ = count_ > 1 && SharedScene::serves(first) && solved_temperature_at(first).has_value();
+    shares_ = count_ > 1 && SharedScene::serves(first) && !first.platform &&
+              solved_temperature_at(first).has_value();
     tell_of_crossovers(first);
     std::filesystem::create_directories(result_.folder);
     record_.write(result_.folder);
@@ -162,7 +163,7 @@ class SeriesRun {
     if (left(first) == left(end)) return true;
     if (is_over()) return false;
     std::vector<Session> sessions;
-    SharedTemperatures shared;
+    std::unique_ptr<const scene::TemperaturesOfTimes> shared;
     // Two tell whether it is worth loading all.
     for (const std::size_t until : {std::min(end, first + 2), end}) {
       if (!shares_) break;
@@ -170,14 +171,16 @@ class SeriesRun {
         sessions.push_back(loaded(first + sessions.size(), left(first + sessions.size() + 1)));
       std::vector<const Parts*> all;
       for (const Session& session : sessions) all.push_back(&session.parts());
-      shared = share_temperatures(all);
-      if (shared.of == nullptr) break;
+      std::string why_not = cannot_run_together(all);
+      if (why_not.empty() && (shared = share_temperatures(all)) == nullptr)
+        why_not = "the steps of their temperatures do not fall on each other";
+      if (why_not.empty()) continue;
+      shared.reset();
+      shares_ = end - first < 2 && shares_;
+      log_.info(format("each time has paths of its own: {}", why_not));
+      break;
     }
-    if (shares_ && shared.of == nullptr) {
-      shares_ = false;
-      log_.info(format("each time has paths of its own: {}", shared.why_not));
-    }
-    if (shared.of != nullptr) return render_together(first, sessions, *shared.of, left(end));
+    if (shared != nullptr) return render_together(first, sessions, *shared, left(end));
     for (std::size_t k = first; k < end; ++k) {
       if (finished_[k]) continue;
       if (is_over()) return false;
