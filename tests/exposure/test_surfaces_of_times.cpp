@@ -105,8 +105,8 @@ TEST(SurfacesOfTimes, MeansAreThoseOfExactSums) {
       const double error_k = std::sqrt(spread_k2 / kDraws);
       EXPECT_NEAR(mean_k[t], exact_k, 0.03 + 4.0 * error_k) << place.name << " " << t;
       farthest_k = std::max(farthest_k, std::abs(mean_k[t] - exact_k));
-      // What is told of the spread is its mean square, or a little more.
-      EXPECT_GT(told_k2[t], 0.93 * spread_k2 - 1e-4) << place.name << " " << t;
+      // What is told of the spread is its mean square; what the second-order term scatters by is not in it, as of one time alone.
+      EXPECT_GT(told_k2[t], 0.85 * spread_k2 - 1e-4) << place.name << " " << t;
       EXPECT_LT(told_k2[t], 1.5 * spread_k2 + 1e-3) << place.name << " " << t;
       const exposure::SolvedSurface& other = times.surface((t + 1) % 12, place.number);
       misplaced_k = std::max(
