@@ -37,9 +37,9 @@ struct SeriesOutcome {
   int exit_code() const { return static_cast<int>(verdict); }
 };
 
-/// Renders a document at several times, one after the other, each into a folder of its own below that of the series: the scene
-/// is read and built once, and each time's products are, byte for byte, those of the document with that "time". `times`: the
-/// first, a step and how many, by ISO 8601: "2025-06-20T00:00Z/PT15M/96". A series that is stopped goes on with
+/// Renders a document at several times, each into a folder of its own below that of the series: the scene is read and built once,
+/// and each time's products are those of the document with that "time", byte for byte or, where times are rendered along the same
+/// paths (docs/guide/temperatures.md), within the intervals of both. `times`: the first, a step and how many, by ISO 8601: "2025-06-20T00:00Z/PT15M/96". A series that is stopped goes on with
 /// RunStart::resume. Errors as of Simulation, with the time that they are about.
 IFOV_API SeriesOutcome render_series(const Document& document, const std::string& times,
                                      const SeriesOptions& options = {});

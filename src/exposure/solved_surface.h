@@ -46,6 +46,9 @@ class SolvedSurface final : public scene::SolvedTemperature {
   double temperature_k(const geometry::SurfacePoint& point, const Exposure& exposure) const;
 
   const thermal::SurfaceClasses& classes() const { return *classes_; }
+  const std::shared_ptr<const thermal::SurfaceClasses>& shared_classes() const { return classes_; }
+  const PastScene& scene() const { return scene_; }
+  double sun_radius_rad() const { return sun_radius_rad_; }
 
  private:
   struct PastRay {

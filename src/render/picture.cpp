@@ -110,6 +110,12 @@ std::unique_ptr<SceneField> Picture::field() const {
   return std::make_unique<SceneField>(job_.scene, job_.camera, transport_, job_.label_detail, told_);
 }
 
+std::unique_ptr<SceneField> Picture::tracer() const {
+  transport::TransportOptions transport = transport_;
+  transport.no_spectra = true;
+  return std::make_unique<SceneField>(job_.scene, job_.camera, transport, job_.label_detail, told_);
+}
+
 void Picture::find_wings() {
   const auto field = this->field();
   std::vector<WingSpots::Box> boxes = unsampled_.met();
@@ -122,6 +128,11 @@ void Picture::find_wings() {
 }
 
 sampling::TileResult Picture::tile(const sampling::PixelRect& tile, std::size_t number) const {
+  return this->tile(tile, number, *field());
+}
+
+sampling::TileResult Picture::tile(const sampling::PixelRect& tile, std::size_t number,
+                                   SceneField& field) const {
   if (cancel_ != nullptr && cancel_->cancelled()) throw Cancelled();
   const PilotRays::Near pilot_rays = pilot_rays_ ? pilot_rays_->near(tile, margin_px_) : PilotRays::Near{};
   sampling::TileProblem problem = problem_of(tile);
@@ -131,7 +142,6 @@ sampling::TileResult Picture::tile(const sampling::PixelRect& tile, std::size_t 
   sampling::TileResult before;
   if (job_.earlier != nullptr && job_.earlier->read(number, before)) problem.before = &before;
 
-  SceneField field(job_.scene, job_.camera, transport_, job_.label_detail, told_);
   const auto later = unsampled_.tell(problem.tile, static_cast<std::size_t>(field.blends().first_column()));
   problem.later = later.get();
   sampling::TileResult result;

@@ -27,13 +27,16 @@ class Picture {
 
   /// One tile, of a number among the job's earlier tiles. From any thread. Throws Cancelled.
   sampling::TileResult tile(const sampling::PixelRect& tile, std::size_t number) const;
+  /// The same by way of a field() that no other tile had.
+  sampling::TileResult tile(const sampling::PixelRect& tile, std::size_t number, SceneField& field) const;
+  std::unique_ptr<SceneField> field() const;
+  std::unique_ptr<SceneField> tracer() const;  ///< the same, for paths whose light others make
 
   /// Of rays that belong to no tile.
   const sampling::RayCounts& rays() const { return rays_; }
 
  private:
   sampling::TileProblem problem_of(const sampling::PixelRect& tile) const;
-  std::unique_ptr<SceneField> field() const;
   void find_wings();
 
   const RenderJob& job_;

@@ -15,13 +15,6 @@
 
 namespace ifov::render {
 
-namespace {
-
-/// Paths found together: many, so that the ray tracer's own data stay in the cache; few enough that what they met does.
-constexpr std::size_t kGroup = 512;
-
-}  // namespace
-
 SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Camera& camera,
                        transport::TransportOptions transport, LabelDetail detail, const LightTold& told)
     : scene_(scene),
@@ -100,27 +93,41 @@ void SceneField::values_and_materials(std::span<const sampling::PathRequest> req
 
 void SceneField::values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
                         std::span<float> values, LabelDetail detail) {
+  if (shared_ != nullptr) return shared_->values(*this, requests, labels, values);
   const std::size_t row_length = static_cast<std::size_t>(stride());
-  for (std::size_t first = 0; first < requests.size(); first += kGroup) {
-    const std::size_t count = std::min(kGroup, requests.size() - first);
-    points_.resize(count);
-    keys_.resize(count);
-    rays_.resize(count);
-    hits_.resize(count);
-    for (std::size_t k = 0; k < count; ++k) {
-      points_[k] = requests[first + k].point;
-      keys_[k] = {requests[first + k].sequence, requests[first + k].index};
-    }
-    camera_.rays(points_, rays_);
-    const transport::PathRecord& paths = tracer_->trace(rays_, keys_, hits_, counts_);
-    for (std::size_t k = 0; k < count; ++k) {
-      float* row = values.data() + (first + k) * row_length;
-      light_->write(paths, k, points_[k], rays_[k], row);
-      if (blends_.count() > 0) blends_.write_shares(hits_[k], row);
-      unseen_.write(paths.paths[k], row);
-    }
+  for (std::size_t first = 0; first < requests.size(); first += kMostTraced) {
+    const std::size_t count = std::min(kMostTraced, requests.size() - first);
+    const transport::PathRecord& paths = trace_paths(requests.subspan(first, count));
+    for (std::size_t k = 0; k < count; ++k) write(*this, paths, k, values.data() + (first + k) * row_length);
     label_hits(hits_, detail, labels.subspan(first, count));
   }
+}
+
+const transport::PathRecord& SceneField::trace_paths(std::span<const sampling::PathRequest> requests) {
+  const std::size_t count = requests.size();
+  points_.resize(count);
+  keys_.resize(count);
+  rays_.resize(count);
+  hits_.resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    points_[k] = requests[k].point;
+    keys_[k] = {requests[k].sequence, requests[k].index};
+  }
+  camera_.rays(points_, rays_);
+  return tracer_->trace(rays_, keys_, hits_, counts_);
+}
+
+const transport::PathRecord& SceneField::trace(std::span<const sampling::PathRequest> requests,
+                                               std::span<sampling::Label> labels) {
+  const transport::PathRecord& paths = trace_paths(requests);
+  label_hits(hits_, detail_, labels);
+  return paths;
+}
+
+void SceneField::write(const SceneField& by, const transport::PathRecord& paths, std::size_t k, float* row) {
+  light_->write(paths, k, by.points_[k], by.rays_[k], row);
+  if (blends_.count() > 0) blends_.write_shares(by.hits_[k], row);
+  unseen_.write(paths.paths[k], row);
 }
 
 void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelDetail detail,

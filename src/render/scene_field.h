@@ -32,6 +32,16 @@ class MapDetail;
 class SceneLight;
 class SurfaceMaps;
 
+class SceneField;
+
+/// Where a field's values come from that it shares with others.
+class SharedValues {
+ public:
+  virtual ~SharedValues() = default;
+  virtual void values(SceneField& of, std::span<const sampling::PathRequest> requests,
+                      std::span<sampling::Label> labels, std::span<float> values) = 0;
+};
+
 /// The picture on a camera's focal plane: answers a sampler's queries by tracing the scene. One tile, one thread.
 class SceneField final : public sampling::Field {
  public:
@@ -68,7 +78,19 @@ class SceneField final : public sampling::Field {
   void settle(sampling::TileResult& tile) const;
   sampling::RayCounts counts() const override { return counts_; }
 
+  /// Values come from there from now on, with labels as of whole paths; `count()` says what they took.
+  void share(SharedValues* values) { shared_ = values; }
+  void count(const sampling::RayCounts& rays) { counts_ += rays; }
+  /// The paths of some requests, until the next call; labels where they begin.
+  const transport::PathRecord& trace(std::span<const sampling::PathRequest> requests,
+                                     std::span<sampling::Label> labels);
+  /// The light of path k of those, or of what was made of them, which `by` has traced: a row of values.
+  void write(const SceneField& by, const transport::PathRecord& paths, std::size_t k, float* row);
+  /// Paths found together: many, so that the ray tracer's own data stay in the cache; few enough that what they met does.
+  static constexpr std::size_t kMostTraced = 512;
+
  private:
+  const transport::PathRecord& trace_paths(std::span<const sampling::PathRequest> requests);
   /// Whether sunlight on a surface is seen from the side that is viewed, and whether light from behind is, too.
   bool shows_sunlight(const scene::ResolvedSurface& surface, bool& transmits) const;
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
@@ -93,6 +115,7 @@ class SceneField final : public sampling::Field {
   };
   std::vector<Sunlight> sunlight_;       // by material
   std::vector<math::Vec3> disc_points_;  // directions to the fixed points of the Sun's disc
+  SharedValues* shared_ = nullptr;
   sampling::RayCounts counts_;
   std::vector<sampling::FocalPoint> points_;
   std::vector<math::Ray> rays_, sun_rays_;

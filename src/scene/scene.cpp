@@ -11,6 +11,7 @@
 #include "scene/cut_out.h"
 #include "scene/lamp.h"
 #include "scene/solved_temperature.h"
+#include "scene/temperature_scope.h"
 
 namespace ifov::scene {
 
@@ -111,7 +112,9 @@ void Scene::solve(const geometry::SurfacePoint& point, std::uint64_t draw, Resol
     Constituent& part = surface.constituents[k];
     const std::uint32_t by = states[part.state].solved;
     if (by == 0) continue;
-    if (by != known) estimate = solved[by - 1]->at(point, draw);
+    TemperatureScope* const scope = TemperatureScope::current();
+    if (by != known)
+      estimate = scope != nullptr ? scope->answer(by - 1, point, draw) : solved[by - 1]->at(point, draw);
     known = by;
     part.mapped_temperature_k = estimate.kelvin;
     part.deviation_k = estimate.deviation_k;

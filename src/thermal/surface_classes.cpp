@@ -59,9 +59,9 @@ SurfaceClasses::SurfaceClasses(std::shared_ptr<const OutdoorsSeries> series, Cla
   parallel_for(static_cast<std::int64_t>(bounding.size()), threads, [&](std::int64_t index) {
     const int k = static_cast<int>(index) % kBounding, level = index < kBounding ? 0 : top_level_;
     bounding[static_cast<std::size_t>(index)] =
-        k < 2 ? &node_at(level, kRings[static_cast<std::size_t>(k)], 0)
-              : &node_at(level, kRings[static_cast<std::size_t>(2 + (k - 2) / kSides)],
-                         (k - 2) % kSides * (kAzimuths / kSides));
+        &node_at(k < 2 ? place_of(level, kRings[static_cast<std::size_t>(k)], 0)
+                       : place_of(level, kRings[static_cast<std::size_t>(2 + (k - 2) / kSides)],
+                                  (k - 2) % kSides * (kAzimuths / kSides)));
   });
   coldest_k_ = hottest_k_ = bounding[0]->shaded_k[0];
   double warmest_shaded_k = coldest_k_, most_k = 0.0;
@@ -133,20 +133,28 @@ double SurfaceClasses::time_s(std::size_t row, double steps) const {
 
 math::Vec3 SurfaceClasses::sun_at(std::size_t row, double steps) const {
   const Row& of = rows_[row];
+  if (of.index + 1 == rows()) steps = -std::abs(steps);  // as time_s()
   const math::Vec3& other = steps < 0.0 ? of.before : of.after;
   const math::Vec3 between = (1.0 - std::abs(steps)) * of.sun + std::abs(steps) * other;
   return math::normalized(between);
 }
 
-const SurfaceClasses::Node& SurfaceClasses::node_at(int level, int ring, int azimuth) const {
-  const std::size_t index = ring == 0        ? 0
-                            : ring == kTilts ? 1
-                                             : static_cast<std::size_t>(2 + (ring - 1) * kAzimuths + azimuth);
-  Place& place = places_[kDirections * static_cast<std::size_t>(level) + index];
+std::size_t SurfaceClasses::place_of(int level, int ring, int azimuth) {
+  const std::size_t direction = ring == 0 ? 0
+                                : ring == kTilts
+                                    ? 1
+                                    : static_cast<std::size_t>(2 + (ring - 1) * kAzimuths + azimuth);
+  return kDirections * static_cast<std::size_t>(level) + direction;
+}
+
+const SurfaceClasses::Node& SurfaceClasses::node_at(std::size_t number) const {
+  Place& place = places_[number];
   if (!place.solved.load(std::memory_order_acquire))
     std::call_once(place.once, [&] {
-      solve(place.node, levels_.height_m(level), ring * kTiltStep_rad,
-            ring % kTilts == 0 ? 0.0 : azimuth * kAzimuthStep_rad);
+      const int direction = static_cast<int>(number % kDirections), in_rings = direction - 2;
+      const int ring = direction == 0 ? 0 : direction == 1 ? kTilts : 1 + in_rings / kAzimuths;
+      solve(place.node, levels_.height_m(static_cast<int>(number / kDirections)), ring * kTiltStep_rad,
+            direction < 2 ? 0.0 : in_rings % kAzimuths * kAzimuthStep_rad);
       place.solved.store(true, std::memory_order_release);
     });
   return place.node;
@@ -164,8 +172,9 @@ SurfaceClasses::Corners SurfaceClasses::corners(const Pose& pose) const {
   constexpr double kRounding = 1e-9;  // a wall is not solved for what leans by less
   const auto add = [&](int level, int ring, double share) {
     const auto one = [&](int azimuth, double of_ring) {
-      if (share * of_ring > kRounding)
-        found.all[found.count++] = {&node_at(level, ring, azimuth), share * of_ring};
+      if (!(share * of_ring > kRounding)) return;
+      const std::size_t place = place_of(level, ring, azimuth);
+      found.all[found.count++] = {&node_at(place), share * of_ring, place};
     };
     if (ring % kTilts == 0) return one(0, 1.0);
     one(west, 1.0 - east);

@@ -118,6 +118,7 @@ class SurfaceClasses {
     struct Corner {
       const Node* node = nullptr;
       double share = 0.0;
+      std::size_t place = 0;  ///< of the node
     };
     std::array<Corner, 8> all;
     std::size_t count = 0;
@@ -130,8 +131,11 @@ class SurfaceClasses {
     Node node;
   };
   Corners corners(const Pose& pose) const;
-  const Node& node_at(int level, int ring, int azimuth) const;
+  static std::size_t place_of(int level, int ring, int azimuth);
+  const Node& node_at(std::size_t place) const;
   void solve(Node& node, double height_m, double tilt_rad, double azimuth_rad) const;
+
+  friend class ClassesOfTimes;  // the same of several times
 
   std::shared_ptr<const OutdoorsSeries> series_;
   ClassSurface surface_;

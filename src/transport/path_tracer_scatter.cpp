@@ -41,7 +41,7 @@ std::uint32_t PathTracer::add_mixed(const scene::ResolvedSurface& surface, const
 PathVertex PathTracer::vertex_of(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
                                  math::Vec3 outgoing) {
   PathVertex vertex;
-  if (!scene_.is_mixed(surface)) {
+  if (!options_.no_spectra && !scene_.is_mixed(surface)) {
     vertex.emission = scene_.emission(surface, outgoing, nullptr);
     return vertex;
   }

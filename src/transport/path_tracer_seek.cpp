@@ -127,7 +127,7 @@ void PathTracer::trace_seeks(sampling::RayCounts& counts) {
     vertex.sought_weight = static_cast<float>(seek.weight);
     const scene::ResolvedSurface surface = scene_.scene().resolve(hit);
     const math::Vec3 outgoing = -seek.aim.direction;
-    if (scene_.is_mixed(surface))
+    if (options_.no_spectra || scene_.is_mixed(surface))
       vertex.sought_mixed = add_mixed(surface, SurfaceLobe{}, outgoing);
     else
       vertex.sought_emission = scene_.emission(surface, outgoing, nullptr);

@@ -17,26 +17,25 @@ struct TransportOptions {
   bool seek_lobes = true;
   /// Sunlight is sought by way of so many flat mirrors in turn, at most SunImages::kMostReflections; 0: none.
   int mirror_reflections = 8;
-  /// Two kinds of sunlight are left out that paths otherwise find by chance, seldom and bright: glints on curved mirrors
-  /// that the sensor sees directly, which are added separately (Glints), and what reaches a surface that scatters by mirrors
-  /// that are not sought, which is marked (UnseenLight).
+  /// Two kinds of sunlight are left out that paths otherwise find by chance, seldom and bright: glints on curved mirrors that the sensor
+  /// sees directly, which are added separately (Glints), and what reaches a surface that scatters by mirrors that are not sought, which is marked (UnseenLight).
   bool sought_only = false;
   /// The Sun's disc where the sensor sees it with nothing between is left out, because it is added separately.
   bool sun_apart = false;
-  /// Highlights of the Sun in narrow lobes that the sensor sees directly (SunLobes): as all other light; left out, because they
-  /// are added separately (Highlights); or nothing else but them, for whoever adds them.
+  /// Highlights of the Sun in narrow lobes that the sensor sees directly (SunLobes): as all other light; left out, because they are added separately
+  /// (Highlights); or nothing else but them, for whoever adds them.
   enum class Highlights : std::uint8_t { found, left_out, alone };
   Highlights highlights = Highlights::found;
   /// Objects whose highlights are not left out all the same, sorted; null: none.
   const std::vector<std::uint32_t>* large_lobes = nullptr;
   /// Of these the ones whose highlights may be smaller than a pixel, sorted; null: none.
   const std::vector<std::uint32_t>* unsure_lobes = nullptr;
-  /// By material, 0 to 1: the share of the open sky's light that the Lambertian surfaces which the sensor sees take from its integral, while
-  /// what their paths find in it counts by the rest; the mean is the same for any share, and the variance least where it is the
-  /// share of the sky that they see (a control variate). null: 0.
+  /// By material, 0 to 1: the share of the open sky's light that the Lambertian surfaces which the sensor sees take from its integral, while what their
+  /// paths find in it counts by the rest; the mean is the same for any share, and the variance least where it is the share that they see (a control variate). null: 0.
   const std::vector<float>* sky_shares = nullptr;
   /// Images in mirrors that are added separately: paths see through what they show; null: none.
   const SeparateImages* separate_images = nullptr;
+  bool no_spectra = false;  ///< recorded is what any scene of these surfaces can make its light of
 };
 
 }  // namespace ifov::transport

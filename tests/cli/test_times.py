@@ -6,6 +6,7 @@ import json
 import math
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import time
@@ -38,6 +39,8 @@ STREET = """{"ifov": 1, "time": "2026-06-21T12:00Z",
 """
 LONG = STREET.replace("[14, 10]", "[84, 60]").replace("0.5 m", "8.4 cm")
 NIGHT = "2026-06-21T18:00Z/PT2H/3"
+# Steps of 15 minutes do not fall on each other: each time has paths of its own.
+APART = "2026-06-21T18:00Z/PT2H5M/3"
 
 
 def planck_k(um, radiance):
@@ -137,17 +140,58 @@ class Street(unittest.TestCase):
                          ["2026-06-21T1800Z", "2026-06-21T2000Z", "2026-06-21T2200Z", "image_animation.gif",
                           "image_crossovers.csv", "image_crossovers.png", "image_series.json"])
 
-    def test_a_time_has_the_bytes_that_it_has_alone(self):
-        for hour, threads in (("18", 1), ("22", 3)):
-            alone = run("render", "street.json", "--set", f"time=2026-06-21T{hour}:00Z", "-o", f"alone{hour}", "-j", threads,
+    def test_a_time_with_paths_of_its_own_has_the_bytes_that_it_has_alone(self):
+        done = run("render", "street.json", "--times", APART, "-o", "apart", "-j", "2", "--log", "apart.log", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("each time has paths of its own: the steps of their temperatures do not fall on each other",
+                      (self.folder / "apart.log").read_text())
+        for clock, threads in (("18:00", 1), ("22:10", 3)):
+            alone = run("render", "street.json", "--set", f"time=2026-06-21T{clock}Z", "-o", f"alone{clock}", "-j", threads,
                         "--no-cache", cwd=self.folder)
             self.assertEqual(alone.returncode, 0, alone.stderr)
-            of_series, of_run = products(self.folder / "day" / f"2026-06-21T{hour}00Z"), products(self.folder / f"alone{hour}")
+            of_series = products(self.folder / "apart" / f"2026-06-21T{clock.replace(':', '')}Z")
+            of_run = products(self.folder / f"alone{clock}")
             self.assertEqual(sorted(of_series), sorted(of_run))
             for name, content in of_run.items():
                 self.assertEqual(of_series[name], content, name)
-        self.assertNotEqual(products(self.folder / "alone18")["image_radiance.img"],
-                            products(self.folder / "alone22")["image_radiance.img"])
+        self.assertNotEqual(products(self.folder / "alone18:00")["image_radiance.img"],
+                            products(self.folder / "alone22:10")["image_radiance.img"])
+
+    def test_times_along_shared_paths_are_within_the_intervals_of_each_alone(self):
+        """Independent estimates of 95 % intervals, whose difference lies within both together; that of another time does not."""
+        times = "2026-06-21T09:00Z/PT30M/9"
+        shared = run("render", "street.json", "--times", times, "-o", "shared", "--log", "shared.log", "--set", "sampling.accuracy.error=2 K",
+                     "--set", "sensor.camera.orthographic.pixels=[28, 20]", "--set", "sensor.camera.orthographic.gsd=0.25 m", cwd=self.folder)
+        self.assertEqual(shared.returncode, 0, shared.stderr)
+        self.assertIn("9 times go along the same paths", (self.folder / "shared.log").read_text())
+        images = {}
+        for clock in ("0930", "1130", "1300"):
+            alone = run("render", "street.json", "--set", f"time=2026-06-21T{clock[:2]}:{clock[2:]}Z", "-o", f"own{clock}", "--set", "seed=5",
+                        "--set", "sampling.accuracy.error=2 K", "--set", "sensor.camera.orthographic.pixels=[28, 20]",
+                        "--set", "sensor.camera.orthographic.gsd=0.25 m", cwd=self.folder)
+            self.assertEqual(alone.returncode, 0, alone.stderr)
+            for kind, place in (("shared", self.folder / "shared" / f"2026-06-21T{clock}Z"), ("own", self.folder / f"own{clock}")):
+                images[kind, clock] = [cube(place / f"image_{name}.img")[0] for name in ("radiance", "half_width")]
+
+        def within(one, other):
+            return [abs(a - b) <= math.hypot(p, q) for a, b, p, q in zip(one[0], other[0], one[1], other[1])]
+
+        for clock, wrong in (("0930", "1130"), ("1130", "0930"), ("1300", "0930")):
+            held = within(images["shared", clock], images["own", clock])
+            self.assertGreater(sum(held) / len(held), 0.95, clock)
+            bias = sum(a - b for a, b in zip(images["shared", clock][0], images["own", clock][0])) / len(held)
+            mean = sum(images["own", clock][0]) / len(held)
+            self.assertLess(abs(bias) / mean, 1e-3, clock)  # 0.06 K of the mean of all
+            # The planted fault: a time's temperatures at another.
+            held = within(images["shared", wrong], images["own", clock])
+            self.assertLess(sum(held) / len(held), 0.8, clock)
+            bias = sum(a - b for a, b in zip(images["shared", wrong][0], images["own", clock][0])) / len(held)
+            self.assertGreater(abs(bias) / mean, 1e-2, clock)
+        again = run("render", "street.json", "--times", times, "-o", "again", "-j", "1", "--set", "sampling.accuracy.error=2 K",
+                    "--set", "sensor.camera.orthographic.pixels=[28, 20]", "--set", "sensor.camera.orthographic.gsd=0.25 m", cwd=self.folder)
+        self.assertEqual(again.returncode, 0, again.stderr)
+        for clock in ("0900", "1130", "1300"):
+            self.assertEqual(products(self.folder / "shared" / f"2026-06-21T{clock}Z"), products(self.folder / "again" / f"2026-06-21T{clock}Z"))
 
     def test_curves_are_means_of_the_products(self):
         text = (self.folder / "day" / "image_crossovers.csv").read_text()
@@ -222,10 +266,10 @@ class Killed(unittest.TestCase):
     def test_goes_on_with_the_times_and_tiles_that_are_missing(self):
         with Folder(street=LONG) as folder:
             (folder / "june.csv").write_text(JUNE)
-            whole = run("render", "street.json", "--times", NIGHT, "-o", "whole", "-q", cwd=folder)
+            whole = run("render", "street.json", "--times", APART, "-o", "whole", "-q", cwd=folder)
             self.assertEqual(whole.returncode, 0, whole.stderr)
-            command = [PROGRAM, "render", "street.json", "--times", NIGHT, "-o", "cut", "-q"]
-            second = folder / "cut" / "2026-06-21T2000Z" / "run.part"
+            command = [PROGRAM, "render", "street.json", "--times", APART, "-o", "cut", "-q"]
+            second = folder / "cut" / "2026-06-21T2005Z" / "run.part"
             with subprocess.Popen(command, cwd=folder) as process:
                 end = time.monotonic() + 100
                 while not list(second.glob("tiles/*.tiles")) and time.monotonic() < end:
@@ -233,8 +277,8 @@ class Killed(unittest.TestCase):
                 process.send_signal(signal.SIGKILL)
             self.assertFalse((folder / "cut" / "image_animation.gif").exists())
             status = run("status", "cut", cwd=folder)
-            self.assertRegex(status.stdout, r"times +1 of 3 times\nleft +2 times, about .*\nbegun +2026-06-21T20:00Z\n")
-            refused = run("render", "street.json", "--times", NIGHT, "-o", "cut", cwd=folder)
+            self.assertRegex(status.stdout, r"times +1 of 3 times\nleft +2 times, about .*\nbegun +2026-06-21T20:05Z\n")
+            refused = run("render", "street.json", "--times", APART, "-o", "cut", cwd=folder)
             self.assertEqual(refused.returncode, 1)
             self.assertIn("'cut' holds a series that is not finished: --resume goes on with it, --restart throws it away and "
                           "begins", refused.stderr)
@@ -243,10 +287,35 @@ class Killed(unittest.TestCase):
             self.assertEqual(rest.returncode, 0, rest.stderr)
             self.assertEqual(first, (folder / "cut" / "2026-06-21T1800Z" / "image_radiance.img").stat().st_mtime_ns)
             self.assertRegex((folder / "rest.log").read_text(), r"1 of 3 times are done already")
-            for hour in (18, 20, 22):
-                self.assertEqual(products(folder / "whole" / f"2026-06-21T{hour}00Z"), products(folder / "cut" / f"2026-06-21T{hour}00Z"))
+            for clock in ("1800", "2005", "2210"):
+                self.assertEqual(products(folder / "whole" / f"2026-06-21T{clock}Z"), products(folder / "cut" / f"2026-06-21T{clock}Z"))
             for name in ("animation.gif", "crossovers.csv", "crossovers.png"):
                 self.assertEqual((folder / "whole" / f"image_{name}").read_bytes(), (folder / "cut" / f"image_{name}").read_bytes())
+
+    def test_times_along_shared_paths_go_on_with_their_tiles(self):
+        with Folder(street=LONG) as folder:
+            (folder / "june.csv").write_text(JUNE)
+            whole = run("render", "street.json", "--times", NIGHT, "-o", "whole", "-q", "-j", "1", cwd=folder)
+            self.assertEqual(whole.returncode, 0, whole.stderr)
+            command = [PROGRAM, "render", "street.json", "--times", NIGHT, "-o", "cut", "-q"]
+            begun = [folder / "cut" / f"2026-06-21T{hour}00Z" / "run.part" for hour in (18, 20, 22)]
+            with subprocess.Popen(command, cwd=folder) as process:
+                end = time.monotonic() + 100
+                while not all(list(one.glob("tiles/*.tiles")) for one in begun) and time.monotonic() < end:
+                    time.sleep(0.02)
+                process.send_signal(signal.SIGKILL)
+            status = run("status", "cut", cwd=folder)
+            self.assertRegex(status.stdout, r"times +0 of 3 times\nbegun +2026-06-21T22:00Z\n")
+            rest = run(*command[1:], "--resume", "--log", "rest.log", cwd=folder)
+            self.assertEqual(rest.returncode, 0, rest.stderr)
+            self.assertRegex((folder / "rest.log").read_text(), r"[1-9]\d* of \d+ tiles are done already")
+            for hour in (18, 20, 22):
+                self.assertEqual(products(folder / "whole" / f"2026-06-21T{hour}00Z"), products(folder / "cut" / f"2026-06-21T{hour}00Z"))
+            # One that is done stays, and helps those that are not.
+            shutil.rmtree(folder / "cut" / "2026-06-21T2000Z")
+            rest = run(*command[1:], "--resume", cwd=folder)
+            self.assertEqual(rest.returncode, 0, rest.stderr)
+            self.assertEqual(products(folder / "whole" / "2026-06-21T2000Z"), products(folder / "cut" / "2026-06-21T2000Z"))
 
 
 class Mistakes(unittest.TestCase):

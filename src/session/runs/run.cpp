@@ -12,6 +12,7 @@
 #include "io/run_state/run_folder.h"
 #include "io/run_state/run_state.h"
 #include "render/image_renderer.h"
+#include "render/series/image_of_time.h"
 #include "session/loaded/parts.h"
 #include "session/messages.h"
 #include "session/runs/coordinator.h"
@@ -19,7 +20,9 @@
 #include "session/runs/rank_messages.h"
 #include "session/runs/refinement.h"
 #include "session/runs/resource_check.h"
+#include "session/runs/run_keeping.h"
 #include "session/runs/run_products.h"
+#include "session/runs/runs_together.h"
 #include "session/runs/stop_request.h"
 #include "session/runs/tile_assembly.h"
 #include "session/runs/time_limit.h"
@@ -31,77 +34,6 @@ namespace {
 /// What assembly takes is set aside of a time limit: this, and the products' bytes at these rates.
 constexpr double kAssembly_s = 1.0, kCached_bytes_per_s = 60e6, kDirect_bytes_per_s = 150e6;
 constexpr const char* kTimeLimit = "the time limit came first";
-
-/// Keeps finished tiles, hands them to the products, and notes which there are.
-class KeepingSink final : public render::TileSink {
- public:
-  KeepingSink(const io::RunPlan& plan, TileAssembly* assembly, io::RunState* state, io::TilesDone& tiles)
-      : plan_(plan), assembly_(assembly), state_(state), tiles_(tiles) {}
-  void begin(const render::ImageInfo&) override {}
-  void write(const sampling::TileResult& tile) override {
-    const std::size_t index = render::tile_index(tile.tile.x0, tile.tile.y0, plan_.image.width_px,
-                                                 plan_.tile_px, plan_.image.sweep_lines);
-    if (state_ != nullptr) state_->put(static_cast<std::uint32_t>(index), tile);
-    if (assembly_ != nullptr) assembly_->write(index, tile);
-    const std::scoped_lock lock(mutex_);
-    tiles_.done[index] = true;
-    sampling::add_reasons(tile.reasons, tiles_.reasons);
-  }
-
- private:
-  const io::RunPlan& plan_;
-  TileAssembly* assembly_;
-  io::RunState* state_;
-  std::mutex mutex_;
-  io::TilesDone& tiles_;
-};
-
-void add_work(Progress& sum, const Progress& work) {
-  sum.pixels_done += work.pixels_done;
-  sum.pixels_converged += work.pixels_converged;
-  sum.rays += work.rays;
-  sum.worst_error_ratio = std::max(sum.worst_error_ratio, work.worst_error_ratio);
-}
-
-/// Hands the progress on, counted from the first start of the run, with what other ranks do now; and keeps the last of
-/// it without them for runs that end early.
-class LastProgress final : public ProgressSink {
- public:
-  LastProgress(const Progress& before, ProgressSink* next, const cluster::TileServer* coordinator)
-      : before_(before),
-        last_(before),
-        next_(next),
-        coordinator_(coordinator),
-        begin_(std::chrono::steady_clock::now()) {}
-  void report(const Progress& progress) override {
-    const std::scoped_lock lock(mutex_);
-    last_ = before_;
-    add_work(last_, progress);
-    check();
-  }
-  /// Where nothing new is known of this process.
-  void report_others() {
-    const std::scoped_lock lock(mutex_);
-    check();
-  }
-  const Progress& last() const { return last_; }
-
- private:
-  void check() {
-    last_.elapsed_s =
-        before_.elapsed_s + std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-    if (next_ == nullptr) return;
-    Progress all = last_;
-    if (coordinator_ != nullptr) add_work(all, coordinator_->others());
-    next_->report(all);
-  }
-
-  std::mutex mutex_;
-  Progress before_, last_;
-  ProgressSink* next_;
-  const cluster::TileServer* coordinator_;
-  std::chrono::steady_clock::time_point begin_;
-};
 
 /// One start of a run.
 class Run {
@@ -126,13 +58,10 @@ class Run {
   }
 
   /// Where the surroundings fail, the message says that nothing is lost.
-  RunResult go() {
+  template <class Action>
+  auto keeping(Action&& action) const {
     try {
-      take_finished();
-      trace();
-      const int packs = state_ ? state_->close() : 0;
-      if (coordinator_ != nullptr) state_->find(0, packs);
-      return finish();
+      return action();
     } catch (const SystemError& error) {
       throw SystemError(kept(error.what()));
     } catch (const std::bad_alloc&) {
@@ -140,11 +69,55 @@ class Run {
     }
   }
 
+  RunResult go() {
+    return keeping([&] {
+      take_finished();
+      trace();
+      return close();
+    });
+  }
+
+  // The same of one time among several, whose tiles come from render_times().
+  void begin() {
+    take_finished();
+    job_.emplace(parts_.job());
+    set_contents(plan_, *job_);
+    progress_.emplace(totals_, options_.progress, nullptr);
+    sink_.emplace(plan_, &*assembly_, state_ ? &*state_ : nullptr, tiles_);
+  }
+  render::ImageOfTime image() {
+    render::ImageOfTime image{*job_, &*sink_, &*progress_, std::vector<bool>(tiles_.done.size())};
+    for (const int tile : tiles_left()) image.wanted[static_cast<std::size_t>(tile)] = true;
+    return image;
+  }
+  /// Where tiles may be asked to end early, and when they must.
+  std::filesystem::path stop_file() const {
+    return state_ ? io::stop_file(folder_) : std::filesystem::path();
+  }
+  TimeLimit::Clock::duration time_for_products() const {
+    const io::ProductBytes bytes = io::product_bytes(plan_);
+    return std::chrono::duration_cast<TimeLimit::Clock::duration>(
+        std::chrono::duration<double>(kAssembly_s + static_cast<double>(bytes.cached) / kCached_bytes_per_s +
+                                      static_cast<double>(bytes.direct) / kDirect_bytes_per_s));
+  }
+  RunResult end(double elapsed_s) {
+    const double before_s = totals_.elapsed_s;
+    totals_ = progress_->last();
+    totals_.elapsed_s = before_s + elapsed_s;
+    return close();
+  }
+
  private:
   std::string kept(const std::string& what) const {
     if (!state_ || (tiles_.count() == 0 && coordinator_ == nullptr)) return what;
     return format("{}\nFinished tiles are kept in {}: put this right and go on with --resume.", what,
                   state_->path().string());
+  }
+
+  RunResult close() {
+    const int packs = state_ ? state_->close() : 0;
+    if (coordinator_ != nullptr) state_->find(0, packs);
+    return finish();
   }
 
   void take_finished() {
@@ -205,13 +178,8 @@ class Run {
     if (left.empty()) return;
     if (options_.progress != nullptr) options_.progress->phase("");
     std::optional<TimeLimit::Clock::time_point> end = deadline_;
-    if (end && products_) {
-      const io::ProductBytes bytes = io::product_bytes(plan_);
-      *end -= std::chrono::duration_cast<TimeLimit::Clock::duration>(std::chrono::duration<double>(
-          kAssembly_s + static_cast<double>(bytes.cached) / kCached_bytes_per_s +
-          static_cast<double>(bytes.direct) / kDirect_bytes_per_s));
-    }
-    const StopRequest stop(state_ ? io::stop_file(folder_) : std::filesystem::path(), options_.cancel);
+    if (end && products_) *end -= time_for_products();
+    const StopRequest stop(stop_file(), options_.cancel);
     const std::unique_ptr<cluster::TileServer> server =
         coordinator_ != nullptr ? begin_workers(left, end, stop.token()) : nullptr;
     const TimeLimit limit(end, server ? server->token() : stop.token());
@@ -306,9 +274,27 @@ class Run {
   std::optional<TileAssembly> assembly_;
   io::TilesDone tiles_;
   Progress totals_;
+  // Of begin().
+  std::optional<render::RenderJob> job_;
+  std::optional<LastProgress> progress_;
+  std::optional<KeepingSink> sink_;
 };
 
 }  // namespace
+
+struct OneRun::Inside : Run {
+  using Run::Run;
+};
+
+OneRun::OneRun(const Session& session, const RunRequest& request)
+    : run_(std::make_unique<Inside>(session, request)) {}
+OneRun::~OneRun() = default;
+void OneRun::keeping(const std::function<void()>& action) const { run_->keeping(action); }
+void OneRun::begin() { run_->begin(); }
+render::ImageOfTime OneRun::image() { return run_->image(); }
+std::filesystem::path OneRun::stop_file() const { return run_->stop_file(); }
+std::chrono::steady_clock::duration OneRun::time_for_products() const { return run_->time_for_products(); }
+RunResult OneRun::end(double elapsed_s) { return run_->end(elapsed_s); }
 
 RunResult render_run(const Session& session, const RunRequest& request) { return Run(session, request).go(); }
 

@@ -10,27 +10,23 @@
 #include "io/quantities/quantity_set.h"
 #include "io/run_state/run_folder.h"
 #include "session/runs/run_record_file.h"
+#include "session/runs/runs_together.h"
+#include "session/series/series_document.h"
 #include "session/series/series_products.h"
 #include "session/series/series_record.h"
 #include "session/series/series_sun.h"
 #include "session/series/series_voice.h"
 #include "session/shared_scene.h"
+#include "session/solved/shared_temperatures.h"
 #include "session/solved/solved_temperatures.h"
 
 namespace ifov::session {
 namespace {
 
-std::vector<std::string> shown_channels(const io::Document& document) {
-  std::vector<std::string> names;
-  for (const io::DocumentName& channel : document.output.quicklook_channels) names.push_back(channel.name);
-  return names;
-}
-
-/// No picture but a list.
-bool is_of_views(const io::Document& document) {
-  const std::string& model = document.sensor.camera.model;
-  return model == "points" || model == "rays";
-}
+/// Times that are rendered together: those of the series in parts of so many, whoever of them are there already, so that what comes out
+/// does not depend on where it was stopped.
+constexpr std::size_t kTogether = 32;
+constexpr std::size_t kMostShared_bytes = 256'000'000;
 
 class SeriesRun {
  public:
@@ -47,17 +43,17 @@ class SeriesRun {
     record_.name = first.output.name;
     for (const SeriesTimes::One& one : request_.times.all) record_.times.push_back({one.text, one.folder});
     result_.folder = folder_of(first);
-    refuse_what_is_still(first);
+    if (count_ > 1) refuse_what_is_still(first);
     refuse_what_is_there();
     require_weather_at_ends(first);
+    shares_ = count_ > 1 && SharedScene::serves(first) && !first.platform &&
+              solved_temperature_at(first).has_value();
     tell_of_crossovers(first);
     std::filesystem::create_directories(result_.folder);
     record_.write(result_.folder);
     find_finished();
-    for (std::size_t k = 0; k < count_; ++k) {
-      if (finished_[k]) continue;
-      if (is_over() || !render(k)) return stopped_early();
-    }
+    for (std::size_t k = 0; k < count_; k += kTogether)
+      if (!render(k, std::min(count_, k + kTogether))) return stopped_early();
     add_finished();
     const SeriesFiles made = make_series_products(
         {result_.folder, record_, shown_channels(first), is_of_views(first), place_of(first)}, &log_);
@@ -102,17 +98,6 @@ class SeriesRun {
     } catch (const SystemError& error) {
       throw SystemError(text(error));
     }
-  }
-
-  /// Whose every time would be the same picture.
-  void refuse_what_is_still(const io::Document& document) const {
-    if (count_ == 1 || document.weather || document.scene.origin.geographic || document.platform ||
-        !SharedScene::serves(document))
-      return;
-    throw InputError(format(
-        "{}: nothing in it changes with the time: it has no \"weather\", no object with \"present\", and no latitude and "
-        "longitude in its \"origin\", from which it follows where the Sun stands",
-        document.sources.file_name));
   }
 
   /// Nothing finished is thrown away unasked, and what was begun is not begun again.
@@ -169,14 +154,49 @@ class SeriesRun {
     return request_.run.deadline && std::chrono::steady_clock::now() >= *request_.run.deadline;
   }
 
-  /// False where the deadline came first.
-  bool render(std::size_t k) {
-    const auto more =
-        std::count(finished_.begin() + static_cast<std::ptrdiff_t>(k) + 1, finished_.end(), false);
-    progress_.time(k, record_.times[k].time, static_cast<std::size_t>(more));
+  /// Times from one to before another, together where they can. False where the deadline came first.
+  bool render(std::size_t first, std::size_t end) {
+    const auto left = [&](std::size_t from) {
+      return static_cast<std::size_t>(
+          std::count(finished_.begin() + static_cast<std::ptrdiff_t>(from), finished_.end(), false));
+    };
+    if (left(first) == left(end)) return true;
+    if (is_over()) return false;
+    std::vector<Session> sessions;
+    std::unique_ptr<const scene::TemperaturesOfTimes> shared;
+    // Two tell whether it is worth loading all.
+    for (const std::size_t until : {std::min(end, first + 2), end}) {
+      if (!shares_) break;
+      while (first + sessions.size() < until)
+        sessions.push_back(loaded(first + sessions.size(), left(first + sessions.size() + 1)));
+      std::vector<const Parts*> all;
+      for (const Session& session : sessions) all.push_back(&session.parts());
+      std::string why_not = cannot_run_together(all);
+      if (why_not.empty() && (shared = share_temperatures(all)) == nullptr)
+        why_not = "the steps of their temperatures do not fall on each other";
+      if (why_not.empty()) continue;
+      shared.reset();
+      shares_ = end - first < 2 && shares_;
+      log_.info(format("each time has paths of its own: {}", why_not));
+      break;
+    }
+    if (shared != nullptr) return render_together(first, sessions, *shared, left(end));
+    for (std::size_t k = first; k < end; ++k) {
+      if (finished_[k]) continue;
+      if (is_over()) return false;
+      const bool is_loaded = k - first < sessions.size();
+      const Session session = is_loaded ? std::move(sessions[k - first]) : loaded(k, left(k + 1));
+      if (!render_alone(k, session, left(k + 1))) return false;
+    }
+    return true;
+  }
+
+  /// With what is said of it; `more` times come after it.
+  Session loaded(std::size_t k, std::size_t more) {
+    progress_.time(k, record_.times[k].time, more);
     log_.info(format("time {} ({} of {})", record_.times[k].time, k + 1, count_));
     return named(k, [&] {
-      const Session session = load(k);
+      Session session = load(k);
       if (request_.strict && !session.warnings().empty())
         throw InputError(format("{} warning{} on loading, which --strict makes {}", session.warnings().size(),
                                 session.warnings().size() == 1 ? "" : "s",
@@ -185,18 +205,64 @@ class SeriesRun {
         if (std::find(result_.warnings.begin(), result_.warnings.end(), warning) == result_.warnings.end())
           result_.warnings.push_back(warning);
       if (request_.load.cancel != nullptr && request_.load.cancel->cancelled()) throw Cancelled();
-      RunRequest run = request_.run;
-      run.options.output_folder = folder_at(k);
-      run.options.log = &log_;
-      run.options.progress = &progress_;
+      return session;
+    });
+  }
+
+  RunRequest request_of(std::size_t k, ProgressSink* progress) {
+    RunRequest run = request_.run;
+    run.options.output_folder = folder_at(k);
+    run.options.log = &log_;
+    run.options.progress = progress;
+    return run;
+  }
+  /// Whether it is whole.
+  bool add(std::size_t k, RunResult run, const Session& session) {
+    const bool whole = run.tiles_left == 0;
+    result_.times.push_back(
+        {record_.times[k].time, folder_at(k), false, std::move(run), session.warnings().size()});
+    return whole;
+  }
+
+  bool render_alone(std::size_t k, const Session& session, std::size_t more) {
+    progress_.time(k, record_.times[k].time, more);
+    return named(k, [&] {
+      const RunRequest run = request_of(k, &progress_);
       const Call call{request_.inputs};  // what is finished is put away undisturbed
       const CallScope scope(call);
-      SeriesResult::OfTime made_now{record_.times[k].time, folder_at(k), false, render_run(session, run),
-                                    session.warnings().size()};
-      const bool whole = made_now.run.tiles_left == 0;
-      result_.times.push_back(std::move(made_now));
-      return whole;
+      return add(k, render_run(session, run), session);
     });
+  }
+
+  bool render_together(std::size_t first, const std::vector<Session>& sessions,
+                       const scene::TemperaturesOfTimes& temperatures, std::size_t more) {
+    log_.info(format("{} times go along the same paths; each thread keeps {} MB of these at most",
+                     sessions.size(), kMostShared_bytes / 1'000'000));
+    std::vector<RunRequest> requests;
+    std::vector<std::unique_ptr<ProgressSink>> parts;
+    std::vector<RunOfTime> runs;
+    requests.reserve(sessions.size());
+    SumOfProgress sum(progress_);
+    for (std::size_t k = 0; k < sessions.size(); ++k) {
+      parts.push_back(sum.part());
+      requests.push_back(request_of(first + k, parts.back().get()));
+      runs.push_back({&sessions[k], finished_[first + k] ? nullptr : &requests.back()});
+    }
+    progress_.times(first, sessions.size(), record_.times[first].time, more);
+    const Call call{request_.inputs};
+    const CallScope scope(call);
+    std::vector<RunResult> made = named(first, [&] {
+      return render_runs(runs, temperatures,
+                         {.threads = request_.run.options.threads,
+                          .cancel = request_.run.options.cancel,
+                          .progress = &progress_,
+                          .deadline = request_.run.deadline,
+                          .most_bytes = kMostShared_bytes});
+    });
+    bool whole = true;
+    for (std::size_t k = 0; k < sessions.size(); ++k)
+      if (!finished_[first + k]) whole = add(first + k, std::move(made[k]), sessions[k]) && whole;
+    return whole;
   }
 
   Session load(std::size_t k) {
@@ -226,8 +292,10 @@ class SeriesRun {
 
   SeriesResult stopped_early() {
     const auto there = static_cast<std::size_t>(std::count(finished_.begin(), finished_.end(), true));
-    const bool partial = !result_.times.empty() && result_.times.back().run.tiles_left > 0;
-    result_.times_left = count_ - there - result_.times.size() + (partial ? 1 : 0);
+    const auto whole = static_cast<std::size_t>(
+        std::count_if(result_.times.begin(), result_.times.end(),
+                      [](const SeriesResult::OfTime& one) { return one.run.tiles_left == 0; }));
+    result_.times_left = count_ - there - whole;
     return finished();
   }
 
@@ -243,6 +311,7 @@ class SeriesRun {
   SharedScene scene_;
   SeriesRecord record_;
   std::vector<bool> finished_;
+  bool shares_ = false;  ///< as far as is known, times can be rendered together
   SeriesResult result_;
 };
 

@@ -18,7 +18,7 @@ struct Document;
 
 namespace ifov::session {
 
-/// One document rendered at several times, one after the other, each into a folder of its own. Its scene is read and built once
+/// One document rendered at several times, along the same paths where it can be, each into a folder of its own. Its scene is read and built once
 /// (SharedScene).
 struct SeriesRequest {
   SeriesTimes times;

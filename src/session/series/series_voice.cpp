@@ -24,8 +24,13 @@ std::size_t SeriesLog::warnings() const {
 }
 
 void SeriesProgress::time(std::size_t number, const std::string& name, std::size_t more) {
+  times(number, 1, name, more);
+}
+
+void SeriesProgress::times(std::size_t first, std::size_t together, const std::string& name,
+                           std::size_t more) {
   const std::scoped_lock lock(mutex_);
-  number_ = number, name_ = name, more_ = more, rendering_ = false;
+  number_ = first, together_ = together, name_ = name, more_ = more, rendering_ = false;
   before_ = shown_;
 }
 
@@ -40,7 +45,9 @@ void SeriesProgress::report(const Progress& progress) {
   shown_.rays = before_.rays + progress.rays;
   shown_.worst_error_ratio = std::max(before_.worst_error_ratio, progress.worst_error_ratio);
   // Every time has as many pixels.
-  shown_.pixels_total = before_.pixels_done + progress.pixels_total * static_cast<std::int64_t>(1 + more_);
+  shown_.pixels_total = before_.pixels_done + progress.pixels_total *
+                                                  static_cast<std::int64_t>(together_ + more_) /
+                                                  static_cast<std::int64_t>(together_);
   shown_.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   if (next_ != nullptr) next_->report(shown_);
 }
@@ -49,8 +56,37 @@ void SeriesProgress::phase(const std::string& what) {
   const std::scoped_lock lock(mutex_);
   rendering_ = what.empty();
   if (next_ != nullptr)
-    next_->phase(what.empty() ? format("{} ({} of {})", name_, number_ + 1, times_)
-                              : format("{} ({} of {}): {}", name_, number_ + 1, times_, what));
+    next_->phase(format("{} ({}{} of {}){}{}", name_, number_ + 1,
+                        together_ > 1 ? format(" to {}", number_ + together_) : "", times_,
+                        what.empty() ? "" : ": ", what));
+}
+
+class SumOfProgress::Part final : public ProgressSink {
+ public:
+  Part(SumOfProgress& sum, std::size_t number) : sum_(sum), number_(number) {}
+  void report(const Progress& progress) override {
+    const std::scoped_lock lock(sum_.mutex_);
+    sum_.parts_[number_] = progress;
+    Progress all;
+    for (const Progress& part : sum_.parts_) {
+      all.pixels_done += part.pixels_done;
+      all.pixels_total += part.pixels_total;
+      all.pixels_converged += part.pixels_converged;
+      all.rays += part.rays;
+      all.worst_error_ratio = std::max(all.worst_error_ratio, part.worst_error_ratio);
+      all.elapsed_s = std::max(all.elapsed_s, part.elapsed_s);
+    }
+    sum_.to_.report(all);
+  }
+
+ private:
+  SumOfProgress& sum_;
+  std::size_t number_;
+};
+
+std::unique_ptr<ProgressSink> SumOfProgress::part() {
+  parts_.emplace_back();
+  return std::make_unique<Part>(*this, parts_.size() - 1);
 }
 
 }  // namespace ifov::session
