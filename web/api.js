@@ -28,7 +28,7 @@ export async function ask(name, query = {}, signal, method = "GET") {
 
 // What the screens share: sources as the server tells them, what is chosen, and who wants to know of it.
 export const app = Object.assign(new EventTarget(), {
-  sources: [], shown: 0, pixel: null, band: 0, selection: null, colours: null, document: false,
+  sources: [], shown: 0, pixel: null, band: 0, selection: null, colours: null, document: false, version: 0,
   tell(what) { app.dispatchEvent(new Event(what)); },
   on(what, listener) { app.addEventListener(what, listener); },
   run(k = app.shown) { return app.sources[k] && app.sources[k].run; },

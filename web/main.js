@@ -49,11 +49,13 @@ $("theme").addEventListener("click", () => {
 let generations = "", timer = 0, notices = "";
 async function look() {
   clearTimeout(timer);
-  let wait = 1000;
+  let wait = 1000;  // ms
   try {
     const said = await ask("sources");
     app.sources = said.sources;
     app.document = said.document;
+    const version = app.version || said.documentVersion;
+    app.version = said.documentVersion;
     if (!app.colours) { app.colours = await ask("colours"); app.tell("colours"); }
     // That a document has no products yet is what one expects.
     const faults = said.sources.filter(s => !said.document || s.run || s.watch).map(s => s.fault).filter(Boolean).join("; ");
@@ -61,6 +63,7 @@ async function look() {
     $("title").textContent = said.sources.map((s, k) => `${said.sources.length > 1 ? "AB"[k] + ": " : ""}${s.folder}`).join("   ") || "view";
     document.title = `${$("title").textContent} \u2013 ifov view`;
     app.tell("sources");
+    if (version !== app.version) app.tell("document");
     const now = said.sources.map(s => s.run ? s.generation : 0).join();
     if (now !== generations) {
       if (generations && said.sources.some(s => s.generation > 1)) $("notice").textContent = "The products were made anew, and are shown as they are now.";
@@ -71,7 +74,7 @@ async function look() {
     $("tab-image").disabled = $("tab-scatter").disabled = !has;
     $("tab-scene").disabled = !said.document;
     if (!opened) choose(has && !works ? "image" : works ? "run" : said.document ? "scene" : "run");
-    if (has && !works) wait = 3000;
+    wait = works ? 300 : has && !said.document ? 3000 : 1000;
   } catch (error) { complain(error); wait = 3000; }
   timer = setTimeout(look, wait);
 }

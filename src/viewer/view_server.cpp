@@ -18,6 +18,7 @@
 #include "viewer/http/bounded_server.h"
 #include "viewer/http/guard.h"
 #include "viewer/page.h"
+#include "viewer/sources/checked_document.h"
 #include "viewer/sources/open_run.h"
 #include "viewer/sources/scene_source.h"
 

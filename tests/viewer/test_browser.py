@@ -2,10 +2,11 @@
 
 import math
 import subprocess
+import sys
 import time
 
 from browsing import ActionChains, By, InBrowser, Keys, Select
-from viewing import LONG, PROGRAM, Scratch, Viewer, write_products
+from viewing import DOME, LONG, PROGRAM, TILES, Finished, Scratch, Viewer, slowdown, write_products
 
 EVIL = '<img src=x onerror=document.title="broken">'
 
@@ -155,13 +156,24 @@ class Page(InBrowser):
             self.wait(lambda: self.find("messages").find_elements(By.CLASS_NAME, "error"))
             self.assertTrue(self.find("listing").find_elements(By.CLASS_NAME, "wrong"))
             self.shot("document")
+            # It is edited: the page follows, its scene too.
+            (self.folder / "scene.json").write_text(DOME)
+            self.wait(lambda: "A warm dome" in self.find("listing").text and not self.find("messages").find_elements(By.CLASS_NAME, "error"))
+            self.wait(lambda: self.find("messages").find_elements(By.CLASS_NAME, "statement"))
+            self.assertFalse(self.find("listing").find_elements(By.CLASS_NAME, "wrong"))
+            self.find("tab-scene").click()
+            self.wait(lambda: "2 objects" in self.find("scene-text").text and not self.find("scene-wrong").is_displayed())
+            self.wait(lambda: self.find("view").get_attribute("data-step") == "1")
+            before = self.find("view").get_attribute("data-eye"), self.find("view").get_attribute("data-drawn")
+            (self.folder / "scene.json").write_text(DOME.replace('"radius": "0.4 m"', '"radius": "0.8 m"'))
+            self.wait(lambda: self.find("view").get_attribute("data-drawn") != before[1])
+            self.assertEqual(self.find("view").get_attribute("data-eye"), before[0])
             self.browser.get("about:blank")
         self.browser.get_log("browser")
 
     def test_a_run_at_work(self):
         with Scratch() as folder:
-            document = LONG.replace("4000, 4000", "448, 448").replace('"elements": [30, 30]', '"elements": [10, 10]')
-            (folder / "scene.json").write_text(document)
+            (folder / "scene.json").write_text(TILES)
             (folder / "out").mkdir()
             with Viewer(folder / "out", "--no-browser") as viewer:
                 self.browser.get(viewer.url)
@@ -171,6 +183,17 @@ class Page(InBrowser):
                 self.assertIn("tiles", self.find("figures").text)
                 self.assertTrue(self.find("stop-run").is_displayed())
                 self.shot("run")
+                # What is drawn is what was finished a second before, at most.
+                finished, late = Finished(folder / "out"), []
+                while render.poll() is None:
+                    drawn = int(self.find("tiles").get_attribute("data-tiles"))
+                    finished.look()
+                    ends = sorted(finished.elapsed, key=finished.elapsed.get)
+                    if len(ends) > drawn:
+                        late.append(finished.since(ends[drawn]))
+                    time.sleep(0.03)
+                print(f"tiles on the page: {max(late):.2f} s at most after they were finished", file=sys.stderr)
+                self.assertLess(max(late), slowdown())
                 self.assertIn(render.wait(timeout=120), (0, 5, 6))
                 self.wait(lambda: self.find("tab-image").is_enabled())
                 self.wait(lambda: not self.find("stop-run").is_displayed())

@@ -2,6 +2,7 @@
 
 import http.client
 import json
+import math
 import os
 import pathlib
 import re
@@ -10,12 +11,13 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 import urllib.parse
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/cli"))
 
-from program import DOME, LONG, PROGRAM, Folder, run  # noqa: E402, F401
+from program import DOME, LONG, PROGRAM, Folder, run, slowdown  # noqa: E402, F401
 
 
 class Viewer:
@@ -71,6 +73,36 @@ class Viewer:
         if "X-Ifov-About" in headers:
             return json.loads(headers["X-Ifov-About"]), struct.unpack(f"<{len(body) // 4}f", body)
         return json.loads(body)
+
+
+# A run of 49 tiles, some a second.
+TILES = LONG.replace("4000, 4000", "448, 448").replace('"elements": [30, 30]', '"elements": [10, 10]')
+
+
+class Finished:
+    """When each tile of a run at work was finished, as its records in packs tell it (docs/formats/run_state.md)."""
+
+    def __init__(self, folder):
+        self.folder, self.elapsed, self.begun, self.seen = pathlib.Path(folder) / "run.part/tiles", {}, math.inf, set()
+
+    def look(self):
+        for pack in sorted(self.folder.glob("*.tiles")):
+            try:
+                written, content = pack.stat().st_mtime, pack.read_bytes()
+            except FileNotFoundError:
+                continue
+            if (pack.name, written) in self.seen:
+                continue
+            self.seen.add((pack.name, written))
+            at = 0
+            while at + 208 <= len(content):
+                (tile,), (payload,), (elapsed,) = (struct.unpack_from(code, content, at + k) for code, k in (("<I", 16), ("<Q", 48), ("<d", 112)))
+                self.elapsed[tile] = elapsed
+                self.begun = min(self.begun, written - elapsed)  # a record is written once its tile is finished
+                at += 208 + payload
+
+    def since(self, tile):
+        return time.time() - self.begun - self.elapsed[tile]
 
 
 class Refused(Exception):

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "io/envi/colour_map.h"
 #include "io/json/json_writer.h"
+#include "viewer/sources/checked_document.h"
 #include "viewer/sources/open_run.h"
 #include "viewer/sources/run_watch.h"
 #include "viewer/sources/scene_source.h"
@@ -59,6 +60,13 @@ Answer Answers::answer(std::string_view name, const Query& query) {
 }
 
 bool Answers::changes(std::string_view name) { return name == "stop"; }
+
+std::uint64_t Answers::document_version() {
+  if (!document_) return 0;
+  const std::uint64_t version = document_->look();
+  if (scene_) scene_->follow(version);
+  return version;
+}
 
 Source& Answers::source(const Query& query) {
   if (sources_.empty()) throw Refused(404, "no folder is shown");

@@ -16,6 +16,7 @@ class SceneModel;
 
 namespace ifov::viewer {
 
+class CheckedDocument;
 class SceneSource;
 
 /// What the page may ask for, each under a name of a table. Knows nothing of HTTP. From any thread.
@@ -53,6 +54,8 @@ class Answers {
   /// The run of the generation that is asked for; 409 where there is another by now.
   std::shared_ptr<const OpenRun> run(const Query& query);
 
+  /// Which version of the document is shown, after a look at its file; 0 where none is.
+  std::uint64_t document_version();
   SceneSource& scene_source();
   std::shared_ptr<const session::SceneModel> scene_model();
 

@@ -15,12 +15,30 @@ namespace {
 /// Of all cubes that a mean over a region reads.
 constexpr std::uint64_t kMostRegionBytes = std::uint64_t{4} << 30;
 constexpr std::size_t kLongestRegion = 6000;
+constexpr const char* kNoRun = "no run is at work in the folder, or it has just ended";
 
 const OpenRun::Cube& cube_of(const OpenRun& run, const Query& query) {
   const std::string name = query.text("cube", 200);
   const OpenRun::Cube* cube = run.cube(name);
   if (cube == nullptr) throw Refused(404, format("the run has no cube '{}'", name));
   return *cube;
+}
+
+/// What is known of where tiles lie may be a third of a second old, and a run at work moves them: where one is not found, the run is
+/// looked at once more.
+RunWatch::Tile tile_of(const RunWatch& watch, const std::filesystem::path& folder, int tile, int channel) {
+  const auto index = static_cast<std::size_t>(tile), column = static_cast<std::size_t>(channel);
+  try {
+    return watch.tile(index, column);
+  } catch (const SystemError&) {
+    if (!holds_unfinished_run(folder)) throw Refused(409, kNoRun);
+  }
+  try {
+    return RunWatch(folder).tile(index, column);
+  } catch (const SystemError&) {
+    if (!holds_unfinished_run(folder)) throw Refused(409, kNoRun);
+    throw;
+  }
 }
 
 }  // namespace
@@ -92,13 +110,14 @@ Answer Answers::region(const Query& query) {
 }
 
 Answer Answers::tile(const Query& query) {
-  const auto watch = source(query).now().watch;
-  if (!watch) throw Refused(409, "no run is at work in the folder, or it has just ended");
+  Source& asked = source(query);
+  const auto watch = asked.now().watch;
+  if (!watch) throw Refused(409, kNoRun);
   const int tile = query.integer("tile", 0, static_cast<int>(watch->grid().size()) - 1);
   const int channel = query.integer("band", 0, watch->channels() - 1);
   if (!watch->done()[static_cast<std::size_t>(tile)]) throw Refused(409, "the tile is not done yet");
   const sampling::PixelRect rect = watch->grid()[static_cast<std::size_t>(tile)];
-  RunWatch::Tile values = watch->tile(static_cast<std::size_t>(tile), static_cast<std::size_t>(channel));
+  RunWatch::Tile values = tile_of(*watch, asked.folder(), tile, channel);
   std::vector<float> both = std::move(values.mean);
   both.insert(both.end(), values.worst_ratio.begin(), values.worst_ratio.end());
   return numbers(both,

@@ -104,6 +104,7 @@ Answer Answers::sources(const Query&) {
   JsonWriter json(JsonWriter::Layout::compact);
   json.object([&] {
     json.member("document", document_ != nullptr);
+    json.member("documentVersion", document_version());
     json.list("sources", [&] {
       for (const auto& source : sources_) {
         const Source::Now now = source->now();
