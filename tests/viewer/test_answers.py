@@ -68,17 +68,17 @@ class Products(unittest.TestCase):
         self.assertEqual(pixel["material_class"], [2])
 
     def test_projections_place_points_on_the_image(self):
-        about, values = self.viewer.ask("projection", **self.here, kind="bands", a=0, b=2, c=5)
+        about, values = self.viewer.ask("projection", **self.here, most=60000, kind="bands", a=0, b=2, c=5)
         self.assertEqual((about["step"], about["columns"], about["rows"], about["axes"]), (1, 24, 16, 3))
         x, y = 7, 11
         for k, channel in enumerate((0, 2, 5)):
             self.assertAlmostEqual(values[3 * (24 * y + x) + k], 100 * channel + 11.07, places=3)
         # All channels rise alike: one axis has all the variance, six times that of y + x / 100.
-        about, values = self.viewer.ask("projection", **self.here, kind="pca")
+        about, values = self.viewer.ask("projection", **self.here, most=60000, kind="pca")
         self.assertAlmostEqual(about["strength"][0], 6 * ((16**2 - 1) / 12 + (24**2 - 1) / 12e4), places=2)
         self.assertLess(about["strength"][1], 1e-6)
         # Noise c + 1 times 0.02 over the normal quantile: the ratio is that variance times the sum of 1 / noise variance.
-        about, values = self.viewer.ask("projection", **self.here, kind="mnf")
+        about, values = self.viewer.ask("projection", **self.here, most=60000, kind="mnf")
         noise = [(0.02 * (c + 1) / 1.959964) ** 2 for c in range(6)]
         expected = ((16**2 - 1) / 12 + (24**2 - 1) / 12e4) * sum(1 / v for v in noise)
         self.assertAlmostEqual(about["strength"][0] / expected, 1, places=3)
@@ -91,7 +91,7 @@ class Products(unittest.TestCase):
                 self.assertEqual(viewer.ask("sources")["sources"][0]["run"]["channels"][1]["name"], "band 2")
                 self.assertEqual(viewer.ask("pixel", **self.here, x=1, y=0), {"cube": [2, 7]})
                 with self.assertRaisesRegex(Refused, "the run tells no errors"):
-                    viewer.ask("projection", **self.here, kind="mnf")
+                    viewer.ask("projection", **self.here, most=60000, kind="mnf")
                 with self.assertRaisesRegex(Refused, "need a run record"):
                     viewer.ask("region", **self.here, corners="0,0,2,2")
 
