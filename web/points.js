@@ -1,4 +1,5 @@
-// Clouds of points, drawn by the graphics processor (WebGL2) or, where there is none, by hand: the same picture.
+// Clouds of points, drawn by the graphics processor (WebGL2) or, where there is none or one that is mere software, which takes ten
+// times as long, by hand: the same picture.
 // Each point is two pixels by two. What a point has of colour is its tint: red, green, blue and how much of them; 0: as much as
 // points lie on top of each other; 255: it was selected, and lies in front of all that were not.
 import {make, ticks, tickTexts} from "/tools.js";
@@ -66,9 +67,9 @@ function program(gl, vertex, fragment) {
 }
 
 class ByGraphics {
-  constructor(canvas) {
+  constructor(canvas, anyway) {
     this.canvas = canvas;
-    const gl = this.gl = canvas.getContext("webgl2", {alpha: false, antialias: false, depth: false, powerPreference: "high-performance"});
+    const gl = this.gl = canvas.getContext("webgl2", {alpha: false, antialias: false, depth: false, failIfMajorPerformanceCaveat: !anyway});
     if (!gl) throw new Error("no WebGL2");
     this.nearest = program(gl, POINTS, NEAREST);
     this.count = program(gl, POINTS, COUNT);
@@ -153,42 +154,51 @@ class ByHand {
   take(values, n, axes) { Object.assign(this, {values, n, axes}); }
   tint(colours) { this.colours = colours; }
 
-  draw({basis, scale, W, H, ground}) {
-    const {values, n, axes, colours, canvas} = this, [r, u, e] = basis, size = r.length;
-    const count = new Uint16Array(W * H), depth = new Float32Array(W * H).fill(-1e9), last = new Int32Array(W * H);
-    for (let i = 0; i < n; ++i) {
+  // While things move every some-th point will do.
+  draw({basis, scale, W, H, ground, moving}) {
+    const {values, n, axes, colours, canvas} = this, [r, u, e] = basis, size = r.length, stride = moving ? Math.ceil(n / 60000) : 1;
+    if (canvas.width !== W || canvas.height !== H || !this.count) {
+      [canvas.width, canvas.height] = [W, H];
+      this.context = canvas.getContext("2d");
+      this.picture = this.context.createImageData(W, H);
+      [this.count, this.depth, this.last] = [new Uint16Array(W * H), new Float32Array(W * H), new Int32Array(W * H)];
+    }
+    const {count, depth, last, picture} = this, out = picture.data;
+    count.fill(0);
+    for (let i = 0; i < n; i += stride) {
       let x = 0, y = 0, z = 0;
       for (let k = 0, at = i * axes; k < size; ++k) { const v = values[at + k]; x += r[k] * v; y += u[k] * v; z += e[k] * v; }
       const column = Math.floor(W / 2 + scale * x), row = Math.floor(H / 2 - scale * y);
       if (!(column >= 0 && row >= 0 && column < W - 1 && row < H - 1)) continue;
       if (colours[4 * i + 3] === 255) z += 1e6;
-      for (let k = 0; k < 4; ++k) {
-        const to = (row + (k >> 1)) * W + column + (k & 1);
+      for (let k = 0, to = row * W + column; k < 4; to += k++ === 1 ? W - 1 : 1) {
+        if (!count[to] || z > depth[to]) { depth[to] = z; last[to] = i; }
         if (count[to] < 65535) ++count[to];
-        if (z > depth[to]) { depth[to] = z; last[to] = i; }
       }
     }
-    [canvas.width, canvas.height] = [W, H];
-    const context = canvas.getContext("2d"), picture = context.createImageData(W, H), out = picture.data;
     for (let k = 0; k < count.length; ++k) {
-      const i = 4 * last[k], s = !count[k] ? 0 : colours[i + 3] ? colours[i + 3] / 255 : share(count[k]);
+      const i = 4 * last[k], s = !count[k] ? 0 : colours[i + 3] ? colours[i + 3] / 255 : share(count[k] * stride);
       for (let c = 0; c < 3; ++c) out[4 * k + c] = ground[c] + s * (colours[i + c] - ground[c]);
       out[4 * k + 3] = 255;
     }
-    context.putImageData(picture, 0, 0);
+    this.context.putImageData(picture, 0, 0);
   }
 }
 
-// Draws below the picture of `canvas`. `kind`: "graphics" or "hand"; `most` points are drawn fluently. `lost` is called where the
-// graphics processor is taken away: another is to be made.
-export function pointsBelow(canvas, lost, byHand = false) {
-  const below = make("canvas", {"aria-hidden": "true"});
+// Draws below the picture of `canvas`; `kind`: "graphics" or "hand". `by`: one of them, whether it is fast or not. `lost` is called where
+// the graphics processor is taken away: another is to be made.
+export function pointsBelow(canvas, lost, by) {
   let drawn;
   try {
-    if (byHand) throw new Error("not wanted");
-    drawn = Object.assign(new ByGraphics(below), {kind: "graphics", most: 1 << 20});
-    below.addEventListener("webglcontextlost", lost);
-  } catch { drawn = Object.assign(new ByHand(make("canvas", {"aria-hidden": "true"})), {kind: "hand", most: 60000}); }
+    if (by === "hand") throw new Error("not wanted");
+    drawn = new ByGraphics(make("canvas", {"aria-hidden": "true"}), by === "graphics");
+    drawn.kind = "graphics";
+    drawn.canvas.addEventListener("webglcontextlost", lost);
+  } catch (error) {
+    if (by === "graphics") throw error;
+    drawn = new ByHand(make("canvas", {"aria-hidden": "true"}));
+    drawn.kind = "hand";
+  }
   canvas.before(drawn.canvas);
   canvas.dataset.by = drawn.kind;
   return drawn;

@@ -7,10 +7,14 @@ import {$, brief, distinct, fill, fit, inside, make, percentiles, swatch} from "
 const canvas = $("cloud"), places = $("places");
 const state = {points: null, basis: [], zoom: 1, lasso: null, tool: "turn", spinning: false, planes: [], frame: 0, materials: null, wanted: "", picture: null, chosen: [0, 1, 2], active: false};
 
+const MOST = 1 << 20;  // points
 let painter = null;
-function paintBy(hand) {
+function paintBy(by) {
   if (painter) painter.canvas.remove();
-  painter = pointsBelow(canvas, () => { paintBy(true); state.wanted = ""; load(); }, hand);
+  painter = pointsBelow(canvas, () => { paintBy("hand"); drawCloud(); }, by);
+  if (!state.points) return;
+  painter.take(state.points.unit, state.points.n, state.points.axes);
+  tint();
 }
 
 const unit = (n, k) => Array.from({length: n}, (_, i) => +(i === k));
@@ -47,8 +51,8 @@ function tour() {
 async function load() {
   const run = app.run();
   if (!run || !state.active) return;
-  if (!painter) paintBy(false);
-  const kind = $("kind").value, query = {...app.query(), kind, most: painter.most};
+  if (!painter) paintBy();
+  const kind = $("kind").value, query = {...app.query(), kind, most: MOST};
   if (kind === "bands") [query.a, query.b, query.c] = state.chosen.map(k => Math.min(k, run.channels.length - 1));
   const key = JSON.stringify(query);
   if (key === state.wanted) return;
@@ -141,11 +145,12 @@ function tint() {
   painter.tint(colours);
 }
 
-function drawCloud() {
+// `what`: "moving" may be coarser; "above" leaves the points as they are.
+function drawCloud(what = "") {
   const {context, w, h} = fit(canvas), p = state.points;
   if (!p || !w) return;
   const at = screen(w, h), dark = isDark(), ground = dark ? [11, 16, 21] : [223, 228, 231], material = $("paint").value === "material" && state.materials;
-  painter.draw({basis: state.basis, scale: 0.4 * Math.min(w, h) * state.zoom * canvas.width / w, W: canvas.width, H: canvas.height, ground});
+  if (what !== "above") painter.draw({basis: state.basis, scale: 0.4 * Math.min(w, h) * state.zoom * canvas.width / w, W: canvas.width, H: canvas.height, ground, moving: what === "moving"});
   const axis = k => $("kind").value === "bands" ? $(`axis-${k}`).selectedOptions[0].text : `${$("kind").value === "pca" ? "PC" : "MNF"} ${k + 1}`;
   drawAxes(context, w, h, {basis: state.basis, middle: p.middle, spread: p.spread, zoom: state.zoom, name: axis, colour: dark ? "#9fadb8" : "#55626f"});
   const text = dark ? "#e4eaee" : "#16202c";
@@ -236,14 +241,14 @@ for (const where of [canvas, places]) {
     else from = [e.clientX, e.clientY];
   });
   where.addEventListener("pointermove", e => {
-    if (state.lasso) { state.lasso.points.push([e.offsetX, e.offsetY]); (where === canvas ? drawCloud : drawPlaces)(); return; }
+    if (state.lasso) { state.lasso.points.push([e.offsetX, e.offsetY]); where === canvas ? drawCloud("above") : drawPlaces(); return; }
     if (!from || where !== canvas) return;
     turn(0, 2, (e.clientX - from[0]) / 150);
     turn(1, 2, (from[1] - e.clientY) / 150);
     from = [e.clientX, e.clientY];
-    drawCloud();
+    drawCloud("moving");
   });
-  where.addEventListener("pointerup", () => { from = null; if (state.lasso) endLasso(); });
+  where.addEventListener("pointerup", () => { if (from) drawCloud(); from = null; if (state.lasso) endLasso(); });
 }
 canvas.addEventListener("wheel", e => { e.preventDefault(); state.zoom *= Math.exp(-e.deltaY / 500); drawCloud(); }, {passive: false});
 canvas.addEventListener("keydown", e => {
@@ -257,7 +262,7 @@ canvas.addEventListener("keydown", e => {
 function spin() {
   state.spinning = !state.spinning;
   $("spin").setAttribute("aria-pressed", String(state.spinning));
-  const step = () => { if (!state.spinning || !state.active) return; tour(); drawCloud(); requestAnimationFrame(step); };
+  const step = () => { if (!state.spinning || !state.active) { if (state.active) drawCloud(); return; } tour(); drawCloud("moving"); requestAnimationFrame(step); };
   state.frame = 0;
   step();
 }

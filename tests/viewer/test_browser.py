@@ -147,6 +147,43 @@ class Page(InBrowser):
         self.wait(lambda: int(self.find("cloud").get_attribute("data-drawn")) > before + 5)
         self.find("spin").click()
 
+    def test_graphics_and_hand_draw_the_same_points(self):
+        """The two ways to draw a cloud, pixel by pixel; a cloud that is turned by a hundredth is another."""
+        self.browser.set_script_timeout(60)
+        found = self.browser.execute_async_script("""
+            const done = arguments[arguments.length - 1];
+            import("/points.js").then(m => {
+              const n = 20000, axes = 5, W = 500, H = 400, values = new Float32Array(n * axes), colours = new Uint8Array(4 * n);
+              let seed = 1;
+              const random = () => (seed = seed * 48271 % 2147483647) / 2147483647;
+              for (let i = 0; i < n; ++i) {
+                for (let k = 0; k < axes; ++k) values[i * axes + k] = i % 97 ? random() + random() + random() - 1.5 : NaN;
+                if (i % 3) colours.set([11, 75, 95, i % 5 ? 0 : 120], 4 * i); else colours.set([200, 60, i % 256, i % 11 ? 0 : 255], 4 * i);
+              }
+              const draw = (by, angle) => {
+                const host = document.createElement("canvas");
+                document.body.append(host);
+                const painter = m.pointsBelow(host, () => {}, by), c = Math.cos(angle), s = Math.sin(angle);
+                painter.take(values, n, axes);
+                painter.tint(colours);
+                painter.draw({basis: [[c, 0, s, 0, 0], [0, 0.6, 0, 0, 0.8], [-s, 0, c, 0, 0]], scale: 150, W, H, ground: [223, 228, 231]});
+                const flat = document.createElement("canvas");
+                [flat.width, flat.height] = [W, H];
+                flat.getContext("2d").drawImage(painter.canvas, 0, 0);
+                painter.canvas.remove(); host.remove();
+                return flat.getContext("2d").getImageData(0, 0, W, H).data;
+              };
+              const off = (a, b) => { let count = 0; for (let k = 0; k < a.length; k += 4) if (Math.max(...[0, 1, 2].map(c => Math.abs(a[k + c] - b[k + c]))) > 2) ++count; return count / (W * H); };
+              const hand = draw("hand", 0.3);
+              let ground = 0;
+              for (let k = 0; k < hand.length; k += 4) if (hand[k] === 223 && hand[k + 1] === 228) ++ground;
+              done([off(hand, draw("graphics", 0.3)), off(hand, draw("graphics", 0.31)), ground / (W * H)]);
+            }).catch(error => done(String(error)));""")
+        same, turned, ground = found
+        self.assertLess(same, 0.002, found)
+        self.assertGreater(turned, 0.1, found)
+        self.assertTrue(0.2 < ground < 0.8, found)
+
     def test_documents_and_reasons(self):
         (self.folder / "scene.json").write_text('{\n  "ifov": 1,\n  "scene": {"objects": [{"plane": {}, "material": "' + EVIL.replace('"', "'") + '"}]},\n  "sensor": {}\n}\n')
         with Viewer(self.folder / "scene.json", "--no-browser") as viewer:
