@@ -18,7 +18,7 @@ async function load() {
   if (settled || loading || $("screen-document").hidden) return;
   loading = true;
   try {
-    const {version, file, text, checked, messages} = await ask("document", {source: app.shown}), again = shown !== 0, top = $("listing").scrollTop;
+    const {version, file, text, checked, messages} = await ask("document", app.source()), again = shown !== 0, top = $("listing").scrollTop;
     $("document-name").textContent = file + (checked ? "" : " \u2013 being checked ...");
     const order = ["failure", "error", "warning", "statement"];
     const here = m => m.line && (m.file === file || m.file.endsWith("/" + file) || file.endsWith("/" + m.file));

@@ -108,7 +108,9 @@ async function load() {
     const bases = await Promise.all(seen().map(k => layerIn(k, whole(app.run(k)))));
     if (turn !== wanted) return;
     const from = +$("low").value, to = +$("high").value;
-    ranges = (bases[0].rgb || [bases[0].values]).map(v => percentiles(v, from, to));
+    const what = JSON.stringify([state.layer, spectral() || !bases[0].rgb ? app.band : state.rgb, from, to]);
+    if (!app.hold || what !== state.stretched) ranges = (bases[0].rgb || [bases[0].values]).map(v => percentiles(v, from, to));
+    state.stretched = what;
     sheets = [];
     bases.forEach((raster, i) => { sheets[seen()[i]] = [paint(raster, ranges)]; });
     drawLegend(bases[0]);
@@ -272,7 +274,6 @@ function chooseLayer(layer) {
 app.on("runs", () => {
   const run = app.run();
   if (!run) { sheets = []; return; }
-  cache.clear();
   const other = app.run(1), same = other && other.width === run.width && other.height === run.height && other.channels.length === run.channels.length;
   $("compare").hidden = !same;
   if (!same) state.compare = "a";

@@ -73,12 +73,12 @@ def _along_time(record_file: pathlib.Path, runs: Sequence[xarray.Dataset]) -> xa
     same = {name: all(name in run.coords and first.coords[name].identical(run.coords[name]) for run in runs) for name in first.coords}
     dataset = xarray.Dataset(coords={name: first.coords[name] for name in first.coords if same[name]})
     dataset.attrs = {key: value for key, value in first.attrs.items() if all(run.attrs.get(key) == value for run in runs)}
-    for name in first.data_vars:
-        variables = [run.variables[name] for run in runs if name in run.data_vars]
+    for variable in first.data_vars:
+        variables = [run.variables[variable] for run in runs if variable in run.data_vars]
         if len(variables) < len(runs) or any(one.dims != variables[0].dims or one.shape != variables[0].shape for one in variables):
             continue
         lazy: Any = indexing.LazilyIndexedArray(_Times(variables))
-        dataset[name] = xarray.Variable(
+        dataset[variable] = xarray.Variable(
             ("time", *variables[0].dims), indexing.CopyOnWriteArray(lazy), variables[0].attrs, variables[0].encoding
         )
     return dataset

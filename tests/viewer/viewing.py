@@ -134,14 +134,14 @@ def write_cube(path, bands, names=None, wavelengths=None, unit=None, classes=Non
                 file.write(struct.pack(f"<{width}{code}", *band[y]))
 
 
-def write_products(folder, width=24, height=16, name="image", label="grass"):
-    """A run's products whose values say where they are: channel c of pixel (x, y) is 100 c + y + x / 100."""
+def write_products(folder, width=24, height=16, name="image", label="grass", factor=1):
+    """A run's products whose values say where they are: channel c of pixel (x, y) is 100 c + y + x / 100, times a factor."""
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     um = [0.48, 0.56, 0.66, 0.86, 1.65, 10.8]
     channels = [f"B{c + 1}" for c in range(len(um))]
     grid = lambda value: [[value(x, y) for x in range(width)] for y in range(height)]
-    values = [grid(lambda x, y, c=c: 100 * c + y + x / 100) for c in range(len(um))]
+    values = [grid(lambda x, y, c=c: factor * (100 * c + y + x / 100)) for c in range(len(um))]
     write_cube(folder / f"{name}_radiance.img", values, channels, um, "W m-2 sr-1 um-1")
     write_cube(folder / f"{name}_half_width.img", [grid(lambda x, y, c=c: 0.02 * (c + 1)) for c in range(len(um))], channels, um)
     write_cube(folder / f"{name}_abundance.img", [grid(lambda x, y: x / (width - 1)), grid(lambda x, y: 1 - x / (width - 1))], [label, "roof"])

@@ -41,10 +41,10 @@ const Row* row_of(std::string_view name) {
 
 }  // namespace
 
-Answers::Answers(std::vector<std::filesystem::path> folders, std::unique_ptr<CheckedDocument> document,
+Answers::Answers(ShownFolders shown, std::unique_ptr<CheckedDocument> document,
                  std::unique_ptr<SceneSource> scene)
-    : document_(std::move(document)), scene_(std::move(scene)) {
-  for (std::filesystem::path& folder : folders)
+    : times_(std::move(shown.times)), document_(std::move(document)), scene_(std::move(scene)) {
+  for (std::filesystem::path& folder : shown.folders)
     sources_.push_back(std::make_unique<Source>(std::move(folder)));
 }
 

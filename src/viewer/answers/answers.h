@@ -19,12 +19,17 @@ namespace ifov::viewer {
 class CheckedDocument;
 class SceneSource;
 
+/// What the command line names, as folders.
+struct ShownFolders {
+  std::vector<std::filesystem::path> folders;
+  std::vector<std::string> times;  ///< of each, where they are those of a series; else empty
+};
+
 /// What the page may ask for, each under a name of a table. Knows nothing of HTTP. From any thread.
 class Answers {
  public:
   /// `document` and its `scene` may be null.
-  Answers(std::vector<std::filesystem::path> folders, std::unique_ptr<CheckedDocument> document,
-          std::unique_ptr<SceneSource> scene);
+  Answers(ShownFolders shown, std::unique_ptr<CheckedDocument> document, std::unique_ptr<SceneSource> scene);
   ~Answers();
 
   /// Throws Refused; InputError and SystemError as readers do.
@@ -72,6 +77,7 @@ class Answers {
   };
 
   std::vector<std::unique_ptr<Source>> sources_;
+  std::vector<std::string> times_;  ///< of each, in a series
   std::unique_ptr<CheckedDocument> document_;
   std::unique_ptr<SceneSource> scene_;
   std::counting_semaphore<2> large_{2};  ///< what takes much memory waits for its turn
