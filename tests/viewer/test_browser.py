@@ -108,6 +108,28 @@ class Page(InBrowser):
         self.wait(lambda: self.find("spectrum").find_elements(By.CLASS_NAME, "library"))
         self.shot("library")
 
+    def test_wavelengths_are_chosen_by_a_drag(self):
+        plot = self.find("spectrum")
+        marks = lambda: [t.text for t in plot.find_elements(By.TAG_NAME, "text")]
+        self.assertIn("10", marks())
+        self.assertFalse(self.find("whole-plot").is_displayed())
+        width = plot.size["width"]
+        # From below 0.48 um to about 1 um: four channels, whose values take the whole height.
+        ActionChains(self.browser, 20).move_to_element_with_offset(plot, int(-0.37 * width), 0).click_and_hold().move_by_offset(int(0.26 * width), 5).perform()
+        self.assertTrue(plot.find_elements(By.CLASS_NAME, "chosen"))
+        ActionChains(self.browser, 20).release().perform()
+        self.wait(lambda: self.find("whole-plot").is_displayed())
+        self.assertNotIn("10", marks())
+        self.assertNotIn("500", marks())
+        self.assertFalse(plot.find_elements(By.CLASS_NAME, "chosen"))
+        self.shot("plot_zoomed")
+        # A click is still a band.
+        ActionChains(self.browser, 20).move_to_element_with_offset(plot, int(0.2 * width), 0).click().perform()
+        self.wait(lambda: "B4" in self.find("readout").text or "B3" in self.find("readout").text)
+        self.assertTrue(self.find("whole-plot").is_displayed())
+        self.find("whole-plot").click()
+        self.wait(lambda: "10" in marks())
+
     def test_blink_and_swipe(self):
         buttons = {b.get_attribute("data-compare"): b for b in self.find("compare").find_elements(By.TAG_NAME, "button")}
         buttons["swipe"].click()

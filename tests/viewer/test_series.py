@@ -60,7 +60,7 @@ class Shown(InBrowser):
             Select(self.find("layer")).select_by_value("channel")
             self.wait(lambda: "pixel 12, 8: B1 (0.48 \u00b5m) = 8.12" in self.find("readout").text)
             self.find("time").send_keys(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT)
-            self.wait(lambda: "08:00 UTC" in self.find("time-name").text and "= 24.36" in self.find("readout").text)
+            self.wait(lambda: "08:00 UTC" in self.find("time-name").text and "2026-06-21T08:00Z pixel" in self.find("readout").text and "= 24.36" in self.find("readout").text)
             # One stretch for all: what is three times as bright is white.
             def brightness():
                 return self.browser.execute_script(
@@ -73,7 +73,7 @@ class Shown(InBrowser):
             self.wait(lambda: self.find("compare").is_displayed())
             self.shot("series")
             self.find("compare").find_elements("tag name", "button")[1].click()
-            self.wait(lambda: "B pixel 12, 8: B1 (0.48 \u00b5m) = 8.12" in self.find("readout").text)
+            self.wait(lambda: "B 2026-06-21T06:00Z pixel 12, 8: B1 (0.48 \u00b5m) = 8.12" in self.find("readout").text)
             self.find("compare").find_elements("tag name", "button")[0].click()
             # Played: the last, which is not made, is left out.
             self.find("play").click()
