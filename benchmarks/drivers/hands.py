@@ -34,10 +34,10 @@ def overhead(context, python):
         subprocess.run([context.program("ifov"), "make", "suburb", suburb, "--size", "100m", "--seed", "3", "--force", "-q"], check=True)
     document = window(suburb / "render_thermal.json", {"accuracy": {"error": "3 %"}})
     out = context.folder / "hands_out"
-    code = f"import ifov; ifov.run(ifov.read({str(document)!r}), {str(out)!r}, restart=True, progress=False, threads=2)"
+    code = f"import ifov; ifov.run(ifov.read({str(document)!r}), {str(out)!r}, restart=True, progress=False, threads=2, scene_cache=False)"
     memory = f"import ifov; ifov.render(ifov.read({str(document)!r}), progress=False, threads=2)"
     imports = "import ifov, xarray; ifov.version()"
-    program = [context.program("ifov"), "render", document, "--quiet", "--threads", "2", "--restart", "--no-cache", "-o", out]  # Python's run keeps none
+    program = [context.program("ifov"), "render", document, "--quiet", "--threads", "2", "--restart", "--no-cache", "-o", out]
     times = {"program": [], "run": [], "memory": [], "import": []}
     ways = {"program": program, "run": [python, "-c", code], "memory": [python, "-c", memory], "import": [python, "-c", imports]}
     for k in range(15 if context.long else 7):
