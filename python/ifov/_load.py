@@ -8,7 +8,7 @@ import os
 import pathlib
 from typing import TYPE_CHECKING, Any
 
-from . import _envi, _series
+from . import _envi
 from ._errors import DocumentError
 
 if TYPE_CHECKING:
@@ -34,8 +34,11 @@ def load(folder: str | os.PathLike[str]) -> xarray.Dataset:
         raise FileNotFoundError(f"{path}: there is no such folder")
     if len(records) == 1:
         return _finished(records[0])
-    if not records and (series := _series.record_in(path)):
-        return _series.load_series(series)
+    series = [path] if path.name.endswith("_series.json") else sorted(path.glob("*_series.json"))
+    if series and not records:
+        from ._series import load_series
+
+        return load_series(series[0])
     if records:
         names = ", ".join(record.name for record in records)
         raise DocumentError(f"{path}: there are several runs, {names}; name the record of one", str(path))

@@ -34,13 +34,6 @@ class _Times(BackendArray):
         return np.stack(parts) if parts else np.empty((0, *self.variables[0][within].shape), self.dtype)
 
 
-def record_in(folder: pathlib.Path) -> pathlib.Path | None:
-    """The record of a series in a folder, or what was named itself; None where there is none."""
-    if folder.name.endswith("_series.json"):
-        return folder
-    return next(iter(sorted(folder.glob("*_series.json"))), None)
-
-
 def load_series(record_file: pathlib.Path) -> xarray.Dataset:
     """Those of its times that are made."""
     from ._load import _finished
