@@ -124,6 +124,15 @@ class Package(unittest.TestCase):
         self.assertEqual(done.stdout.split()[1:], [make_deb.version(), "True", "True"], done.stderr)
         self.assertTrue(done.stdout.startswith(str(self.root)), done.stdout)
 
+    def test_python_is_compiled_where_it_is_installed(self):
+        if not HAS_PYTHON:
+            self.skipTest("the Python package was not made")
+        for name, word in (("postinst", "py3compile -p ifov"), ("prerm", "py3clean -p ifov")):
+            script = self.root / "DEBIAN" / name
+            self.assertIn(word, script.read_text())
+            self.assertEqual(script.stat().st_mode & 0o777, 0o755)
+            subprocess.run(["sh", "-n", script], check=True)
+
     def test_manual_pages_say_what_help_says(self):
         for command in (None, *manual.commands(BUILD / "ifov")):
             name = f"ifov-{command}" if command else "ifov"
