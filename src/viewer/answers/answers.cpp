@@ -20,6 +20,7 @@ struct Row {
 constexpr Row kRows[] = {
     {"sources", &Answers::sources, false},
     {"band", &Answers::band, true},
+    {"spread", &Answers::spread, true},
     {"pixel", &Answers::pixel, false},
     {"region", &Answers::region, true},
     {"projection", &Answers::projection, true},

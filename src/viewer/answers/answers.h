@@ -41,6 +41,7 @@ class Answers {
   // Each name's own, for the table.
   Answer sources(const Query& query);
   Answer band(const Query& query);
+  Answer spread(const Query& query);
   Answer pixel(const Query& query);
   Answer region(const Query& query);
   Answer projection(const Query& query);
