@@ -1,6 +1,7 @@
 """A series of times in the viewer: what the page is told, and the page in a browser (browsing.py)."""
 
 import json
+import os
 import subprocess
 import unittest
 
@@ -10,13 +11,13 @@ from viewing import PROGRAM, Refused, Scratch, Viewer, write_products
 TIMES = [f"2026-06-21T{hour:02}:00Z" for hour in range(6, 12)]
 
 
-def write_series(folder, made=5, name="image"):
+def write_series(folder, made=5, name="image", times=TIMES):
     """Six times, of which the last are not made; of each all values are those of the first times (1 + its number)."""
     folder.mkdir(parents=True)
-    folders = [time.replace(":", "") for time in TIMES]
+    folders = [time.replace(":", "") for time in times]
     (folder / f"{name}_series.json").write_text(json.dumps({
-        "program": {"name": "ifov", "version": "0.1.0"}, "document": "scene.json", "name": name, "complete": made == 6,
-        "times": [{"time": t, "folder": f} for t, f in zip(TIMES, folders)], "files": []}))
+        "program": {"name": "ifov", "version": "0.1.0"}, "document": "scene.json", "name": name, "complete": made == len(times),
+        "times": [{"time": t, "folder": f} for t, f in zip(times, folders)], "files": []}))
     for k, one in enumerate(folders[:made]):
         write_products(folder / one, factor=1 + k)
     return folder
@@ -47,6 +48,21 @@ class Asked(unittest.TestCase):
                 # The last is made while one looks.
                 write_products(folder / "day/2026-06-21T1100Z")
                 self.assertEqual(viewer.ask("sources", a=5)["made"], "111111")
+
+    def test_many_times_do_not_stay_open(self):
+        with Scratch() as folder:
+            times = [f"2026-06-{day:02}T00:00Z" for day in range(1, 31)]
+            write_series(folder / "month", made=30, times=times)
+            with Viewer(folder / "month", "--no-browser") as viewer:
+                before = len(os.listdir(f"/proc/{viewer.process.pid}/fd"))
+                viewer.ask("sources", a=0)
+                each = len(os.listdir(f"/proc/{viewer.process.pid}/fd")) - before
+                self.assertGreater(each, 3)
+                for k in [*range(30), 0]:
+                    self.assertEqual(viewer.ask("sources", a=k)["sources"][0]["generation"], 1)
+                    _, values = viewer.ask("band", source=k, generation=1, cube="radiance", band=1, x0=3, y0=2, x1=4, y1=3, step=1)
+                    self.assertAlmostEqual(values[0] / ((1 + k) * 102.03), 1, places=5)
+                self.assertLess(len(os.listdir(f"/proc/{viewer.process.pid}/fd")), before + 22 * each)
 
     def test_a_series_goes_alone(self):
         with Scratch() as folder:

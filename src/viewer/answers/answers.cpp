@@ -11,6 +11,8 @@
 namespace ifov::viewer {
 namespace {
 
+constexpr std::size_t kMostOpen = 20;  // times of a series
+
 struct Row {
   std::string_view name;
   Answer (Answers::*answer)(const Query& query);
@@ -71,8 +73,23 @@ std::uint64_t Answers::document_version() {
 
 Source& Answers::source(const Query& query) {
   if (sources_.empty()) throw Refused(404, "no folder is shown");
-  return *sources_[static_cast<std::size_t>(
-      query.integer("source", 0, static_cast<int>(sources_.size()) - 1))];
+  const auto asked =
+      static_cast<std::size_t>(query.integer("source", 0, static_cast<int>(sources_.size()) - 1));
+  static_cast<void>(look_at(asked));
+  return *sources_[asked];
+}
+
+Source::Now Answers::look_at(std::size_t source) {
+  Source::Now now = sources_[source]->now();
+  if (times_.empty()) return now;
+  const std::lock_guard lock(recent_mutex_);
+  std::erase(recent_, source);
+  recent_.insert(recent_.begin(), source);
+  if (recent_.size() > kMostOpen) {
+    sources_[recent_.back()]->close();
+    recent_.pop_back();
+  }
+  return now;
 }
 
 std::shared_ptr<const OpenRun> Answers::run(const Query& query) {

@@ -57,6 +57,8 @@ class Answers {
 
  private:
   Source& source(const Query& query);
+  /// What a source holds. Of a series the one that nobody has asked for longest is closed: a day of times has more files than may be open.
+  Source::Now look_at(std::size_t source);
   /// The run of the generation that is asked for; 409 where there is another by now.
   std::shared_ptr<const OpenRun> run(const Query& query);
 
@@ -79,6 +81,8 @@ class Answers {
 
   std::vector<std::unique_ptr<Source>> sources_;
   std::vector<std::string> times_;  ///< of each, in a series
+  std::mutex recent_mutex_;
+  std::vector<std::size_t> recent_;  ///< times of a series that are open, the last that was asked for first
   std::unique_ptr<CheckedDocument> document_;
   std::unique_ptr<SceneSource> scene_;
   std::counting_semaphore<2> large_{2};  ///< what takes much memory waits for its turn

@@ -78,7 +78,7 @@ Answer Answers::spread(const Query& query) {
   std::vector<float> values, line;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t k = count > 1 ? made[i * (made.size() - 1) / (count - 1)] : made[i];
-    const std::shared_ptr<const OpenRun> run = sources_[k]->now().run;
+    const std::shared_ptr<const OpenRun> run = look_at(k).run;
     if (!run) continue;
     const OpenRun::Cube& cube = cube_of(*run, query);
     const int band = query.integer("band", 0, cube.reader.header().bands - 1);

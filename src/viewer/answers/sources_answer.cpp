@@ -129,7 +129,7 @@ Answer Answers::sources(const Query& query) {
     json.member("working", working);
     json.list("sources", [&] {
       for (const std::size_t k : chosen) {
-        const Source::Now now = sources_[k]->now();
+        const Source::Now now = look_at(k);
         json.object([&] {
           json.member("index", k);
           json.member("folder", sources_[k]->folder().string());

@@ -26,6 +26,12 @@ Source::Now Source::now() {
   return now_;
 }
 
+void Source::close() {
+  const std::lock_guard lock(mutex_);
+  now_.run.reset();
+  next_look_ = {};
+}
+
 void Source::look() {
   now_.watch.reset();
   now_.fault.clear();
@@ -49,7 +55,7 @@ void Source::look() {
   if (signature == signature_ && now_.run) return;
   try {
     now_.run = open_run(folder_);
-    ++now_.generation;
+    if (signature != signature_) ++now_.generation;
     signature_ = signature;
   } catch (const std::exception& error) {
     if (!now_.watch) now_.fault = error.what();

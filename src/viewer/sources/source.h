@@ -26,6 +26,8 @@ class Source {
     std::string fault;  ///< why the folder shows nothing, or no longer what it did; empty: nothing to say
   };
   Now now();
+  /// Gives back the products' files until it is asked again: it is then of the same generation, where they are the same.
+  void close();
   const std::filesystem::path& folder() const { return folder_; }
 
  private:
