@@ -21,7 +21,8 @@ Source::Now Source::now() {
   if (time >= next_look_) {
     look();
     const auto end = std::chrono::steady_clock::now();
-    next_look_ = end + std::max<std::chrono::steady_clock::duration>(kBetweenLooks, kLookShare * (end - time));
+    next_look_ =
+        end + std::max<std::chrono::steady_clock::duration>(kBetweenLooks, kLookShare * (end - time));
   }
   return now_;
 }
