@@ -54,6 +54,7 @@ class Package(unittest.TestCase):
         wanted |= {f"DEBIAN/{name}" for name in ("control", "md5sums", "shlibs", "triggers")}
         wanted.add("usr/share/lintian/overrides/ifov")
         if HAS_PYTHON:
+            wanted |= {"DEBIAN/postinst", "DEBIAN/prerm"}
             wanted |= {f"usr/lib/python3/dist-packages/ifov/{file.name}" for file in (ROOT / "python/ifov").iterdir() if file.is_file()}
         self.assertEqual(wanted - self.files, set())
         rest = re.compile(
