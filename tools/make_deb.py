@@ -158,12 +158,15 @@ def make(build, to, with_python=True, compression="xz"):
     (root / "DEBIAN/control").write_text(control(build, root, with_python), encoding="utf-8")
     (root / "DEBIAN/shlibs").write_text(policy.shared_libraries(version()), encoding="utf-8")
     (root / "DEBIAN/triggers").write_text("activate-noawait ldconfig\n", encoding="utf-8")
+    if with_python:
+        for name, text in policy.python_scripts().items():
+            (root / "DEBIAN" / name).write_text(text, encoding="utf-8")
     files = sorted(file for file in (root / "usr").rglob("*") if file.is_file() and not file.is_symlink())
     sums = "".join(f"{hashlib.md5(file.read_bytes()).hexdigest()}  {file.relative_to(root)}\n" for file in files)
     (root / "DEBIAN/md5sums").write_text(sums, encoding="utf-8")
     for path in [root, *root.rglob("*")]:
         if not path.is_symlink():
-            runs = path.is_dir() or path.parent.name == "bin"
+            runs = path.is_dir() or path.parent.name == "bin" or path.name in policy.python_scripts()
             path.chmod(0o755 if runs else 0o644)
     architecture = done("dpkg", "--print-architecture").strip()
     package = to / f"ifov_{version()}_{architecture}.deb"

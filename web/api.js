@@ -28,11 +28,14 @@ export async function ask(name, query = {}, signal, method = "GET") {
 
 // What the screens share: sources as the server tells them, what is chosen, and who wants to know of it.
 export const app = Object.assign(new EventTarget(), {
-  sources: [], shown: 0, pixel: null, band: 0, selection: null, colours: null, document: false,
+  sources: [], shown: 0, pixel: null, band: 0, selection: null, colours: null, document: false, version: 0,
+  times: [], made: "", working: "", at: [], other: [], hold: false, waiting: false,
   tell(what) { app.dispatchEvent(new Event(what)); },
   on(what, listener) { app.addEventListener(what, listener); },
   run(k = app.shown) { return app.sources[k] && app.sources[k].run; },
-  query(k = app.shown) { return {source: k, generation: app.sources[k].generation}; },
+  // A and B, of a series the times that were chosen; what is at work there stands in `other`.
+  source(k = app.shown) { return {source: app.sources[k] ? app.sources[k].index : 0}; },
+  query(k = app.shown) { return {...app.source(k), generation: app.sources[k].generation}; },
   cube(name, k = app.shown) { const run = app.run(k); return run && run.cubes.find(c => c.name === name); },
   main(k = app.shown) { return app.run(k).cubes[0]; },
 });

@@ -12,13 +12,13 @@ function aim() {
   app.line = 0;
 }
 
-let settled = false, loading = false;
+let settled = false, loading = false, shown = 0;
 
 async function load() {
-  if (settled || loading) return;
+  if (settled || loading || $("screen-document").hidden) return;
   loading = true;
   try {
-    const {file, text, checked, messages} = await ask("document", {source: app.shown});
+    const {version, file, text, checked, messages} = await ask("document", app.source()), again = shown !== 0, top = $("listing").scrollTop;
     $("document-name").textContent = file + (checked ? "" : " \u2013 being checked ...");
     const order = ["failure", "error", "warning", "statement"];
     const here = m => m.line && (m.file === file || m.file.endsWith("/" + file) || file.endsWith("/" + m.file));
@@ -33,10 +33,13 @@ async function load() {
       if (m && !first) first = row;
       return m ? [row, make("p", {}, m.text)] : [row];
     }));
-    if (first) first.scrollIntoView({block: "center"});
+    // Who edits goes on where he looks.
+    if (again) $("listing").scrollTop = top;
+    else if (first) first.scrollIntoView({block: "center"});
+    shown = version;
     aim();
-    settled = checked;
-    if (!checked) setTimeout(() => { loading = false; load(); }, 700);
+    settled = checked && version >= app.version;
+    if (!settled) setTimeout(() => { loading = false; load(); }, 700);
   } catch (error) {
     if (error.status === 404) $("document-name").textContent = error.message;
     else complain(error);
@@ -45,4 +48,5 @@ async function load() {
 }
 app.on("screen-document", load);
 app.on("line", aim);
-app.on("runs", () => { if (!app.document) { settled = false; if (!$("screen-document").hidden) load(); } });
+app.on("document", () => { settled = false; load(); });
+app.on("runs", () => { if (!app.document) { settled = false; load(); } });

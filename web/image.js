@@ -43,9 +43,8 @@ function detail(run) {
 const spectral = () => state.layer === "channel" || state.layer === "kelvin" || state.layer === "relative";
 
 // What a layer shows in one window: values, or three of them for colours.
-async function layerIn(k, window) {
+async function layerIn(k, window, take = (cube, b) => fetchBand(k, cube, b, window)) {
   const main = app.main(k).name, band = app.band, channel = app.run(k).channels[band];
-  const take = (cube, b) => fetchBand(k, cube, b, window);
   if (state.layer === "colour") {
     const [r, g, b] = await Promise.all(state.rgb.map(c => take(main, c)));
     return {...r, rgb: [r.values, g.values, b.values]};
@@ -99,6 +98,15 @@ const seen = () => state.compare === "a" ? [0] : state.compare === "b" ? [1] : [
 let sheets = [];  // by run: [whole, detail]
 let ranges = [];
 
+const stretched = (raster, from, to) => (raster.rgb || [raster.values]).map(v => percentiles(v, from, to));
+
+// What the layer shows at times spread over a series.
+const overTimes = () => layerIn(0, null, async (cube, band) => {
+  const key = `spread ${cube} ${band} ${app.made}`;
+  if (!cache.has(key)) cache.set(key, ask("spread", {cube, band}));
+  return {values: (await cache.get(key)).values};
+});
+
 async function load() {
   if (!app.run() || !state.layer || !app.colours) return;
   const turn = ++wanted;
@@ -108,7 +116,8 @@ async function load() {
     const bases = await Promise.all(seen().map(k => layerIn(k, whole(app.run(k)))));
     if (turn !== wanted) return;
     const from = +$("low").value, to = +$("high").value;
-    ranges = (bases[0].rgb || [bases[0].values]).map(v => percentiles(v, from, to));
+    ranges = stretched(app.hold && !bases[0].cube ? await overTimes() : bases[0], from, to);
+    if (turn !== wanted) return;
     sheets = [];
     bases.forEach((raster, i) => { sheets[seen()[i]] = [paint(raster, ranges)]; });
     drawLegend(bases[0]);
@@ -272,7 +281,6 @@ function chooseLayer(layer) {
 app.on("runs", () => {
   const run = app.run();
   if (!run) { sheets = []; return; }
-  cache.clear();
   const other = app.run(1), same = other && other.width === run.width && other.height === run.height && other.channels.length === run.channels.length;
   $("compare").hidden = !same;
   if (!same) state.compare = "a";

@@ -7,6 +7,7 @@ import "/scatter.js";
 import "/scene.js";
 import "/run.js";
 import "/document.js";
+import {take, wanted} from "/times.js";
 
 const screens = ["image", "scatter", "scene", "run", "document"];
 let chosen = "", opened = false;
@@ -46,34 +47,43 @@ $("theme").addEventListener("click", () => {
   theme(name);
 });
 
-let generations = "", timer = 0, notices = "";
+let generations = "", newest = "", again = false, timer = 0, notices = "";
 async function look() {
   clearTimeout(timer);
-  let wait = 1000;
+  if (app.waiting) { again = true; return; }
+  app.waiting = true;
+  let wait = 1000;  // ms
   try {
-    const said = await ask("sources");
-    app.sources = said.sources;
+    const first = !app.times.length, said = await ask("sources", wanted());
+    take(said);
+    if (first && app.times.length) app.hold = $("hold").checked;
     app.document = said.document;
+    const version = app.version || said.documentVersion;
+    app.version = said.documentVersion;
     if (!app.colours) { app.colours = await ask("colours"); app.tell("colours"); }
     // That a document has no products yet is what one expects.
-    const faults = said.sources.filter(s => !said.document || s.run || s.watch).map(s => s.fault).filter(Boolean).join("; ");
+    const faults = app.sources.filter(s => !said.document || s.run || s.watch).map(s => s.fault).filter(Boolean).join("; ");
     if (faults !== notices) { notices = faults; $("notice").textContent = faults; }
-    $("title").textContent = said.sources.map((s, k) => `${said.sources.length > 1 ? "AB"[k] + ": " : ""}${s.folder}`).join("   ") || "view";
+    $("title").textContent = app.sources.map((s, k) => `${app.sources.length > 1 ? "AB"[k] + ": " : ""}${s.folder}`).join("   ") || "view";
     document.title = `${$("title").textContent} \u2013 ifov view`;
     app.tell("sources");
-    const now = said.sources.map(s => s.run ? s.generation : 0).join();
+    if (version !== app.version) app.tell("document");
+    const now = app.sources.map(s => `${s.index}:${s.run ? s.generation : 0}`).join(), made = app.sources.map(s => s.generation).join();
     if (now !== generations) {
-      if (generations && said.sources.some(s => s.generation > 1)) $("notice").textContent = "The products were made anew, and are shown as they are now.";
+      if (generations && made !== newest && !app.times.length && app.sources.some(s => s.generation > 1)) $("notice").textContent = "The products were made anew, and are shown as they are now.";
       generations = now;
+      newest = made;
       app.tell("runs");
     }
-    const has = said.sources.some(s => s.run), works = said.sources.some(s => s.watch);
+    const has = app.sources.some(s => s.run), works = said.sources.some(s => s.watch);
     $("tab-image").disabled = $("tab-scatter").disabled = !has;
     $("tab-scene").disabled = !said.document;
     if (!opened) choose(has && !works ? "image" : works ? "run" : said.document ? "scene" : "run");
-    if (has && !works) wait = 3000;
+    wait = works ? 300 : has && !said.document ? 3000 : 1000;
   } catch (error) { complain(error); wait = 3000; }
-  timer = setTimeout(look, wait);
+  app.waiting = false;
+  timer = setTimeout(look, again ? 0 : wait);
+  again = false;
 }
-app.on("stale", () => { clearTimeout(timer); timer = setTimeout(look, 400); });
+app.on("stale", () => { clearTimeout(timer); timer = setTimeout(look, app.times.length ? 0 : 400); });
 look();

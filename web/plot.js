@@ -1,24 +1,25 @@
 // Spectra with their intervals: lines, bands of uncertainty, and library spectra on an axis of their own.
 import {brief, draw, ticks, tickTexts} from "/tools.js";
 
-// series: {um, value, half, colour}; library: {um, value, name}. Returns a function from a place in the picture to a wavelength.
-export function plotSpectra(svg, series, library, {label, band}) {
+// series: {um, value, half, colour}; library: {um, value, name}; range: wavelengths that are wanted, null: all. Returns a function from a
+// place in the picture to a wavelength.
+export function plotSpectra(svg, series, library, {label, band, range}) {
   svg.replaceChildren();
   const W = 520, H = 358, box = {l: 62, t: 26, w: library.length ? 400 : 444, h: 284};
   svg.setAttribute("viewBox", `0 0 ${W} ${H}`);
   const all = series.flatMap(s => s.um.map((um, i) => ({um, y: s.value[i], e: Number.isFinite(s.half[i]) ? s.half[i] : 0})))
-    .filter(p => p.um > 0 && Number.isFinite(p.y));
+    .filter(p => p.um > 0 && Number.isFinite(p.y) && (!range || (p.um >= range[0] && p.um <= range[1])));
   if (!all.length) {
     draw(svg, "text", {x: W / 2, y: H / 2, "text-anchor": "middle"}, "Click a pixel of the image");
     return () => NaN;
   }
-  const least = Math.min(...all.map(p => p.um)), most = Math.max(...all.map(p => p.um));
+  const [least, most] = range || [Math.min(...all.map(p => p.um)), Math.max(...all.map(p => p.um))];
   const wide = most > 6 * least, scale = wide ? Math.log10 : v => v;
   let low = Math.min(...all.map(p => p.y - p.e)), high = Math.max(...all.map(p => p.y + p.e));
   const margin = (high - low || Math.abs(high) || 1) * 0.06;
   low = low >= 0 && low < (high - low) * 0.6 ? 0 : low - margin;
   high += margin;
-  const x0 = scale(least), x1 = scale(most), xm = (x1 - x0) * 0.03 || Math.abs(x0) * 0.1 || 1;
+  const x0 = scale(least), x1 = scale(most), xm = range ? 0 : (x1 - x0) * 0.03 || Math.abs(x0) * 0.1 || 1;
   const px = um => box.l + (scale(um) - x0 + xm) / (x1 - x0 + 2 * xm) * box.w;
   const py = y => box.t + box.h - (y - low) / (high - low) * box.h;
   const rows = ticks(low, high, 5), texts = tickTexts(rows);
@@ -35,7 +36,9 @@ export function plotSpectra(svg, series, library, {label, band}) {
   draw(svg, "path", {d: `M${box.l},${box.t}V${box.t + box.h}H${box.l + box.w}`, class: "axis"});
   draw(svg, "text", {x: box.l + box.w, y: H - 6, "text-anchor": "end"}, "wavelength, \u00b5m");
   draw(svg, "text", {x: 4, y: 14}, label);
-  if (band > 0) draw(svg, "line", {x1: px(band), x2: px(band), y1: box.t, y2: box.t + box.h, class: "band"});
+  draw(draw(svg, "clipPath", {id: "within"}), "rect", {x: box.l, y: box.t - 6, width: box.w, height: box.h + 6});
+  const curves = draw(svg, "g", range ? {"clip-path": "url(#within)"} : {});
+  if (band >= least && band <= most) draw(svg, "line", {x1: px(band), x2: px(band), y1: box.t, y2: box.t + box.h, class: "band"});
 
   if (library.length) {
     const right = box.l + box.w, ly = v => box.t + box.h - v * box.h;
@@ -45,7 +48,7 @@ export function plotSpectra(svg, series, library, {label, band}) {
     for (const s of library) {
       const points = s.um.map((um, i) => [um, s.value[i]]).filter(([um]) => um >= least * 0.98 && um <= most * 1.02);
       if (points.length > 1)
-        draw(draw(svg, "path", {class: "library", d: "M" + points.map(([um, v]) => `${px(um).toFixed(1)},${ly(v).toFixed(1)}`).join("L")}), "title", {}, s.name);
+        draw(draw(curves, "path", {class: "library", d: "M" + points.map(([um, v]) => `${px(um).toFixed(1)},${ly(v).toFixed(1)}`).join("L")}), "title", {}, s.name);
     }
   }
   for (const s of series) {
@@ -53,14 +56,14 @@ export function plotSpectra(svg, series, library, {label, band}) {
       .filter(p => Number.isFinite(p.x) && Number.isFinite(p.y)).sort((a, b) => a.x - b.x);
     const known = points.filter(p => p.e > 0);
     if (known.length > 1 && points.length > 40)
-      draw(svg, "path", {d: "M" + known.map(p => `${p.x.toFixed(1)},${py(p.y + p.e).toFixed(1)}`).join("L") + "L" +
+      draw(curves, "path", {d: "M" + known.map(p => `${p.x.toFixed(1)},${py(p.y + p.e).toFixed(1)}`).join("L") + "L" +
         known.slice().reverse().map(p => `${p.x.toFixed(1)},${py(p.y - p.e).toFixed(1)}`).join("L") + "Z", fill: s.colour, opacity: 0.22});
-    const line = draw(svg, "path", {class: "curve", stroke: s.colour, d: "M" + points.map(p => `${p.x.toFixed(1)},${py(p.y).toFixed(1)}`).join("L")});
+    const line = draw(curves, "path", {class: "curve", stroke: s.colour, d: "M" + points.map(p => `${p.x.toFixed(1)},${py(p.y).toFixed(1)}`).join("L")});
     draw(line, "title", {}, s.name);
     if (points.length > 40) continue;
     for (const p of points) {
-      if (p.e > 0) draw(svg, "path", {stroke: s.colour, fill: "none", d: `M${p.x},${py(p.y - p.e)}V${py(p.y + p.e)}M${p.x - 4},${py(p.y - p.e)}h8M${p.x - 4},${py(p.y + p.e)}h8`});
-      draw(svg, "circle", {cx: p.x, cy: py(p.y), r: 2.6, fill: s.colour});
+      if (p.e > 0) draw(curves, "path", {stroke: s.colour, fill: "none", d: `M${p.x},${py(p.y - p.e)}V${py(p.y + p.e)}M${p.x - 4},${py(p.y - p.e)}h8M${p.x - 4},${py(p.y + p.e)}h8`});
+      draw(curves, "circle", {cx: p.x, cy: py(p.y), r: 2.6, fill: s.colour});
     }
   }
   return event => {

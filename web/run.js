@@ -6,21 +6,21 @@ const canvas = $("tiles");
 let known = "", tiles = new Map(), asked = new Set(), key = "", failures = new Map();
 
 const time = s => s < 60 ? `${s.toFixed(0)} s` : s < 3600 ? `${(s / 60).toFixed(1)} min` : `${(s / 3600).toFixed(1)} h`;
-const watched = () => app.sources.findIndex(s => s.watch);
+const watched = () => [...app.sources, ...app.other].find(s => s.watch);
 
 function show() {
   const k = watched(), figures = $("figures");
   figures.replaceChildren();
-  offerStop(k < 0 ? "" : app.sources[k].watch.atWork);
+  offerStop(k ? k.watch.atWork : "");
   const put = (value, name) => figures.append(make("div", {}, make("b", {}, value), make("span", {}, name)));
-  if (k < 0) {
+  if (!k) {
     const run = app.run();
     $("progress").value = run ? 1 : 0;
     if (run) { put("done", "products are whole"); put(run.reached || "\u2013", "accuracy reached"); }
     $("status").textContent = run ? run.notes : app.sources.map(s => s.fault).join("\n");
     return;
   }
-  const w = app.sources[k].watch, share = w.pixelsDone / w.pixelsWanted;
+  const w = k.watch, share = w.pixelsDone / w.pixelsWanted;
   $("progress").value = share;
   put(`${(100 * share).toFixed(1)} %`, `${w.tilesDone} of ${w.tilesWanted} tiles`);
   put(share > 0 && share < 1 ? time(w.elapsed * (1 - share) / share) : "\u2013", "left, at this rate");
@@ -29,7 +29,7 @@ function show() {
   put(brief(w.rays), "rays");
   put(w.atWork || "nobody", "at work");
   $("status").textContent = w.text;
-  const now = `${app.sources[k].folder} ${w.width} ${w.height} ${w.channels.length} ${w.document}`;
+  const now = `${k.folder} ${w.width} ${w.height} ${w.channels.length} ${w.document}`;
   if (now !== key) {
     key = now;
     tiles = new Map(); asked = new Set(); failures = new Map();
@@ -51,16 +51,16 @@ function offerStop(atWork) {
 }
 $("stop-run").addEventListener("click", () => {
   const k = watched();
-  if (k < 0) return;
-  stopping = app.sources[k].watch.atWork;
+  if (!k) return;
+  stopping = k.watch.atWork;
   offerStop(stopping);
-  ask("stop", {source: k}, undefined, "POST").catch(error => { stopping = ""; offerStop(app.sources[k].watch.atWork); complain(error); });
+  ask("stop", {source: k.index}, undefined, "POST").catch(error => { stopping = ""; offerStop(k.watch.atWork); complain(error); });
 });
 
 let busy = 0;
 async function take() {
   const k = watched();
-  if (k < 0 || $("screen-run").hidden) return;
+  if (!k || $("screen-run").hidden) return;
   while (busy < 4) {
     let next = -1;
     for (let i = 0; i < known.length; ++i) if (known[i] === "1" && !asked.has(i) && (failures.get(i) || 0) < 5) { next = i; break; }
@@ -68,7 +68,7 @@ async function take() {
     asked.add(next);
     ++busy;
     const band = $("tile-band").value || 0, mine = tiles;
-    ask("tile", {source: k, tile: next, band}).then(({about, values}) => mine.set(next, {...about, values}), error => {
+    ask("tile", {source: k.index, tile: next, band}).then(({about, values}) => mine.set(next, {...about, values}), error => {
       // It may have been moved to another file at this moment; the next look finds it.
       failures.set(next, (failures.get(next) || 0) + 1);
       asked.delete(next);
@@ -81,7 +81,7 @@ async function take() {
 function paint() {
   const k = watched(), {context, w: width, h: height} = fit(canvas);
   if (!app.colours || !width) return;
-  const w = k < 0 ? null : app.sources[k].watch;
+  const w = k ? k.watch : null;
   if (!w) return;
   const ratio = $("tile-what").value === "ratio", part = t => { const n = (t.x1 - t.x0) * (t.y1 - t.y0); return ratio ? t.values.subarray(n, 2 * n) : t.values.subarray(0, n); };
   const all = [...tiles.values()];

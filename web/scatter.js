@@ -1,10 +1,21 @@
 // Points of the image in the space of its bands or of their projections, turned in as many dimensions as one likes, linked to the
 // image both ways.
 import {app, ask, complain} from "/api.js";
-import {$, brief, distinct, fill, fit, inside, make, percentiles, swatch, ticks, tickTexts} from "/tools.js";
+import {drawAxes, outline, pointsBelow} from "/points.js";
+import {$, brief, distinct, fill, fit, inside, make, percentiles, swatch} from "/tools.js";
 
 const canvas = $("cloud"), places = $("places");
 const state = {points: null, basis: [], zoom: 1, lasso: null, tool: "turn", spinning: false, planes: [], frame: 0, materials: null, wanted: "", picture: null, chosen: [0, 1, 2], active: false};
+
+const MOST = 1 << 20;  // points
+let painter = null;
+function paintBy(by) {
+  if (painter) painter.canvas.remove();
+  painter = pointsBelow(canvas, () => { paintBy("hand"); drawCloud(); }, by);
+  if (!state.points) return;
+  painter.take(state.points.unit, state.points.n, state.points.axes);
+  tint();
+}
 
 const unit = (n, k) => Array.from({length: n}, (_, i) => +(i === k));
 const dimensions = () => $("kind").value === "bands" ? 3 : Math.min(state.points.axes, Math.max(2, Math.min(10, Math.round(+$("dimensions").value) || 3)));
@@ -40,7 +51,8 @@ function tour() {
 async function load() {
   const run = app.run();
   if (!run || !state.active) return;
-  const kind = $("kind").value, query = {...app.query(), kind};
+  if (!painter) paintBy();
+  const kind = $("kind").value, query = {...app.query(), kind, most: MOST};
   if (kind === "bands") [query.a, query.b, query.c] = state.chosen.map(k => Math.min(k, run.channels.length - 1));
   const key = JSON.stringify(query);
   if (key === state.wanted) return;
@@ -49,14 +61,18 @@ async function load() {
   try {
     const {about, values} = await ask("projection", query);
     if (state.wanted !== key) return;
-    const n = about.columns * about.rows, axes = about.axes, middle = [], spread = [];
+    const n = about.columns * about.rows, axes = about.axes, middle = [], spread = [], thin = Math.max(1, Math.floor(n / 60000));
     for (let k = 0; k < axes; ++k) {
-      const [low, high] = percentiles(Float32Array.from({length: n}, (_, i) => values[i * axes + k]), 1, 99);
+      const [low, high] = percentiles(Float32Array.from({length: Math.ceil(n / thin)}, (_, i) => values[i * thin * axes + k]), 1, 99);
       middle.push((low + high) / 2);
       spread.push((high - low) / 2 || 1);
     }
+    // In units of their spread, about their middle.
+    const unit = new Float32Array(n * axes);
+    for (let i = 0, at = 0; i < n; ++i) for (let k = 0; k < axes; ++k, ++at) unit[at] = (values[at] - middle[k]) / spread[k];
     const sameGrid = state.points && state.points.step === about.step && state.points.columns === about.columns && state.source === app.shown && state.generation === query.generation;
-    state.points = {...about, n, values, middle, spread};
+    state.points = {...about, n, values, unit, middle, spread};
+    painter.take(unit, n, axes);
     state.source = app.shown;
     state.generation = query.generation;
     state.mask = sameGrid ? state.mask : new Uint8Array(n);
@@ -107,41 +123,36 @@ function screen(w, h) {
   return i => {
     let x = 0, y = 0, z = 0;
     for (let k = 0; k < size; ++k) {
-      const v = (p.values[i * p.axes + k] - p.middle[k]) / p.spread[k];
+      const v = p.unit[i * p.axes + k];
       x += r[k] * v; y += u[k] * v; z += e[k] * v;
     }
     return [w / 2 + scale * x, h / 2 - scale * y, z];
   };
 }
 
-function drawCloud() {
+const isDark = () => document.documentElement.dataset.theme === "dark";
+
+// What each point's colour is, by selection, material or density.
+function tint() {
+  const p = state.points, colours = new Uint8Array(4 * p.n), material = $("paint").value === "material" && state.materials, ink = isDark() ? [120, 205, 220] : [11, 75, 95];
+  for (let i = 0; i < p.n; ++i) {
+    let colour = ink, s = 0;
+    if (state.mask[i]) { colour = [224, 60, 30]; s = 255; }
+    else if (material) { colour = material.colours[material.who[i]] || [128, 128, 128]; s = 254 * (0.25 + 0.75 * Math.max(0, (material.share[i] - 0.4) / 0.6)); }
+    for (let c = 0; c < 3; ++c) colours[4 * i + c] = colour[c];
+    colours[4 * i + 3] = s;
+  }
+  painter.tint(colours);
+}
+
+// `what`: "moving" may be coarser; "above" leaves the points as they are.
+function drawCloud(what = "") {
   const {context, w, h} = fit(canvas), p = state.points;
   if (!p || !w) return;
-  const ratio = window.devicePixelRatio || 1, W = canvas.width, H = canvas.height, at = screen(w, h), dark = document.documentElement.dataset.theme === "dark";
-  const count = new Uint16Array(W * H), depth = new Float32Array(W * H).fill(-1e9), last = new Int32Array(W * H).fill(-1);
-  for (let i = 0; i < p.n; ++i) {
-    const [x, y, z] = at(i), u = x * ratio | 0, v = y * ratio | 0;
-    if (!(u >= 0 && v >= 0 && u < W - 1 && v < H - 1)) continue;
-    for (const to of [v * W + u, v * W + u + 1, v * W + W + u, v * W + W + u + 1]) {
-      if (count[to] < 65535) ++count[to];
-      const near = z + (state.mask[i] ? 1e6 : 0);
-      if (near > depth[to]) { depth[to] = near; last[to] = i; }
-    }
-  }
-  const picture = context.createImageData(W, H), out = picture.data, material = $("paint").value === "material" && state.materials;
-  const ground = dark ? [11, 16, 21] : [223, 228, 231], ink = dark ? [120, 205, 220] : [11, 75, 95];
-  for (let k = 0; k < count.length; ++k) {
-    if (!count[k]) continue;
-    const i = last[k];
-    let colour, s = Math.min(1, 0.35 + 0.13 * Math.log2(count[k]));
-    if (state.mask[i]) { colour = [224, 60, 30]; s = 1; }
-    else if (material) { colour = material.colours[material.who[i]] || [128, 128, 128]; s = 0.25 + 0.75 * Math.max(0, (material.share[i] - 0.4) / 0.6); }
-    else colour = ink;
-    for (let c = 0; c < 3; ++c) out[4 * k + c] = ground[c] + s * (colour[c] - ground[c]);
-    out[4 * k + 3] = 255;
-  }
-  context.putImageData(picture, 0, 0);
-  drawAxes(context, w, h, dark);
+  const at = screen(w, h), dark = isDark(), ground = dark ? [11, 16, 21] : [223, 228, 231], material = $("paint").value === "material" && state.materials;
+  if (what !== "above") painter.draw({basis: state.basis, scale: 0.4 * Math.min(w, h) * state.zoom * canvas.width / w, W: canvas.width, H: canvas.height, ground, moving: what === "moving"});
+  const axis = k => $("kind").value === "bands" ? $(`axis-${k}`).selectedOptions[0].text : `${$("kind").value === "pca" ? "PC" : "MNF"} ${k + 1}`;
+  drawAxes(context, w, h, {basis: state.basis, middle: p.middle, spread: p.spread, zoom: state.zoom, name: axis, colour: dark ? "#9fadb8" : "#55626f"});
   const text = dark ? "#e4eaee" : "#16202c";
   if (material) for (const end of material.ends) {
     let x = 0, y = 0;
@@ -162,52 +173,6 @@ function drawCloud() {
   }
   if (state.lasso && state.lasso.where === canvas) outline(context, state.lasso.points);
   canvas.dataset.drawn = String(+(canvas.dataset.drawn || 0) + 1);
-}
-
-// Ticks where two axes lie in the picture, arrows else.
-function drawAxes(context, w, h, dark) {
-  const p = state.points, scale = 0.4 * Math.min(w, h) * state.zoom, flat = row => row.findIndex(v => Math.abs(v) > 0.9999);
-  const [a, b] = [flat(state.basis[0]), flat(state.basis[1])];
-  context.strokeStyle = context.fillStyle = dark ? "#9fadb8" : "#55626f";
-  context.font = "12px sans-serif";
-  context.lineWidth = 1;
-  const name = k => $("kind").value === "bands" ? $(`axis-${k}`).selectedOptions[0].text : `${$("kind").value === "pca" ? "PC" : "MNF"} ${k + 1}`;
-  if (a >= 0 && b >= 0) {
-    const low = (k, s) => p.middle[k] - s / scale / 2 * p.spread[k], high = (k, s) => p.middle[k] + s / scale / 2 * p.spread[k];
-    context.textAlign = "center";
-    const across = ticks(low(a, w), high(a, w), 6), upwards = ticks(low(b, h), high(b, h), 6), names = [tickTexts(across), tickTexts(upwards)];
-    for (const [k, t] of across.entries()) {
-      const x = w / 2 + scale * (t - p.middle[a]) / p.spread[a];
-      if (x < 50 || x > w - 30) continue;
-      context.fillRect(x, h - 24, 1, 5); context.fillText(names[0][k], x, h - 7);
-    }
-    context.textAlign = "left";
-    for (const [k, t] of upwards.entries()) {
-      const y = h / 2 - scale * (t - p.middle[b]) / p.spread[b];
-      if (y < 34 || y > h - 30) continue;
-      context.fillRect(4, y, 5, 1); context.fillText(names[1][k], 12, y + 4);
-    }
-    context.fillText(`\u2191 ${name(b)}`, 12, 18);
-    context.textAlign = "right";
-    context.fillText(`${name(a)} \u2192`, w - 10, h - 28);
-    context.textAlign = "left";
-    return;
-  }
-  for (let k = 0; k < state.basis[0].length; ++k) {
-    const x = state.basis[0][k], y = state.basis[1][k], l = 0.42 * Math.min(w, h);
-    if (Math.hypot(x, y) < 0.02) continue;
-    context.beginPath(); context.moveTo(w / 2, h / 2); context.lineTo(w / 2 + l * x, h / 2 - l * y); context.stroke();
-    if (Math.hypot(x, y) > 0.12) context.fillText(name(k), w / 2 + l * x - 10, h / 2 - l * y - 4);
-  }
-}
-
-function outline(context, points) {
-  for (const [colour, width] of [["#000", 3.4], ["#fff", 1.5]]) {
-    context.strokeStyle = colour; context.lineWidth = width;
-    context.beginPath();
-    points.forEach(([x, y], i) => i ? context.lineTo(x, y) : context.moveTo(x, y));
-    context.closePath(); context.stroke();
-  }
 }
 
 // The image behind the points, from the first axis or three bands, in grey.
@@ -248,7 +213,7 @@ function select() {
 function legend() {
   $("materials").replaceChildren(...($("paint").value === "material" && state.materials ? state.materials.ends.map(e => make("li", {}, swatch(`rgb(${state.materials.colours[e.m]})`), e.name)) : []));
 }
-app.on("selection", () => { drawCloud(); drawPlaces(); legend(); if (state.points) say(); });
+app.on("selection", () => { if (state.points) tint(); drawCloud(); drawPlaces(); legend(); if (state.points) say(); });
 
 function endLasso() {
   const {where, points, add} = state.lasso, p = state.points;
@@ -276,14 +241,14 @@ for (const where of [canvas, places]) {
     else from = [e.clientX, e.clientY];
   });
   where.addEventListener("pointermove", e => {
-    if (state.lasso) { state.lasso.points.push([e.offsetX, e.offsetY]); (where === canvas ? drawCloud : drawPlaces)(); return; }
+    if (state.lasso) { state.lasso.points.push([e.offsetX, e.offsetY]); where === canvas ? drawCloud("above") : drawPlaces(); return; }
     if (!from || where !== canvas) return;
     turn(0, 2, (e.clientX - from[0]) / 150);
     turn(1, 2, (from[1] - e.clientY) / 150);
     from = [e.clientX, e.clientY];
-    drawCloud();
+    drawCloud("moving");
   });
-  where.addEventListener("pointerup", () => { from = null; if (state.lasso) endLasso(); });
+  where.addEventListener("pointerup", () => { if (from) drawCloud(); from = null; if (state.lasso) endLasso(); });
 }
 canvas.addEventListener("wheel", e => { e.preventDefault(); state.zoom *= Math.exp(-e.deltaY / 500); drawCloud(); }, {passive: false});
 canvas.addEventListener("keydown", e => {
@@ -297,7 +262,7 @@ canvas.addEventListener("keydown", e => {
 function spin() {
   state.spinning = !state.spinning;
   $("spin").setAttribute("aria-pressed", String(state.spinning));
-  const step = () => { if (!state.spinning || !state.active) return; tour(); drawCloud(); requestAnimationFrame(step); };
+  const step = () => { if (!state.spinning || !state.active) { if (state.active) drawCloud(); return; } tour(); drawCloud("moving"); requestAnimationFrame(step); };
   state.frame = 0;
   step();
 }
@@ -310,6 +275,7 @@ $("dimensions").addEventListener("change", () => { if (state.points) { front(); 
 $("kind").addEventListener("change", () => { state.chosen = $("kind").value === "bands" ? firstBands() : [0, 1, 2]; load(); });
 $("paint").addEventListener("change", async () => {
   try { if ($("paint").value === "material" && state.points) await loadMaterials(); } catch (error) { complain(error); }
+  if (state.points) tint();
   drawCloud();
   legend();
 });
@@ -328,5 +294,5 @@ function firstBands() {
 app.on("runs", () => { if (app.run()) { state.wanted = ""; if (!state.points) state.chosen = firstBands(); load(); } });
 app.on("screen-scatter", () => { state.active = true; load(); drawCloud(); drawPlaces(); });
 app.on("screen-left", () => { state.active = false; state.spinning = false; $("spin").setAttribute("aria-pressed", "false"); });
-app.on("theme", drawCloud);
+app.on("theme", () => { if (state.points) tint(); drawCloud(); });
 new ResizeObserver(() => { drawCloud(); drawPlaces(); }).observe($("cloud-stage"));

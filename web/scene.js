@@ -27,13 +27,16 @@ async function load() {
     $("scene-progress").value = said.of ? said.done / said.of : 0;
     $("scene-text").textContent = loading ? `Loading: ${said.phase}${said.of ? `, ${said.done} of ${said.of} objects` : ""}, ${said.elapsed.toFixed(0)} s` : said.statement || "";
     tellFaults(said);
-    if (loading) setTimeout(load, 250);
-    if (said.state !== "ready") return;
+    if (loading || said.version < app.version) setTimeout(load, 250);
+    if (said.state !== "ready" || said.version < app.version) return;
+    const before = state.version;
     state.info = said;
+    state.version = said.version;
     $("paint-scene").value = said.paint;
     $("through").disabled = !said.sensor || said.sensor.kind !== "image" || said.sensor.parallel;
     tellSensor();
-    frame();
+    // A document that was changed is looked at from where the last one was.
+    if (before && state.eye) look(); else frame();
   } catch (error) { complain(error); } finally { state.asking = false; }
 }
 
@@ -352,6 +355,7 @@ $("through").addEventListener("click", through);
 $("paint-scene").addEventListener("change", look);
 $("overlay").addEventListener("change", paint);
 app.on("screen-scene", () => { load(); if (state.buffer) paint(); });
+app.on("document", () => { state.info = null; if (state.job) state.job.abort(); load(); });
 app.on("screen-left", () => { if (state.job) state.job.abort(); });
 app.on("theme", () => { if (state.buffer && !$("screen-scene").hidden) paint(); });
 new ResizeObserver(() => { if (!$("screen-scene").hidden) look(); }).observe($("view-stage"));

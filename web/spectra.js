@@ -1,13 +1,13 @@
 // Spectra of pixels and regions with their intervals, library spectra over them, and a table to take along.
 import {app, ask, complain} from "/api.js";
-import {$, brief, hasKelvin, hues, kelvin, make, save, swatch} from "/tools.js";
+import {$, brief, draw, hasKelvin, hues, kelvin, make, save, swatch} from "/tools.js";
 import {plotSpectra} from "/plot.js";
 import {chooseBand} from "/image.js";
 
 app.pins = [];
-let current = [], library = [], read = () => NaN, turn = 0;
+let current = [], library = [], read = () => NaN, turn = 0, range = null;
 
-const runName = k => app.sources.length > 1 ? `${"AB"[k]} ` : "";
+const runName = k => (app.sources.length > 1 ? `${"AB"[k]} ` : "") + (app.times.length ? `${app.times[app.sources[k].index]} ` : "");
 
 async function lookAtPixel() {
   const {x, y} = app.pixel, mine = ++turn;
@@ -55,7 +55,8 @@ function show() {
   if (!run) return;
   const inKelvin = $("quantity").value === "kelvin", c = run.channels[Math.min(app.band, run.channels.length - 1)];
   const label = inKelvin ? "brightness temperature at centres, K" : `radiance, ${run.unit || "as stored"}`;
-  read = plotSpectra($("spectrum"), shown().map(inUnit), library, {label, band: c.um});
+  read = plotSpectra($("spectrum"), shown().map(inUnit), library, {label, band: c.um, range});
+  $("whole-plot").hidden = !range;
   const b = run.channels.indexOf(c);
   $("readout").textContent = current.map(inUnit).map(s => {
     const v = s.value[b], e = s.half[b];
@@ -129,9 +130,29 @@ $("pin").addEventListener("click", () => app.tell("pin"));
 $("clear").addEventListener("click", () => { app.pins = []; library = []; app.tell("pins"); show(); });
 $("csv").addEventListener("click", csv);
 $("quantity").addEventListener("change", show);
-$("spectrum").addEventListener("click", e => {
-  const um = read(e), run = app.run();
-  if (!Number.isFinite(um)) return;
+// A click chooses the band, a drag the wavelengths that are shown.
+let from = null;
+const zoom = (a, b) => { range = a && [Math.min(a, b), Math.max(a, b)]; show(); };
+$("spectrum").addEventListener("pointerdown", e => { from = {x: e.clientX, um: read(e)}; $("spectrum").setPointerCapture(e.pointerId); });
+$("spectrum").addEventListener("pointermove", e => {
+  const mark = $("spectrum").querySelector(".chosen"), far = from && Math.abs(e.clientX - from.x) > 5;
+  if (mark) mark.remove();
+  if (!far || !Number.isFinite(from.um)) return;
+  const r = $("spectrum").getBoundingClientRect(), [a, b] = [from.x, e.clientX].map(x => (x - r.left) / r.width * 520);
+  draw($("spectrum"), "rect", {class: "chosen", x: Math.min(a, b), y: 26, width: Math.abs(b - a), height: 284});
+});
+$("spectrum").addEventListener("pointercancel", () => { from = null; show(); });
+$("spectrum").addEventListener("dblclick", () => zoom(null));
+$("whole-plot").addEventListener("click", () => zoom(null));
+$("spectrum").addEventListener("pointerup", e => {
+  const um = read(e), run = app.run(), begun = from;
+  from = null;
+  if (!run || !begun || !Number.isFinite(um)) return;
+  if (Math.abs(e.clientX - begun.x) > 5) {
+    const within = run.channels.filter(c => c.um >= Math.min(um, begun.um) && c.um <= Math.max(um, begun.um)).length;
+    if (within > 1) zoom(begun.um, um); else show();
+    return;
+  }
   chooseBand(run.channels.reduce((best, c, i) => Math.abs(c.um - um) < Math.abs(run.channels[best].um - um) ? i : best, 0));
 });
 app.on("pin", () => current.forEach(pin));
@@ -140,6 +161,7 @@ app.on("region", lookAtRegion);
 app.on("band", show);
 app.on("theme", show);
 app.on("runs", () => {
+  if (!app.times.length) range = null;
   app.pins = app.pins.filter(p => app.run(p.source));
   const kelvinFits = Boolean(app.run()) && hasKelvin(app.run());
   $("quantity").querySelector("option[value=kelvin]").disabled = !kelvinFits;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,5 +44,22 @@ struct SeriesOutcome {
 /// RunStart::resume. Errors as of Simulation, with the time that they are about.
 IFOV_API SeriesOutcome render_series(const Document& document, const std::string& times,
                                      const SeriesOptions& options = {});
+
+/// What the folder of a series holds, as its record (NAME_series.json) tells it.
+struct SeriesInfo {
+  struct Time {
+    std::string time;              ///< "2025-06-20T06:15Z"
+    std::filesystem::path folder;  ///< of its run
+    std::filesystem::path record;  ///< of that run; empty: it is not made
+  };
+  std::filesystem::path folder;
+  std::string version, document, name;
+  std::vector<Time> times;         ///< in order
+  bool complete = false;           ///< all are made, and the products of the series
+  std::vector<std::string> files;  ///< these, by name
+};
+
+/// Nothing where the folder holds no series. SystemError where its record cannot be read, or makes no sense.
+IFOV_API std::optional<SeriesInfo> series_info(const std::filesystem::path& folder);
 
 }  // namespace ifov

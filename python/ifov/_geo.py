@@ -82,7 +82,7 @@ def stac_item(dataset: xarray.Dataset, assets: dict[str, str], name: str) -> dic
         )
     ]
     properties: dict[str, Any] = {
-        "datetime": _instant(dataset),
+        **_instants(dataset),
         "title": f"{dataset.attrs.get('document_name', name)}, rendered by {dataset.attrs.get('source', 'ifov')}",
         "processing:software": {"ifov": dataset.attrs.get("version", "")},
         "ifov:asked": dataset.attrs.get("asked", ""),
@@ -138,6 +138,16 @@ def _degrees(wkt: str, corners: list[tuple[float, float]]) -> list[list[float]] 
             return None
         longitude, latitude = transform(wkt, "EPSG:4326", x, y)
     return [[float(a), float(b)] for a, b in zip(longitude, latitude, strict=True)]
+
+
+def _instants(dataset: xarray.Dataset) -> dict[str, Any]:
+    """One, or of a series the first and the last."""
+    if "time" not in dataset.coords:
+        return {"datetime": _instant(dataset)}
+    times = [f"{time}Z" for time in np.datetime_as_string(np.atleast_1d(dataset["time"].values), unit="s")]
+    if dataset["time"].ndim == 0:
+        return {"datetime": times[0]}
+    return {"datetime": None, "start_datetime": times[0], "end_datetime": times[-1]}
 
 
 def _instant(dataset: xarray.Dataset) -> str:

@@ -22,7 +22,8 @@ def load(folder: str | os.PathLike[str]) -> xarray.Dataset:
 
     folder: an output folder, or its run record (``NAME_run.json``). A folder without products, of an unfinished run or of a share of the
     tiles, gives what its finished tiles hold; pixels of the others are not a number. A run at work moves its tiles: ``load(...).load()``
-    takes them at once.
+    takes them at once. The folder of a series of times (``ifov render --times``), or its record (``NAME_series.json``), gives those of its
+    times that are made, with ``time`` (UTC) as the first dim; ``attrs["times_left"]`` counts the others.
 
     Dims are (wavelength, y, x) of ``radiance``, ``half_width`` ..., (material, y, x) of ``abundance``, and (y, x) of ``samples``,
     ``converged`` and others (docs/guide/python.md). Throws ``DocumentError`` where there is no run, ``OSError``.
@@ -33,6 +34,11 @@ def load(folder: str | os.PathLike[str]) -> xarray.Dataset:
         raise FileNotFoundError(f"{path}: there is no such folder")
     if len(records) == 1:
         return _finished(records[0])
+    series = [path] if path.name.endswith("_series.json") else sorted(path.glob("*_series.json"))
+    if series and not records:
+        from ._series import load_series
+
+        return load_series(series[0])
     if records:
         names = ", ".join(record.name for record in records)
         raise DocumentError(f"{path}: there are several runs, {names}; name the record of one", str(path))
@@ -41,7 +47,7 @@ def load(folder: str | os.PathLike[str]) -> xarray.Dataset:
             from ._tiles import unfinished
 
             return unfinished(path, state)
-    raise DocumentError(f"{path}: there is no run: neither NAME_run.json nor run.part", str(path))
+    raise DocumentError(f"{path}: there is no run: neither NAME_run.json nor run.part nor NAME_series.json", str(path))
 
 
 def _finished(record_file: pathlib.Path) -> xarray.Dataset:

@@ -22,16 +22,16 @@ class Accessor:
         self._dataset = dataset
 
     def rgb(self, um: Sequence[float] = (0.66, 0.56, 0.48), percent: tuple[float, float] = (1.0, 99.0)) -> xarray.DataArray:
-        """A picture: (y, x, rgb), 0 to 1, of the channels nearest to three wavelengths (um), linear between the given percentiles of all
+        """A picture: (y, x, rgb), of a series (time, y, x, rgb), 0 to 1, of the channels nearest to three wavelengths (um), linear between the given percentiles of all
         three together. Pixels without a value are not a number."""
         names = self._dataset["channel"].values
         chosen = [int(np.abs(self._dataset["wavelength"].values - wanted).argmin()) for wanted in um]
-        picture = self._radiance.isel({self._spectral: chosen}).transpose("y", "x", self._spectral).astype(float)
+        picture = self._radiance.isel({self._spectral: chosen}).transpose(..., "y", "x", self._spectral).astype(float)
         low, high = np.nanpercentile(picture.values, percent) if np.isfinite(picture.values).any() else (0.0, 1.0)
         values = np.clip((picture.values - low) / (high - low if high > low else 1.0), 0.0, 1.0)
-        coords = {axis: self._dataset.coords[axis] for axis in ("x", "y") if axis in self._dataset.coords}
+        coords = {axis: self._dataset.coords[axis] for axis in ("time", "x", "y") if axis in self._dataset.coords}
         words = {"long_name": "red, green, blue of " + ", ".join(str(names[one]) for one in chosen), "units": "1"}
-        return xarray.DataArray(values, coords | {"rgb": ["r", "g", "b"]}, ("y", "x", "rgb"), "rgb", words)
+        return xarray.DataArray(values, coords | {"rgb": ["r", "g", "b"]}, (*picture.dims[:-1], "rgb"), "rgb", words)
 
     def spectrum(self, x: float, y: float) -> xarray.Dataset:
         """Spectra of the pixel nearest to a place: in map coordinates where the dataset has coordinates x and y, else column and row from

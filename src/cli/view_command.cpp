@@ -44,8 +44,9 @@ Command add_view_command(CLI::App& app) {
       "view",
       "Look at products, at a run at work or at a document in the browser: image, spectra, scatter plots, scene");
   parser
-      ->add_option("WHAT", arguments->what,
-                   "A folder of products or of a run at work, two of them to compare, or a document (JSON)")
+      ->add_option(
+          "WHAT", arguments->what,
+          "A folder of products, of a run at work or of a series of times, two folders to compare, or a document (JSON)")
       ->required()
       ->expected(1, 2);
   arguments->input.add_to(*parser);

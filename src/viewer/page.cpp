@@ -2,7 +2,8 @@
 
 namespace ifov::data {
 extern const std::string_view web_index_html, web_style_css, web_main_js, web_api_js, web_tools_js,
-    web_plot_js, web_image_js, web_spectra_js, web_scatter_js, web_run_js, web_document_js, web_scene_js;
+    web_times_js, web_plot_js, web_image_js, web_spectra_js, web_scatter_js, web_points_js, web_run_js,
+    web_document_js, web_scene_js;
 }
 
 namespace ifov::viewer {
@@ -16,10 +17,12 @@ const PageFile* page_file(std::string_view path) {
       {"/main.js", kScript, data::web_main_js},
       {"/api.js", kScript, data::web_api_js},
       {"/tools.js", kScript, data::web_tools_js},
+      {"/times.js", kScript, data::web_times_js},
       {"/plot.js", kScript, data::web_plot_js},
       {"/image.js", kScript, data::web_image_js},
       {"/spectra.js", kScript, data::web_spectra_js},
       {"/scatter.js", kScript, data::web_scatter_js},
+      {"/points.js", kScript, data::web_points_js},
       {"/run.js", kScript, data::web_run_js},
       {"/document.js", kScript, data::web_document_js},
       {"/scene.js", kScript, data::web_scene_js},

@@ -12,12 +12,14 @@
 
 #include "core/call_scope.h"
 #include "core/error.h"
+#include "ifov/series.h"
 #include "io/files/own_files.h"
 #include "io/json/json_writer.h"
 #include "viewer/answers/answers.h"
 #include "viewer/http/bounded_server.h"
 #include "viewer/http/guard.h"
 #include "viewer/page.h"
+#include "viewer/sources/checked_document.h"
 #include "viewer/sources/open_run.h"
 #include "viewer/sources/scene_source.h"
 
@@ -72,19 +74,36 @@ std::unique_ptr<CheckedDocument> document_of(const ViewOptions& options) {
   return nullptr;
 }
 
-std::vector<std::filesystem::path> folders_of(const ViewOptions& options, const CheckedDocument* document) {
+/// Folders of products; of a series those of its times.
+ShownFolders folders_of(const ViewOptions& options, const CheckedDocument* document) {
+  std::vector<std::filesystem::path> named;
   if (document != nullptr) {
-    const std::filesystem::path folder = document->output_folder();
-    return folder.empty() ? std::vector<std::filesystem::path>() : std::vector{folder};
+    if (!document->output_folder().empty()) named.push_back(document->output_folder());
+  } else {
+    for (const std::filesystem::path& what : options.what) {
+      named.push_back(std::filesystem::is_directory(what) ? what : what.parent_path());
+      if (named.back().empty()) named.back() = ".";
+    }
   }
-  std::vector<std::filesystem::path> folders;
-  for (const std::filesystem::path& what : options.what) {
-    folders.push_back(std::filesystem::is_directory(what) ? what : what.parent_path());
-    if (folders.back().empty()) folders.back() = ".";
+  ShownFolders shown;
+  for (const std::filesystem::path& folder : named) {
+    if (const auto series = series_info(folder)) {
+      if (named.size() > 1)
+        throw InputError(
+            format("'{}' holds a series of {} times; expected it alone: its times are compared "
+                   "with each other",
+                   folder.string(), series->times.size()));
+      for (const SeriesInfo::Time& one : series->times) {
+        shown.folders.push_back(one.folder);
+        shown.times.push_back(one.time);
+      }
+      continue;
+    }
+    shown.folders.push_back(folder);
     // What cannot be shown is said before a browser opens; a run that has not begun may still begin.
-    if (!signature_of(folders.back()).empty()) static_cast<void>(open_run(folders.back()));
+    if (document == nullptr && !signature_of(folder).empty()) static_cast<void>(open_run(folder));
   }
-  return folders;
+  return shown;
 }
 
 }  // namespace

@@ -250,6 +250,29 @@ class Street(unittest.TestCase):
         self.assertRegex(done.stdout, r"day: series of street.json, ifov \S+, 3 times from 2026-06-21T18:00Z to 2026-06-21T22:00Z\n"
                                       r"times +3 of 3 times, and the products of the series\n")
 
+    def test_info_of_all_times(self):
+        for what in ("day", "day/image_series.json"):
+            done = run("info", what, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertRegex(done.stdout, r"day\nseries +of street.json, made by ifov \S+\nmade +3 of 3 times\ntimes +2026-06-21T18:00Z  2026-06-21T1800Z\n"
+                                          r" +2026-06-21T20:00Z  2026-06-21T2000Z\n +2026-06-21T22:00Z  2026-06-21T2200Z\nfile +image_animation.gif\n")
+            self.assertIn("\n\nday/2026-06-21T1800Z/image_run.json\nmade by", done.stdout)
+        # What the street's products do not hold, means over regions need.
+        done = run("info", "day", "--region", "2,2,5,5", cwd=self.folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("image_reasons.img, which means over regions need; expected 'reasons' and 'quality' among the document's output.products", done.stderr)
+
+    def test_means_over_a_region_at_each_time(self):
+        whole = run("render", "street.json", "--times", NIGHT, "-o", "whole", "-j", "2", "-q", "--set", 'output.products=["reasons", "quality", "half_width"]', cwd=self.folder)
+        self.assertEqual(whole.returncode, 0, whole.stderr)
+        done = run("info", "whole", "--region", "2,2,5,5", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = re.findall(r"(\S+Z): whole\S+\nmeans .*\nregion 2,2,5,5: 9 pixels.*\n  thermal +(\S+) \+- (\S+) ", done.stdout)
+        self.assertEqual([time for time, _, _ in found], ["2026-06-21T18:00Z", "2026-06-21T20:00Z", "2026-06-21T22:00Z"])
+        for time, mean, _ in found:
+            values = cube(self.folder / "whole" / time.replace(":", "") / "image_radiance.img")[0]
+            self.assertAlmostEqual(float(mean) / (sum(values[14 * y + x] for y in range(2, 5) for x in range(2, 5)) / 9), 1, places=5)
+
     def test_what_is_done_is_not_made_again(self):
         before = {p: p.stat().st_mtime_ns for p in (self.folder / "day").glob("*/image_radiance.img")}
         again = run("render", "street.json", "--times", NIGHT, "-o", "day", "--resume", cwd=self.folder)

@@ -54,6 +54,7 @@ class Package(unittest.TestCase):
         wanted |= {f"DEBIAN/{name}" for name in ("control", "md5sums", "shlibs", "triggers")}
         wanted.add("usr/share/lintian/overrides/ifov")
         if HAS_PYTHON:
+            wanted |= {"DEBIAN/postinst", "DEBIAN/prerm"}
             wanted |= {f"usr/lib/python3/dist-packages/ifov/{file.name}" for file in (ROOT / "python/ifov").iterdir() if file.is_file()}
         self.assertEqual(wanted - self.files, set())
         rest = re.compile(
@@ -123,6 +124,15 @@ class Package(unittest.TestCase):
         done = subprocess.run(["/usr/bin/python3", "-c", code], capture_output=True, text=True, env=self.environment(), check=False, cwd="/")
         self.assertEqual(done.stdout.split()[1:], [make_deb.version(), "True", "True"], done.stderr)
         self.assertTrue(done.stdout.startswith(str(self.root)), done.stdout)
+
+    def test_python_is_compiled_where_it_is_installed(self):
+        if not HAS_PYTHON:
+            self.skipTest("the Python package was not made")
+        for name, word in (("postinst", "py3compile -p ifov"), ("prerm", "py3clean -p ifov")):
+            script = self.root / "DEBIAN" / name
+            self.assertIn(word, script.read_text())
+            self.assertEqual(script.stat().st_mode & 0o777, 0o755)
+            subprocess.run(["sh", "-n", script], check=True)
 
     def test_manual_pages_say_what_help_says(self):
         for command in (None, *manual.commands(BUILD / "ifov")):

@@ -10,6 +10,7 @@ import unittest
 
 from browsing import By, InBrowser, Keys
 from test_scene import scene
+from test_series import write_series
 from viewing import LONG, PROGRAM, Viewer, write_products
 
 AXE = os.environ.get("IFOV_AXE")
@@ -95,8 +96,9 @@ class Accessibility(InBrowser):
         write_products(cls.folder / "scene.out")
         (cls.folder / "run").mkdir()
         (cls.folder / "long.json").write_text(LONG)
+        write_series(cls.folder / "day")
         cls.viewers = [Viewer(cls.folder / "a", cls.folder / "b", "--no-browser"), Viewer(cls.folder / "scene.json", "--no-browser"),
-                       Viewer(cls.folder / "run", "--no-browser")]
+                       Viewer(cls.folder / "run", "--no-browser"), Viewer(cls.folder / "day", "--no-browser")]
 
     @classmethod
     def tearDownClass(cls):
@@ -106,7 +108,7 @@ class Accessibility(InBrowser):
 
     def screens(self):
         """Opens every screen with something in it, and tells its name."""
-        two, document, run = self.viewers
+        two, document, run, series = self.viewers
         render = subprocess.Popen([PROGRAM, "render", "long.json", "-o", "run", "-j", "1", "-q", "--restart"], cwd=self.folder)
         try:
             self.browser.get("about:blank")
@@ -135,6 +137,10 @@ class Accessibility(InBrowser):
             self.find("tab-run").click()
             self.wait(lambda: self.find("stop-run").is_displayed() and int(self.find("tiles").get_attribute("data-tiles") or 0) > 0)
             yield "run"
+            self.browser.get("about:blank")
+            self.browser.get(series.url)
+            self.wait(lambda: self.find("times").is_displayed() and self.find("spectrum").find_elements(By.CLASS_NAME, "curve"))
+            yield "series"
         finally:
             render.terminate()
             render.wait()
@@ -187,7 +193,7 @@ class Accessibility(InBrowser):
                 self.assertEqual(self.nameless(), [])
                 self.assertEqual(self.run_script(STRUCTURE), [])
                 self.assertEqual(self.focus_faults(), [])
-        self.assertEqual(seen, ["image", "scatter", "scene", "document", "run"])
+        self.assertEqual(seen, ["image", "scatter", "scene", "document", "run", "series"])
 
     @unittest.skipUnless(AXE and pathlib.Path(AXE).is_file(), "IFOV_AXE names no axe.min.js of axe-core")
     def test_axe_finds_nothing(self):

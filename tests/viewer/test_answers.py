@@ -6,12 +6,14 @@ import os
 import pathlib
 import re
 import shutil
+import statistics
 import struct
 import subprocess
+import sys
 import time
 import unittest
 
-from viewing import DOME, LONG, PROGRAM, Refused, Scratch, Viewer, run, write_cube, write_products
+from viewing import DOME, LONG, PROGRAM, TILES, Finished, Refused, Scratch, Viewer, run, slowdown, write_cube, write_products
 
 
 class Products(unittest.TestCase):
@@ -66,17 +68,17 @@ class Products(unittest.TestCase):
         self.assertEqual(pixel["material_class"], [2])
 
     def test_projections_place_points_on_the_image(self):
-        about, values = self.viewer.ask("projection", **self.here, kind="bands", a=0, b=2, c=5)
+        about, values = self.viewer.ask("projection", **self.here, most=60000, kind="bands", a=0, b=2, c=5)
         self.assertEqual((about["step"], about["columns"], about["rows"], about["axes"]), (1, 24, 16, 3))
         x, y = 7, 11
         for k, channel in enumerate((0, 2, 5)):
             self.assertAlmostEqual(values[3 * (24 * y + x) + k], 100 * channel + 11.07, places=3)
         # All channels rise alike: one axis has all the variance, six times that of y + x / 100.
-        about, values = self.viewer.ask("projection", **self.here, kind="pca")
+        about, values = self.viewer.ask("projection", **self.here, most=60000, kind="pca")
         self.assertAlmostEqual(about["strength"][0], 6 * ((16**2 - 1) / 12 + (24**2 - 1) / 12e4), places=2)
         self.assertLess(about["strength"][1], 1e-6)
         # Noise c + 1 times 0.02 over the normal quantile: the ratio is that variance times the sum of 1 / noise variance.
-        about, values = self.viewer.ask("projection", **self.here, kind="mnf")
+        about, values = self.viewer.ask("projection", **self.here, most=60000, kind="mnf")
         noise = [(0.02 * (c + 1) / 1.959964) ** 2 for c in range(6)]
         expected = ((16**2 - 1) / 12 + (24**2 - 1) / 12e4) * sum(1 / v for v in noise)
         self.assertAlmostEqual(about["strength"][0] / expected, 1, places=3)
@@ -89,7 +91,7 @@ class Products(unittest.TestCase):
                 self.assertEqual(viewer.ask("sources")["sources"][0]["run"]["channels"][1]["name"], "band 2")
                 self.assertEqual(viewer.ask("pixel", **self.here, x=1, y=0), {"cube": [2, 7]})
                 with self.assertRaisesRegex(Refused, "the run tells no errors"):
-                    viewer.ask("projection", **self.here, kind="mnf")
+                    viewer.ask("projection", **self.here, most=60000, kind="mnf")
                 with self.assertRaisesRegex(Refused, "need a run record"):
                     viewer.ask("region", **self.here, corners="0,0,2,2")
 
@@ -188,6 +190,31 @@ class Changes(unittest.TestCase):
                 _, whole = viewer.ask("band", **self.here, cube="radiance", band=0, step=1, **about)
                 self.assertEqual(whole, values[: 64 * 64])
 
+    def test_tiles_of_a_run_at_work_come_within_a_second(self):
+        """From when the other process has finished them to their values here, whatever it moves meanwhile."""
+        with Scratch() as folder:
+            (folder / "scene.json").write_text(TILES)
+            (folder / "out").mkdir()
+            with Viewer(folder / "out", "--no-browser") as viewer:
+                render = subprocess.Popen([PROGRAM, "render", "scene.json", "-o", "out", "-j", "1", "-q"], cwd=folder)
+                finished, taken, late = Finished(folder / "out"), set(), []
+                while render.poll() is None:
+                    finished.look()
+                    watch = viewer.ask("sources")["sources"][0].get("watch")
+                    for tile in [k for k, c in enumerate(watch["done"]) if c == "1" and k not in taken] if watch else []:
+                        try:
+                            viewer.ask("tile", source=0, tile=tile, band=0)
+                        except Refused as refused:
+                            self.assertEqual((refused.status, "just ended" in refused.why), (409, True), refused)
+                            continue
+                        taken.add(tile)
+                        if tile in finished.elapsed:
+                            late.append(finished.since(tile))
+                    time.sleep(0.03)
+                self.assertGreater(len(late), 20)
+                print(f"tiles of a run at work: {len(late)}, {statistics.median(late):.2f} s after they were finished, {max(late):.2f} s at most", file=sys.stderr)
+                self.assertLess(max(late), slowdown())  # on an idle machine a second
+
     def test_a_run_is_stopped_as_by_ctrl_c(self):
         with Scratch() as folder:
             (folder / "scene.json").write_text(LONG)
@@ -233,6 +260,46 @@ class Documents(unittest.TestCase):
             (message,) = [m for m in answer["messages"] if m["severity"] == "error"]
             self.assertEqual(message["line"], DOME[: DOME.index('"radius"')].count("\n") + 1)
             self.assertIn("0.4 K", message["text"])
+
+    def test_a_document_that_is_edited_is_read_again(self):
+        """Its text, what the checks say and its scene, also where an editor puts another file in its place; a version tells them apart."""
+        wrong = DOME.replace('"radius": "0.4 m"', '"radius": "0.4 K"')
+        with Scratch() as folder:
+            (folder / "scene.json").write_text(wrong)
+            with Viewer(folder / "scene.json", "--no-browser") as viewer:
+                def checked(version):
+                    for _ in range(200):
+                        answer = viewer.ask("document", source=0)
+                        if answer["checked"] and answer["version"] == version:
+                            return answer
+                        time.sleep(0.05)
+                    self.fail("it is not read again")
+                def scene(version):
+                    for _ in range(200):
+                        answer = viewer.ask("scene")
+                        if answer["state"] != "loading" and answer["version"] == version:
+                            return answer
+                        time.sleep(0.05)
+                    self.fail("it is not loaded again")
+                self.assertIn("error", {m["severity"] for m in checked(1)["messages"]})
+                self.assertEqual(len(scene(1)["faults"]), 1)
+                (folder / "new.json").write_text(DOME)
+                (folder / "new.json").replace(folder / "scene.json")
+                begun = time.monotonic()
+                while viewer.ask("document", source=0)["text"] != DOME:
+                    self.assertLess(time.monotonic() - begun, 1)
+                    time.sleep(0.02)
+                self.assertEqual(viewer.ask("sources")["documentVersion"], 2)
+                self.assertNotIn("error", {m["severity"] for m in checked(2)["messages"]})
+                self.assertEqual(scene(2)["faults"], [])
+                # Gone for a moment, then written where it lay.
+                (folder / "scene.json").unlink()
+                time.sleep(0.5)
+                self.assertEqual(viewer.ask("document", source=0)["text"], DOME)
+                (folder / "scene.json").write_text(wrong)
+                self.assertIn("error", {m["severity"] for m in checked(3)["messages"]})
+                self.assertEqual(len(scene(3)["faults"]), 1)
+                self.assertEqual(viewer.end()[::2], (0, ""))
 
 
 if __name__ == "__main__":

@@ -2,10 +2,11 @@
 
 import math
 import subprocess
+import sys
 import time
 
 from browsing import ActionChains, By, InBrowser, Keys, Select
-from viewing import LONG, PROGRAM, Scratch, Viewer, write_products
+from viewing import DOME, LONG, PROGRAM, TILES, Finished, Scratch, Viewer, slowdown, write_products
 
 EVIL = '<img src=x onerror=document.title="broken">'
 
@@ -107,6 +108,28 @@ class Page(InBrowser):
         self.wait(lambda: self.find("spectrum").find_elements(By.CLASS_NAME, "library"))
         self.shot("library")
 
+    def test_wavelengths_are_chosen_by_a_drag(self):
+        plot = self.find("spectrum")
+        marks = lambda: [t.text for t in plot.find_elements(By.TAG_NAME, "text")]
+        self.assertIn("10", marks())
+        self.assertFalse(self.find("whole-plot").is_displayed())
+        width = plot.size["width"]
+        # From below 0.48 um to about 1 um: four channels, whose values take the whole height.
+        ActionChains(self.browser, 20).move_to_element_with_offset(plot, int(-0.37 * width), 0).click_and_hold().move_by_offset(int(0.26 * width), 5).perform()
+        self.assertTrue(plot.find_elements(By.CLASS_NAME, "chosen"))
+        ActionChains(self.browser, 20).release().perform()
+        self.wait(lambda: self.find("whole-plot").is_displayed())
+        self.assertNotIn("10", marks())
+        self.assertNotIn("500", marks())
+        self.assertFalse(plot.find_elements(By.CLASS_NAME, "chosen"))
+        self.shot("plot_zoomed")
+        # A click is still a band.
+        ActionChains(self.browser, 20).move_to_element_with_offset(plot, int(0.2 * width), 0).click().perform()
+        self.wait(lambda: "B4" in self.find("readout").text or "B3" in self.find("readout").text)
+        self.assertTrue(self.find("whole-plot").is_displayed())
+        self.find("whole-plot").click()
+        self.wait(lambda: "10" in marks())
+
     def test_blink_and_swipe(self):
         buttons = {b.get_attribute("data-compare"): b for b in self.find("compare").find_elements(By.TAG_NAME, "button")}
         buttons["swipe"].click()
@@ -146,6 +169,43 @@ class Page(InBrowser):
         self.wait(lambda: int(self.find("cloud").get_attribute("data-drawn")) > before + 5)
         self.find("spin").click()
 
+    def test_graphics_and_hand_draw_the_same_points(self):
+        """The two ways to draw a cloud, pixel by pixel; a cloud that is turned by a hundredth is another."""
+        self.browser.set_script_timeout(60)
+        found = self.browser.execute_async_script("""
+            const done = arguments[arguments.length - 1];
+            import("/points.js").then(m => {
+              const n = 20000, axes = 5, W = 500, H = 400, values = new Float32Array(n * axes), colours = new Uint8Array(4 * n);
+              let seed = 1;
+              const random = () => (seed = seed * 48271 % 2147483647) / 2147483647;
+              for (let i = 0; i < n; ++i) {
+                for (let k = 0; k < axes; ++k) values[i * axes + k] = i % 97 ? random() + random() + random() - 1.5 : NaN;
+                if (i % 3) colours.set([11, 75, 95, i % 5 ? 0 : 120], 4 * i); else colours.set([200, 60, i % 256, i % 11 ? 0 : 255], 4 * i);
+              }
+              const draw = (by, angle) => {
+                const host = document.createElement("canvas");
+                document.body.append(host);
+                const painter = m.pointsBelow(host, () => {}, by), c = Math.cos(angle), s = Math.sin(angle);
+                painter.take(values, n, axes);
+                painter.tint(colours);
+                painter.draw({basis: [[c, 0, s, 0, 0], [0, 0.6, 0, 0, 0.8], [-s, 0, c, 0, 0]], scale: 150, W, H, ground: [223, 228, 231]});
+                const flat = document.createElement("canvas");
+                [flat.width, flat.height] = [W, H];
+                flat.getContext("2d").drawImage(painter.canvas, 0, 0);
+                painter.canvas.remove(); host.remove();
+                return flat.getContext("2d").getImageData(0, 0, W, H).data;
+              };
+              const off = (a, b) => { let count = 0; for (let k = 0; k < a.length; k += 4) if (Math.max(...[0, 1, 2].map(c => Math.abs(a[k + c] - b[k + c]))) > 2) ++count; return count / (W * H); };
+              const hand = draw("hand", 0.3);
+              let ground = 0;
+              for (let k = 0; k < hand.length; k += 4) if (hand[k] === 223 && hand[k + 1] === 228) ++ground;
+              done([off(hand, draw("graphics", 0.3)), off(hand, draw("graphics", 0.31)), ground / (W * H)]);
+            }).catch(error => done(String(error)));""")
+        same, turned, ground = found
+        self.assertLess(same, 0.002, found)
+        self.assertGreater(turned, 0.1, found)
+        self.assertTrue(0.2 < ground < 0.8, found)
+
     def test_documents_and_reasons(self):
         (self.folder / "scene.json").write_text('{\n  "ifov": 1,\n  "scene": {"objects": [{"plane": {}, "material": "' + EVIL.replace('"', "'") + '"}]},\n  "sensor": {}\n}\n')
         with Viewer(self.folder / "scene.json", "--no-browser") as viewer:
@@ -155,13 +215,24 @@ class Page(InBrowser):
             self.wait(lambda: self.find("messages").find_elements(By.CLASS_NAME, "error"))
             self.assertTrue(self.find("listing").find_elements(By.CLASS_NAME, "wrong"))
             self.shot("document")
+            # It is edited: the page follows, its scene too.
+            (self.folder / "scene.json").write_text(DOME)
+            self.wait(lambda: "A warm dome" in self.find("listing").text and not self.find("messages").find_elements(By.CLASS_NAME, "error"))
+            self.wait(lambda: self.find("messages").find_elements(By.CLASS_NAME, "statement"))
+            self.assertFalse(self.find("listing").find_elements(By.CLASS_NAME, "wrong"))
+            self.find("tab-scene").click()
+            self.wait(lambda: "2 objects" in self.find("scene-text").text and not self.find("scene-wrong").is_displayed())
+            self.wait(lambda: self.find("view").get_attribute("data-step") == "1")
+            before = self.find("view").get_attribute("data-eye"), self.find("view").get_attribute("data-drawn")
+            (self.folder / "scene.json").write_text(DOME.replace('"radius": "0.4 m"', '"radius": "0.8 m"'))
+            self.wait(lambda: self.find("view").get_attribute("data-drawn") != before[1])
+            self.assertEqual(self.find("view").get_attribute("data-eye"), before[0])
             self.browser.get("about:blank")
         self.browser.get_log("browser")
 
     def test_a_run_at_work(self):
         with Scratch() as folder:
-            document = LONG.replace("4000, 4000", "448, 448").replace('"elements": [30, 30]', '"elements": [10, 10]')
-            (folder / "scene.json").write_text(document)
+            (folder / "scene.json").write_text(TILES)
             (folder / "out").mkdir()
             with Viewer(folder / "out", "--no-browser") as viewer:
                 self.browser.get(viewer.url)
@@ -171,6 +242,17 @@ class Page(InBrowser):
                 self.assertIn("tiles", self.find("figures").text)
                 self.assertTrue(self.find("stop-run").is_displayed())
                 self.shot("run")
+                # What is drawn is what was finished a second before, at most.
+                finished, late = Finished(folder / "out"), []
+                while render.poll() is None:
+                    drawn = int(self.find("tiles").get_attribute("data-tiles"))
+                    finished.look()
+                    ends = sorted(finished.elapsed, key=finished.elapsed.get)
+                    if len(ends) > drawn:
+                        late.append(finished.since(ends[drawn]))
+                    time.sleep(0.03)
+                print(f"tiles on the page: {max(late):.2f} s at most after they were finished", file=sys.stderr)
+                self.assertLess(max(late), slowdown())
                 self.assertIn(render.wait(timeout=120), (0, 5, 6))
                 self.wait(lambda: self.find("tab-image").is_enabled())
                 self.wait(lambda: not self.find("stop-run").is_displayed())

@@ -2,6 +2,7 @@
 
 import http.client
 import json
+import math
 import os
 import pathlib
 import re
@@ -10,12 +11,13 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 import urllib.parse
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/cli"))
 
-from program import DOME, LONG, PROGRAM, Folder, run  # noqa: E402, F401
+from program import DOME, LONG, PROGRAM, Folder, run, slowdown  # noqa: E402, F401
 
 
 class Viewer:
@@ -73,6 +75,36 @@ class Viewer:
         return json.loads(body)
 
 
+# A run of 49 tiles, some a second.
+TILES = LONG.replace("4000, 4000", "448, 448").replace('"elements": [30, 30]', '"elements": [10, 10]')
+
+
+class Finished:
+    """When each tile of a run at work was finished, as its records in packs tell it (docs/formats/run_state.md)."""
+
+    def __init__(self, folder):
+        self.folder, self.elapsed, self.begun, self.seen = pathlib.Path(folder) / "run.part/tiles", {}, math.inf, set()
+
+    def look(self):
+        for pack in sorted(self.folder.glob("*.tiles")):
+            try:
+                written, content = pack.stat().st_mtime, pack.read_bytes()
+            except FileNotFoundError:
+                continue
+            if (pack.name, written) in self.seen:
+                continue
+            self.seen.add((pack.name, written))
+            at = 0
+            while at + 208 <= len(content):
+                (tile,), (payload,), (elapsed,) = (struct.unpack_from(code, content, at + k) for code, k in (("<I", 16), ("<Q", 48), ("<d", 112)))
+                self.elapsed[tile] = elapsed
+                self.begun = min(self.begun, written - elapsed)  # a record is written once its tile is finished
+                at += 208 + payload
+
+    def since(self, tile):
+        return time.time() - self.begun - self.elapsed[tile]
+
+
 class Refused(Exception):
     def __init__(self, status, why):
         super().__init__(f"{status}: {why}")
@@ -102,14 +134,14 @@ def write_cube(path, bands, names=None, wavelengths=None, unit=None, classes=Non
                 file.write(struct.pack(f"<{width}{code}", *band[y]))
 
 
-def write_products(folder, width=24, height=16, name="image", label="grass"):
-    """A run's products whose values say where they are: channel c of pixel (x, y) is 100 c + y + x / 100."""
+def write_products(folder, width=24, height=16, name="image", label="grass", factor=1):
+    """A run's products whose values say where they are: channel c of pixel (x, y) is 100 c + y + x / 100, times a factor."""
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     um = [0.48, 0.56, 0.66, 0.86, 1.65, 10.8]
     channels = [f"B{c + 1}" for c in range(len(um))]
     grid = lambda value: [[value(x, y) for x in range(width)] for y in range(height)]
-    values = [grid(lambda x, y, c=c: 100 * c + y + x / 100) for c in range(len(um))]
+    values = [grid(lambda x, y, c=c: factor * (100 * c + y + x / 100)) for c in range(len(um))]
     write_cube(folder / f"{name}_radiance.img", values, channels, um, "W m-2 sr-1 um-1")
     write_cube(folder / f"{name}_half_width.img", [grid(lambda x, y, c=c: 0.02 * (c + 1)) for c in range(len(um))], channels, um)
     write_cube(folder / f"{name}_abundance.img", [grid(lambda x, y: x / (width - 1)), grid(lambda x, y: 1 - x / (width - 1))], [label, "roof"])

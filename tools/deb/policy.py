@@ -50,5 +50,13 @@ def shared_libraries(version):
     return f"libifov {major}.{minor} ifov (>= {version})\n"
 
 
+def python_scripts():
+    """By name: what compiles the Python package once it is there, so that not every user's import does, and takes that away (Python policy)."""
+    return {
+        "postinst": "#!/bin/sh\nset -e\nif command -v py3compile > /dev/null; then py3compile -p ifov; fi\n",
+        "prerm": "#!/bin/sh\nset -e\nif command -v py3clean > /dev/null; then py3clean -p ifov; fi\n",
+    }
+
+
 def overrides():
     return "".join(f"# {textwrap.fill(why, 100, subsequent_indent='# ')}\nifov: {tag} *\n" for tag, why in ON_PURPOSE.items())

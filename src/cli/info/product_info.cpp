@@ -9,11 +9,12 @@
 #include "core/error.h"
 #include "core/format.h"
 #include "ifov/products.h"
+#include "ifov/series.h"
 
 namespace ifov::cli {
 namespace {
 
-constexpr std::size_t kMostChannelsShown = 12;
+constexpr std::size_t kMostLinesShown = 12;
 
 void add_line(std::string& text, std::string_view name, const std::string& value) {
   if (!value.empty() && value != "?") text += format("{:<10} {}\n", name, value);
@@ -25,12 +26,13 @@ std::string wavelength(double um) {
   return um < 3.0 ? format("{:.6g} nm", 1e3 * um) : format("{:.6g} um", um);
 }
 
-std::string shown_channels(const std::vector<std::string>& lines) {
+/// The first lines and the last, where there are many.
+std::string shown(std::string_view name, const std::vector<std::string>& lines) {
   std::string text;
-  const std::size_t shown = lines.size() > kMostChannelsShown ? kMostChannelsShown / 2 : lines.size();
-  for (std::size_t i = 0; i < shown; ++i) text += format("{:<10} {}\n", i == 0 ? "channels" : "", lines[i]);
-  if (shown == lines.size()) return text;
-  text += format("{:<10} ... {} more\n", "", lines.size() - shown - 1);
+  const std::size_t first = lines.size() > kMostLinesShown ? kMostLinesShown / 2 : lines.size();
+  for (std::size_t i = 0; i < first; ++i) text += format("{:<10} {}\n", i == 0 ? name : "", lines[i]);
+  if (first == lines.size()) return text;
+  text += format("{:<10} ... {} more\n", "", lines.size() - first - 1);
   return text + format("{:<10} {}\n", "", lines.back());
 }
 
@@ -69,7 +71,7 @@ std::string describe_record(const std::filesystem::path& path) {
   std::vector<std::string> channels;
   for (const RunInfo::Channel& channel : run.channels)
     channels.push_back(channel_line(channel, known(run.radiance_unit)));
-  text += shown_channels(channels) + accuracy_lines(run);
+  text += shown("channels", channels) + accuracy_lines(run);
   add_line(text, "cost",
            format("{} rays, {} samples, {}", short_count(run.rays), short_count(run.samples),
                   format("{:.2f} s", run.elapsed_s)));
@@ -102,14 +104,36 @@ std::string describe_envi(const std::filesystem::path& path) {
     if (i < cube.fwhm.size()) line += format(", width {:.6g}", cube.fwhm[i]);
     bands.push_back(std::move(line));
   }
-  return text + shown_channels(bands);
+  return text + shown("channels", bands);
 }
 
 bool ends_with(const std::filesystem::path& path, std::string_view ending) {
   return path.filename().string().ends_with(ending);
 }
 
+std::string describe_series(const SeriesInfo& series) {
+  std::string text = format("{}\n", series.folder.string());
+  add_line(text, "series", format("of {}, made by ifov {}", known(series.document), known(series.version)));
+  std::vector<std::string> lines;
+  std::size_t made = 0;
+  for (const SeriesInfo::Time& one : series.times) {
+    made += one.record.empty() ? 0 : 1;
+    lines.push_back(
+        format("{}  {}", one.time, one.record.empty() ? "not made yet" : one.folder.filename().string()));
+  }
+  add_line(text, "made",
+           format("{} of {} times{}", made, series.times.size(),
+                  made == series.times.size() ? "" : "; ifov render --resume goes on"));
+  text += shown("times", lines);
+  for (const std::string& file : series.files) add_line(text, "file", file);
+  // All times are of one document: what is told of the first goes for the others.
+  for (const SeriesInfo::Time& one : series.times)
+    if (!one.record.empty()) return text + "\n" + describe_record(one.record);
+  return text;
+}
+
 std::string describe_folder(const std::filesystem::path& folder) {
+  if (const auto series = series_info(folder)) return describe_series(*series);
   std::string text;
   for (const std::filesystem::path& product : products_in(folder))
     text += format("{}{}", text.empty() ? "" : "\n",
@@ -117,11 +141,17 @@ std::string describe_folder(const std::filesystem::path& folder) {
   return text;
 }
 
+/// In which a file lies.
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
 }  // namespace
 
 std::string describe_product(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) throw SystemError(format("there is no '{}'", path.string()));
   if (std::filesystem::is_directory(path)) return describe_folder(path);
+  if (ends_with(path, "_series.json")) return describe_folder(folder_of(path));
   if (ends_with(path, ".json")) return describe_record(path);
   if (ends_with(path, ".img") || ends_with(path, ".hdr")) return describe_envi(path);
   throw InputError(

@@ -4,6 +4,7 @@
 
 #include "core/format.h"
 #include "ifov/products.h"
+#include "ifov/series.h"
 
 namespace ifov::cli {
 namespace {
@@ -39,14 +40,25 @@ std::string lines_of(const RegionMean& region, const RunInfo& run) {
   return lines;
 }
 
-}  // namespace
-
-std::string describe_regions(const std::filesystem::path& path, const std::vector<std::string>& regions) {
+std::string describe_run(const std::filesystem::path& path, const std::vector<std::string>& regions) {
   const RunInfo run = run_info(record_of(path));
   std::string text =
       format("{}\nmeans and half-widths at {:g} % confidence\n", run.path.string(), 100.0 * run.confidence);
   for (const RegionMean& region : region_means(path, regions)) text += lines_of(region, run);
   return text;
+}
+
+}  // namespace
+
+std::string describe_regions(const std::filesystem::path& path, const std::vector<std::string>& regions) {
+  const auto series = std::filesystem::is_directory(path) ? series_info(path) : std::nullopt;
+  if (!series) return describe_run(path, regions);
+  std::string text;
+  for (const SeriesInfo::Time& one : series->times)
+    if (!one.record.empty())
+      text += format("{}{}: {}", text.empty() ? "" : "\n", one.time, describe_run(one.record, regions));
+  return text.empty() ? format("{}: none of {} times is made yet\n", path.string(), series->times.size())
+                      : text;
 }
 
 }  // namespace ifov::cli

@@ -4,6 +4,8 @@
 #include <limits>
 #include <optional>
 
+#include "core/error.h"
+
 namespace ifov::io {
 namespace {
 
@@ -24,6 +26,12 @@ std::optional<EnviReader> open_if_there(const std::filesystem::path& path) {
 RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& region,
                          const sampling::RegionRule& rule,
                          const std::vector<std::optional<render::AtmosphereHalfWidth>>& air) {
+  for (const char* needed : {"_reasons.img", "_quality.img"})
+    if (!std::filesystem::exists(cube(stem, needed)))
+      throw InputError(
+          format("there is no {}, which means over regions need; expected 'reasons' and 'quality' among "
+                 "the document's output.products",
+                 cube(stem, needed).string()));
   const EnviReader radiance(cube(stem, "_radiance.img")), reasons(cube(stem, "_reasons.img")),
       quality(cube(stem, "_quality.img"));
   const std::optional<EnviReader> half_width = open_if_there(cube(stem, "_half_width.img"));

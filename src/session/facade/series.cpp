@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "session/facade/access.h"
 #include "session/facade/run_outcome.h"
+#include "session/series/series_record.h"
 #include "session/series/series_run.h"
 
 namespace ifov {
@@ -73,6 +74,23 @@ SeriesOutcome render_series(const Document& document, const std::string& times,
     outcome.times.push_back({std::move(one.time), std::move(one.folder), one.was_there, std::move(of_time)});
   }
   return outcome;
+}
+
+std::optional<SeriesInfo> series_info(const std::filesystem::path& folder) {
+  const std::optional<session::SeriesRecord> record = session::SeriesRecord::in(folder);
+  if (!record) return std::nullopt;
+  SeriesInfo info{.folder = folder,
+                  .version = record->version,
+                  .document = record->document,
+                  .name = record->name,
+                  .times = {},
+                  .complete = record->complete,
+                  .files = record->files};
+  for (const session::SeriesRecord::One& one : record->times) {
+    const std::filesystem::path at = folder / one.folder;
+    info.times.push_back({one.time, at, session::complete_run(at, record->name).value_or("")});
+  }
+  return info;
 }
 
 }  // namespace ifov

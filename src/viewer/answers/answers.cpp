@@ -3,12 +3,15 @@
 #include "core/error.h"
 #include "io/envi/colour_map.h"
 #include "io/json/json_writer.h"
+#include "viewer/sources/checked_document.h"
 #include "viewer/sources/open_run.h"
 #include "viewer/sources/run_watch.h"
 #include "viewer/sources/scene_source.h"
 
 namespace ifov::viewer {
 namespace {
+
+constexpr std::size_t kMostOpen = 20;  // times of a series
 
 struct Row {
   std::string_view name;
@@ -19,6 +22,7 @@ struct Row {
 constexpr Row kRows[] = {
     {"sources", &Answers::sources, false},
     {"band", &Answers::band, true},
+    {"spread", &Answers::spread, true},
     {"pixel", &Answers::pixel, false},
     {"region", &Answers::region, true},
     {"projection", &Answers::projection, true},
@@ -40,10 +44,10 @@ const Row* row_of(std::string_view name) {
 
 }  // namespace
 
-Answers::Answers(std::vector<std::filesystem::path> folders, std::unique_ptr<CheckedDocument> document,
+Answers::Answers(ShownFolders shown, std::unique_ptr<CheckedDocument> document,
                  std::unique_ptr<SceneSource> scene)
-    : document_(std::move(document)), scene_(std::move(scene)) {
-  for (std::filesystem::path& folder : folders)
+    : times_(std::move(shown.times)), document_(std::move(document)), scene_(std::move(scene)) {
+  for (std::filesystem::path& folder : shown.folders)
     sources_.push_back(std::make_unique<Source>(std::move(folder)));
 }
 
@@ -60,10 +64,32 @@ Answer Answers::answer(std::string_view name, const Query& query) {
 
 bool Answers::changes(std::string_view name) { return name == "stop"; }
 
+std::uint64_t Answers::document_version() {
+  if (!document_) return 0;
+  const std::uint64_t version = document_->look();
+  if (scene_) scene_->follow(version);
+  return version;
+}
+
 Source& Answers::source(const Query& query) {
   if (sources_.empty()) throw Refused(404, "no folder is shown");
-  return *sources_[static_cast<std::size_t>(
-      query.integer("source", 0, static_cast<int>(sources_.size()) - 1))];
+  const auto asked =
+      static_cast<std::size_t>(query.integer("source", 0, static_cast<int>(sources_.size()) - 1));
+  static_cast<void>(look_at(asked));
+  return *sources_[asked];
+}
+
+Source::Now Answers::look_at(std::size_t source) {
+  Source::Now now = sources_[source]->now();
+  if (times_.empty()) return now;
+  const std::lock_guard lock(recent_mutex_);
+  std::erase(recent_, source);
+  recent_.insert(recent_.begin(), source);
+  if (recent_.size() > kMostOpen) {
+    sources_[recent_.back()]->close();
+    recent_.pop_back();
+  }
+  return now;
 }
 
 std::shared_ptr<const OpenRun> Answers::run(const Query& query) {

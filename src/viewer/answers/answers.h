@@ -16,14 +16,20 @@ class SceneModel;
 
 namespace ifov::viewer {
 
+class CheckedDocument;
 class SceneSource;
+
+/// What the command line names, as folders.
+struct ShownFolders {
+  std::vector<std::filesystem::path> folders;
+  std::vector<std::string> times;  ///< of each, where they are those of a series; else empty
+};
 
 /// What the page may ask for, each under a name of a table. Knows nothing of HTTP. From any thread.
 class Answers {
  public:
   /// `document` and its `scene` may be null.
-  Answers(std::vector<std::filesystem::path> folders, std::unique_ptr<CheckedDocument> document,
-          std::unique_ptr<SceneSource> scene);
+  Answers(ShownFolders shown, std::unique_ptr<CheckedDocument> document, std::unique_ptr<SceneSource> scene);
   ~Answers();
 
   /// Throws Refused; InputError and SystemError as readers do.
@@ -35,6 +41,7 @@ class Answers {
   // Each name's own, for the table.
   Answer sources(const Query& query);
   Answer band(const Query& query);
+  Answer spread(const Query& query);
   Answer pixel(const Query& query);
   Answer region(const Query& query);
   Answer projection(const Query& query);
@@ -50,9 +57,13 @@ class Answers {
 
  private:
   Source& source(const Query& query);
+  /// What a source holds. Of a series the one that nobody has asked for longest is closed: a day of times has more files than may be open.
+  Source::Now look_at(std::size_t source);
   /// The run of the generation that is asked for; 409 where there is another by now.
   std::shared_ptr<const OpenRun> run(const Query& query);
 
+  /// Which version of the document is shown, after a look at its file; 0 where none is.
+  std::uint64_t document_version();
   SceneSource& scene_source();
   std::shared_ptr<const session::SceneModel> scene_model();
 
@@ -69,6 +80,9 @@ class Answers {
   };
 
   std::vector<std::unique_ptr<Source>> sources_;
+  std::vector<std::string> times_;  ///< of each, in a series
+  std::mutex recent_mutex_;
+  std::vector<std::size_t> recent_;  ///< times of a series that are open, the last that was asked for first
   std::unique_ptr<CheckedDocument> document_;
   std::unique_ptr<SceneSource> scene_;
   std::counting_semaphore<2> large_{2};  ///< what takes much memory waits for its turn

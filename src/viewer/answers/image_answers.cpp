@@ -15,12 +15,32 @@ namespace {
 /// Of all cubes that a mean over a region reads.
 constexpr std::uint64_t kMostRegionBytes = std::uint64_t{4} << 30;
 constexpr std::size_t kLongestRegion = 6000;
+// Of a series: each time that is open holds some files.
+constexpr std::size_t kSpreadTimes = 12, kSpreadPixels = 8192;
+constexpr const char* kNoRun = "no run is at work in the folder, or it has just ended";
 
 const OpenRun::Cube& cube_of(const OpenRun& run, const Query& query) {
   const std::string name = query.text("cube", 200);
   const OpenRun::Cube* cube = run.cube(name);
   if (cube == nullptr) throw Refused(404, format("the run has no cube '{}'", name));
   return *cube;
+}
+
+/// What is known of where tiles lie may be a third of a second old, and a run at work moves them: where one is not found, the run is
+/// looked at once more.
+RunWatch::Tile tile_of(const RunWatch& watch, const std::filesystem::path& folder, int tile, int channel) {
+  const auto index = static_cast<std::size_t>(tile), column = static_cast<std::size_t>(channel);
+  try {
+    return watch.tile(index, column);
+  } catch (const SystemError&) {
+    if (!holds_unfinished_run(folder)) throw Refused(409, kNoRun);
+  }
+  try {
+    return RunWatch(folder).tile(index, column);
+  } catch (const SystemError&) {
+    if (!holds_unfinished_run(folder)) throw Refused(409, kNoRun);
+    throw;
+  }
 }
 
 }  // namespace
@@ -46,6 +66,33 @@ Answer Answers::band(const Query& query) {
       values[row * columns + column] = line[thinned_place(column, apart, line.size())];
   }
   return numbers(values, format("{{\"columns\":{},\"rows\":{}}}", columns, rows));
+}
+
+/// Of a band of some times of a series, spread over it, every so many-th pixel: what one stretch for all times follows from. Other cubes and
+/// bands come in the same order.
+Answer Answers::spread(const Query& query) {
+  std::vector<std::size_t> made;
+  for (std::size_t k = 0; k < sources_.size(); ++k)
+    if (!signature_of(sources_[k]->folder()).empty()) made.push_back(k);
+  const std::size_t count = std::min(made.size(), kSpreadTimes);
+  std::vector<float> values, line;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t k = count > 1 ? made[i * (made.size() - 1) / (count - 1)] : made[i];
+    const std::shared_ptr<const OpenRun> run = look_at(k).run;
+    if (!run) continue;
+    const OpenRun::Cube& cube = cube_of(*run, query);
+    const int band = query.integer("band", 0, cube.reader.header().bands - 1);
+    const auto width = static_cast<std::size_t>(run->width_px),
+               height = static_cast<std::size_t>(run->height_px);
+    std::size_t apart = 1;
+    while ((width / apart) * (height / apart) > kSpreadPixels) ++apart;
+    line.resize(width);
+    for (std::size_t y = apart / 2; y < height; y += apart) {
+      cube.reader.read(static_cast<int>(y), band, line);
+      for (std::size_t x = apart / 2; x < width; x += apart) values.push_back(line[x]);
+    }
+  }
+  return numbers(values, format("{{\"times\":{}}}", count));
 }
 
 Answer Answers::pixel(const Query& query) {
@@ -92,13 +139,14 @@ Answer Answers::region(const Query& query) {
 }
 
 Answer Answers::tile(const Query& query) {
-  const auto watch = source(query).now().watch;
-  if (!watch) throw Refused(409, "no run is at work in the folder, or it has just ended");
+  Source& asked = source(query);
+  const auto watch = asked.now().watch;
+  if (!watch) throw Refused(409, kNoRun);
   const int tile = query.integer("tile", 0, static_cast<int>(watch->grid().size()) - 1);
   const int channel = query.integer("band", 0, watch->channels() - 1);
   if (!watch->done()[static_cast<std::size_t>(tile)]) throw Refused(409, "the tile is not done yet");
   const sampling::PixelRect rect = watch->grid()[static_cast<std::size_t>(tile)];
-  RunWatch::Tile values = watch->tile(static_cast<std::size_t>(tile), static_cast<std::size_t>(channel));
+  RunWatch::Tile values = tile_of(*watch, asked.folder(), tile, channel);
   std::vector<float> both = std::move(values.mean);
   both.insert(both.end(), values.worst_ratio.begin(), values.worst_ratio.end());
   return numbers(both,

@@ -13,7 +13,8 @@
 namespace ifov::viewer {
 namespace {
 
-constexpr std::size_t kMostPoints = 60000;
+constexpr int kMostPoints = 1 << 20;
+constexpr std::size_t kMostScores = std::size_t{4} << 20;       // 16 MiB of floats
 constexpr std::size_t kMostCubeValues = std::size_t{12} << 20;  // 48 MiB of floats
 constexpr int kMostAxes = 10;
 
@@ -95,7 +96,9 @@ Answer Answers::projection(const Query& query) {
     for (const char* name : {"a", "b", "c"}) bands.push_back(query.integer(name, 0, all - 1));
   else
     for (int b = 0; b < all; ++b) bands.push_back(b);
-  const std::size_t most = std::min(kMostPoints, kMostCubeValues / bands.size());
+  const std::size_t most = std::min({static_cast<std::size_t>(query.integer("most", 3, kMostPoints)),
+                                     kMostCubeValues / bands.size(),
+                                     kMostScores / std::min<std::size_t>(bands.size(), kMostAxes)});
   int step = 1;
   const auto count = [&](int s) {
     return static_cast<std::size_t>((run->width_px + s - 1) / s) *

@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "io/json/json_writer.h"
 #include "viewer/answers/answers.h"
+#include "viewer/sources/checked_document.h"
 #include "viewer/sources/scene_source.h"
 
 namespace ifov::viewer {
@@ -134,11 +135,13 @@ std::shared_ptr<const SceneModel> Answers::scene_model() {
 }
 
 Answer Answers::scene(const Query&) {
+  document_version();
   const SceneSource::State state = scene_source().state();
   // Once it is there the checks are worked out, too, before they are looked at.
   if (document_ != nullptr && (state.model || !state.failure.empty())) document_->begin();
   JsonWriter json(JsonWriter::Layout::compact);
   json.object([&] {
+    json.member("version", state.version);
     json.member("state", state.model ? "ready" : state.failure.empty() ? "loading" : "failed");
     json.member("failure", state.failure);
     json.member("file", scene_source().file());

@@ -100,15 +100,39 @@ void put_watch(JsonWriter& json, const RunWatch& watch) {
 
 }  // namespace
 
-Answer Answers::sources(const Query&) {
+/// Of a series those that are asked for, as "3,17"; the first where none are. Else all.
+Answer Answers::sources(const Query& query) {
+  std::vector<std::size_t> chosen;
+  std::string made, working;
+  for (std::size_t k = 0; k < sources_.size(); ++k) {
+    if (times_.empty()) {
+      chosen.push_back(k);
+      continue;
+    }
+    const std::filesystem::path& folder = sources_[k]->folder();
+    made += signature_of(folder).empty() ? '0' : '1';
+    if (working.empty() && holds_unfinished_run(folder)) working = std::to_string(k);
+  }
+  if (!times_.empty()) {
+    for (const char* name : {"a", "b", "c"})
+      if (query.has(name))
+        chosen.push_back(
+            static_cast<std::size_t>(query.integer(name, 0, static_cast<int>(sources_.size()) - 1)));
+    if (chosen.empty()) chosen.push_back(made.find('1') == std::string::npos ? 0 : made.find('1'));
+  }
   JsonWriter json(JsonWriter::Layout::compact);
   json.object([&] {
     json.member("document", document_ != nullptr);
+    json.member("documentVersion", document_version());
+    json.member("times", times_);
+    json.member("made", made);
+    json.member("working", working);
     json.list("sources", [&] {
-      for (const auto& source : sources_) {
-        const Source::Now now = source->now();
+      for (const std::size_t k : chosen) {
+        const Source::Now now = look_at(k);
         json.object([&] {
-          json.member("folder", source->folder().string());
+          json.member("index", k);
+          json.member("folder", sources_[k]->folder().string());
           json.member("generation", now.generation);
           json.member("fault", now.fault);
           if (now.run) put_run(json, *now.run);

@@ -2,6 +2,7 @@
 #include "ifov/materials.h"
 #include "io/json/json_writer.h"
 #include "viewer/answers/answers.h"
+#include "viewer/sources/checked_document.h"
 #include "viewer/sources/open_run.h"
 #include "viewer/sources/scene_source.h"
 
@@ -25,10 +26,12 @@ constexpr std::size_t kMostMaterials = 60;
 Answer Answers::document(const Query& query) {
   io::JsonWriter json(io::JsonWriter::Layout::compact);
   if (document_) {
+    document_version();
     // Not both at a time: each loads what the document names, and the second finds what the first has left in the cache.
     if (scene_ == nullptr || !scene_->is_loading()) document_->begin();
     const CheckedDocument::State state = document_->state();
     json.object([&] {
+      json.member("version", state.version);
       json.member("file", state.file);
       json.member("text", state.text);
       json.member("checked", state.checked);
@@ -48,6 +51,7 @@ Answer Answers::document(const Query& query) {
   const auto run = source(query).now().run;
   if (!run || run->record.empty()) throw Refused(404, "there is no run record that holds a document");
   json.object([&] {
+    json.member("version", 1);
     json.member("file", run->document);
     json.member("text", run->document_text);
     json.member("checked", true);

@@ -16,36 +16,44 @@ double seconds_since(std::chrono::steady_clock::time_point begun) {
 /// Takes down how far loading is.
 class SceneSource::Teller final : public ProgressSink {
  public:
-  explicit Teller(SceneSource& source) : source_(source) {}
+  Teller(SceneSource& source, std::uint64_t version) : source_(source), version_(version) {}
   void report(const Progress& progress) override {
     const std::lock_guard lock(source_.mutex_);
+    if (source_.state_.version != version_) return;
     source_.state_.done = progress.pixels_done, source_.state_.of = progress.pixels_total;
   }
   void phase(const std::string& what) override {
     const std::lock_guard lock(source_.mutex_);
-    source_.state_.phase = what;
+    if (source_.state_.version == version_) source_.state_.phase = what;
   }
 
  private:
   SceneSource& source_;
+  std::uint64_t version_;
 };
 
 SceneSource::SceneSource(std::filesystem::path file, std::vector<std::string> set)
     : file_(std::move(file)), set_(std::move(set)) {}
 
 SceneSource::~SceneSource() {
-  cancel_.cancel();
+  {
+    const std::lock_guard lock(mutex_);
+    if (cancel_) cancel_->cancel();
+  }
   if (loading_.joinable()) loading_.join();
 }
 
 SceneSource::State SceneSource::state() {
   const std::lock_guard lock(mutex_);
-  if (!loading_.joinable()) {
+  if (!cancel_) {
+    cancel_ = std::make_shared<CancelToken>();
     begun_ = std::chrono::steady_clock::now();
-    const Call call{current_call().inputs, &cancel_};
-    loading_ = std::thread([this, call] {
+    loading_ = std::thread([this, version = state_.version, cancel = cancel_, inputs = current_call().inputs,
+                            before = std::move(loading_)]() mutable {
+      if (before.joinable()) before.join();
+      const Call call{inputs, cancel.get()};
       const CallScope scope(call);
-      load();
+      load(version);
     });
   }
   State now = state_;
@@ -53,16 +61,25 @@ SceneSource::State SceneSource::state() {
   return now;
 }
 
-bool SceneSource::is_loading() {
+void SceneSource::follow(std::uint64_t version) {
   const std::lock_guard lock(mutex_);
-  return loading_.joinable() && !state_.model && state_.failure.empty();
+  if (version <= state_.version) return;
+  if (cancel_) cancel_->cancel();
+  cancel_.reset();
+  state_ = {};
+  state_.version = version;
 }
 
-void SceneSource::load() {
+bool SceneSource::is_loading() {
+  const std::lock_guard lock(mutex_);
+  return cancel_ && !state_.model && state_.failure.empty();
+}
+
+void SceneSource::load(std::uint64_t version) {
   std::shared_ptr<const session::SceneModel> model;
   std::vector<session::DocumentFault> faults;
   std::string failure;
-  Teller teller(*this);
+  Teller teller(*this, version);
   try {
     std::vector<io::DocumentOverride> overrides;
     for (const std::string& written : set_) overrides.push_back(io::read_override(written));
@@ -73,6 +90,7 @@ void SceneSource::load() {
     failure = error.what();
   }
   const std::lock_guard lock(mutex_);
+  if (state_.version != version) return;
   state_.model = std::move(model);
   state_.failure = std::move(failure);
   state_.faults = std::move(faults);

@@ -15,7 +15,7 @@
 
 namespace ifov::viewer {
 
-/// The scene of a document, loaded beside once somebody asks for it. From any thread.
+/// The scene of a document, loaded beside once somebody asks for it, and anew once it is told of another version. From any thread.
 class SceneSource {
  public:
   /// `set` as of Document::read.
@@ -26,6 +26,7 @@ class SceneSource {
   SceneSource& operator=(const SceneSource&) = delete;
 
   struct State {
+    std::uint64_t version = 1;                         ///< of the document
     std::shared_ptr<const session::SceneModel> model;  ///< null: not yet, or never
     std::string failure;                               ///< why there is none; empty: it is being loaded
     std::vector<session::DocumentFault> faults;  ///< without a model: those that came before the failure
@@ -35,6 +36,8 @@ class SceneSource {
   };
   /// Begins to load where nobody has asked before.
   State state();
+  /// Drops what it has of another version of the document (CheckedDocument::look), and stops loading it.
+  void follow(std::uint64_t version);
   /// Whether it has begun to load, and goes on.
   bool is_loading();
 
@@ -45,13 +48,13 @@ class SceneSource {
 
  private:
   class Teller;
-  void load();
+  void load(std::uint64_t version);
 
   std::filesystem::path file_;
   std::vector<std::string> set_;
-  CancelToken cancel_;
   std::mutex mutex_;
   State state_;
+  std::shared_ptr<CancelToken> cancel_;  ///< of loading; null: it has not begun of this version
   std::chrono::steady_clock::time_point begun_;
   std::thread loading_;
 };

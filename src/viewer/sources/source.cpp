@@ -1,70 +1,36 @@
 #include "viewer/sources/source.h"
 
+#include <algorithm>
+
 #include "core/error.h"
-#include "io/files/input_file.h"
 #include "viewer/sources/open_run.h"
 #include "viewer/sources/run_watch.h"
 
 namespace ifov::viewer {
 namespace {
 
-constexpr std::chrono::milliseconds kBetweenLooks{300};
+// Tiles of a run at work are to be seen within a second; a run of very many of them is looked at less often.
+constexpr std::chrono::milliseconds kBetweenLooks{200};
+constexpr int kLookShare = 5;  // of the time one at most goes into looks
 
 }  // namespace
-
-CheckedDocument::CheckedDocument(const std::filesystem::path& file, const std::vector<std::string>& set)
-    : file_(file), set_(set), call_(current_call()) {
-  state_.file = file.string();
-  state_.text = io::read_input(file);
-  try {
-    output_folder_ = Document::read(file, set).output_folder();
-  } catch (const std::exception&) {
-    // The checks say what is wrong.
-  }
-}
-
-void CheckedDocument::begin() {
-  const std::lock_guard lock(mutex_);
-  if (checks_.joinable()) return;
-  checks_ = std::thread([this] {
-    const CallScope scope(call_);
-    std::vector<Message> messages;
-    try {
-      messages = check(Document::read(file_, set_), {.scene_cache = true, .cancel = &cancel_});
-    } catch (const InputError& error) {
-      messages.push_back({Severity::error, error.what(), error.position()});
-    } catch (const Cancelled&) {
-      return;
-    } catch (const std::exception& error) {
-      messages.push_back({Severity::failure, error.what(), {}});
-    }
-    const std::lock_guard told(mutex_);
-    state_.messages = std::move(messages);
-    state_.checked = true;
-  });
-}
-
-CheckedDocument::~CheckedDocument() {
-  cancel_.cancel();
-  if (checks_.joinable()) checks_.join();
-}
-
-CheckedDocument::State CheckedDocument::state() const {
-  const std::lock_guard lock(mutex_);
-  return state_;
-}
-
-std::filesystem::path CheckedDocument::output_folder() const { return output_folder_; }
 
 Source::Now Source::now() {
   const std::lock_guard lock(mutex_);
   const auto time = std::chrono::steady_clock::now();
-  if (!has_looked_ || time - looked_ > kBetweenLooks) {
+  if (time >= next_look_) {
     look();
-    looked_ = std::chrono::steady_clock::now();
-    has_looked_ = true;
+    const auto end = std::chrono::steady_clock::now();
+    next_look_ =
+        end + std::max<std::chrono::steady_clock::duration>(kBetweenLooks, kLookShare * (end - time));
   }
   return now_;
+}
+
+void Source::close() {
+  const std::lock_guard lock(mutex_);
+  now_.run.reset();
+  next_look_ = {};
 }
 
 void Source::look() {
@@ -90,7 +56,7 @@ void Source::look() {
   if (signature == signature_ && now_.run) return;
   try {
     now_.run = open_run(folder_);
-    ++now_.generation;
+    if (signature != signature_) ++now_.generation;
     signature_ = signature;
   } catch (const std::exception& error) {
     if (!now_.watch) now_.fault = error.what();
