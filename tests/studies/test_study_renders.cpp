@@ -16,7 +16,7 @@
 #include "studies/common/study_rendering.h"
 #include "studies/sampling_sweep.h"
 #include "studies/studies.h"
-#include "studies/suburb_study.h"
+#include "studies/suburb/suburb_study.h"
 
 namespace ifov::studies::test_study_renders {
 namespace {
