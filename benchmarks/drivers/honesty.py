@@ -13,6 +13,7 @@ def run(context):
         "scenes": ["--seeds", "200"] if context.long else [],
         "rows": ["--rows-study", "400"],
         "named": ["--named"] + ([] if context.long else ["--seeds", "5", "--effort", "0.3"]),
+        "images": ["--images", "--seeds", "200" if context.long else "4"],
         "wild": ["--wild", "2000" if context.long else "57", "--first-seed", "100000"]
                 + ([] if context.long else ["--effort", "0.1"]),
     }

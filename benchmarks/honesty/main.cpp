@@ -3,6 +3,7 @@
 //   bench_honesty --output figures.json --work FOLDER [--seeds N] [--first-seed N] [--only SCENE] [--rows FOLDER]
 //   bench_honesty --rows-study N ...: rows in step with the pixels, against exact areas
 //   bench_honesty --named [SCENES] ...: scenes in which images were once wrong and sure of themselves
+//   bench_honesty --images ...: errors of images as a whole, audited
 //   bench_honesty --wild N ...: scenes by rule and chance, against closed forms and a tracer of its own
 // Scenes must keep their promises; runs with a planted fault must break one of them.
 
@@ -14,6 +15,7 @@
 #include "core/format.h"
 #include "honesty/faulty_samplers.h"
 #include "honesty/figure_row.h"
+#include "honesty/image_run.h"
 #include "honesty/named_scenes.h"
 #include "honesty/reference_check.h"
 #include "honesty/rows_report.h"
@@ -106,7 +108,7 @@ int main(int argc, char** argv) {
   std::string output = "honesty.json", work = ".", only, rows_folder;
   int seeds = 24, rows_steps = 0, wild_scenes = 0, pixels = 24, threads = 0;
   double effort = 1.0, boast = 1.0;
-  bool check = false;
+  bool check = false, images = false;
   std::vector<std::string> kinds, named;
   std::uint64_t first_seed = HonestyCase().first_seed;
   CLI::App app{"Intervals of the accuracy sampler against a plain path tracer"};
@@ -135,6 +137,7 @@ int main(int argc, char** argv) {
                  "a planted fault: half-widths and sigmas of --wild and --named are taken to be this times "
                  "what they are")
       ->check(CLI::Range(0.0, 1.0));
+  app.add_flag("--images", images, "nothing but errors of images as a whole, audited");
   app.add_flag("--check-reference", check, "nothing but the plain tracer against closed forms");
   app.add_option("--threads", threads, "0: all cores");
   CLI11_PARSE(app, argc, argv);
@@ -166,6 +169,7 @@ int main(int argc, char** argv) {
       return save(output, report_named_scenes(named, work, judging, threads));
     }
     write_scene_files(work);
+    if (images) return save(output, report_images(only, seeds, first_seed, work));
     std::vector<FigureRow> rows;
     for (const char* scene : {"penumbra", "leaf_crown", "wall_foot", "gable_roof", "texture", "mirror",
                               "street_canyon", "glossy_car", "waves", "glass_front", "wet_road"})

@@ -3,7 +3,7 @@
 #include "studies/aliasing_study.h"
 #include "studies/atmosphere/atmosphere_study.h"
 #include "studies/sensor/sensor_study.h"
-#include "studies/suburb_study.h"
+#include "studies/suburb/suburb_study.h"
 #include "studies/surfaces/surfaces_study.h"
 #include "studies/temperature/temperature_study.h"
 #include "studies/thermal_study.h"

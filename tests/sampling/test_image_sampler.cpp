@@ -7,6 +7,7 @@
 
 #include "image_scenes.h"
 #include "sampling/grid_sampler.h"
+#include "sampling/image/allocation.h"
 #include "sampling/image/audit.h"
 #include "sampling/image/audited_pixels.h"
 #include "sampling/image/audited_sampler.h"
@@ -326,6 +327,25 @@ TEST(Audit, FindsWiresThatNoSampleMeets) {
   }
   EXPECT_GT(true_rms, 10.0 * stated);
   EXPECT_NEAR(told / true_rms, 1.0, 0.3);
+}
+
+TEST(Allocation, ALimitOfOneColumnIsKeptWhereTheOthersAreFarWithinTheirs) {
+  // At the least numbers all columns together are within their limits, and one alone is not.
+  for (double loud = 0.05; loud < 1e4; loud *= 1.2) {
+    std::vector<SurveyedPixel> pixels;
+    for (int p = 0; p < 300; ++p) {
+      LevelVariances of;
+      of.direct.assign(20, 1e-3 * (1 + p % 7));
+      of.rest.assign(20, 1e-3);
+      of.direct[3] = p % 10 == 0 ? 10.0 * loud : 0.1 * loud;
+      pixels.push_back({of, of});
+    }
+    const Allocation allocation(pixels, std::vector<double>(20, 0.3), 2.0, 100000);
+    EXPECT_LE(allocation.planned()[3], 1.01) << loud;
+    if (loud > 20.0) {
+      EXPECT_GT(allocation.planned()[3], 0.6) << loud;
+    }
+  }
 }
 
 TEST(Audit, QuantilesAreThoseOfOneMorePixel) {

@@ -16,7 +16,9 @@
 #include "studies/common/study_rendering.h"
 #include "studies/sampling_sweep.h"
 #include "studies/studies.h"
-#include "studies/suburb_study.h"
+#include "studies/suburb/image_curves.h"
+#include "studies/suburb/radiance_errors.h"
+#include "studies/suburb/suburb_study.h"
 
 namespace ifov::studies::test_study_renders {
 namespace {
@@ -154,6 +156,53 @@ TEST(ClutterScene, RaysAtAnRmsAreInterpolated) {
   EXPECT_NEAR(rays_at_rms(results, 0.1), 20.0, 1e-9);
   EXPECT_TRUE(std::isinf(rays_at_rms(results, 0.01)));
   EXPECT_EQ(rays_at_rms(results, 0.5), 10.0);
+}
+
+TEST(SuburbStudy, ErrorsAreOverThePixelsOfTheReference) {
+  ImageStore image, reference;
+  render::ImageInfo info;
+  info.width_px = 3, info.height_px = 1;
+  info.channels.resize(2);
+  const auto fill = [&](ImageStore& store, std::vector<float> mean, float half_width,
+                        std::vector<std::uint32_t> samples) {
+    store.begin(info);
+    sampling::TileResult tile;
+    tile.reset({0, 0, 3, 1}, 2);
+    tile.mean = std::move(mean);
+    tile.half_width.assign(6, half_width);
+    tile.variance_geometry.assign(6, 0.0f);
+    tile.samples = std::move(samples);
+    store.write(tile);
+  };
+  // The second pixel is not in the reference; the second channel has no error.
+  fill(reference, {1, 2, 1, 2, 1, 2}, 0.0f, {1, 0, 1});
+  fill(image, {1.3f, 2, 9, 9, 0.6f, 2}, 0.35f, {1, 1, 1});
+  const RadianceErrors errors = radiance_errors(image, reference);
+  EXPECT_NEAR(errors.rms[0], std::sqrt((0.09 + 0.16) / 2.0), 1e-7);
+  EXPECT_EQ(errors.rms[1], 0.0);
+  EXPECT_NEAR(errors.coverage, 0.75, 1e-12);
+  EXPECT_NEAR(errors.mean[1], 2.0, 1e-12);
+  // Where the other one errs by roundings alone a channel does not count.
+  RadianceErrors other = errors;
+  other.rms = {2.0 * errors.rms[0], 1e-9};
+  const ErrorRatios ratios = error_ratios(errors, other);
+  EXPECT_NEAR(ratios.mean, 0.5, 1e-12);
+  EXPECT_NEAR(ratios.worst, 0.5, 1e-12);
+  EXPECT_NEAR(error_quantile(image, reference, errors, 1.0), 0.4 / errors.rms[0], 1e-6);
+}
+
+TEST(SuburbStudy, TimeIsReadOnThePowerBetweenPoints) {
+  const auto at = [](double error, double seconds) {
+    CurvePoint point;
+    point.mean_band.mean = error;
+    point.seconds = seconds;
+    return point;
+  };
+  // Time goes with the inverse square of the error: 8 s at 1, between the points and beyond them.
+  EXPECT_NEAR(seconds_at_one({at(2.0, 2.0), at(0.5, 32.0)}, &CurvePoint::mean_band), 8.0, 1e-9);
+  EXPECT_NEAR(seconds_at_one({at(4.0, 0.5), at(2.0, 2.0)}, &CurvePoint::mean_band), 8.0, 1e-9);
+  EXPECT_NEAR(seconds_at_one({at(0.5, 32.0), at(0.25, 128.0)}, &CurvePoint::mean_band), 8.0, 1e-9);
+  EXPECT_TRUE(std::isnan(seconds_at_one({at(0.5, 32.0)}, &CurvePoint::mean_band)));
 }
 
 TEST(Studies, AreFoundByName) {

@@ -9,6 +9,9 @@ namespace ifov::sampling {
 namespace {
 
 constexpr int kSteps = 5, kBisections = 22, kWeightRounds = 2, kPoolingSteps = 4, kPriceSteps = 4;
+/// By what the price falls until no column is above its limit, how often at most, and how often the step is halved then.
+constexpr double kFall = 0.25;
+constexpr int kFalls = 12, kHalvings = 8, kFallRounds = 3;
 constexpr double kNeighbours = 3.0;
 /// Share of the columns' weights that all have alike. Multipliers alone leave what no limit asks for to chance: a tree whose near infrared
 /// is noisy gets no value while another column is the dearest.
@@ -122,6 +125,12 @@ Allocation::Allocation(std::span<const SurveyedPixel> pixels, std::vector<double
     return direct_left(judged_by[p].direct, n.direct) +
            rest_left(judged_by[p].rest, judged_by[p].between, n.rest);
   };
+  // At which no pixel gets more than the least: beyond it errors do not change.
+  const auto dearest = [&] {
+    double price = 0.0;
+    for (const Sizes& of : chosen_by) price = std::max(price, price_of_least(of));
+    return price > 0.0 ? price : 1.0;
+  };
   // The weights say how columns share, and add up to 1; the price is scanned on what they come to together.
   const auto take_price = [&] {
     const auto over = [&] {
@@ -130,7 +139,7 @@ Allocation::Allocation(std::span<const SurveyedPixel> pixels, std::vector<double
       return sum;
     };
     if (price_ == 1.0) {
-      double low = -60.0, high = 60.0;
+      double low = -60.0, high = std::log(dearest());
       for (int k = 0; k < kBisections; ++k) {
         price_ = std::exp(0.5 * (low + high));
         (over() > 1.0 ? high : low) = std::log(price_);
@@ -141,20 +150,11 @@ Allocation::Allocation(std::span<const SurveyedPixel> pixels, std::vector<double
     for (int k = 0; k < kPriceSteps; ++k) {
       const double now = over();
       if (!(now > 0.0)) return;
-      price_ = std::clamp(price_ / (now * now), 1e-26, 1e26);
+      price_ = std::min(price_ / (now * now), dearest());
     }
   };
-  for (int round = 0; round < kWeightRounds && !judged.empty(); ++round) {
-    for (int step = 0; step < kSteps; ++step) {
-      take_sizes();
-      take_price();
-      take_errors();
-      double sum = 0.0;
-      for (std::size_t k = 0; k < judged.size(); ++k) sum += multiplier[k] *= error[k];
-      if (!(sum > 0.0)) break;
-      for (double& m : multiplier) m /= sum;
-    }
-    // The weight of the pilot that leaves least, numbers being what they are.
+  // Of the pilot, which leave least, numbers being what they are.
+  const auto take_weights = [&] {
     double main_direct = 0.0, main_rest = 0.0, of_direct = 0.0, of_rest = 0.0;
     for (std::size_t p = 0; p < pixels.size(); ++p) {
       const Numbers n = numbers(chosen_by[p]);
@@ -166,6 +166,18 @@ Allocation::Allocation(std::span<const SurveyedPixel> pixels, std::vector<double
     }
     pilot_direct_weight_ = main_direct + of_direct > 0.0 ? main_direct / (main_direct + of_direct) : 0.0;
     pilot_rest_weight_ = main_rest + of_rest > 0.0 ? main_rest / (main_rest + of_rest) : 0.0;
+  };
+  for (int round = 0; round < kWeightRounds && !judged.empty(); ++round) {
+    for (int step = 0; step < kSteps; ++step) {
+      take_sizes();
+      take_price();
+      take_errors();
+      double sum = 0.0;
+      for (std::size_t k = 0; k < judged.size(); ++k) sum += multiplier[k] *= error[k];
+      if (!(sum > 0.0)) break;
+      for (double& m : multiplier) m /= sum;
+    }
+    take_weights();
   }
   if (judged.empty()) return;
   take_sizes();
@@ -182,12 +194,27 @@ Allocation::Allocation(std::span<const SurveyedPixel> pixels, std::vector<double
   constexpr double kMostMargin = 0.25;
   const double margin =
       sum > 0.0 ? std::min(kMostMargin, std::sqrt(std::max(0.0, squares - sum * sum * share)) / sum) : 0.0;
-  for (int k = 0; k < 8; ++k) {
-    double worst = 0.0;
-    for (const double of_column : error) worst = std::max(worst, of_column / (1.0 - margin));
-    if (worst <= 1.001 || worst == 0.0) break;
-    price_ /= std::pow(worst, 2.0);
+  const auto is_within = [&](double price) {
+    price_ = price;
     take_errors();
+    return *std::max_element(error.begin(), error.end()) <= 1.001 * (1.0 - margin);
+  };
+  // Where the price falls, numbers grow, and pilots are to count for less.
+  const double start = price_;
+  for (int round = 0; round < kFallRounds; ++round) {
+    double within = start, beyond = start;
+    for (int k = 0; k < kFalls && !is_within(within); ++k) {
+      beyond = within;
+      within *= kFall;
+    }
+    for (int k = 0; k < kHalvings && beyond > within; ++k) {
+      const double middle = std::sqrt(within * beyond);
+      (is_within(middle) ? within : beyond) = middle;
+    }
+    price_ = within;
+    take_errors();
+    if (beyond == within) break;
+    if (round + 1 < kFallRounds) take_weights();
   }
   for (std::size_t k = 0; k < count; ++k) planned_[judged[k]] = error[k];
   planned_direct_ += kPilotCount;
@@ -230,6 +257,13 @@ Allocation::Numbers Allocation::numbers(const Sizes& sizes) const {
   Numbers n{std::clamp(direct, least, most), rest};
   n.direct = std::max(n.direct, n.rest);
   return n;
+}
+
+double Allocation::price_of_least(const Sizes& sizes) const {
+  const double least = 4.0, least_rest = sizes.between == kNotPooled ? kLeastWhole : kLeastPooled,
+               scale = std::pow(kPilotCount, kExponent - 1.0) * square(1.0 - pilot_direct_weight_);
+  return std::max(kExponent * sizes.direct * scale * std::pow(least, -1.0 - kExponent),
+                  sizes.rest / rest_cost_ * square((1.0 - pilot_rest_weight_) / least_rest));
 }
 
 bool Allocation::is_cut(const Sizes& sizes) const {

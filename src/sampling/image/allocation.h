@@ -67,6 +67,8 @@ class Allocation {
     double direct, rest;
   };
   Numbers numbers(const Sizes& sizes) const;
+  /// The price from which on a pixel gets the least numbers.
+  double price_of_least(const Sizes& sizes) const;
   double size(std::span<const double> variance) const;
   /// Mean squared errors that numbers of values leave, pilots included: of variances as of LevelVariances.
   double direct_left(double variance, double direct) const;

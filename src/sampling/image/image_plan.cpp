@@ -27,9 +27,10 @@ constexpr double kPilotsOfAll = 2.0;
 std::uint32_t main_material(const Field& field, std::span<const Label> labels) {
   std::map<std::uint32_t, int> counts;
   for (const Label label : labels) ++counts[field.material_of(label)];
-  return std::max_element(counts.begin(), counts.end(),
-                          [](const auto& a, const auto& b) { return a.second < b.second; })
-      ->first;
+  return 2 * std::max_element(counts.begin(), counts.end(),
+                              [](const auto& a, const auto& b) { return a.second < b.second; })
+                 ->first +
+         (counts.size() > 1 ? 1 : 0);
 }
 
 const ImagePlan::Kind& ImagePlan::kind(std::uint32_t material) const {

@@ -19,7 +19,7 @@ namespace ifov::sampling {
 class ImagePlan final : public ImageSurvey {
  public:
   /// Pixels that are looked at: an eighth of the image, within these.
-  static constexpr int kLeastPixels = 256, kMostPixels = 1024;
+  static constexpr int kLeastPixels = 256, kMostPixels = 2048;
 
   /// Needs the tolerance of the request's problem. Throws Cancelled.
   static std::unique_ptr<const ImagePlan> find(const SurveyRequest& request, std::uint32_t most_samples,

@@ -1,6 +1,7 @@
 #include "studies/common/image_store.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ifov::studies {
@@ -16,6 +17,7 @@ void ImageStore::begin(const render::ImageInfo& info) {
   converged_.assign(pixels, 0);
   abundances_.assign(pixels, {});
   cost_ = {};
+  stated_squares_.clear();
 }
 
 void ImageStore::write(const sampling::TileResult& tile) {
@@ -47,6 +49,18 @@ void ImageStore::write(const sampling::TileResult& tile) {
   }
   const std::scoped_lock lock(mutex_);
   cost_ += cost;
+  if (tile.column_errors.empty()) return;
+  stated_squares_.resize(columns);
+  for (std::size_t c = 0; c < columns; ++c) {
+    const sampling::ColumnError& error = tile.column_errors[c];
+    stated_squares_[c] += error.variance_sum * (error.audited > 0.0f ? double(error.audited) : 1.0);
+  }
+}
+
+std::vector<double> ImageStore::stated_rms() const {
+  std::vector<double> rms;
+  for (const double squares : stated_squares_) rms.push_back(std::sqrt(squares / double(samples_.size())));
+  return rms;
 }
 
 ImageStore::Cost& ImageStore::Cost::operator+=(const Cost& other) {

@@ -39,6 +39,9 @@ class ImageStore final : public render::TileSink {
   };
   const Cost& cost() const { return cost_; }
 
+  /// Of the RMS error over the image, by channel, as the sampling tells it; empty where it tells none.
+  std::vector<double> stated_rms() const;
+
  private:
   std::mutex mutex_;
   int width_ = 0, height_ = 0, columns_ = 0;
@@ -47,6 +50,7 @@ class ImageStore final : public render::TileSink {
   std::vector<std::uint8_t> converged_;
   std::vector<std::vector<sampling::Abundance>> abundances_;
   Cost cost_;
+  std::vector<double> stated_squares_;  // by channel, summed over pixels
 };
 
 }  // namespace ifov::studies

@@ -9,6 +9,8 @@
 #include "studies/common/image_store.h"
 #include "studies/common/material_counts.h"
 #include "studies/common/study_options.h"
+#include "studies/suburb/image_curves.h"
+#include "studies/suburb/radiance_errors.h"
 
 namespace ifov::studies {
 
@@ -19,14 +21,8 @@ struct SceneResult {
   double seconds = 0.0;
   double samples_per_px = 0.0;
   std::uint32_t fewest_samples = 0, most_samples = 0;
-  std::vector<double> rms;       ///< by channel, against the reference where there is one, W m-2 sr-1 um-1
-  double worst_over_grid = 0.0;  ///< largest ratio of its RMS error to that of the grid 10 x 10, over
-                                 ///< channels in which that is more than rounding
-  /// Root of the mean over those channels of the squared ratio of its RMS error to that of the grid 10 x 10.
-  double mean_over_grid = 0.0;
-  /// Ratio of the largest RMS error of any channel to the grid's largest, each in the channel where it is worst.
-  double largest_over_grid = 0.0;
-  double coverage = 0.0;  ///< share of radiance intervals that hold the reference; NaN without intervals
+  RadianceErrors errors;  ///< against the reference, where there is one
+  ErrorRatios over_grid;  ///< to those of the grid 10 x 10
   MaterialCounts materials;
   AbundanceErrors abundances;
 };
@@ -51,6 +47,7 @@ struct SceneResults {
   AdaptiveRule adaptive;
   std::string lighting;           ///< what shines on the scene and how warm it is, in words
   double reference_pixels = 0.0;  ///< share of the pixels whose radiance is known from the reference
+  ImageCurves curves;
   FigureTable figures;
 };
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "studies/common/report_figures.h"
-#include "studies/suburb_study.h"
+#include "studies/suburb/suburb_study.h"
 
 namespace ifov::studies {
 

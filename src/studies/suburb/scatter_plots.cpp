@@ -1,4 +1,4 @@
-#include "studies/scatter_plots.h"
+#include "studies/suburb/scatter_plots.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "io/json/json_writer.h"
 #include "io/report/report_data.h"
 #include "studies/common/html_page.h"
-#include "studies/scatter_plot_script.h"
+#include "studies/suburb/scatter_plot_script.h"
 
 namespace ifov::studies {
 

@@ -1,4 +1,4 @@
-#include "studies/scatter_plot_script.h"
+#include "studies/suburb/scatter_plot_script.h"
 
 namespace ifov::studies {
 

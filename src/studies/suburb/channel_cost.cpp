@@ -1,4 +1,4 @@
-#include "studies/channel_cost.h"
+#include "studies/suburb/channel_cost.h"
 
 #include <algorithm>
 #include <cmath>

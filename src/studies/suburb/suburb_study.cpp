@@ -1,4 +1,4 @@
-#include "studies/suburb_study.h"
+#include "studies/suburb/suburb_study.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,18 +8,18 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
-#include "io/document/samplers/accuracy_sampling.h"
-#include "io/document/samplers/plain_sampling.h"
-#include "studies/channel_cost.h"
 #include "studies/common/scene_renderer.h"
 #include "studies/common/study_files.h"
 #include "studies/common/suburb_scene.h"
-#include "studies/suburb_report.h"
+#include "studies/suburb/channel_cost.h"
+#include "studies/suburb/sampling_ways.h"
+#include "studies/suburb/suburb_report.h"
 
 namespace ifov::studies {
 
 namespace {
 
+constexpr std::size_t kTen = 2;        // the grid 10 x 10 among the results
 constexpr int kReferenceSide = 64;     // rays along a pixel's side
 constexpr int kReferenceTile_px = 20;  // radiance of the reference is made for one tile in kReferenceShare
 constexpr int kReferenceShare = 5;
@@ -31,56 +31,22 @@ constexpr double kPaperSamples = 52.0;
 constexpr double kPaperMaterials = 1.65 / 1.58;  // adaptive over grid 10 x 10
 constexpr double kComparedAt_um = 0.55;          // where the paper shows its image
 constexpr double kWithinPathNoise = 0.95;        // share of pixels, of pairs of rays through one point
-constexpr double kRounding = 1e-6;               // relative, of radiances in single precision
-
-struct Way {
-  std::string name, sampling_text;
-  io::SamplingDocument sampling;
-};
-
-template <class Settings>
-io::SamplingDocument sampling_of(Settings settings) {
-  io::SamplingDocument sampling;
-  sampling.method = std::make_shared<const Settings>(std::move(settings));
-  return sampling;
-}
-
-Way grid_way(int n) {
-  if (n == 1) return {"one ray a pixel", "single", sampling_of(io::SingleSampling{})};
-  return {format("grid {} x {}", n, n), format("grid {}", n), sampling_of(io::GridSampling{n, n})};
-}
-
-Way adaptive_way(const std::string& channel, double difference) {
-  io::AdaptiveSampling adaptive;
-  adaptive.sub_columns = adaptive.sub_rows = 5;
-  adaptive.max_samples = 100;
-  adaptive.allowed_difference = {difference, io::ErrorSize::Unit::fraction};
-  adaptive.channel = io::DocumentName{channel, {}};
-  return {"adaptive, 25 sub-elements, at most 100 samples",
-          format("adaptive, difference {:.2g} % in {}", 100.0 * difference, channel), sampling_of(adaptive)};
-}
-
-Way accuracy_way(double error) {
-  io::AccuracySampling accuracy;
-  accuracy.error = {error, io::ErrorSize::Unit::reflectance};
-  return {format("accuracy, {:.2g} of reflectance", error),
-          format("accuracy, error {:.4g} reflectance", error), sampling_of(accuracy)};
-}
 
 /// Renders ways of sampling one scene and holds them against its reference.
 class SuburbStudy {
  public:
   SuburbStudy(const io::Document& document, const StudyOptions& options, bool quick)
-      : options_(options), quick_(quick), renderer_(document, options.log) {}
+      : document_(document), options_(options), quick_(quick), renderer_(document, options.log) {}
 
   SceneResults run() {
     make_reference();
-    for (const Way& way : {grid_way(1), grid_way(5), grid_way(10)}) add(way);
+    for (const SamplingWay& way : {grid_way(1), grid_way(5), grid_way(10)}) add(way);
     out_.adaptive = judged_by_adaptive();
     add(adaptive_way(renderer_.info().channels[out_.adaptive.channel].name,
                      out_.adaptive.allowed_difference));
-    out_.chosen = search(&SceneResult::worst_over_grid, kFirstError);
-    out_.chosen_by_largest = search(&SceneResult::largest_over_grid, kFirstErrorByLargest);
+    out_.chosen = search(&ErrorRatios::worst, kFirstError);
+    out_.chosen_by_largest = search(&ErrorRatios::largest, kFirstErrorByLargest);
+    out_.curves = image_curves(document_, radiance_, out_.results[kTen].errors, options_, quick_);
     judge();
     return std::move(out_);
   }
@@ -136,11 +102,11 @@ class SuburbStudy {
     return rule;
   }
 
-  void add(const Way& way) {
+  void add(const SamplingWay& way) {
     say(way.name);
     SceneResult result;
     result.name = way.name;
-    result.sampling = way.sampling_text;
+    result.sampling = way.text;
     result.image = std::make_unique<ImageStore>();
     result.seconds = renderer_.render(way.sampling, choices(), *result.image);
     const auto& samples = result.image->samples();
@@ -153,58 +119,23 @@ class SuburbStudy {
     // Twice the RMS error of a lattice of n x n points along an edge through a pixel, 0.46 n^-3/2.
     const double uncertainty = 2.0 * 0.46 * std::pow(quick_ ? 16.0 : kReferenceSide, -1.5);
     result.abundances = compare_abundances(*result.image, materials_, uncertainty);
-    hold_against_reference(result);
+    result.errors = radiance_errors(*result.image, radiance_);
     out_.results.push_back(std::move(result));
-  }
-
-  void hold_against_reference(SceneResult& result) const {
-    const ImageStore& image = *result.image;
-    const std::size_t columns = static_cast<std::size_t>(image.columns());
-    result.rms.assign(columns, 0.0);
-    std::size_t pixels = 0, judged = 0, held = 0;
-    std::vector<double> radiance(columns, 0.0);
-    for (std::size_t p = 0; p < image.samples().size(); ++p) {
-      if (radiance_.samples()[p] == 0) continue;
-      ++pixels;
-      for (std::size_t c = 0; c < columns; ++c) {
-        const std::size_t k = p * columns + c;
-        radiance[c] += double(radiance_.mean()[k]);
-        const double error = double(image.mean()[k]) - double(radiance_.mean()[k]);
-        result.rms[c] += error * error;
-        const double half_width = double(image.half_width()[k]), own = double(radiance_.half_width()[k]);
-        if (!std::isfinite(half_width)) continue;
-        ++judged;
-        held += std::abs(error) <= std::hypot(half_width, std::isfinite(own) ? own : 0.0);
-      }
-    }
-    for (double& r : result.rms) r = std::sqrt(r / double(pixels));
-    result.coverage = judged > 0 ? double(held) / double(judged) : std::numeric_limits<double>::quiet_NaN();
-    const std::vector<double>& grid = out_.results.size() > 2 ? out_.results[2].rms : result.rms;
-    result.largest_over_grid =
-        *std::max_element(result.rms.begin(), result.rms.end()) / *std::max_element(grid.begin(), grid.end());
-    double squares = 0.0;
-    int counted = 0;
-    for (std::size_t c = 0; c < columns; ++c) {
-      // Where the air is opaque, errors are roundings of its own radiance.
-      if (grid[c] <= kRounding * radiance[c] / double(pixels)) continue;
-      const double ratio = result.rms[c] / grid[c];
-      result.worst_over_grid = std::max(result.worst_over_grid, ratio);
-      squares += ratio * ratio;
-      ++counted;
-    }
-    result.mean_over_grid = counted > 0 ? std::sqrt(squares / counted) : 0.0;
+    if (out_.results.size() <= kTen) return;
+    for (SceneResult& each : out_.results)
+      each.over_grid = error_ratios(each.errors, out_.results[kTen].errors);
   }
 
   /// The largest error asked for that keeps a ratio to the grid's error at 1 or less, as near as a few trials come: the
   /// result of it.
-  std::size_t search(double SceneResult::*ratio_of, double error) {
+  std::size_t search(double ErrorRatios::*ratio_of, double error) {
     struct Tried {
       double error = 0.0, ratio = 0.0;
     };
     std::optional<Tried> met, missed;
     for (int k = 0; k < (quick_ ? 1 : kSearches); ++k) {
       add(accuracy_way(error));
-      const double ratio = out_.results.back().*ratio_of;
+      const double ratio = out_.results.back().over_grid.*ratio_of;
       (ratio <= 1.0 ? met : missed) = {error, ratio};
       if (ratio <= 1.0 && ratio > 0.95) break;
       if (met && missed)  // between them, as a power of the error
@@ -217,8 +148,9 @@ class SuburbStudy {
     std::size_t chosen = kFirst;
     for (std::size_t k = kFirst; k < out_.results.size(); ++k) {
       const SceneResult &best = out_.results[chosen], &other = out_.results[k];
-      const bool meets = other.*ratio_of <= 1.0;
-      if (best.*ratio_of > 1.0 ? other.*ratio_of < best.*ratio_of : meets && other.seconds < best.seconds)
+      const bool meets = other.over_grid.*ratio_of <= 1.0;
+      if (best.over_grid.*ratio_of > 1.0 ? other.over_grid.*ratio_of < best.over_grid.*ratio_of
+                                         : meets && other.seconds < best.seconds)
         chosen = k;
     }
     return chosen;
@@ -226,7 +158,7 @@ class SuburbStudy {
 
   void judge() {
     FigureTable& f = out_.figures;
-    const SceneResult &one = out_.results[0], &five = out_.results[1], &ten = out_.results[2],
+    const SceneResult &one = out_.results[0], &five = out_.results[1], &ten = out_.results[kTen],
                       &adaptive = out_.results[3], &ours = out_.results[out_.chosen];
     const MaterialCounts truth = count_materials(materials_);
     f.report("materials_per_pixel_reference", truth.counted, "",
@@ -240,7 +172,7 @@ class SuburbStudy {
                                   {"accuracy", &ours}}) {
       f.report(format("materials_per_pixel_{}", name), r->materials.counted, "", format("by {}", r->name));
       f.report(format("abundance_rms_{}", name), r->abundances.rms, "", "its RMS error of abundances");
-      f.report(format("rms_over_grid_10_{}", name), r->mean_over_grid, "",
+      f.report(format("rms_over_grid_10_{}", name), r->over_grid.mean, "",
                "its RMS error of radiance over that of the grid 10 x 10, root mean square over the channels");
       if (r != &one)
         f.report(format("time_over_grid_1_{}", name), r->seconds / one.seconds, "times",
@@ -263,20 +195,23 @@ class SuburbStudy {
     f.report("samples_per_pixel_accuracy", ours.samples_per_px, "samples", ours.name);
     f.at_most("accuracy_abundance_rms_over_grid_10", ours.abundances.rms / ten.abundances.rms, 1.0, "",
               "RMS error of abundances over that of the grid 10 x 10");
-    f.at_most("accuracy_rms_over_grid_10_worst_band", ours.worst_over_grid, 1.0, "",
+    f.at_most("accuracy_rms_over_grid_10_worst_band", ours.over_grid.worst, 1.0, "",
               "RMS error of radiance over that of the grid 10 x 10, in the band where that is largest");
     f.at_least("accuracy_less_time_than_grid_10", ten.seconds / ours.seconds, 2.5, "times",
                "wall time of the grid 10 x 10 over that of accuracy sampling that is no worse in any band");
     const SceneResult& largest = out_.results[out_.chosen_by_largest];
-    f.report("accuracy_largest_rms_over_grid_10", largest.largest_over_grid, "",
+    f.report("accuracy_largest_rms_over_grid_10", largest.over_grid.largest, "",
              format("{}: largest RMS error of any band over the largest of the grid 10 x 10", largest.name));
     f.report("accuracy_less_time_by_largest_rms", ten.seconds / largest.seconds, "times",
              "wall time of the grid 10 x 10 over that of this setting");
-    f.report("accuracy_coverage", ours.coverage, "", "share of radiance intervals that hold the reference");
+    f.report("accuracy_coverage", ours.errors.coverage, "",
+             "share of radiance intervals that hold the reference");
     f.report("accuracy_abundance_coverage", ours.abundances.coverage, "",
              "share of abundance intervals in mixed pixels that hold the reference");
+    f.append(out_.curves.figures);
   }
 
+  const io::Document& document_;
   const StudyOptions& options_;
   bool quick_;
   SceneRenderer renderer_;

@@ -1,4 +1,4 @@
-#include "studies/suburb_report.h"
+#include "studies/suburb/suburb_report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,8 @@
 #include "core/format.h"
 #include "studies/common/html_page.h"
 #include "studies/common/report_plot.h"
-#include "studies/scatter_plots.h"
+#include "studies/suburb/image_curves_report.h"
+#include "studies/suburb/scatter_plots.h"
 
 namespace ifov::studies {
 
@@ -43,7 +44,7 @@ std::string table_2(const SceneResults& r) {
         "class=\"n\">{:.3f}</td></tr>\n",
         html_text(s.name), role(r, k), s.fewest_samples, s.samples_per_px, s.most_samples, paper.samples,
         s.materials.counted, s.materials.raw, paper.materials, s.seconds / r.results[0].seconds, paper.time,
-        s.seconds, s.abundances.rms, s.mean_over_grid, s.worst_over_grid, s.largest_over_grid);
+        s.seconds, s.abundances.rms, s.over_grid.mean, s.over_grid.worst, s.over_grid.largest);
   }
   return "<table><tr><th>sampling</th><th>samples per pixel, least/mean/most</th><th>paper</th><th>materials per "
          "pixel, at least 0.1 %</th><th>raw</th><th>paper</th><th>time over one ray</th><th>paper</th><th>seconds"
@@ -91,7 +92,7 @@ std::string rms_plot(const SceneResults& r, ReportFigures& figures) {
   const std::size_t shown[] = {0, 1, 2, 3, r.chosen};
   for (std::size_t k = 0; k < std::size(shown); ++k) {
     const SceneResult& s = r.results[shown[k]];
-    plot.series.push_back({s.name, colours[k], r.wavelengths_um, s.rms});
+    plot.series.push_back({s.name, colours[k], r.wavelengths_um, s.errors.rms});
   }
   return figures.add(plot);
 }
@@ -154,6 +155,7 @@ std::string suburb_report(const SceneResults& r, ReportFigures& figures) {
       format(
           "<figcaption>Accuracy sampling took {:.2f} times the time of the grid 10 x 10.</figcaption></figure>\n",
           ours.seconds / ten.seconds) +
+      image_curves_report(r.curves, figures) +
       "<h2>All pixels in spectral space (figure 13 of the paper)</h2>\n" + scatter_plot(r) +
       "<p>Drag to turn, wheel to zoom; all panels turn together. The axes are those of the image by stated "
       "accuracy, their scale that of all images but the first, so that the panels can be compared; what lies beyond is "
