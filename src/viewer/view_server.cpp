@@ -14,7 +14,6 @@
 #include "core/error.h"
 #include "ifov/series.h"
 #include "io/files/own_files.h"
-#include "io/json/json_writer.h"
 #include "viewer/answers/answers.h"
 #include "viewer/http/bounded_server.h"
 #include "viewer/http/guard.h"
@@ -31,7 +30,7 @@ namespace {
 constexpr std::string_view kApi = "/api/";
 
 Reply refusal(int status, const std::string& why) {
-  return {status, "application/json", "{\"error\":" + io::json_string(why) + "}", {}};
+  return {status, "application/json", why_refused(why), {}};
 }
 
 std::string token_of(const ViewOptions& options) {

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/names.h"
+#include "io/json/json_writer.h"
 
 namespace ifov::viewer {
 
@@ -57,6 +58,8 @@ std::string Query::choice(const std::string& name, std::span<const std::string_v
                               list_names(std::vector<std::string>(choices.begin(), choices.end()), "or")));
   return text;
 }
+
+std::string why_refused(const std::string& why) { return "{\"error\":" + io::json_string(why) + "}"; }
 
 std::size_t thinned_place(std::size_t k, std::size_t step, std::size_t count) {
   return std::min(k * step + (step - 1) / 2, count - 1);

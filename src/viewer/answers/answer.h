@@ -53,6 +53,9 @@ class Refused : public std::runtime_error {
   int status_;
 };
 
+/// The body of such an answer, as JSON.
+std::string why_refused(const std::string& why);
+
 /// Where the k-th of every `step` places stands among `count`: in the middle of its step.
 std::size_t thinned_place(std::size_t k, std::size_t step, std::size_t count);
 
