@@ -66,7 +66,7 @@ void ImageBlock::choose() {
   const Allocation& allocation = plan_.allocation();
   const bool pooled = plan_.rest_model() != nullptr;
   plans_.clear();
-  kinds_.clear();
+  materials_.clear();
   std::vector<Allocation::Sizes> sizes;
   std::vector<double> own, of_kind;
   std::vector<std::map<std::uint32_t, double>> shares(places_.size());
@@ -75,7 +75,7 @@ void ImageBlock::choose() {
   variances.rest.resize(columns_);
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const std::span<const Label> labels = pilot_labels(k);
-    kinds_.push_back(kind_of(field_, labels));
+    materials_.push_back(main_material(field_, labels));
     const bool mixed = shows_several(field_, labels);
     for (std::size_t c = 0; c < columns_; ++c) {
       variances.direct[c] =
@@ -84,11 +84,11 @@ void ImageBlock::choose() {
     }
     if (pooled) {
       own.push_back(allocation.sizes(variances).direct);
-      of_kind.push_back(allocation.sizes(plan_.kind(kinds_.back()).mean).direct);
+      of_kind.push_back(allocation.sizes(plan_.kind(materials_.back()).mean).direct);
       for (const Label label : labels)
         shares[k][field_.material_of(label)] += 1.0 / static_cast<double>(labels.size());
     }
-    plan_.moderate_pilot(variances, kinds_.back());
+    plan_.moderate_pilot(variances, materials_.back());
     sizes.push_back(allocation.sizes(variances));
   }
   if (pooled) {
@@ -140,7 +140,7 @@ void ImageBlock::take_means(std::size_t k) {
 }
 
 void ImageBlock::take_rest(std::size_t k) {
-  const LevelVariances& kind = plan_.kind(kinds_[k]).mean;
+  const LevelVariances& kind = plan_.kind(materials_[k]).mean;
   const double whole = plans_[k].whole, freedom = whole + Allocation::kPilotWhole - 2.0;
   for (std::size_t c = 0; c < columns_; ++c) {
     const std::size_t at = k * stride_ + c;
@@ -162,7 +162,7 @@ void ImageBlock::pool() {
     for (const auto& [material, share] : pixels_[k].estimate.materials) shares[k][material] = share.fraction;
     plan_.rest_model()->predict(shares[k], direct_.data() + k * stride_, predicted.data() + k * stride_);
     for (std::size_t c = 0; c < columns_; ++c)
-      between[c] += plan_.kind(kinds_[k]).mean.between[c] / static_cast<double>(places_.size());
+      between[c] += plan_.kind(materials_[k]).mean.between[c] / static_cast<double>(places_.size());
   }
   const std::vector<std::size_t>& leaders = plan_.leaders();
   LikePixels(places_, shares)
@@ -180,7 +180,7 @@ void ImageBlock::pool() {
 void ImageBlock::estimate(std::size_t k) {
   const PixelPlan& plan = plans_[k];
   const Allocation& allocation = plan_.allocation();
-  const LevelVariances& kind = plan_.kind(kinds_[k]).mean;
+  const LevelVariances& kind = plan_.kind(materials_[k]).mean;
   const double count = plan.count(), fours = count / 4.0;
   // A value of the pilot's strata varies more than one of finer strata.
   const double finer = std::pow(Allocation::pilot().count() / count, Allocation::kExponent - 1.0);

@@ -50,7 +50,7 @@ class ImageBlock {
   PixelPoints points_;
   LevelSums pilot_, main_;
   std::vector<PixelPlan> plans_;
-  std::vector<std::uint32_t> kinds_;
+  std::vector<std::uint32_t> materials_;
   std::vector<SampledPixel> pixels_;
   std::vector<float> direct_, rest_,
       rest_variance_;  // means, and the variance of the latter, in rows of stride_

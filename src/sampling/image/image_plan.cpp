@@ -24,17 +24,16 @@ constexpr double kPilotsOfAll = 2.0;
 
 }  // namespace
 
-std::uint32_t kind_of(const Field& field, std::span<const Label> labels) {
+std::uint32_t main_material(const Field& field, std::span<const Label> labels) {
   std::map<std::uint32_t, int> counts;
   for (const Label label : labels) ++counts[field.material_of(label)];
-  return 2 * std::max_element(counts.begin(), counts.end(),
-                              [](const auto& a, const auto& b) { return a.second < b.second; })
-                 ->first +
-         (counts.size() > 1 ? 1 : 0);
+  return std::max_element(counts.begin(), counts.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
 }
 
-const ImagePlan::Kind& ImagePlan::kind(std::uint32_t number) const {
-  const auto found = kinds_.find(number);
+const ImagePlan::Kind& ImagePlan::kind(std::uint32_t material) const {
+  const auto found = kinds_.find(material);
   return found == kinds_.end() ? all_ : found->second;
 }
 
@@ -54,7 +53,7 @@ std::vector<std::size_t> leaders_of(const Field& field) {
 
 /// A pixel of the survey: two pilots.
 struct Surveyed {
-  std::uint32_t kind = 0;
+  std::uint32_t material = 0;
   bool mixed = false;
   std::map<std::uint32_t, double> shares;
   // Of the pilots' means: their mean, and half their difference.
@@ -79,7 +78,7 @@ void look(const SurveyRequest& request, std::span<const Place> places, Field& fi
   for (std::size_t p = 0; p < places.size(); ++p) {
     Surveyed& pixel = found[p];
     const std::span<const Label> own = std::span<const Label>(sums.labels).subspan(p * labels, labels);
-    pixel.kind = kind_of(field, own);
+    pixel.material = main_material(field, own);
     pixel.mixed = shows_several(field, own);
     for (const Label label : own) pixel.shares[field.material_of(label)] += 1.0 / static_cast<double>(labels);
     for (std::vector<double>* row :
@@ -159,7 +158,7 @@ void add_between(std::span<const Surveyed> found, ImagePlan::Kind& all,
   std::vector<double> predicted(columns);
   for (const Surveyed& pixel : found) {
     model.predict(pixel.shares, pixel.direct.data(), predicted.data());
-    Sum& own = of_kind.try_emplace(pixel.kind, Sum{std::vector<double>(columns, 0.0)}).first->second;
+    Sum& own = of_kind.try_emplace(pixel.material, Sum{std::vector<double>(columns, 0.0)}).first->second;
     for (Sum* sum : {&own, &of_all}) sum->pixels += 1.0;
     for (std::size_t c = 0; c < columns; ++c) {
       const double away = pixel.rest[c] - predicted[c],
@@ -173,8 +172,8 @@ void add_between(std::span<const Surveyed> found, ImagePlan::Kind& all,
   all.mean.between.resize(columns);
   for (std::size_t c = 0; c < columns; ++c)
     all.mean.between[c] = ImagePlan::kNearShare * std::max(0.0, of_all.products[c] / of_all.pixels);
-  for (auto& [number, kind] : kinds) {
-    const Sum& own = of_kind.at(number);
+  for (auto& [material, kind] : kinds) {
+    const Sum& own = of_kind.at(material);
     kind.mean.between.resize(columns);
     for (std::size_t c = 0; c < columns; ++c)
       kind.mean.between[c] =
@@ -185,8 +184,8 @@ void add_between(std::span<const Surveyed> found, ImagePlan::Kind& all,
 
 }  // namespace
 
-void ImagePlan::moderate_pilot(LevelVariances& own, std::uint32_t kind) const {
-  const LevelVariances& of_kind = this->kind(kind).mean;
+void ImagePlan::moderate_pilot(LevelVariances& own, std::uint32_t material) const {
+  const LevelVariances& of_kind = kind(material).mean;
   for (std::size_t c = 0; c < own.direct.size(); ++c) {
     own.direct[c] =
         moderated(own.direct[c], Allocation::pilot().count() / 4.0, of_kind.direct[c], kDirectPrior);
@@ -255,11 +254,11 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
         variances.rest[c] *= plan->rest_factor(c);
       }
       add(plan->all_, variances);
-      add(plan->kinds_[pixel.kind], variances);
+      add(plan->kinds_[pixel.material], variances);
     }
   // A tree in a street of lawns is met by few pilots and varies as nothing else does.
   const double of_all = plan->all_.pixels;
-  for (auto& [number, kind] : plan->kinds_)
+  for (auto& [material, kind] : plan->kinds_)
     for (const auto member : {&LevelVariances::direct, &LevelVariances::rest})
       for (std::size_t c = 0; c < columns; ++c)
         (kind.mean.*member)[c] =
@@ -280,7 +279,7 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
   for (const Surveyed& pixel : found)
     for (const std::size_t h : {0, 1}) {
       SurveyedPixel surveyed{pixel.variances[h], pixel.variances[1 - h]};
-      plan->moderate_pilot(surveyed.chosen_by, pixel.kind);
+      plan->moderate_pilot(surveyed.chosen_by, pixel.material);
       surveyed.judged_by.between = surveyed.chosen_by.between;
       pixels.push_back(std::move(surveyed));
     }

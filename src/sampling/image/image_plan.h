@@ -31,12 +31,12 @@ class ImagePlan final : public ImageSurvey {
   /// Field::leader() by column.
   const std::vector<std::size_t>& leaders() const { return leaders_; }
 
-  /// How much pixels of a kind (kind_of()) vary: what is known of a pixel before a value of its own. By column.
+  /// How much pixels vary that show mostly one material: what is known of a pixel before a value of its own. By column.
   struct Kind {
     LevelVariances mean;
     double pixels = 0.0;
   };
-  const Kind& kind(std::uint32_t number) const;
+  const Kind& kind(std::uint32_t material) const;
 
   /// What variances that samples tell of themselves have to be multiplied by, of pixels of one material and of others: from pilots that
   /// were drawn twice, whose means differ by what is true. Where borders run, fours tell too much; nets tell too much of the second
@@ -48,7 +48,7 @@ class ImagePlan final : public ImageSurvey {
   const RestModel* rest_model() const { return rest_model_.get(); }
 
   /// A pilot's variances, factors included, put together with those of its pixel's kind.
-  void moderate_pilot(LevelVariances& own, std::uint32_t kind) const;
+  void moderate_pilot(LevelVariances& own, std::uint32_t material) const;
 
   /// Values of its own that those of its kind count for when a pixel's variance is told: few in the first level, because edges are
   /// where they are; more in the second, which is alike in a kind.
@@ -75,8 +75,7 @@ class ImagePlan final : public ImageSurvey {
 /// Whether labels show more than one material.
 bool shows_several(const Field& field, std::span<const Label> labels);
 
-/// The kind of a pixel by its labels: the material that most of them show, of those that are as frequent the first, alone or beside
-/// others.
-std::uint32_t kind_of(const Field& field, std::span<const Label> labels);
+/// The material that most labels of a pixel show; the least number of those that are as frequent.
+std::uint32_t main_material(const Field& field, std::span<const Label> labels);
 
 }  // namespace ifov::sampling
