@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <limits>
 #include <memory>
 #include <numeric>
-#include <sstream>
 #include <stdexcept>
 
 #include "core/format.h"
 #include "core/parallel.h"
 #include "honesty/plain_reference.h"
 #include "honesty/random_stream.h"
+#include "honesty/scene_run.h"
 #include "honesty/single_tile.h"
 #include "io/document/cameras/orthographic_camera.h"
 #include "io/document/document.h"
@@ -38,16 +37,11 @@ constexpr std::size_t kFewest = 30;   // pixels that tell the coverage of a clas
 constexpr std::uint32_t kMostSamples = 100000;
 
 session::Session load_image(const ImageCase& which, const std::filesystem::path& work) {
-  const std::string name = which.scene + ".json";
-  std::ifstream file(std::filesystem::path(IFOV_SOURCE_DIR) / "benchmarks/honesty/scenes" / name);
-  if (!file) throw std::runtime_error("no scene " + name);
-  std::stringstream text;
-  text << file.rdbuf();
-  io::Document document = io::parse_document(text.str(), (work / name).string());
+  io::Document document = read_scene(which.scene, work);
   const auto* camera = dynamic_cast<const io::OrthographicCamera*>(document.sensor.camera.settings.get());
   const auto* accuracy = dynamic_cast<const io::AccuracySampling*>(document.sampling.method.get());
   if (camera == nullptr || accuracy == nullptr)
-    throw std::runtime_error(name + " has no orthographic camera, or asks for no accuracy");
+    throw std::runtime_error(which.scene + " has no orthographic camera, or asks for no accuracy");
   io::OrthographicCamera finer = *camera;
   finer.gsd_m *= 0.5;
   finer.size = {kSide_px, kSide_px};

@@ -25,18 +25,22 @@
 
 namespace ifov::benchmarks {
 
+io::Document read_scene(const std::string& scene, const std::filesystem::path& work) {
+  const std::string name = scene + ".json";
+  std::ifstream file(std::filesystem::path(IFOV_SOURCE_DIR) / "benchmarks/honesty/scenes" / name);
+  if (!file) throw std::runtime_error("no scene " + name);
+  std::stringstream text;
+  text << file.rdbuf();
+  return io::parse_document(text.str(), (work / name).string());
+}
+
 namespace {
 
 constexpr std::size_t kMixedPixels = 64;
 constexpr double kPsfSigma_px = 0.6;
 
 session::Session load(const HonestyCase& which, const std::filesystem::path& work) {
-  const std::string name = which.scene + ".json";
-  std::ifstream file(std::filesystem::path(IFOV_SOURCE_DIR) / "benchmarks/honesty/scenes" / name);
-  if (!file) throw std::runtime_error("no scene " + name);
-  std::stringstream text;
-  text << file.rdbuf();
-  io::Document document = io::parse_document(text.str(), (work / name).string());
+  io::Document document = read_scene(which.scene, work);
   if (which.psf || which.groups) document.sensor.psf = io::GaussianPsf{kPsfSigma_px};
   for (std::size_t c = 0; which.groups && c < document.sensor.channels.size(); ++c) {
     const double k = static_cast<double>(c);

@@ -9,12 +9,19 @@
 #include "honesty/interval_statistics.h"
 #include "sampling/accuracy/accuracy_sampler.h"
 
+namespace ifov::io {
+struct Document;
+}
+
 namespace ifov::benchmarks {
 
 template <class Sampler>
 std::unique_ptr<sampling::PixelSampler> make_sampler(const sampling::AccuracyOptions& options) {
   return std::make_unique<Sampler>(options);
 }
+
+/// A document of benchmarks/honesty/scenes by its file name without .json; `work` holds the files that it names.
+io::Document read_scene(const std::string& scene, const std::filesystem::path& work);
 
 /// One run of a scene of benchmarks/honesty/scenes.
 struct HonestyCase {
