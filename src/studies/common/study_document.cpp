@@ -29,17 +29,6 @@ io::CameraDocument nadir_camera(int width_px, int height_px, double west_m, doub
           {}};
 }
 
-namespace {
-
-template <class Settings>
-io::SamplingDocument sampling_of(Settings settings) {
-  io::SamplingDocument sampling;
-  sampling.method = std::make_shared<const Settings>(std::move(settings));
-  return sampling;
-}
-
-}  // namespace
-
 io::SamplingDocument single_sampling() { return sampling_of(io::SingleSampling()); }
 
 io::SamplingDocument grid_sampling(int n) { return sampling_of(io::GridSampling(n, n)); }

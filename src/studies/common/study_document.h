@@ -30,6 +30,13 @@ io::Document nadir_document(io::CameraDocument camera, const std::string& channe
 /// point.
 io::CameraDocument nadir_camera(int width_px, int height_px, double west_m, double north_m);
 
+/// The document's part of a way of sampling.
+template <class Settings>
+io::SamplingDocument sampling_of(Settings settings) {
+  io::SamplingDocument sampling;
+  sampling.method = std::make_shared<const Settings>(std::move(settings));
+  return sampling;
+}
 io::SamplingDocument single_sampling();
 io::SamplingDocument grid_sampling(int n);
 /// The paper's scheme.

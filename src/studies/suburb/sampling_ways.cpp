@@ -1,22 +1,15 @@
 #include "studies/suburb/sampling_ways.h"
 
-#include <memory>
 #include <utility>
 
 #include "core/format.h"
 #include "io/document/samplers/accuracy_sampling.h"
 #include "io/document/samplers/plain_sampling.h"
+#include "studies/common/study_document.h"
 
 namespace ifov::studies {
 
 namespace {
-
-template <class Settings>
-io::SamplingDocument sampling_of(Settings settings) {
-  io::SamplingDocument sampling;
-  sampling.method = std::make_shared<const Settings>(std::move(settings));
-  return sampling;
-}
 
 const char* audited(const std::optional<int>& audit) { return audit ? ", audited" : ""; }
 
