@@ -11,6 +11,7 @@ namespace ifov::studies {
 namespace {
 
 constexpr double kRounding = 1e-6;  // relative, of radiances in single precision
+constexpr double kLeastBright = 1e-3;
 
 }  // namespace
 
@@ -42,8 +43,9 @@ RadianceErrors radiance_errors(const ImageStore& image, const ImageStore& refere
   return out;
 }
 
-bool is_more_than_rounding(const RadianceErrors& image, std::size_t channel) {
-  return image.rms[channel] > kRounding * image.mean[channel];
+bool counts(const RadianceErrors& image, std::size_t channel) {
+  return image.rms[channel] > kRounding * image.mean[channel] &&
+         image.mean[channel] > kLeastBright * *std::max_element(image.mean.begin(), image.mean.end());
 }
 
 ErrorRatios error_ratios(const RadianceErrors& image, const RadianceErrors& other) {
@@ -51,7 +53,7 @@ ErrorRatios error_ratios(const RadianceErrors& image, const RadianceErrors& othe
   double squares = 0.0;
   int counted = 0;
   for (std::size_t c = 0; c < image.rms.size(); ++c) {
-    if (!is_more_than_rounding(other, c)) continue;
+    if (!counts(other, c)) continue;
     const double ratio = image.rms[c] / other.rms[c];
     out.worst = std::max(out.worst, ratio);
     squares += ratio * ratio;
@@ -70,7 +72,7 @@ double error_quantile(const ImageStore& image, const ImageStore& reference, cons
   double sum = 0.0;
   int counted = 0;
   for (std::size_t c = 0; c < columns; ++c) {
-    if (!is_more_than_rounding(other, c)) continue;
+    if (!counts(other, c)) continue;
     errors.clear();
     for (std::size_t p = 0; p < image.samples().size(); ++p)
       if (reference.samples()[p] != 0)
