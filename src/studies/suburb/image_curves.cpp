@@ -1,14 +1,17 @@
 #include "studies/suburb/image_curves.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <ctime>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <span>
 
 #include "core/format.h"
 #include "io/document/document.h"
+#include "io/library/sensor_presets.h"
 #include "studies/common/scene_renderer.h"
 #include "studies/suburb/sampling_ways.h"
 
@@ -23,24 +26,18 @@ constexpr double kJudgedLimit =
     1.4;  // of which the report tells most: what nodes may be off by is part of limits
 constexpr double kLimits[] = {2.8, 2.0, 1.4, 1.0}, kQuickLimits[] = {2.0, 1.4};
 
-/// What MODIS was required to have in the bands of its land: wavelength, um; radiance, W m-2 sr-1 um-1; ratio of signal to noise
-/// (data/sensors/terra.txt).
-constexpr std::array<std::array<double, 3>, 7> kModis = {{{0.469, 35.3, 243.0},
-                                                          {0.555, 29.0, 228.0},
-                                                          {0.645, 21.8, 128.0},
-                                                          {0.8585, 24.7, 201.0},
-                                                          {1.24, 5.4, 74.0},
-                                                          {1.64, 7.3, 275.0},
-                                                          {2.13, 1.0, 110.0}}};
-
+/// What MODIS was required to have in the bands of its land, the first seven, as a radiance; between them by straight lines.
 double modis_noise(double wavelength_um) {
-  const auto noise = [](std::size_t k) { return kModis[k][1] / kModis[k][2]; };
-  std::size_t next = 0;
-  while (next < kModis.size() && kModis[next][0] < wavelength_um) ++next;
-  if (next == 0) return noise(0);
-  if (next == kModis.size()) return noise(next - 1);
-  const double share = (wavelength_um - kModis[next - 1][0]) / (kModis[next][0] - kModis[next - 1][0]);
-  return noise(next - 1) + share * (noise(next) - noise(next - 1));
+  constexpr std::size_t kOfLand = 7;
+  std::map<double, double> noise;  // by the band's centre
+  for (const io::PresetBand& band : std::span(io::sensor_preset("MODIS").bands).first(kOfLand))
+    noise[0.5 * (band.a_um + band.b_um)] = band.at_w_m2_sr_um / band.snr;
+  const auto next = noise.lower_bound(wavelength_um);
+  if (next == noise.begin()) return next->second;
+  const auto before = std::prev(next);
+  if (next == noise.end()) return before->second;
+  return std::lerp(before->second, next->second,
+                   (wavelength_um - before->first) / (next->first - before->first));
 }
 
 io::Document with_noise(io::Document document, const std::vector<double>& noise) {
