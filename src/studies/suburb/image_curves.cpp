@@ -182,6 +182,9 @@ ImageCurves image_curves(const io::Document& document, const ImageStore& referen
                          const StudyOptions& options, bool quick) {
   ImageCurves out;
   out.seeds = quick ? 1 : kSeeds;
+  constexpr double kFalls = 0.575;  // of the RMS error of a grid, with its samples
+  const auto samples = *std::max_element(reference.samples().begin(), reference.samples().end());
+  out.reference_error = std::pow(100.0 / static_cast<double>(samples), kFalls);
   std::vector<double> noise(ten.rms.size());
   for (std::size_t c = 0; c < noise.size(); ++c) noise[c] = counts(ten, c) ? ten.rms[c] : ten.mean[c];
   const SceneRenderer scene(with_noise(document, noise), options.log);

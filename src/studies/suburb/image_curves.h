@@ -36,6 +36,7 @@ struct CurvePoint {
 /// is the RMS error of the grid 10 x 10 in each channel, and of the noise of an instrument.
 struct ImageCurves {
   int seeds = 0;
+  double reference_error = 0.0;         ///< about that of the reference's own, over that of the grid 10 x 10
   std::vector<CurvePoint> grids, ours;  ///< by falling error; `ours` by limits
   CurvePoint audited_grid, audited_ours;
   CurvePoint instrument;           ///< at the noise of MODIS; no seconds where it was left out

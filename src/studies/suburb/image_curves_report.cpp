@@ -68,9 +68,9 @@ std::string image_curves_report(const ImageCurves& curves, ReportFigures& figure
       "<p>Errors are over the RMS error of the grid 10 x 10 in the same channel: the root of the mean squared ratio over the channels, "
       "the ratio in the worst of them, and what |error| stays below in a share of the pixels, mean over the channels. "
       "{} seed{}: means and their standard errors, and the least processor time. Limits of the image's error are shares of "
-      "the RMS error of the grid 10 x 10 in every channel. The reference's own error is about 0.12 of that, and is part of all "
+      "the RMS error of the grid 10 x 10 in every channel. The reference's own error is about {:.2f} of that, and is part of all "
       "numbers. Who wants to know the error of a grid audits it, too: the last two rows are the pair to compare then.</p>\n",
-      curves.seeds, curves.seeds == 1 ? "" : "s");
+      curves.seeds, curves.seeds == 1 ? "" : "s", curves.reference_error);
   if (std::isfinite(curves.instrument.seconds))
     text += format(
         "<p>An RMS error within the noise that MODIS was required to have in its bands of the land, between them by straight lines, took "
