@@ -26,6 +26,8 @@ constexpr double kThereabouts = 256.0;
 /// What is known to be there, and farther from the mean than any of n values: its 95 % interval is that of the 3 / n at which n
 /// values meet none.
 constexpr double kKnownFar = 1.5;
+/// Of labels that are uneven, values as rare as one of so many are known.
+constexpr double kRarest = 16.0;
 
 }  // namespace
 
@@ -43,6 +45,16 @@ bool UnseenValues::knows_more_than_values(const SourcePixel& pixel) const {
   return false;
 }
 
+/// The square of how far from `mean` a label's values may lie: its mean's distance, or, of an uneven label, that of the rarer of two
+/// values that would make its mean and variance. A place in the penumbra of a wire sees most of the Sun and is as dark as all
+/// shadow for few paths.
+double UnseenValues::farthest_of(std::uint32_t label, int column, double mean) const {
+  const double distance = table_.mean(label)[column] - mean, square = distance * distance;
+  if (!field_.uneven(table_.label(label))) return square;
+  const double all = square + spread_.total(label, column);
+  return all < kRarest * square ? all * all / square : kRarest * all;
+}
+
 double UnseenValues::known_farther(const SourcePixel& pixel, int column) const {
   if (pixel.rounds.empty()) return 0.0;
   double met = 0.0, mean = 0.0;
@@ -53,10 +65,8 @@ double UnseenValues::known_farther(const SourcePixel& pixel, int column) const {
   }
   const Stratum& stratum = pixel.strata.front();
   double farthest = stratum.strays > 0.0 ? stratum.stray_squares[column] / stratum.strays : 0.0;
-  for (const Prober::Met& ray : prober_.met(pixel.source)) {
-    const double distance = table_.mean(ray.label)[column] - mean;
-    farthest = std::max(farthest, distance * distance);
-  }
+  for (const Prober::Met& ray : prober_.met(pixel.source))
+    farthest = std::max(farthest, farthest_of(ray.label, column, mean));
   farthest = std::max(farthest, standouts_.farthest_square(pixel.source, column, mean));
   return farthest > met ? farthest : 0.0;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace ifov::sampling {
 
@@ -29,6 +30,7 @@ class UnseenValues {
   virtual double known_farther(const SourcePixel& pixel, int column) const;
 
  private:
+  double farthest_of(std::uint32_t label, int column, double mean) const;
   bool knows_more_than_values(const SourcePixel& pixel) const;
 
   const LabelSpread& spread_;
