@@ -26,6 +26,10 @@ constexpr double kTelling = 8.0;
 /// places of a pattern. The variance that they show counts so many times.
 constexpr double kElsewhere = 9.0;
 
+/// Values that stand in no block count where with them values differ so many times as much (in variance); a single one of them is then most of
+/// what is known of that, like a block that holds most of the variance.
+constexpr double kAlone = 4.0, kAloneFreedom = 3.0;
+
 }  // namespace
 
 double StratumEstimates::told(const Stratum& stratum) const {
@@ -109,10 +113,15 @@ void StratumEstimates::of_values(const Stratum& stratum, std::span<const int> co
       const double local = spread.local(label, column);
       const double whole = count > 1.0 ? round.spread(column) * count / (count - 1.0) : 0.0;
       const double lent_variance = told * local + (1.0 - told) * std::max(local, whole);
-      const double one = (round.squares(column) + lent * lent_variance) / (round.blocks() + lent);
+      const double squares_told = round.squares(column) + lent * lent_variance, told_by = round.blocks() + lent;
+      double one = squares_told / told_by, freedom = round.freedom(column) + sure;
+      // A far value that happens to stand in no block is no less of what values differ by.
+      if (const double all = (squares_told + round.squares_alone(column)) / (told_by + round.alone());
+          all > kAlone * one)
+        one = all, freedom = std::min(freedom, kAloneFreedom);
       const double part = count * count * count / cubes * one;
       out.variance[c] += part;
-      weighted[c] += part * part / std::max(1.0, round.freedom(column) + sure);
+      weighted[c] += part * part / std::max(1.0, freedom);
     }
   }
   out.freedom = std::max(1.0, blocks + std::min(borrowed(blocks), lent_freedom));

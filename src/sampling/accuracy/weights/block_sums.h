@@ -16,8 +16,10 @@ class BlockSums {
   /// One block: rows of the values in it, at most four, in the order of its quarters. Of four quarters what a plane does
   /// not explain is one degree of freedom about the variance of a value within its cell, of two or three half the
   /// square of a difference.
+  /// A value alone in its block, and the third of three, stand in none of these squares; what they differ by is summed apart.
   void add_block(std::span<const float* const> rows) {
-    if (sums_.empty()) sums_.resize(4 * stride_, 0.0);
+    if (sums_.empty()) sums_.resize(kSums * stride_, 0.0);
+    if (rows.size() == 1) add_alone(rows[0]);
     count_ += static_cast<double>(rows.size());
     double *sum = sums_.data(), *power = sum + stride_, *squares = power + stride_,
            *fourths = squares + stride_;
@@ -48,6 +50,13 @@ class BlockSums {
       fourths[c] += square * square;
     }
     blocks_ += 1.0;
+    if (rows.size() < 3) return;
+    double* alone = fourths + stride_;
+    for (std::size_t c = 0; c < stride_; ++c) {
+      const double difference = static_cast<double>(rows[2][c]) - rows[1][c];
+      alone[c] += 0.5 * difference * difference;
+    }
+    alone_ += 1.0;
   }
 
   double count() const { return count_; }    ///< values
@@ -62,6 +71,10 @@ class BlockSums {
   /// Sum over the blocks of their estimates of the variance of a value.
   double squares(int column) const { return count_ > 0.0 ? sums_[2 * stride_ + column] : 0.0; }
 
+  /// Values that stand in no block, and the sum of what each tells of the variance of a value.
+  double alone() const { return alone_; }
+  double squares_alone(int column) const { return count_ > 0.0 ? sums_[4 * stride_ + column] : 0.0; }
+
   /// Degrees of freedom behind the squares. Where a few blocks hold most of the variance, few are: a square with one
   /// degree of freedom has a third of its own square's expectation as its squared expectation.
   double freedom(int column) const {
@@ -74,15 +87,33 @@ class BlockSums {
   static void pass(Sums& self, Archive& archive, std::size_t columns) {
     archive(self.count_);
     archive(self.blocks_);
+    archive(self.alone_);
     if (self.count_ == 0.0) return;
-    if constexpr (Archive::kReads) self.sums_.assign(4 * self.stride_, 0.0);
-    for (std::size_t k = 0; k < 4; ++k) archive.array(&self.sums_[k * self.stride_], columns);
+    if constexpr (Archive::kReads) self.sums_.assign(kSums * self.stride_, 0.0);
+    for (std::size_t k = 0; k < kSums; ++k) archive.array(&self.sums_[k * self.stride_], columns);
   }
 
  private:
+  /// By the nearer of the last such value and the mean of all before: a gradient moves it away from either.
+  void add_alone(const float* row) {
+    double* alone = &sums_[4 * stride_];
+    const bool any = !last_alone_.empty();
+    for (std::size_t c = 0; c < stride_ && count_ > 0.0; ++c) {
+      const double value = row[c], before = value - sums_[c] / count_;
+      double square = before * before * count_ / (count_ + 1.0);
+      if (any) square = std::min(square, 0.5 * (value - last_alone_[c]) * (value - last_alone_[c]));
+      alone[c] += square;
+    }
+    if (count_ > 0.0) alone_ += 1.0;
+    last_alone_.assign(row, row + stride_);
+  }
+
+  static constexpr std::size_t kSums = 5;
   std::size_t stride_;
-  double count_ = 0.0, blocks_ = 0.0;
-  std::vector<double> sums_;  // of values, of their squares, of the blocks' squares, of the squares of those
+  double count_ = 0.0, blocks_ = 0.0, alone_ = 0.0;
+  /// Of values, of their squares, of the blocks' squares, of the squares of those, of the squares of values alone.
+  std::vector<double> sums_;
+  std::vector<float> last_alone_;
 };
 
 }  // namespace ifov::sampling
