@@ -114,6 +114,30 @@ class FewVerticesTell final : public sampling::AccuracyParts {
   }
 };
 
+/// Values that stand in no block are not looked at.
+struct AloneUntold final : sampling::StratumEstimates {
+  using StratumEstimates::StratumEstimates;
+  bool alone_tell() const override { return false; }
+};
+
+/// What values of a penumbra may be is taken to be their mean.
+struct MeansAreFarthest final : sampling::UnseenValues {
+  using UnseenValues::UnseenValues;
+  double farthest_of(std::uint32_t label, int column, double mean) const override {
+    return (mean_of(label, column) - mean) * (mean_of(label, column) - mean);
+  }
+};
+class PenumbraeAreMeans final : public sampling::AccuracyParts {
+ public:
+  std::unique_ptr<sampling::UnseenValues> unseen(const sampling::LabelSpread& spread,
+                                                 const sampling::Prober& prober,
+                                                 const sampling::StandoutValues& standouts,
+                                                 const sampling::LabelTable& table,
+                                                 const sampling::Field& field) const override {
+    return std::make_unique<MeansAreFarthest>(spread, prober, standouts, table, field);
+  }
+};
+
 /// What rays and strays have met in a cluttered pixel is forgotten where no value has met it.
 struct NothingKnownFarther final : sampling::UnseenValues {
   using UnseenValues::UnseenValues;
@@ -156,6 +180,12 @@ struct FewTellNearby final : sampling::NearbySpread {
 };
 class OtherLabelsTell final : public sampling::AccuracyParts {
  public:
+  std::unique_ptr<sampling::StratumEstimates> estimates(const sampling::Lattice& lattice,
+                                                        const sampling::LatticeValues& values,
+                                                        const sampling::LabelTable& table,
+                                                        const sampling::LabelSpread& spread) const override {
+    return std::make_unique<AloneUntold>(lattice, values, table, spread);
+  }
   std::unique_ptr<sampling::LabelSpread> spread(const sampling::Lattice& lattice,
                                                 const sampling::LabelTable& table,
                                                 const sampling::LatticeValues& values) const override {

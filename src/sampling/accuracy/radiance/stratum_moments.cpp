@@ -113,11 +113,12 @@ void StratumEstimates::of_values(const Stratum& stratum, std::span<const int> co
       const double local = spread.local(label, column);
       const double whole = count > 1.0 ? round.spread(column) * count / (count - 1.0) : 0.0;
       const double lent_variance = told * local + (1.0 - told) * std::max(local, whole);
-      const double squares_told = round.squares(column) + lent * lent_variance, told_by = round.blocks() + lent;
+      const double squares_told = round.squares(column) + lent * lent_variance,
+                   told_by = round.blocks() + lent;
       double one = squares_told / told_by, freedom = round.freedom(column) + sure;
       // A far value that happens to stand in no block is no less of what values differ by.
       if (const double all = (squares_told + round.squares_alone(column)) / (told_by + round.alone());
-          all > kAlone * one)
+          all > kAlone * one && alone_tell())
         one = all, freedom = std::min(freedom, kAloneFreedom);
       const double part = count * count * count / cubes * one;
       out.variance[c] += part;

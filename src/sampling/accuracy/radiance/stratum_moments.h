@@ -39,6 +39,9 @@ class StratumEstimates {
   /// has no block of it: vertices in line with it all stand at one place across it, and where none is, one value stands for all.
   virtual double told(const Stratum& stratum) const;
 
+  /// Whether values that stand in no block of a round tell how values differ.
+  virtual bool alone_tell() const { return true; }
+
   /// Whether most of the variance of a stratum's values comes from their paths rather than from where they are, in
   /// some of these columns; false before twins have told.
   static bool paths_differ(const Stratum& stratum, std::span<const int> columns,

@@ -1,6 +1,7 @@
 #include "sampling/accuracy/radiance/unseen_values.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sampling/accuracy/basis/label_table.h"
 #include "sampling/accuracy/edges/probing.h"
@@ -26,8 +27,6 @@ constexpr double kThereabouts = 256.0;
 /// What is known to be there, and farther from the mean than any of n values: its 95 % interval is that of the 3 / n at which n
 /// values meet none.
 constexpr double kKnownFar = 1.5;
-/// Of labels that are uneven, values as rare as one of so many are known.
-constexpr double kRarest = 16.0;
 
 }  // namespace
 
@@ -45,14 +44,29 @@ bool UnseenValues::knows_more_than_values(const SourcePixel& pixel) const {
   return false;
 }
 
-/// The square of how far from `mean` a label's values may lie: its mean's distance, or, of an uneven label, that of the rarer of two
-/// values that would make its mean and variance. A place in the penumbra of a wire sees most of the Sun and is as dark as all
-/// shadow for few paths.
+const UnseenValues::Range& UnseenValues::range_of(std::uint32_t material) const {
+  const auto [known, fresh] = ranges_.try_emplace(material);
+  Range& range = known->second;
+  if (!fresh) return range;
+  range.low.assign(table_.columns(), INFINITY);
+  range.high.assign(table_.columns(), -INFINITY);
+  for (std::uint32_t label = 0; label < spread_.labels(); ++label) {
+    if (table_.count(label) == 0 || field_.material_of(table_.label(label)) != material) continue;
+    for (std::size_t c = 0; c < table_.columns(); ++c) {
+      range.low[c] = std::min(range.low[c], spread_.lowest(label, static_cast<int>(c)));
+      range.high[c] = std::max(range.high[c], spread_.highest(label, static_cast<int>(c)));
+    }
+  }
+  return range;
+}
+
 double UnseenValues::farthest_of(std::uint32_t label, int column, double mean) const {
-  const double distance = table_.mean(label)[column] - mean, square = distance * distance;
-  if (!field_.uneven(table_.label(label))) return square;
-  const double all = square + spread_.total(label, column);
-  return all < kRarest * square ? all * all / square : kRarest * all;
+  const double distance = table_.mean(label)[column] - mean;
+  if (!field_.uneven(table_.label(label))) return distance * distance;
+  const Range& range = range_of(field_.material_of(table_.label(label)));
+  const double farthest = std::max({std::abs(distance), mean - range.low[static_cast<std::size_t>(column)],
+                                    range.high[static_cast<std::size_t>(column)] - mean});
+  return farthest * farthest;
 }
 
 double UnseenValues::known_farther(const SourcePixel& pixel, int column) const {

@@ -2,12 +2,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <vector>
+
+#include "sampling/accuracy/basis/label_table.h"
 
 namespace ifov::sampling {
 
 class Field;
 class LabelSpread;
-class LabelTable;
 class Prober;
 class StandoutValues;
 struct SourcePixel;
@@ -25,12 +28,22 @@ class UnseenValues {
   virtual double variance(const SourcePixel& pixel, std::size_t stratum, int column) const;
 
  protected:
+  double mean_of(std::uint32_t label, int column) const { return table_.mean(label)[column]; }
   /// The square of how far from the mean of a cluttered pixel's values lies what rays, strays or standouts have met there, and none
   /// of its values; 0: nothing.
   virtual double known_farther(const SourcePixel& pixel, int column) const;
 
+  /// The square of how far from `mean` a label's values may lie: its mean's distance, or, of an uneven label, that of any value of its
+  /// material in the tile. A place in the penumbra of a wire sees most of the Sun, and few paths from it are in the dark, but these
+  /// are as dark as any.
+  virtual double farthest_of(std::uint32_t label, int column, double mean) const;
+
  private:
-  double farthest_of(std::uint32_t label, int column, double mean) const;
+  /// Lowest and highest values of a material on the lattice, by column.
+  struct Range {
+    std::vector<double> low, high;
+  };
+  const Range& range_of(std::uint32_t material) const;
   bool knows_more_than_values(const SourcePixel& pixel) const;
 
   const LabelSpread& spread_;
@@ -38,6 +51,7 @@ class UnseenValues {
   const StandoutValues& standouts_;
   const LabelTable& table_;
   const Field& field_;
+  mutable std::map<std::uint32_t, Range> ranges_;  // by material, once asked for
 };
 
 }  // namespace ifov::sampling
