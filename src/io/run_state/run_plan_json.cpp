@@ -15,7 +15,7 @@
 namespace ifov::io {
 namespace {
 
-constexpr int kFormat = 5;
+constexpr int kFormat = 6;
 
 std::string hex(std::uint64_t value) { return format("{:016x}", value); }
 std::uint64_t from_hex(const std::string& text) { return std::stoull(text, nullptr, 16); }
