@@ -33,11 +33,8 @@ LabelSpread::LabelSpread(const Lattice& lattice, const LabelTable& table, const 
       local_((labels_ + 1) * columns_, 0.0),
       total_((labels_ + 1) * columns_, 0.0),
       rare_((labels_ + 1) * columns_, 0.0),
-      lowest_(labels_ * columns_),
-      highest_(labels_ * columns_) {
-  for (std::uint32_t l = 0; l < labels_; ++l)
-    for (std::size_t c = 0; c < columns_; ++c)
-      lowest_[l * columns_ + c] = highest_[l * columns_ + c] = table.mean(l)[c];
+      lowest_(labels_ * columns_) {
+  for (std::uint32_t l = 0; l < labels_; ++l) std::copy_n(table.mean(l), columns_, &lowest_[l * columns_]);
   std::vector<double> local_freedom(labels_, 0.0), total_freedom(labels_);
   const std::size_t row_length = static_cast<std::size_t>(lattice.columns()) + 1, vertices = at.labels.size();
   for (std::uint32_t l = 0; l < labels_; ++l) total_freedom[l] = table.count(l) - 1.0;
@@ -50,7 +47,6 @@ LabelSpread::LabelSpread(const Lattice& lattice, const LabelTable& table, const 
       const double d = value[c] - mean[c];
       total_[l * columns_ + c] += d * d;
       lowest_[l * columns_ + c] = std::min(lowest_[l * columns_ + c], static_cast<double>(value[c]));
-      highest_[l * columns_ + c] = std::max(highest_[l * columns_ + c], static_cast<double>(value[c]));
     }
   }
   for (std::size_t i = 0; i < at.random.labels.size(); ++i) {

@@ -42,10 +42,9 @@ class LabelSpread {
   const LabelSpread& rest_if(bool foretold) const { return foretold ? rest() : *this; }
   void take_rest(std::unique_ptr<const LabelSpread> rest) { rest_ = std::move(rest); }
 
-  /// Labels that the lattice has met, and the lowest and highest of each one's values.
+  /// Labels that the lattice has met, and the lowest of each one's values.
   std::uint32_t labels() const { return static_cast<std::uint32_t>(labels_); }
   double lowest(std::uint32_t label, int column) const { return lowest_[label * columns_ + column]; }
-  double highest(std::uint32_t label, int column) const { return highest_[label * columns_ + column]; }
 
   /// Variance of a value about the label's mean over the tile.
   double total(std::uint32_t label, int column) const { return row(total_, label)[column]; }
@@ -56,7 +55,7 @@ class LabelSpread {
   std::vector<std::uint8_t> constant_;
   std::vector<double> blocks_;
   std::vector<double> local_, total_, rare_;
-  std::vector<double> lowest_, highest_;
+  std::vector<double> lowest_;
 
  private:
   void add_random_points(const Lattice& lattice, const LatticeValues& at, std::vector<double>& local_freedom);

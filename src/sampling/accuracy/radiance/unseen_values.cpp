@@ -27,6 +27,8 @@ constexpr double kThereabouts = 256.0;
 /// What is known to be there, and farther from the mean than any of n values: its 95 % interval is that of the 3 / n at which n
 /// values meet none.
 constexpr double kKnownFar = 1.5;
+/// Of labels that are uneven, values as rare as one of so many are known.
+constexpr double kRarest = 16.0;
 
 }  // namespace
 
@@ -44,29 +46,36 @@ bool UnseenValues::knows_more_than_values(const SourcePixel& pixel) const {
   return false;
 }
 
-const UnseenValues::Range& UnseenValues::range_of(std::uint32_t material) const {
-  const auto [known, fresh] = ranges_.try_emplace(material);
+const UnseenValues::Range& UnseenValues::range_of(std::uint32_t of) const {
+  const auto where = [this](std::uint32_t label) {
+    return std::pair{field_.material_of(table_.label(label)), field_.object_of(table_.label(label))};
+  };
+  const auto [known, fresh] = ranges_.try_emplace(where(of));
   Range& range = known->second;
   if (!fresh) return range;
   range.low.assign(table_.columns(), INFINITY);
   range.high.assign(table_.columns(), -INFINITY);
   for (std::uint32_t label = 0; label < spread_.labels(); ++label) {
-    if (table_.count(label) == 0 || field_.material_of(table_.label(label)) != material) continue;
+    if (table_.count(label) == 0 || where(label) != known->first) continue;
     for (std::size_t c = 0; c < table_.columns(); ++c) {
       range.low[c] = std::min(range.low[c], spread_.lowest(label, static_cast<int>(c)));
-      range.high[c] = std::max(range.high[c], spread_.highest(label, static_cast<int>(c)));
+      range.high[c] = std::max(range.high[c], table_.mean(label)[c]);
     }
   }
   return range;
 }
 
 double UnseenValues::farthest_of(std::uint32_t label, int column, double mean) const {
-  const double distance = table_.mean(label)[column] - mean;
-  if (!field_.uneven(table_.label(label))) return distance * distance;
-  const Range& range = range_of(field_.material_of(table_.label(label)));
-  const double farthest = std::max({std::abs(distance), mean - range.low[static_cast<std::size_t>(column)],
-                                    range.high[static_cast<std::size_t>(column)] - mean});
-  return farthest * farthest;
+  const double distance = table_.mean(label)[column] - mean, square = distance * distance;
+  if (!field_.uneven(table_.label(label))) return square;
+  // The rarer of two values that would make the label's mean and variance.
+  const double all = square + spread_.total(label, column),
+               rarer = all < kRarest * square ? all * all / square : kRarest * all;
+  const Range& range = range_of(label);
+  const double low = mean - range.low[static_cast<std::size_t>(column)],
+               high = range.high[static_cast<std::size_t>(column)] - mean,
+               beyond = std::max({low, high, 0.0});
+  return std::max(rarer, beyond * beyond);
 }
 
 double UnseenValues::known_farther(const SourcePixel& pixel, int column) const {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "sampling/accuracy/basis/label_table.h"
@@ -33,17 +34,18 @@ class UnseenValues {
   /// of its values; 0: nothing.
   virtual double known_farther(const SourcePixel& pixel, int column) const;
 
-  /// The square of how far from `mean` a label's values may lie: its mean's distance, or, of an uneven label, that of any value of its
-  /// material in the tile. A place in the penumbra of a wire sees most of the Sun, and few paths from it are in the dark, but these
-  /// are as dark as any.
+  /// The square of how far from `mean` a label's values may lie: its mean's distance, or, of an uneven label, that of the rarer of
+  /// two values that would make its mean and variance, of the darkest value of its material on its object in the tile, and of the
+  /// brightest mean of a label there. A place in the penumbra of a wire sees most of the Sun, and few paths from it are in the
+  /// dark, but these are as dark as any. (The brightest value there may be a mirror's light, which is elsewhere.)
   virtual double farthest_of(std::uint32_t label, int column, double mean) const;
 
  private:
-  /// Lowest and highest values of a material on the lattice, by column.
+  /// Of a label's material on its object, on the lattice: the lowest value and the highest mean of a label, by column.
   struct Range {
     std::vector<double> low, high;
   };
-  const Range& range_of(std::uint32_t material) const;
+  const Range& range_of(std::uint32_t label) const;
   bool knows_more_than_values(const SourcePixel& pixel) const;
 
   const LabelSpread& spread_;
@@ -51,7 +53,8 @@ class UnseenValues {
   const StandoutValues& standouts_;
   const LabelTable& table_;
   const Field& field_;
-  mutable std::map<std::uint32_t, Range> ranges_;  // by material, once asked for
+  mutable std::map<std::pair<std::uint32_t, std::uint32_t>, Range>
+      ranges_;  // by material and object, once asked for
 };
 
 }  // namespace ifov::sampling
