@@ -16,7 +16,7 @@ namespace ifov::benchmarks {
 
 namespace {
 
-constexpr std::array<NamedScene, 26> kScenes{{{"crop_rows"},
+constexpr std::array<NamedScene, 27> kScenes{{{"crop_rows"},
                                               {"crop_rows_moved"},
                                               {"vineyard_1m"},
                                               {"vineyard_2m"},
@@ -36,6 +36,7 @@ constexpr std::array<NamedScene, 26> kScenes{{{"crop_rows"},
                                               {"mirror_hemisphere"},
                                               {"container_yard"},
                                               {"narrow_penumbra"},
+                                              {"power_line"},
                                               {"mixture_temperatures"},
                                               {"wide_channel"},
                                               {"airy_edge"},
