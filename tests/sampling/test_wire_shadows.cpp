@@ -7,6 +7,7 @@
 
 #include "accuracy_scenes.h"
 #include "faulty_samplers.h"
+#include "sampling/accuracy/basis/label_table.h"
 #include "sampling/accuracy/weights/block_sums.h"
 #include "sampling/random.h"
 
@@ -149,6 +150,61 @@ TEST(WireShadows, ValuesOutsideBlocksTellTheVariance) {
   }
   EXPECT_EQ(single.squares(0), 0.0);
   EXPECT_GT(single.squares_alone(0), 0.3 * 90.0 * 90.0);
+}
+
+/// What a stratum of even ground is said to vary by, whose values are 100 but for `dark` ones of 10, `alone` of which stand alone in blocks.
+template <class Estimates>
+double variance_of_mean(int blocks, int in_a_row, int alone) {
+  const Lattice lattice({0, 0, 4, 4}, 3);
+  LatticeValues at;
+  at.columns = 1;
+  const std::size_t vertices = static_cast<std::size_t>((lattice.columns() + 1) * (lattice.rows() + 1));
+  at.labels.assign(vertices, 0);
+  at.values.assign(vertices, 100.0f);
+  at.values[5] = 99.99f;
+  at.constant = {0};
+  LabelTable table(1);
+  table.index(Label{7});
+  for (const float& value : at.values) table.add(0, &value);
+  const LabelSpread spread(lattice, table, at);
+  BlockSums round(1);
+  const float lit = 100.0f, dark = 10.0f;
+  for (int b = 0; b < blocks; ++b) {
+    const bool row = b == 1;
+    const float* const rows[4] = {row && in_a_row > 0 ? &dark : &lit, row && in_a_row > 1 ? &dark : &lit,
+                                  &lit, &lit};
+    round.add_block({rows, 4});
+  }
+  for (int k = 0; k < alone; ++k) {
+    const float* const row = k == 0 ? &dark : &lit;
+    round.add_block({&row, 1});
+  }
+  SourcePixel pixel;
+  Stratum stratum;
+  stratum.label = 0;
+  stratum.rounds.push_back(round);
+  pixel.strata.push_back(stratum);
+  StratumMoments moments;
+  const int columns[] = {0};
+  Estimates(lattice, at, table, spread).moments(pixel, 0, columns, moments);
+  return moments.variance[0] * moments.share;
+}
+
+// One of 13, and two of 16, of two values: p (1 - p) / (n - 1) times the square of the difference, whatever the blocks are; an estimate
+// of three degrees of freedom that is told by half of it is within a factor of 3.
+TEST(WireShadows, AFarValueCountsWhereverItStands) {
+  const double one = 90.0 * 90.0 / 13.0 * 12.0 / 13.0 / 12.0, two = 90.0 * 90.0 / 8.0 * 7.0 / 8.0 / 15.0;
+  EXPECT_GT(variance_of_mean<StratumEstimates>(3, 0, 1), one / 3.0);
+  EXPECT_LT(variance_of_mean<StratumEstimates>(3, 0, 1), 3.0 * one);
+  EXPECT_GT(variance_of_mean<StratumEstimates>(4, 2, 0), two / 3.0);
+  EXPECT_LT(variance_of_mean<StratumEstimates>(4, 2, 0), 3.0 * two);
+  EXPECT_GT(variance_of_mean<StratumEstimates>(4, 1, 0), 90.0 * 90.0 / 16.0 / 16.0 / 3.0);
+  EXPECT_LT(variance_of_mean<StratumEstimates>(4, 0, 0), 1e-3);
+}
+
+TEST(WireShadows, PlantedFaultBlocksAloneTell) {
+  EXPECT_LT(variance_of_mean<AloneUntold>(3, 0, 1), 1.0);
+  EXPECT_LT(variance_of_mean<AloneUntold>(4, 2, 0), 1.0);
 }
 
 }  // namespace

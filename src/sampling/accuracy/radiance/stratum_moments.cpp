@@ -29,6 +29,8 @@ constexpr double kElsewhere = 9.0;
 /// Values that stand in no block count where with them values differ so many times as much (in variance); a single one of them is then most of
 /// what is known of that, like a block that holds most of the variance.
 constexpr double kAlone = 4.0, kAloneFreedom = 3.0;
+/// What rounding alone does not make values differ by, in parts of their squared mean.
+constexpr double kDiffer = 1e-9;
 
 }  // namespace
 
@@ -116,10 +118,12 @@ void StratumEstimates::of_values(const Stratum& stratum, std::span<const int> co
       const double squares_told = round.squares(column) + lent * lent_variance,
                    told_by = round.blocks() + lent;
       double one = squares_told / told_by, freedom = round.freedom(column) + sure;
-      // A far value that happens to stand in no block is no less of what values differ by.
-      if (const double all = (squares_told + round.squares_alone(column)) / (told_by + round.alone());
-          all > kAlone * one && alone_tell())
-        one = all, freedom = std::min(freedom, kAloneFreedom);
+      // A far value that happens to stand in no block is no less of what values differ by, nor are two in one row of a block, which
+      // no plane's rest shows.
+      double all = (squares_told + round.squares_alone(column)) / (told_by + round.alone());
+      if (round.squares(column) == 0.0 && whole > kDiffer * round.mean(column) * round.mean(column))
+        all = std::max(all, whole);
+      if (all > kAlone * one && alone_tell()) one = all, freedom = std::min(freedom, kAloneFreedom);
       const double part = count * count * count / cubes * one;
       out.variance[c] += part;
       weighted[c] += part * part / std::max(1.0, freedom);
