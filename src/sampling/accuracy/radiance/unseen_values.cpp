@@ -46,6 +46,8 @@ bool UnseenValues::knows_more_than_values(const SourcePixel& pixel) const {
   return false;
 }
 
+double UnseenValues::mean_of(std::uint32_t label, int column) const { return table_.mean(label)[column]; }
+
 const UnseenValues::Range& UnseenValues::range_of(std::uint32_t of) const {
   const auto where = [this](std::uint32_t label) {
     return std::pair{field_.material_of(table_.label(label)), field_.object_of(table_.label(label))};

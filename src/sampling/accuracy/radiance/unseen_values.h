@@ -6,12 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "sampling/accuracy/basis/label_table.h"
-
 namespace ifov::sampling {
 
 class Field;
 class LabelSpread;
+class LabelTable;
 class Prober;
 class StandoutValues;
 struct SourcePixel;
@@ -29,7 +28,7 @@ class UnseenValues {
   virtual double variance(const SourcePixel& pixel, std::size_t stratum, int column) const;
 
  protected:
-  double mean_of(std::uint32_t label, int column) const { return table_.mean(label)[column]; }
+  double mean_of(std::uint32_t label, int column) const;
   /// The square of how far from the mean of a cluttered pixel's values lies what rays, strays or standouts have met there, and none
   /// of its values; 0: nothing.
   virtual double known_farther(const SourcePixel& pixel, int column) const;
