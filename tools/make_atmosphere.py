@@ -176,7 +176,7 @@ def main(tables, out):
         "@band GAS first_cm1 last_cm1 a n m, then C' times 1e5, one for each 5 cm-1."], bands(tables))
     write(out / "continua.txt", [
         "Continuous absorption; the first column is the wavenumber, cm-1. @NO2: 1e-20 cm2 per molecule at 220 and 294 K, of",
-        "JPL Publication 06-2 (2006) by way of TUV-x (Apache-2.0; tools/atmosphere_tables/nitrogen_dioxide.csv); the others of"],
+        "JPL Publication 06-2 (2006), figures by way of TUV-x (Apache-2.0); the others of"],
         continua(tables))
     write(out / "profiles.txt", [
         "Six model atmospheres. Columns: altitude km, pressure hPa, temperature K, then ppmv of",

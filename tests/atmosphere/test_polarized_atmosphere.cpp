@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 
