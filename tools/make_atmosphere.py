@@ -6,7 +6,8 @@
 TABLES holds the coefficients of LOWTRAN7 (revision 4.2, 1992) as CSV: table_band_params, table_band_cprime,
 table_h2o_continuum, table_n2_continuum, table_o2_continuum_1395_1760, table_o3_uvvis, table_o3_hartley_huggins,
 table_model_atmospheres, table_aerosols_shettle_fenn, table_aerosol_profiles, table_phase_functions and
-table_phase_selector. The trace gases come from atmosphere_tables/trace_gases.csv beside this script. The absorption
+table_phase_selector. The trace gases and the band of nitrogen dioxide come from
+atmosphere_tables beside this script. The absorption
 terms are computed here. Needs NumPy.
 """
 import csv
@@ -66,6 +67,10 @@ def continua(tables):
     yield table("O2 strength linear quadratic", tables / "table_o2_continuum_1395_1760.csv", range(4))
     yield table("O3_visible", tables / "table_o3_uvvis.csv", range(2))
     yield table("O3_ultraviolet c0 c1 c2", tables / "table_o3_hartley_huggins.csv", range(4))
+    # Of JPL, not LOWTRAN7.
+    falling = rows(pathlib.Path(__file__).parent / "atmosphere_tables" / "nitrogen_dioxide.csv")
+    values = [v for row in reversed(falling) for v in (1e7 / float(row["wavelength_nm"]), row["at_220_K"], row["at_294_K"])]
+    yield "NO2 cold warm", values, number, 3
 
 
 def profiles(tables):
@@ -169,7 +174,10 @@ def main(tables, out):
     write(out / "gas_bands.txt", [
         "Band model of eleven gases: T = exp(-(10^C' W)^a), on a grid of 5 cm-1 at a resolution of 20 cm-1.",
         "@band GAS first_cm1 last_cm1 a n m, then C' times 1e5, one for each 5 cm-1."], bands(tables))
-    write(out / "continua.txt", ["Continuous absorption; the first column is the wavenumber, cm-1."], continua(tables))
+    write(out / "continua.txt", [
+        "Continuous absorption; the first column is the wavenumber, cm-1. @NO2: 1e-20 cm2 per molecule at 220 and 294 K, of",
+        "JPL Publication 06-2 (2006), figures by way of TUV-x (Apache-2.0); the others of"],
+        continua(tables))
     write(out / "profiles.txt", [
         "Six model atmospheres. Columns: altitude km, pressure hPa, temperature K, then ppmv of",
         " ".join(GASES),

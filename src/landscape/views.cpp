@@ -135,6 +135,8 @@ io::AtmosphereDocument clear_air(const ViewChoice& choice) {
   io::AtmosphereDocument atmosphere;
   atmosphere.modelled.emplace();
   atmosphere.modelled->description.air.model = choice.air;
+  atmosphere.modelled->interval =
+      "numerical";  // made scenes are nowhere: there is no air to be compared with
   io::AerosolDocument haze;
   haze.tables.type = choice.haze;
   haze.tables.visibility_km = 23.0;

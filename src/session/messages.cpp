@@ -1,6 +1,7 @@
 #include "session/messages.h"
 
 #include <algorithm>
+#include <variant>
 
 #include "geometry/world.h"
 #include "io/document/document.h"
@@ -95,6 +96,18 @@ std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals,
   return text + " " + held + ".";
 }
 
+namespace {
+
+/// What makes a sky of scattered sunlight without saying how it is polarized; empty: nothing does.
+std::string unpolarized_sky(const Parts& parts) {
+  const io::AtmosphereDocument& air = parts.document.atmosphere;
+  if (parts.imported) return "imported runs";
+  if (air.uniform || air.four_curve) return format("'{}'", air.sky_maker());
+  return std::holds_alternative<io::SkyRadiance>(parts.document.light.sky) ? "'light.sky'" : "";
+}
+
+}  // namespace
+
 std::vector<std::string> notes(const Parts& parts) {
   std::vector<std::string> lines;
   if (parts.tolerance && (parts.plan.request->unit == render::ErrorUnit::percent ||
@@ -122,10 +135,12 @@ std::vector<std::string> notes(const Parts& parts) {
                           ? "polarization: sky and path of imported runs are taken to be unpolarized"
                           : "polarization: the sky is unpolarized without a modelled atmosphere");
   }
-  if (!parts.polarimetry && parts.imported && polarizes(parts.scene))
-    lines.push_back(
-        "polarization: the sky of imported runs is taken to be unpolarized; what glass, water and metal reflect of it may be off by as "
-        "much as it is polarized (up to two thirds at Brewster's angle)");
+  const std::string sky = unpolarized_sky(parts);
+  if (!parts.polarimetry && !sky.empty() && polarizes(parts.scene))
+    lines.push_back(format(
+        "polarization: the sky of {} is taken to be unpolarized; what glass, water and metal reflect of it may be off by as "
+        "much as it is polarized (up to two thirds at Brewster's angle)",
+        sky));
   if (!parts.air.empty()) {
     lines.push_back(atmosphere_error_note(parts.air));
     const auto& modelled = parts.document.atmosphere.modelled;

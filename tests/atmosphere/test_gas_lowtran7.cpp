@@ -160,5 +160,42 @@ TEST(GasLowtran7, NitricAcidIsWithinTheErrorOfTheModel) {
   EXPECT_GT(5.0 * held, 1.0) << "a fifth of what is stated would do";
 }
 
+/// Band means of absorption cross-sections that RRTMGP has for them (rrtmgp-gas-lw-g256, minor absorbers; Pincus et al. 2019, J. Adv.
+/// Model. Earth Syst. 11, 3074; BSD-3): strengths in cm per molecule, and what of it may lie within 40 cm-1 at most: all.
+struct Band {
+  double first_cm1, last_cm1, strength_cm, mole_fraction;
+};
+constexpr Band kChlorofluorocarbons[] = {{820.0, 980.0, 5.19e-19 * 160.0, 217e-12},    // CFC-11, 2024
+                                         {820.0, 980.0, 3.47e-19 * 160.0, 485e-12},    // CFC-12
+                                         {1080.0, 1180.0, 8.4e-19 * 100.0, 485e-12}};  // CFC-12
+
+TEST(GasLowtran7, ChlorofluorocarbonsAreWithinTheErrorOfTheModel) {
+  constexpr double kAirColumn_cm2 = 2.15e25;
+  double held = 0.0, most = 0.0;
+  for (const char* model : {"subarctic winter", "US standard 1976", "tropical"}) {
+    ProfileDescription air;
+    air.model = model;
+    const Profile profile = build_profile(air).profile;
+    const GasAmounts gases = vertical_amounts(profile, profile.ground_km(), 100.0);
+    const double water = profile.between(profile.ground_km(), 100.0).precipitable_water_g_cm2();
+    for (const Band& band : kChlorofluorocarbons) {
+      double stated = 0.0, count = 0.0;
+      for (double nu = band.first_cm1; nu <= band.last_cm1; nu += 5.0, ++count) {
+        const double gas = -std::log(gas_transmittance(nu, gases, GasModel::standard));
+        stated += ModelErrorTable::built_in().of_depth(1e4 / nu, {1.0, water, gas});
+      }
+      const double depth =
+          band.strength_cm / (band.last_cm1 - band.first_cm1) * band.mole_fraction * kAirColumn_cm2;
+      most = std::max(most, depth);
+      held = std::max(held, depth / (stated / count));
+    }
+  }
+  RecordProperty("most", std::to_string(most));
+  RecordProperty("of_stated", std::to_string(held));
+  EXPECT_NEAR(most, 0.0087, 0.0002);
+  EXPECT_LT(held, 1.0);
+  EXPECT_GT(10.0 * held, 1.0) << "a tenth of what is stated would do";
+}
+
 }  // namespace
 }  // namespace ifov::atmosphere::test_gas_lowtran7

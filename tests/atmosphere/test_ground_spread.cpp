@@ -24,10 +24,11 @@ GroundSpread spread(const Column& column, const GroundSpread::Sight& sight, std:
 double molecules_of_6s(double r) { return 1.0 - 0.930 * std::exp(-0.080 * r) - 0.070 * std::exp(-1.100 * r); }
 double haze_of_6s(double r) { return 1.0 - 0.448 * std::exp(-0.27 * r) - 0.552 * std::exp(-2.83 * r); }
 
-/// Rural haze at 0.55 um that thins out exponentially, in thin layers.
-Column haze(double scale_km) {
-  const AerosolPhases whole =
-      *AtmosphereColumn(AtmosphereDescription{}).at(1e4 / 0.55).scattering.aerosol_phases;
+/// Haze of a type at 0.55 um that thins out exponentially, in thin layers.
+Column haze(double scale_km, double depth = 0.1, const char* type = "rural") {
+  AtmosphereDescription description;
+  description.aerosol.type = type;
+  const AerosolPhases whole = *AtmosphereColumn(description).at(1e4 / 0.55).scattering.aerosol_phases;
   auto phases = std::make_shared<AerosolPhases>();
   phases->functions = whole.functions;
   Column column;
@@ -35,7 +36,7 @@ Column haze(double scale_km) {
   for (int k = 0; k < 80; ++k) {
     const double high = low + 0.1 * std::pow(1.05, k);
     const double share = std::exp(-low / scale_km) - std::exp(-high / scale_km);
-    column.add_layer(high, 0.0, 0.1 * share, 0.65, 0.0, 0.01 * share);
+    column.add_layer(high, 0.0, depth * share, 0.65, 0.0, 0.1 * depth * share);
     phases->share.insert(phases->share.end(), whole.shares(0), whole.shares(0) + whole.functions.size());
     low = high;
   }
@@ -43,7 +44,33 @@ Column haze(double scale_km) {
   return column;
 }
 
-double worst(const GroundSpread& spread, double (*expected)(double), double from_km, double to_km) {
+/// F(r) of light scattered once, looking straight down through thin air that thins out exponentially: what is scattered by theta at
+/// z lands at z tan theta.
+class ThinAir {
+ public:
+  ThinAir(const PhaseFunction& phase, double scale_km) : scale_km_(scale_km) {
+    constexpr int kSteps = 4000;
+    for (int k = 0; k < kSteps; ++k) {
+      const double u = (k + 0.5) / kSteps, theta = 0.5 * std::numbers::pi * u * u * u;
+      tangent_.push_back(std::tan(theta));
+      share_.push_back(u * u * phase.at(std::cos(theta)) * std::sin(theta));
+      sum_ += share_.back();
+    }
+  }
+  double operator()(double r_km) const {
+    double inside = 0.0;
+    for (std::size_t k = 0; k < share_.size(); ++k)
+      inside -= share_[k] * std::expm1(-r_km / (scale_km_ * tangent_[k]));
+    return inside / sum_;
+  }
+
+ private:
+  double scale_km_, sum_ = 0.0;
+  std::vector<double> tangent_, share_;
+};
+
+template <class Expected>
+double worst(const GroundSpread& spread, const Expected& expected, double from_km, double to_km) {
   double worst = 0.0;
   for (double r = from_km; r <= to_km * 1.001; r *= 1.2)
     worst = std::max(worst, std::abs(spread.within(r) - expected(r)));
@@ -87,6 +114,23 @@ TEST(GroundSpread, OfHazeIsThatOf6S) {
   EXPECT_LT(worst(found, haze_of_6s, 0.2, 2.0), 0.09);
   EXPECT_LT(worst(found, haze_of_6s, 2.0, 100.0), 0.03);
   EXPECT_GT(worst(spread(haze(0.7), {}), haze_of_6s, 2.0, 100.0), 0.03);  // twin
+}
+
+// Which of the two is off below 2 km: 6S's two exponentials stand for all haze, and haze of different kinds differs by more than
+// ours from theirs.
+TEST(GroundSpread, OfThinHazeIsInClosedForm) {
+  const auto phase = [](const char* type) {
+    return haze(2.0, 0.1, type).optics.aerosol_phases->functions[0];
+  };
+  for (const char* type : {"rural", "maritime", "urban"}) {
+    const ThinAir exact(phase(type), 2.0);
+    const GroundSpread found = spread(haze(2.0, 1e-4, type), {}, 1 << 17);
+    EXPECT_LT(worst(found, exact, 0.02, 100.0), 0.004) << type;
+    EXPECT_GT(worst(found, ThinAir(phase(type), 2.1), 0.02, 100.0), 0.006) << type;  // twin
+  }
+  const ThinAir rural(phase("rural"), 2.0), maritime(phase("maritime"), 2.0);
+  EXPECT_NEAR(rural(0.5) - haze_of_6s(0.5), -0.070, 0.002);
+  EXPECT_NEAR(maritime(0.5) - haze_of_6s(0.5), 0.013, 0.003);
 }
 
 // Lines of sight from the east: their light is scattered above the east, and starts there.

@@ -3,10 +3,12 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 
 #include "atmosphere/column/atmosphere_column.h"
+#include "atmosphere/profile/gas_requests.h"
 #include "atmosphere/scattering/column_solver.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "radiometry/solar_spectrum.h"
@@ -111,6 +113,9 @@ TEST_F(PolarizedAtmosphere, WithoutGasTablesAreWhatTheSolverTells) {
   AtmosphereDescription description;
   description.air.ozone_DU = 0.0;
   description.air.water_vapour_g_cm2 = 0.0;
+  GasRequests gases;
+  gases.of[static_cast<std::size_t>(Gas::no2)].emplace().off = true;
+  description.air.gases = std::make_shared<const GasRequests>(gases);
   column_ = AtmosphereColumn(description);
   inputs_.geometry.view_zenith_rad = 35.0 * kDegree;
   inputs_.geometry.view_azimuth_rad = 65.0 * kDegree;

@@ -13,6 +13,7 @@
 #include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/particles/given_particles.h"
 #include "atmosphere/particles/particle_layer.h"
+#include "atmosphere/profile/gas_requests.h"
 #include "atmosphere/scattering/column_solver.h"
 #include "atmosphere/sensor/channel_bins.h"
 #include "atmosphere/sensor/sensor_geometry.h"
@@ -29,12 +30,15 @@ using radiometry::Channel;
 using radiometry::Spectrum;
 using test::kDegree;
 
-/// Without water vapour and ozone air absorbs nothing in the blue. `haze`: depth of particles that absorb nothing either.
+/// Without water vapour, ozone and nitrogen dioxide air absorbs nothing in the blue. `haze`: depth of particles that absorb nothing either.
 AtmosphereColumn lossless(double haze, std::optional<double> depolarization = {}) {
   AtmosphereDescription description;
   description.depolarization = depolarization;
   description.air.ozone_DU = 0.0;
   description.air.water_vapour_g_cm2 = 0.0;
+  GasRequests gases;
+  gases.of[static_cast<std::size_t>(Gas::no2)].emplace().off = true;
+  description.air.gases = std::make_shared<const GasRequests>(gases);
   description.aerosol.type = "none";
   if (haze > 0.0) {
     ParticleLayer layer;

@@ -45,7 +45,7 @@ def rows(text):
 
 class Progress(unittest.TestCase):
     def test_says_what_it_is_of(self):
-        with Folder(yard=YARD % AIR) as folder:
+        with Folder(yard=YARD % (AIR + ', "interval": "numerical"')) as folder:
             done = run("render", "yard.json", "--log", "run.log", cwd=folder)
             self.assertEqual(done.returncode, 0, done.stderr)
             lines = [line for line in (folder / "run.log").read_text().splitlines() if " progress: " in line]
@@ -363,7 +363,7 @@ class Moon(unittest.TestCase):
             ('"light": {"moon": {}', "the Moon has no direction: give 'zenith' and 'azimuth', or"),
             ('"light": {"moon": {"zenith": "30 deg", "azimuth": "0 deg"}', "the Moon has no phase: give 'phase_angle'"),
         ):
-            with Folder(yard=YARD.replace(self.SUN, text) % AIR) as folder:
+            with Folder(yard=YARD.replace(self.SUN, text) % (AIR + ', "interval": "numerical"')) as folder:
                 done = run("check", "yard.json", cwd=folder)
                 self.assertEqual(done.returncode, 0 if words is None else 1, done.stderr)
                 self.assertIn(words or "", done.stderr)

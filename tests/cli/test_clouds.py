@@ -99,7 +99,7 @@ class Twilight(unittest.TestCase):
         self.assertIn("the Moon is left out: the Sun stands 3.0 deg below the horizon, and its twilight is brighter", done.stderr)
 
     def test_renders_and_ends_at_6_degrees(self):
-        sun = (RED % CLEAR).rstrip()[:-1] + ', "sampling": {"accuracy": {"error": "15 %"}}}'
+        sun = (RED % (CLEAR + ', "interval": "numerical"')).rstrip()[:-1] + ', "sampling": {"accuracy": {"error": "15 %"}}}'
         with Folder(dusk=sun.replace(SUN, '"zenith": "93 deg"'), late=sun.replace(SUN, '"zenith": "96.5 deg"')) as folder:
             done = run("render", "dusk.json", cwd=folder)
             self.assertEqual((done.returncode, done.stderr.count("warning")), (0, 0), done.stderr)
@@ -112,20 +112,22 @@ class Said(unittest.TestCase):
     def test_by_check(self):
         with Folder(yard=THERMAL % (CLOUD % (STRATUS % 10))) as folder:
             done = run("check", "yard.json", cwd=folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.returncode, 6, done.stderr)
         self.assertIn("cloud: water from 1 to 1.6 km, optical depth 10 (63", done.stdout)
         self.assertRegex(done.stdout, r"error of the model of the air: not known under clouds; of the air alone \S+ to \S+ % of a grey "
-                                      r"surface's radiance, most in '\w+', and more with them; intervals do not hold it")
+                                      r"surface's radiance, most in '\w+', and more with them; intervals hold that of the air alone")
         self.assertIn("how far they are from real ones is not known: no figure is stated for edges and holes", done.stdout)
         with Folder(yard=THERMAL % CLEAR) as folder:
             done = run("check", "yard.json", cwd=folder)
         self.assertNotIn("under clouds", done.stdout)
 
     def test_what_is_not_known_with_the_model(self):
-        text = RED % (CLOUD % (STRATUS % 10) + ', "interval": "with model"')
-        with Folder(yard=text) as folder:
-            done = run("check", "yard.json", cwd=folder)
-        self.assertIn("the error of the model of the air, which was found without clouds: under clouds they may be too narrow", done.stderr)
+        words = "the error of the model of the air, which was found without clouds: under clouds they may be too narrow"
+        for interval, warned in (("", True), (', "interval": "with model"', True), (', "interval": "numerical"', False)):
+            with Folder(yard=RED % (CLOUD % (STRATUS % 10) + interval)) as folder:
+                done = run("check", "yard.json", cwd=folder)
+            self.assertEqual(words in done.stderr, warned, interval + done.stderr)
+        self.assertIn("and more with them; intervals do not hold it", done.stdout)
 
     def test_droplets_and_crystals_where_they_cannot_be(self):
         wrong = '{"kind": "water", "base": "9 km", "top": "11 km", "optical_depth": 1}, {"kind": "ice", "base": "1 km", "top": "2 km", "optical_depth": 1}'

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "core/format.h"
@@ -33,7 +35,7 @@ class AtmosphereErrorOfImages : public testing::Test {
   }
   ~AtmosphereErrorOfImages() override { fs::remove_all(folder_); }
 
-  io::Document document(const std::string& error, bool air = true) const {
+  io::Document document(const std::string& error, bool air = true, const char* interval = "numerical") const {
     return io::parse_document(
         format(R"({{"ifov": 1, "scene": {{"materials": {{"soil": {{"reflectance": 0.2}}}},
                    "objects": [{{"plane": {{}}, "material": "soil"}}]}},
@@ -42,7 +44,10 @@ class AtmosphereErrorOfImages : public testing::Test {
                      "channels": [{{"name": "blue", "gaussian": {{"center": "0.48 um", "fwhm": "20 nm"}}}},
                                   {{"name": "nir", "gaussian": {{"center": "0.86 um", "fwhm": "20 nm"}}}}]}},
                    "sampling": {{"accuracy": {{"error": "{}"}}}}, "output": {{"products": ["all"]}}}})",
-               air ? R"("atmosphere": {"profile": "US standard 1976"},)" : "", error),
+               air ? format(R"("atmosphere": {{"profile": "US standard 1976"{}}},)",
+                            *interval ? format(R"(, "interval": "{}")", interval) : std::string())
+                   : std::string(),
+               error),
         (folder_ / "scene.json").string());
   }
   std::vector<float> cube(const std::string& name) const {
@@ -94,6 +99,53 @@ TEST_F(AtmosphereErrorOfImages, FinerThanTheAirIsToldBeforehandAndEnds) {
       << words.text;
   EXPECT_EQ(summary.totals.pixels_converged, 0) << summary.accuracy_statement;
   EXPECT_GT(summary.totals.worst_error_ratio, 1.0);
+}
+
+// Where a document does not say, intervals hold the model's error: what it cannot keep is told with the channel, and rays are not
+// spent on it.
+TEST_F(AtmosphereErrorOfImages, IsThatOfTheModelUnlessADocumentSaysOtherwise) {
+  const auto run = [&](const char* interval, Words& words) {
+    RunSummary summary = render(document("1 %", true, interval), words);
+    const std::vector<float> mean = cube("radiance"), half = cube("half_width"),
+                             model = cube("air_model_error");
+    double least = 1e9, most = 0.0;
+    for (std::size_t i = 0; i < half.size(); ++i) {
+      EXPECT_GT(model[i], 0.01f * mean[i]);
+      least = std::min<double>(least, half[i] / model[i]);
+      most = std::max<double>(most, half[i] / model[i]);
+    }
+    return std::tuple(std::move(summary), least, most);
+  };
+  Words unsaid, with_model, numerical;
+  const auto [summary, least, most] = run("", unsaid);
+  EXPECT_GT(least, 1.0);
+  EXPECT_LT(most, 1.5);  // the numbers and a third of the air's by rays
+  EXPECT_NE(
+      unsaid.text.find("the accuracy asked for is finer than the atmosphere is known: over a grey surface "
+                       "the air's own error, of numbers and model, is up to "),
+      std::string::npos)
+      << unsaid.text;
+  EXPECT_NE(
+      unsaid.text.find(
+          " % in 'blue', 'nir'; pixels may miss it there however many rays are traced, and they end where they "
+          "add a third of that."),
+      std::string::npos)
+      << unsaid.text;
+  EXPECT_NE(
+      summary.accuracy_statement.find("Intervals hold the error of the air's numbers and of its model."),
+      std::string::npos)
+      << summary.accuracy_statement;
+  const auto [same, same_least, same_most] = run("with model", with_model);
+  EXPECT_EQ(same_least, least);
+  EXPECT_EQ(with_model.text, unsaid.text);
+  EXPECT_EQ(same.totals.rays, summary.totals.rays);
+  // Twin: the numbers alone are narrower, and take more rays.
+  const auto [other, other_least, other_most] = run("numerical", numerical);
+  EXPECT_LT(other_most, 1.0);
+  EXPECT_EQ(numerical.text, "");
+  EXPECT_GT(other.totals.rays, summary.totals.rays);
+  EXPECT_NE(other.accuracy_statement.find("Intervals hold the error of the air's numbers"), std::string::npos)
+      << other.accuracy_statement;
 }
 
 TEST_F(AtmosphereErrorOfImages, WithoutAModelledAtmosphereThereIsNone) {

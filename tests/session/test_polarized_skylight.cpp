@@ -69,6 +69,29 @@ std::array<double, 2> fresnel(double zenith_rad) {
   return {std::pow((2.25 * c - g) / (2.25 * c + g), 2), std::pow((c - g) / (c + g), 2)};
 }
 
+// Whoever gives a sky without its polarization is told where that matters: on glass, not on plaster.
+TEST(PolarizedSkylight, SkiesOfOnesOwnAreSaidToBeUnpolarized) {
+  const auto said = [](const std::string& material, const std::string& sky) {
+    Scene scene{.material = material};
+    std::string text = document(scene);
+    const bool of_light = sky.starts_with("\"sky\"");
+    text.replace(text.find(scene.sky), scene.sky.size(), of_light ? "" : sky);
+    if (of_light) text.replace(text.find("\"surroundings\""), 0, sky);
+    if (material == "plaster")
+      text.erase(text.find("\"glass\""), text.find("\"plaster\"") - text.find("\"glass\""));
+    return Session::load(io::parse_document(text, "pane.json"), nullptr).description();
+  };
+  const std::string words =
+      "is taken to be unpolarized; what glass, water and metal reflect of it may be off";
+  const std::string
+      light = R"("sky": {"radiance": "60 W m-2 sr-1 um-1"}, )",
+      uniform = R"("atmosphere": {"uniform": {"direct": "900 W m-2 um-1", "diffuse": "100 W m-2 um-1"}},)";
+  EXPECT_NE(said("glass", light).find("the sky of 'light.sky' " + words), std::string::npos);
+  EXPECT_NE(said("glass", uniform).find("the sky of 'uniform' " + words), std::string::npos);
+  EXPECT_EQ(said("plaster", light).find(words), std::string::npos);
+  EXPECT_EQ(said("glass", Scene{}.sky).find(words), std::string::npos);  // twin: a sky that is polarized
+}
+
 // At Brewster's angle a pane shows of skylight what swings level, across the plane of incidence. What it shows over what a mirror does
 // follows from Fresnel's equations and the sky's Q/I, which a solution tells that was checked against tables.
 TEST(PolarizedSkylight, APaneShowsItByFresnelsEquations) {

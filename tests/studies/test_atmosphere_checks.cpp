@@ -80,9 +80,14 @@ TEST(AtmosphereFluxes, RfmipClearColumns) {
   for (const RfmipColumn& column :
        rfmip_fluxes(*folder, kSites, {.longwave_step_cm1 = 15.0, .shortwave_step_cm1 = 75.0})) {
     EXPECT_NEAR(column.longwave, column.longwave_reference, 9.0) << "site " << column.site;
+    EXPECT_LE(std::abs(column.longwave - column.longwave_reference), column.longwave_stated) << column.site;
+    EXPECT_LT(column.longwave_stated, 0.25 * column.longwave) << column.site;
     difference += (column.longwave - column.longwave_reference) / kSites.size();
     if (column.shortwave_reference <= 0.0) continue;
     ++lit;
+    EXPECT_LE(std::abs(column.shortwave - column.shortwave_reference), column.shortwave_stated)
+        << column.site;
+    EXPECT_LT(column.shortwave_stated, 0.25 * column.shortwave) << column.site;
     sun += column.shortwave;
     sun_reference += column.shortwave_reference;
   }
@@ -97,6 +102,7 @@ TEST(AtmosphereFluxes, RfmipClearColumns) {
       rfmip_fluxes(*folder, kOne, {.water_share = 0.1, .longwave_step_cm1 = 15.0, .shortwave_step_cm1 = 75.0})
           .front();
   EXPECT_GT(std::abs(dry.longwave - dry.longwave_reference), 12.0);
+  EXPECT_GT(std::abs(dry.longwave - dry.longwave_reference), dry.longwave_stated);
 }
 
 TEST(AtmosphereRendered, ClosedRoomAtOneTemperature) {

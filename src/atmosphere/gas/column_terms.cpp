@@ -43,6 +43,7 @@ void ColumnTerms::leave_out(ContinuumDepths& depths) const {
     if (!gas.holds_continuum) continue;
     if (gas.gas == Gas::h2o) depths.water = 0.0;
     if (gas.gas == Gas::o3) depths.ozone = 0.0;
+    if (gas.gas == Gas::no2) depths.nitrogen_dioxide = 0.0;
     if (gas.gas == Gas::o2) depths.oxygen = depths.oxygen_pairs = 0.0;
   }
 }

@@ -35,7 +35,7 @@ struct Table {
 struct Tables {
   std::vector<TableSection> sections = parse_table_text(data::atmosphere_continua);
   Table water{sections[0], 3}, nitrogen{sections[1], 1}, oxygen{sections[2], 3},
-      ozone_visible{sections[3], 1}, ozone_ultraviolet{sections[4], 3};
+      ozone_visible{sections[3], 1}, ozone_ultraviolet{sections[4], 3}, nitrogen_dioxide{sections[5], 2};
 };
 
 const Tables& tables() {
@@ -88,6 +88,16 @@ double ozone_depth(double nu, const GasAmounts& amounts) {
           table.at(2, nu) * amounts.ozone_temperature_2);
 }
 
+/// Cross-sections linear in temperature between 220 and 294 K, and beyond.
+double nitrogen_dioxide_depth(double nu, const GasAmounts& amounts) {
+  const Table& table = tables().nitrogen_dioxide;
+  if (!table.covers(nu)) return 0.0;
+  constexpr double kUnit = 1e-20 * 2.6867774e19, kBetween_K = 294.0 - 220.0;  // per atm-cm
+  const double cold = table.at(0, nu), slope = (table.at(1, nu) - cold) / kBetween_K;
+  return kUnit *
+         std::max(0.0, cold * amounts.nitrogen_dioxide + slope * amounts.nitrogen_dioxide_temperature);
+}
+
 }  // namespace
 
 double far_wing_share(double wavenumber_cm1, GasModel model) {
@@ -98,9 +108,11 @@ double far_wing_share(double wavenumber_cm1, GasModel model) {
 
 ContinuumDepths continuum_depths(double wavenumber_cm1, const GasAmounts& amounts, GasModel model) {
   return {water_depth(wavenumber_cm1, amounts, model),
-          tables().nitrogen.at(0, wavenumber_cm1) * amounts.nitrogen, oxygen_depth(wavenumber_cm1, amounts),
+          tables().nitrogen.at(0, wavenumber_cm1) * amounts.nitrogen,
+          oxygen_depth(wavenumber_cm1, amounts),
           model == GasModel::lowtran7 ? 0.0 : oxygen_pair_depth(wavenumber_cm1) * amounts.oxygen_pairs,
-          ozone_depth(wavenumber_cm1, amounts)};
+          ozone_depth(wavenumber_cm1, amounts),
+          model == GasModel::lowtran7 ? 0.0 : nitrogen_dioxide_depth(wavenumber_cm1, amounts)};
 }
 
 }  // namespace ifov::atmosphere

@@ -18,7 +18,7 @@ constexpr double kEarthRadiusKm = 6371.23;
 /// Densities at the profile's levels, each amount per km.
 struct Densities {
   std::vector<std::vector<double>> band;
-  std::vector<double> water_self, water_foreign, nitrogen, oxygen, oxygen_pairs, ozone;
+  std::vector<double> water_self, water_foreign, nitrogen, oxygen, oxygen_pairs, ozone, nitrogen_dioxide;
 };
 
 Densities densities_of(const Profile& profile) {
@@ -44,6 +44,7 @@ Densities densities_of(const Profile& profile) {
     const double oxygen_amagat = 1e-5 * per_ppmv * profile.of(Gas::o2)[i];
     d.oxygen_pairs.push_back(oxygen_amagat * oxygen_amagat);
     d.ozone.push_back(per_ppmv * profile.of(Gas::o3)[i]);
+    d.nitrogen_dioxide.push_back(per_ppmv * profile.of(Gas::no2)[i]);
   }
   return d;
 }
@@ -75,6 +76,8 @@ GasAmounts integrated(const Profile& profile, const Densities& d, double first, 
   amounts.ozone = plain(d.ozone);
   amounts.ozone_temperature = weighted(d.ozone, celsius);
   amounts.ozone_temperature_2 = weighted(d.ozone, celsius_squared);
+  amounts.nitrogen_dioxide = plain(d.nitrogen_dioxide);
+  amounts.nitrogen_dioxide_temperature = weighted(d.nitrogen_dioxide, above_220);
   return amounts;
 }
 
@@ -94,6 +97,8 @@ void GasAmounts::add(const GasAmounts& other, double factor) {
   ozone += factor * other.ozone;
   ozone_temperature += factor * other.ozone_temperature;
   ozone_temperature_2 += factor * other.ozone_temperature_2;
+  nitrogen_dioxide += factor * other.nitrogen_dioxide;
+  nitrogen_dioxide_temperature += factor * other.nitrogen_dioxide_temperature;
 }
 
 GasAmounts vertical_amounts(const Profile& profile, double first_km, double last_km) {

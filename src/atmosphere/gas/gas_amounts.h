@@ -11,17 +11,19 @@ namespace ifov::atmosphere {
 struct GasAmounts {
   /// W of every band of the band model: amount times (P/P0)^n (T0/T)^m; g cm-2 for water vapour, else atm-cm.
   std::vector<double> band;
-  double water_self = 0.0;            ///< vapour by itself, molecules cm-2
-  double water_self_cold = 0.0;       ///< the same times (296 K - T)/36 K, within 0 and 1
-  double water_foreign = 0.0;         ///< vapour by air, molecules cm-2
-  double nitrogen = 0.0;              ///< km
-  double oxygen = 0.0;                ///< atm-cm times P/P0
-  double oxygen_temperature = 0.0;    ///< the same times T - 220 K
-  double oxygen_temperature_2 = 0.0;  ///< the same times (T - 220 K)^2
-  double oxygen_pairs = 0.0;          ///< km times the square of oxygen's density in amagat
-  double ozone = 0.0;                 ///< atm-cm
-  double ozone_temperature = 0.0;     ///< the same times T - 273.15 K
-  double ozone_temperature_2 = 0.0;   ///< the same times (T - 273.15 K)^2
+  double water_self = 0.0;                    ///< vapour by itself, molecules cm-2
+  double water_self_cold = 0.0;               ///< the same times (296 K - T)/36 K, within 0 and 1
+  double water_foreign = 0.0;                 ///< vapour by air, molecules cm-2
+  double nitrogen = 0.0;                      ///< km
+  double oxygen = 0.0;                        ///< atm-cm times P/P0
+  double oxygen_temperature = 0.0;            ///< the same times T - 220 K
+  double oxygen_temperature_2 = 0.0;          ///< the same times (T - 220 K)^2
+  double oxygen_pairs = 0.0;                  ///< km times the square of oxygen's density in amagat
+  double ozone = 0.0;                         ///< atm-cm
+  double ozone_temperature = 0.0;             ///< the same times T - 273.15 K
+  double ozone_temperature_2 = 0.0;           ///< the same times (T - 273.15 K)^2
+  double nitrogen_dioxide = 0.0;              ///< atm-cm
+  double nitrogen_dioxide_temperature = 0.0;  ///< the same times T - 220 K
 
   /// Adds `factor` times another's.
   void add(const GasAmounts& other, double factor);

@@ -44,26 +44,37 @@ void add_difference(double factor, const std::vector<double>& a, const std::vect
   for (std::size_t k = first; k < sum.size(); ++k) to[k] += factor * (left[k] - right[k]);
 }
 
-/// The part of what a layer's aerosol scatters that delta-M takes for not scattered.
+/// The part of what a layer's aerosol scatters that delta-M takes for not scattered, and moments of the rest.
 class ForwardPeaks {
  public:
   ForwardPeaks(const LayerOptics& optics, int terms) : optics_(optics), terms_(terms) {}
-  double of(std::size_t layer) {
-    if (!optics_.aerosol_phases) return std::pow(std::abs(optics_.aerosol_asymmetry[layer]), terms_);
+  struct Peak {
+    double share = 0.0, first = 0.0, second = 0.0;
+  };
+  Peak of(std::size_t layer) {
+    if (!optics_.aerosol_phases) {
+      const double g = optics_.aerosol_asymmetry[layer];
+      return without_peak(std::pow(std::abs(g), terms_), g, g * g);
+    }
     const AerosolPhases& phases = *optics_.aerosol_phases;
     const double* share = phases.shares(layer);
     // Layers of one kind of haze follow each other, and a moment is an integral.
     if (last_ == nullptr || !std::equal(share, share + phases.functions.size(), last_))
-      peak_ = std::max(phases.moment(layer, terms_), 0.0);
+      peak_ = without_peak(std::max(phases.moment(layer, terms_), 0.0), phases.moment(layer, 1),
+                           phases.moment(layer, 2));
     last_ = share;
     return peak_;
   }
 
  private:
+  static Peak without_peak(double share, double first, double second) {
+    if (!(share < 1.0)) return {share, 0.0, 0.0};
+    return {share, (first - share) / (1.0 - share), (second - share) / (1.0 - share)};
+  }
   const LayerOptics& optics_;
   int terms_;
   const double* last_ = nullptr;
-  double peak_ = 0.0;
+  Peak peak_;
 };
 
 }  // namespace
@@ -85,10 +96,11 @@ ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& opti
     const double height = levels.altitude_km[layer + 1] - levels.altitude_km[layer];
     const double rayleigh = optics.rayleigh_scattering[layer], aerosol = optics.aerosol_scattering[layer];
     const double absorbed = optics.gas_absorption[layer] + optics.aerosol_absorption[layer];
-    const double peak = peaks.of(layer);
+    const auto [peak, first, second] = peaks.of(layer);
     const double all = rayleigh + aerosol + absorbed, kept = all - peak * aerosol;
     const double inverse = kept > 0.0 ? 1.0 / kept : 0.0;
-    mixtures.push_back({rayleigh * inverse, aerosol * inverse, optics.aerosol_asymmetry[layer], peak, layer});
+    mixtures.push_back(
+        {rayleigh * inverse, aerosol * inverse, optics.aerosol_asymmetry[layer], peak, layer, first, second});
     scaled[i] = kept / height;
     whole[i] = all / height;
     layer_altitude_km.push_back(levels.altitude_km[layer + 1]);

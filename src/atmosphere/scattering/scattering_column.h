@@ -34,6 +34,8 @@ class ScatteringColumn {
     double asymmetry = 0.0;
     double peak = 0.0;      ///< f
     std::size_t layer = 0;  ///< from the ground up: of `phases`
+    /// Moments of the aerosol's phase function without its peak (mean cosine, mean of P_2).
+    double first = 0.0, second = 0.0;
   };
 
   std::size_t sublayers() const { return depth.size(); }

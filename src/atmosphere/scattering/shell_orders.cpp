@@ -41,7 +41,10 @@ struct ShellOrders::End {
 };
 struct ShellOrders::Piece {
   double molecules, rest;  ///< albedos
+  double first, second;    ///< 3 and 5 times the aerosol's moments
   LinearSource step;
+  /// The aerosol's phase function, of Legendre's P_1 and P_2 of the scattering angle's cosine.
+  double aerosol(double p1, double p2) const { return (1.0 + first * p1 + second * p2) * 0.25 / kPi; }
 };
 /// Pieces from the observer on, and their ends.
 struct ShellOrders::Ray {
@@ -113,7 +116,8 @@ void ShellOrders::add_still(const Ray& ray, double mu, const double* mean,
     const double sun = std::cos(angle_rad_[k]);
     const double phase =
         0.75 * (1.0 + mu * mu * sun * sun + 0.5 * (1.0 - mu * mu) * (1.0 - sun * sun)) / (4.0 * kPi);
-    const double even = 0.25 / kPi;
+    // Means of Legendre's polynomials over the azimuth (addition theorem).
+    const double p1 = mu * sun, p2 = 0.25 * (3.0 * mu * mu - 1.0) * (3.0 * sun * sun - 1.0);
     const auto light = [&](const End& end) {
       const double* low =
           mean == nullptr ? beam_.data() + end.layer * angles + k : mean + end.low * angles + k;
@@ -125,8 +129,8 @@ void ShellOrders::add_still(const Ray& ray, double mu, const double* mean,
     for (std::size_t p = 0; p < ray.pieces.size(); ++p) {
       const Piece& piece = ray.pieces[p];
       const double far = light(ray.ends[p + 1]);
-      const double scatters =
-          mean == nullptr ? piece.molecules * phase + piece.rest * even : piece.molecules + piece.rest;
+      const double scatters = mean == nullptr ? piece.molecules * phase + piece.rest * piece.aerosol(p1, p2)
+                                              : piece.molecules + piece.rest;
       // The light at a boundary is that of the layer entered: layers' ends are shared.
       sum += transmission * scatters * (piece.step.near * near + piece.step.far * far);
       transmission *= piece.step.transmission;
@@ -167,13 +171,14 @@ void ShellOrders::add_turning(const Ray& ray, double mu, int azimuths, const dou
       };
       const double along = mu * std::cos(angle_rad_[k]) +
                            sine * std::sin(angle_rad_[k]) * std::cos((a + 0.5) * kPi / azimuths);
-      const double phase = 0.75 * (1.0 + along * along) / (4.0 * kPi), even = 0.25 / kPi;
+      const double phase = 0.75 * (1.0 + along * along) / (4.0 * kPi), p2 = 1.5 * along * along - 0.5;
       double transmission = 1.0, sum = 0.0, near = ends == 0 ? 0.0 : light(0);
       for (std::size_t p = 0; p < ray.pieces.size(); ++p) {
         const Piece& piece = ray.pieces[p];
         const double far = light(p + 1);
-        const double scatters =
-            log_mean == nullptr ? piece.molecules * phase + piece.rest * even : piece.molecules + piece.rest;
+        const double scatters = log_mean == nullptr
+                                    ? piece.molecules * phase + piece.rest * piece.aerosol(along, p2)
+                                    : piece.molecules + piece.rest;
         sum += transmission * scatters * (piece.step.near * near + piece.step.far * far);
         transmission *= piece.step.transmission;
         near = far;
@@ -274,7 +279,8 @@ ShellOrders::Ray ShellOrders::ray(double altitude_km, double mu, double longest_
                        : geometry_.spherical
                            ? std::sqrt(start * start + at * (at + 2.0 * start * mu)) - kEarthRadius_km
                            : altitude_km + at * mu;
-      ray.pieces.push_back({mixture.rayleigh, mixture.aerosol * (1.0 - mixture.peak),
+      ray.pieces.push_back({mixture.rayleigh, mixture.aerosol * (1.0 - mixture.peak), 3.0 * mixture.first,
+                            5.0 * mixture.second,
                             LinearSource::over(column_.layer_depth[layer] * (at - walked) / thickness)});
       ray.ends.push_back(end(z, layer, at, start, mu));
       walked = at;

@@ -11,7 +11,7 @@ class ScatteringColumn;
 /// Orders of scattering in shells about a round Earth with black ground (or in flat layers), of which the mean radiance over
 /// all directions is kept, at altitudes and heights of the Sun: about the axis from the Earth's centre to the Sun all places of
 /// one height of the Sun are alike. Molecules scatter sunlight by Rayleigh's phase function, aerosol (with delta-M scaled
-/// depths) and all further orders evenly into all directions. For ratios between the two geometries.
+/// depths) by the first three terms of its own, and all further orders go evenly into all directions. For ratios between the two geometries.
 class ShellOrders {
  public:
   struct Geometry {

@@ -43,8 +43,8 @@ struct ModelledAtmosphere {
   std::optional<DocumentFile> gas_model;                  ///< terms in place of the built-in bands
   /// Above mean sea level; absent: a frame camera's own, else above the air.
   std::optional<double> sensor_altitude_km;
-  bool adjacency = true;               ///< the scene's own ground lights the air; false: surroundings alone
-  std::string interval = "numerical";  ///< or "with model": intervals hold how far the model is from the air
+  bool adjacency = true;                ///< the scene's own ground lights the air; false: surroundings alone
+  std::string interval = "with model";  ///< intervals hold how far the model is from the air; or "numerical"
 };
 
 /// What another code computed.

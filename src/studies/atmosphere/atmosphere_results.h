@@ -32,6 +32,7 @@ AtmosphereSection solar_codes_section(const SectionOptions& options);
 AtmosphereSection thermal_codes_section(const SectionOptions& options);
 AtmosphereSection model_section(const std::vector<ModelComparison>& comparisons);
 AtmosphereSection broadband_section(const SectionOptions& options);
+AtmosphereSection round_earth_section(const SectionOptions& options);
 AtmosphereSection nodes_section(const SectionOptions& options);
 AtmosphereSection rendered_section(const SectionOptions& options);
 AtmosphereSection sun_section(const SectionOptions& options);

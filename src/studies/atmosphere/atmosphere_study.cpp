@@ -20,9 +20,9 @@ constexpr const char* kAbout =
 StudyOutcome run_atmosphere_study(const StudyOptions& options) {
   make_folder(options.output_folder);
   const ReferenceData reference(reference_folder(options));
-  const auto measured = {lowtran7_section,      terms_section,     scattering_section, solar_codes_section,
-                         thermal_codes_section, broadband_section, nodes_section,      rendered_section,
-                         sun_section,           speed_section};
+  const auto measured = {lowtran7_section,    terms_section,         scattering_section, solar_codes_section,
+                         round_earth_section, thermal_codes_section, broadband_section,  nodes_section,
+                         rendered_section,    sun_section,           speed_section};
   std::vector<ReportSection> sections =
       measure_sections(measured, SectionOptions{reference, options}, options);
   const std::vector<ModelComparison> comparisons = model_comparisons(reference, options.is_quick() ? 24 : 6);

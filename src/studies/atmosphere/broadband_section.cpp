@@ -31,11 +31,14 @@ AtmosphereSection broadband_section(const SectionOptions& options) {
   for (std::size_t site = 0; site < 100; site += options.study.is_quick() ? 20 : 1) sites.push_back(site);
   Differences longwave;
   double sun = 0.0, sun_reference = 0.0, worst = 0.0, worst_drier = 0.0;
-  int within = 0;
+  int within = 0, longwave_held = 0, shortwave_held = 0;
+  std::vector<double> longwave_stated, shortwave_stated;
   constexpr double kMuchWater_g_cm2 = 10.0;
   PlotSeries down{"long-wave", "#0072b2", {}, {}, true}, lit{"short-wave", "#d55e00", {}, {}, true};
   for (const RfmipColumn& column : rfmip_fluxes(*folder, sites, {.threads = options.study.threads})) {
     longwave.add(column.longwave, column.longwave_reference);
+    longwave_held += std::abs(column.longwave - column.longwave_reference) <= column.longwave_stated;
+    longwave_stated.push_back(column.longwave_stated);
     down.x.push_back(column.longwave_reference);
     down.y.push_back(column.longwave - column.longwave_reference);
     if (column.shortwave_reference <= 0.0) continue;
@@ -44,6 +47,8 @@ AtmosphereSection broadband_section(const SectionOptions& options) {
     const double off = std::abs(column.shortwave / column.shortwave_reference - 1.0);
     worst = std::max(worst, off);
     if (off <= 0.02) ++within;
+    shortwave_held += std::abs(column.shortwave - column.shortwave_reference) <= column.shortwave_stated;
+    shortwave_stated.push_back(100.0 * column.shortwave_stated / column.shortwave_reference);
     if (column.water_in_beam_g_cm2 < kMuchWater_g_cm2) worst_drier = std::max(worst_drier, off);
     lit.x.push_back(column.shortwave_reference);
     lit.y.push_back(column.shortwave - column.shortwave_reference);
@@ -60,6 +65,24 @@ AtmosphereSection broadband_section(const SectionOptions& options) {
                           "the same, largest difference of a column");
   section.figures.at_most("rfmip_shortwave_drier", 100.0 * worst_drier, 2.0, "%",
                           format("where the beam crosses less than {:g} g cm-2 of water", kMuchWater_g_cm2));
+  const auto median = [](std::vector<double>& values) {
+    if (values.empty()) return 0.0;
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                     values.end());
+    return values[values.size() / 2];
+  };
+  section.figures.at_least("rfmip_longwave_held",
+                           static_cast<double>(longwave_held) / static_cast<double>(longwave.count()), 0.9,
+                           "", "share of the long-wave fluxes that the stated error of the model holds");
+  section.figures.report("rfmip_longwave_stated", median(longwave_stated), "W m-2",
+                         "how wide that is, median");
+  if (!shortwave_stated.empty()) {
+    section.figures.at_least("rfmip_shortwave_held",
+                             static_cast<double>(shortwave_held) / static_cast<double>(lit.x.size()), 0.9, "",
+                             "share of the short-wave fluxes that it holds");
+    section.figures.report("rfmip_shortwave_stated", median(shortwave_stated), "%",
+                           "how wide that is, median");
+  }
   Plot plot;
   plot.title = "Fluxes down to the ground, ifov less RTE+RRTMGP";
   plot.x_label = "flux, W m-2";

@@ -7,11 +7,10 @@
 
 #include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/gas/gas_transmittance.h"
-#include "atmosphere/gauss_nodes.h"
 #include "atmosphere/scattering/column_solver.h"
 #include "core/format.h"
-#include "radiometry/planck.h"
 #include "studies/atmosphere/atmosphere_results.h"
+#include "studies/atmosphere/sky_emission.h"
 
 namespace ifov::studies {
 namespace {
@@ -265,41 +264,14 @@ void Comparisons::modtran5(const char* key, const char* name, const char* model,
 
 void Comparisons::add_emission(const std::string& name, const AtmosphereColumn& column, double nu,
                                double zenith_deg, bool is_flux, double reference) {
-  const std::vector<double>& z = column.levels().altitude_km;
-  const Profile& profile = column.profile();
-  const GaussNodes nodes = gauss_nodes(8);
-  const LayerOptics layers = column.at(nu).scattering;
-  const std::vector<GasAmounts> amounts = layer_amounts(profile, z);
+  const EmittingColumn emitting(column, table_);
+  const SkyEmission sky =
+      is_flux ? emitting.flux(nu, 8)
+              : emitting.towards_ground(nu, 1.0 / std::cos(zenith_deg * std::numbers::pi / 180.0));
   ModelComparison& one = all.emplace_back();
   one.name = name, one.quantity = Quantity::emitted, one.makes_table = is_flux;
   one.wavelength_um = 1e4 / nu;
-  std::vector<double> planck;
-  for (const double altitude : z)
-    planck.push_back(radiometry::planck_w_m2_sr_um(one.wavelength_um, profile.temperature_at(altitude)));
-  const auto add = [&](double slant, double share) {
-    GasAmounts sum = vertical_amounts(profile, z.front(), z.front());
-    std::vector<double> depth{0.0}, less{0.0};
-    double haze = 0.0, water = 0.0;
-    for (std::size_t l = 0; l < amounts.size(); ++l) {
-      sum.add(amounts[l], slant);
-      haze += slant * layers.aerosol_absorption[l];
-      water += slant * profile.between(z[l], z[l + 1]).precipitable_water_g_cm2();
-      const double gas =
-          -std::log(std::max(1e-30, gas_transmittance(nu, sum, column.description().gas_model)));
-      const double air = slant * (1.0 - profile.pressure_at(z[l + 1]) / profile.pressure_at(z.front()));
-      depth.push_back(gas + haze);
-      less.push_back(gas + haze - table_.of_depth(one.wavelength_um, {air, water, gas, haze}));
-    }
-    const double radiance = emission_of_levels(planck, depth);
-    one.ours += share * radiance;
-    one.by_depth += share * std::abs(emission_of_levels(planck, less) - radiance);
-  };
-  if (!is_flux) {
-    add(1.0 / std::cos(zenith_deg * std::numbers::pi / 180.0), 1.0);
-  } else {
-    for (std::size_t j = 0; j < nodes.position.size(); ++j)
-      add(1.0 / nodes.position[j], 2.0 * std::numbers::pi * nodes.weight[j] * nodes.position[j]);
-  }
+  one.ours = sky.radiance, one.by_depth = sky.by_depth;
   one.stated = one.by_depth + (table_.at(one.wavelength_um).emitted + kNumbers) * one.ours;
   one.reference = reference;
 }

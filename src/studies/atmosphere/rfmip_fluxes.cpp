@@ -5,12 +5,15 @@
 #include <numbers>
 
 #include "atmosphere/column/atmosphere_column.h"
+#include "atmosphere/gas/gas_transmittance.h"
 #include "atmosphere/scattering/column_solver.h"
+#include "atmosphere/sensor/model_error_table.h"
 #include "atmosphere/thermal/thermal_column.h"
 #include "core/parallel.h"
 #include "io/raster/netcdf_variable.h"
 #include "radiometry/planck.h"
 #include "radiometry/solar_spectrum.h"
+#include "studies/atmosphere/sky_emission.h"
 
 namespace ifov::studies {
 namespace {
@@ -107,8 +110,28 @@ double longwave_down(const AtmosphereColumn& column, double step_cm1) {
   return sum + below;
 }
 
-double shortwave_down(const AtmosphereColumn& column, double zenith_rad, double albedo,
-                      double total_irradiance, double step_cm1) {
+/// What the table of the model's error makes of the same flux, errors of all wavenumbers of one sign. Below the first the model says
+/// nothing of itself.
+double longwave_stated(const AtmosphereColumn& column) {
+  constexpr double kStep_cm1 = 20.0;
+  const ModelErrorTable& table = ModelErrorTable::built_in();
+  const EmittingColumn emitting(column, table);
+  double sum = 0.0;
+  for (double nu = kFirst_cm1; nu < kLastThermal_cm1; nu += kStep_cm1) {
+    const SkyEmission sky = emitting.flux(nu, 4);
+    sum += kStep_cm1 * (sky.by_depth + table.at(1e4 / nu).emitted * sky.radiance) * 1e4 / (nu * nu);
+  }
+  return sum;
+}
+
+/// Sunlight at the ground, and what the table says that it may be off by: the beam by its gases, the sky by these and by what molecules
+/// scatter.
+struct Sunlight {
+  double flux = 0.0, stated = 0.0;
+};
+
+Sunlight shortwave_down(const AtmosphereColumn& column, double zenith_rad, double albedo,
+                        double total_irradiance, double step_cm1) {
   ScatteringOptions options;
   options.nodes_per_hemisphere = 4;
   options.polarized = false;
@@ -117,22 +140,33 @@ double shortwave_down(const AtmosphereColumn& column, double zenith_rad, double 
   const ColumnSolver solver(options);
   const radiometry::Spectrum& spectrum = radiometry::solar_irradiance_1au();
   constexpr double kLast_cm1 = 49000.0;
-  const double ground_km = column.levels().altitude_km.front();
-  double sum = 0.0, all = 0.0;
+  const double ground_km = column.levels().altitude_km.front(), slant = 1.0 / std::cos(zenith_rad);
+  const Profile& profile = column.profile();
+  GasAmounts beam = vertical_amounts(profile, ground_km, ground_km);
+  beam.add(vertical_amounts(profile, ground_km, 100.0), slant);
+  const double air = slant, water = slant * profile.between(ground_km, 100.0).precipitable_water_g_cm2();
+  const ModelErrorTable& table = ModelErrorTable::built_in();
+  double sum = 0.0, stated = 0.0, all = 0.0;
   for (double nu = 1000.0; nu < kLast_cm1; nu += step_cm1) {
     double irradiance = 0.0;  // of the step
     for (double at = nu - 0.5 * step_cm1 + 2.5; at < nu + 0.5 * step_cm1; at += 5.0)
       irradiance += spectrum.at(1e4 / at) * 5.0 * 1e4 / (at * at);
     all += irradiance;
     const ColumnOptics optics = column.at(nu);
+    const double gas =
+        -std::log(std::max(1e-30, gas_transmittance(nu, beam, column.description().gas_model)));
+    const double by_gas = std::expm1(table.of_depth(1e4 / nu, {air, water, gas, 0.0})),
+                 by_scattering = table.of_scattered(1e4 / nu, 0.0);
     for (std::size_t term = 0; term < optics.terms(); ++term) {
       const ColumnSolution solution = solver.solve(column.levels(), optics.term(term), zenith_rad);
       const FluxProfile::Fluxes fluxes = solution.sunlit().fluxes().at(ground_km);
-      sum += irradiance * optics.weight(term) * (fluxes.direct_down + fluxes.diffuse_down) /
-             (1.0 - albedo * solution.spherical_albedo());
+      const double light = irradiance * optics.weight(term) / (1.0 - albedo * solution.spherical_albedo());
+      sum += light * (fluxes.direct_down + fluxes.diffuse_down);
+      stated +=
+          light * (by_gas * (fluxes.direct_down + fluxes.diffuse_down) + by_scattering * fluxes.diffuse_down);
     }
   }
-  return sum * total_irradiance / all;
+  return {sum * total_irradiance / all, stated * total_irradiance / all};
 }
 
 }  // namespace
@@ -150,14 +184,16 @@ std::vector<RfmipColumn> rfmip_fluxes(const std::filesystem::path& folder, std::
     result.site = site;
     result.weight = inputs.weight[site];
     result.longwave = longwave_down(column, question.longwave_step_cm1);
+    result.longwave_stated = longwave_stated(column);
     result.longwave_reference = inputs.longwave[site * kLevels + ground];
     const double zenith_rad = inputs.zenith_deg[site] * kPi / 180.0;
     if (zenith_rad > 85.0 * kPi / 180.0) return;
     for (std::size_t l = 0; l < kLayers; ++l)
       result.water_in_beam_g_cm2 += 0.1 * 0.622 * question.water_share * inputs.water[site * kLayers + l] *
                                     std::abs(pressure[l + 1] - pressure[l]) / 9.80665 / std::cos(zenith_rad);
-    result.shortwave = shortwave_down(column, zenith_rad, inputs.albedo[site], inputs.irradiance[site],
-                                      question.shortwave_step_cm1);
+    const Sunlight sunlight = shortwave_down(column, zenith_rad, inputs.albedo[site], inputs.irradiance[site],
+                                             question.shortwave_step_cm1);
+    result.shortwave = sunlight.flux, result.shortwave_stated = sunlight.stated;
     result.shortwave_reference = inputs.shortwave[site * kLevels + ground];
   });
   return columns;

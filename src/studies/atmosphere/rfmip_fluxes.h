@@ -13,8 +13,9 @@ struct RfmipColumn {
   std::size_t site = 0;
   double weight = 0.0;  ///< of the column in the global mean
   double longwave = 0.0, longwave_reference = 0.0;
-  double shortwave = 0.0, shortwave_reference = 0.0;  ///< 0 where the Sun is down
-  double water_in_beam_g_cm2 = 0.0;                   ///< water vapour that sunlight crosses, in flat layers
+  double shortwave = 0.0, shortwave_reference = 0.0;     ///< 0 where the Sun is down
+  double longwave_stated = 0.0, shortwave_stated = 0.0;  ///< how far the model may be off, by its own table
+  double water_in_beam_g_cm2 = 0.0;  ///< water vapour that sunlight crosses, in flat layers
 };
 
 struct RfmipQuestion {

@@ -199,9 +199,9 @@ SchemaType<AtmosphereDocument> atmosphere_type() {
           "whether the scene's own ground lights the air about each pixel; `false`: the surroundings alone do")
       .with_default(
           "interval", modelled(&ModelledAtmosphere::interval), word_type({"numerical", "with model"}),
-          "\"numerical\"",
-          "what intervals hold of the air: how exactly this model is computed, or how far the model is from the "
-          "air besides; what is asked for is judged by what they hold");
+          "\"with model\"",
+          "what intervals hold of the air: how exactly this model is computed, and how far it may be from the air besides, or "
+          "(\"numerical\") the first alone; what is asked for is judged by what they hold");
   for (const char* key : {"levels", "ground_altitude", "water_vapour", "ozone", "co2", "ch4", "n2o", "gases",
                           "gas_model", "aerosol", "clouds", "sensor_altitude", "adjacency", "interval"})
     record.needs(key, "profile");
