@@ -70,6 +70,11 @@ class Camera {
 
   virtual CameraPose pose(double line_px) const = 0;
 
+  /// How long light falls on a point whose time y does not tell, about the middle of its row's exposure; 0: at one instant, or y tells.
+  virtual double exposure_s() const { return 0.0; }
+  /// By how much later each row is exposed than that above it, as a whole; 0: together, or y tells.
+  virtual double row_period_s() const { return 0.0; }
+
   /// What its pixels are spread over along image y beside the optics; of a camera that stands still nothing.
   virtual AlongTrack along_track() const;
   /// And along image x, by elements that are swept across the track.

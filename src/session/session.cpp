@@ -97,7 +97,8 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   phase("scene");
   const auto assemble = [&](LogSink* to) {
     AssembledScene made = assemble_scene(document.sources, document.scene, document.light.lamps,
-                                         document.time, document.seed, to, cache ? &*cache : nullptr);
+                                         document.time, document.sensor.camera.settings->exposed(),
+                                         document.seed, to, cache ? &*cache : nullptr);
     if (cache) shared.known_files = cache->known_files();
     return made;
   };

@@ -59,6 +59,10 @@ class ReferenceCheck {
           throw document_error(
               document_.sources, object.present->position,
               "a part of a prototype cannot have times of its own; give 'present' to the copies");
+        if (object.motion)
+          throw document_error(
+              document_.sources, object.motion->position,
+              "a part of a prototype cannot move by itself: it is rigid; give 'motion' to the copies");
         if (std::holds_alternative<RandomPlacement>(object.shape))
           throw document_error(document_.sources, object.shape_position,
                                "a prototype cannot hold a random placement");

@@ -8,6 +8,7 @@
 #include "io/document/schema/shared_target.h"
 #include "io/document/shapes/primitive.h"
 #include "io/document/tables/map_tables.h"
+#include "io/document/tables/platform_tables.h"
 #include "io/document/tables/shape_tables.h"
 #include "io/document/tables/tables.h"
 
@@ -106,7 +107,16 @@ void add_keys_of_all(Record<ObjectDocument>& record) {
 }
 
 void add_common_keys(Record<ObjectDocument>& record) {
-  record.optional("transform", &ObjectDocument::transform, transform_type(), "where the shape goes");
+  const auto placed = located<PlatformDocument>(
+      motion_type(),
+      [](PlatformDocument motion, const DocumentNode& node) {
+        motion.position = node.key_position();
+        return motion;
+      },
+      [](const PlatformDocument& motion) { return motion; });
+  record.optional("transform", &ObjectDocument::transform, transform_type(), "where the shape goes")
+      .optional("motion", shared(&ObjectDocument::motion), placed,
+                "the path that it moves along; without it, it stands still");
   add_keys_of_all(record);
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/run_control.h"
+#include "io/document/cameras/camera_settings.h"
 #include "session/assembly/geometry/placed_objects.h"
 
 namespace ifov::geodesy {
@@ -17,6 +18,7 @@ namespace ifov::io {
 struct DocumentSources;
 class SceneCache;
 struct ObjectDocument;
+struct OriginDocument;
 struct PrototypeDocument;
 }  // namespace ifov::io
 
@@ -32,6 +34,8 @@ struct GeometrySubject {
   std::span<const io::ObjectDocument> objects;
   std::span<const io::PrototypeDocument> prototypes;
   const std::optional<geodesy::UtcTime>& time;  ///< of the picture
+  const io::OriginDocument& origin;
+  io::CameraSettings::Exposed exposed{};  ///< for which paths of what moves are to tell
 };
 
 /// A document's objects that are there at its time, and the prototypes that they are copies of, and then the lamps, about the scene's origin;

@@ -30,7 +30,8 @@ std::string scene_statement(const geometry::World& world) {
 
 AssembledScene assemble_scene(const io::DocumentSources& sources, const io::SceneDocument& written,
                               std::span<const io::LampDocument> lamps,
-                              const std::optional<geodesy::UtcTime>& time, std::uint64_t seed, LogSink* log,
+                              const std::optional<geodesy::UtcTime>& time,
+                              const io::CameraSettings::Exposed& exposed, std::uint64_t seed, LogSink* log,
                               io::SceneCache* cache, ProgressSink* progress) {
   AssembledScene assembled;
   scene::Scene& scene = assembled.scene;
@@ -38,7 +39,7 @@ AssembledScene assemble_scene(const io::DocumentSources& sources, const io::Scen
   assembled.map_offset_m = frame.offset_m();
   AssignmentAssembly assignments(sources, written.materials, seed, frame, scene, log);
   const std::vector<PlacedLamp> placed = assemble_lamps(sources, lamps, frame, scene);
-  const GeometrySubject geometry{sources, written.objects, written.prototypes, time};
+  const GeometrySubject geometry{sources, written.objects, written.prototypes, time, written.origin, exposed};
   std::unique_ptr<geometry::World> world =
       assemble_geometry(geometry, assignments, placed, frame, log, cache, assembled.placed, progress);
   std::unique_ptr<geometry::World> departed;
