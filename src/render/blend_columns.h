@@ -25,7 +25,8 @@ class BlendColumns {
  public:
   static constexpr std::uint32_t kNoMaterial = 0xffffffffu;
 
-  BlendColumns(const scene::Scene& scene, const scene::TruthMaterials& truth, int channels);
+  /// `all`: any material may be told by its share.
+  BlendColumns(const scene::Scene& scene, const scene::TruthMaterials& truth, int channels, bool all = false);
 
   int first_column() const { return channels_; }
   int count() const { return static_cast<int>(materials_.size()); }
@@ -33,6 +34,9 @@ class BlendColumns {
 
   /// Into the columns of one sample.
   void write_shares(const geometry::SurfacePoint& hit, float* columns) const;
+
+  /// The same of what may be seen beside other things, whatever covers it.
+  void write_all_shares(const geometry::SurfacePoint& hit, float* columns) const;
 
   /// Turns the columns of a tile into abundances, beside those of labels, and leaves the channels alone: whatever
   /// stands behind the columns goes. Where a

@@ -6,6 +6,7 @@
 
 #include "geometry/world.h"
 #include "materials/bsdf/bsdf.h"
+#include "render/moving/moving_cover.h"
 #include "render/polarized/scene_light.h"
 #include "sensor/camera.h"
 #include "transport/mirror_light.h"
@@ -23,9 +24,11 @@ SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Came
       tracer_(std::make_unique<transport::PathTracer>(scene, transport)),
       light_(std::make_unique<SceneLight>(scene, camera, told)),
       truth_(scene::truth_materials(scene.scene())),
-      blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count())),
+      blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count()),
+              MovingCover::find(scene.scene(), camera) != nullptr),
       unseen_(scene, blends_.first_column() + blends_.count()),
       through_(scene),
+      moving_(MovingCover::find(scene.scene(), camera)),
       mirror_light_(
           detail == LabelDetail::sun_state
               ? transport::MirrorLight::find(scene, tracer_->sun_images(), transport.mirror_reflections)
@@ -55,7 +58,15 @@ void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<
   camera_.rays(points, rays_);
   scene_.scene().world->intersect(rays_, hits_);
   counts_.primary += points.size();
-  label_hits(hits_, detail_, labels);
+  find_covered(points);
+  label_hits(points, hits_, detail_, labels);
+}
+
+void SceneField::find_covered(std::span<const sampling::FocalPoint> points) {
+  if (moving_ == nullptr) return;
+  covered_.resize(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k)
+    covered_[k] = moving_->covers(points[k], rays_[k], hits_[k]);
 }
 
 std::uint32_t SceneField::object_of(sampling::Label label) const {
@@ -99,7 +110,7 @@ void SceneField::values(std::span<const sampling::PathRequest> requests, std::sp
     const std::size_t count = std::min(kMostTraced, requests.size() - first);
     const transport::PathRecord& paths = trace_paths(requests.subspan(first, count));
     for (std::size_t k = 0; k < count; ++k) write(*this, paths, k, values.data() + (first + k) * row_length);
-    label_hits(hits_, detail, labels.subspan(first, count));
+    label_hits(points_, hits_, detail, labels.subspan(first, count));
   }
 }
 
@@ -111,26 +122,33 @@ const transport::PathRecord& SceneField::trace_paths(std::span<const sampling::P
   hits_.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
     points_[k] = requests[k].point;
+    if (moving_ != nullptr) points_[k].time_s += moving_->time_s(requests[k]);
     keys_[k] = {requests[k].sequence, requests[k].index};
   }
   camera_.rays(points_, rays_);
-  return tracer_->trace(rays_, keys_, hits_, counts_);
+  const transport::PathRecord& paths = tracer_->trace(rays_, keys_, hits_, counts_);
+  find_covered(points_);
+  return paths;
 }
 
 const transport::PathRecord& SceneField::trace(std::span<const sampling::PathRequest> requests,
                                                std::span<sampling::Label> labels) {
   const transport::PathRecord& paths = trace_paths(requests);
-  label_hits(hits_, detail_, labels);
+  label_hits(points_, hits_, detail_, labels);
   return paths;
 }
 
 void SceneField::write(const SceneField& by, const transport::PathRecord& paths, std::size_t k, float* row) {
   light_->write(paths, k, by.points_[k], by.rays_[k], row);
-  if (blends_.count() > 0) blends_.write_shares(by.hits_[k], row);
+  if (by.moving_ != nullptr && by.covered_[k] != 0)
+    blends_.write_all_shares(by.hits_[k], row);
+  else if (blends_.count() > 0)
+    blends_.write_shares(by.hits_[k], row);
   unseen_.write(paths.paths[k], row);
 }
 
-void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelDetail detail,
+void SceneField::label_hits(std::span<const sampling::FocalPoint> points,
+                            std::span<const geometry::SurfacePoint> hits, LabelDetail detail,
                             std::span<sampling::Label> labels) {
   const scene::Scene& scene = scene_.scene();
   sun_rays_.clear();
@@ -145,6 +163,10 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
   }
   for (std::size_t k = 0; k < hits.size(); ++k) {
     const geometry::SurfacePoint& hit = hits[k];
+    if (moving_ != nullptr && covered_[k] != 0) {
+      labels[k] = SurfaceLabel::moving();
+      continue;
+    }
     SurfaceLabel label;
     label.material = SurfaceLabel::kSky;
     if (hit.hit()) {
@@ -172,6 +194,12 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
                                                     : SunState::lit;
           if (mirror_light_ != nullptr)
             mirror_light_->ask(static_cast<std::uint32_t>(k), rays_[k], lit, (lit.front ? normal : -normal));
+          // Its shadow moves along, as a penumbra without a place.
+          if (moving_ != nullptr && above > 0 &&
+              moving_->shades(points[k], rays_[k],
+                              rays_[k].onward(lit.position_m + lit.offset_m * outward, scene.sun->direction),
+                              scene.sun->half_angle_rad))
+            label.sun = SunState::penumbra;
           if (label.sun == SunState::lit) {
             owner_.push_back(static_cast<std::uint32_t>(k));
             for (const math::Vec3& direction : disc_points_)
@@ -180,6 +208,8 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
         }
       }
     }
+    // What is behind panes and in mirrors is not looked for one by one.
+    if (moving_ != nullptr && through_.any() && passed_[k] != 0) label.sun = SunState::penumbra;
     labels[k] = label.pack();
     if (through_.any() && passed_[k] != 0)
       labels[k] = SurfaceLabel::with_mirrored(labels[k], passed_[k] >> 20,

@@ -19,6 +19,7 @@ struct SurfaceLabel {
   SunState sun = SunState::none;
 
   static constexpr std::uint32_t kSunOfSky = 1;  ///< "patch" of the sky where the Sun's disc stands
+  static constexpr std::uint32_t kMoving = (1u << 25) - 1;  ///< "instance" of what may move
   static constexpr std::uint32_t kMaximumMaterials = (1u << 15) - 3;
   static constexpr std::uint32_t kBlend =
       (1u << 15) - 2;  ///< "material" of surface assignments that mix materials
@@ -29,6 +30,11 @@ struct SurfaceLabel {
            (static_cast<std::uint64_t>(patch & 0x1fffffu) << 18) |
            (static_cast<std::uint64_t>(material & 0x7fffu) << 3) | (static_cast<std::uint64_t>(front) << 2) |
            static_cast<std::uint64_t>(sun);
+  }
+
+  /// Where something that moves may be met while a point is exposed: no material of its own, and uneven as penumbras are.
+  static constexpr sampling::Label moving() {
+    return SurfaceLabel{kMoving, 0, kBlend, true, SunState::penumbra}.pack();
   }
 
   /// The label of the same hit in a state of MirrorLight, which is folded into the bits of the patch; `uneven` takes
