@@ -58,7 +58,7 @@ MovingWorld::MovingWorld(std::unique_ptr<World> still, std::vector<Mover> movers
     moved_before += made.count;
     made.box = made.body->bounds();
     made.swept = std::make_unique<const SweptBoxes>(*made.motion, made.box, from_s, to_s);
-    const Bounds hull = made.swept->hull();
+    const Bounds hull = made.swept->reach();
     if (bounded) {
       bounds_.low_m = {std::min(bounds_.low_m.x, hull.low_m.x), std::min(bounds_.low_m.y, hull.low_m.y),
                        std::min(bounds_.low_m.z, hull.low_m.z)};
@@ -67,8 +67,9 @@ MovingWorld::MovingWorld(std::unique_ptr<World> still, std::vector<Mover> movers
     } else {
       bounds_ = hull, bounded = true;
     }
-    heights_ = first ? Heights{hull.low_m.z, hull.high_m.z}
-                     : Heights{std::min(heights_.low_m, hull.low_m.z), std::max(heights_.high_m, hull.high_m.z)};
+    heights_ =
+        first ? Heights{hull.low_m.z, hull.high_m.z}
+              : Heights{std::min(heights_.low_m, hull.low_m.z), std::max(heights_.high_m, hull.high_m.z)};
     first = false;
     movers_.push_back(std::move(made));
   }
@@ -138,8 +139,7 @@ void MovingWorld::intersect(std::span<const math::Ray> rays, std::span<SurfacePo
       hit.shading_normal = scene_from_carrier(hit.shading_normal);
       hit.instance += mover.first;
       if (hit.shared_with != kNoMaterial) hit.shared_with += mover.first;
-      if (behind.hit() &&
-          std::abs(behind.distance_m - hit.distance_m) <= rounding_m(rays[k], hit.distance_m))
+      if (behind.hit() && std::abs(behind.distance_m - hit.distance_m) <= rounding_m(rays[k], hit.distance_m))
         hit.shared_with = behind.instance;
     }
   }

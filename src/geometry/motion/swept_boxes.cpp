@@ -64,7 +64,7 @@ double reach_m(const math::Ray& ray, const World::Bounds& box, double spread_rad
 }  // namespace
 
 SweptBoxes::SweptBoxes(const Motion& motion, World::Bounds box, double from_s, double to_s)
-    : from_s_(from_s), to_s_(to_s), hull_(none()) {
+    : from_s_(from_s), to_s_(to_s), hull_(none()), reach_(none()) {
   const std::array<Point3, 8> corners = corners_of(box);
   const auto moved = [&](double time_s) {
     const math::Transform scene_from_carrier = motion.scene_from_carrier(time_s);
@@ -88,7 +88,8 @@ SweptBoxes::SweptBoxes(const Motion& motion, World::Bounds box, double from_s, d
       before = now;
     }
   }
-  const double turns = std::isfinite(motion.step_s()) ? kStepsOfTurn * (to_s - from_s) / motion.step_s() : 0.0;
+  const double turns =
+      std::isfinite(motion.step_s()) ? kStepsOfTurn * (to_s - from_s) / motion.step_s() : 0.0;
   const auto count = static_cast<std::size_t>(
       std::clamp(std::ceil(std::max(way_m / (kShare * size_m), turns)), 1.0, kMostSteps));
   for (std::size_t k = 0; k < count; ++k) {
@@ -100,7 +101,10 @@ SweptBoxes::SweptBoxes(const Motion& motion, World::Bounds box, double from_s, d
     step.box_from_scene = motion.scene_from_carrier(begin_s + 0.5 * span_s).inverse();
     World::Bounds held = box;
     for (int j = 0; j <= kWithin; ++j)
-      for (const Point3& p : moved(begin_s + span_s * j / kWithin)) include(held, step.box_from_scene(p));
+      for (const Point3& p : moved(begin_s + span_s * j / kWithin)) {
+        include(held, step.box_from_scene(p));
+        include(reach_, p);
+      }
     const double rounding_m = 1e-7 * (size_m + math::length(step.box_from_scene.origin_m() - Point3{}));
     const Vec3 margin{rounding_m, rounding_m, rounding_m};
     step.box.low_m = box.low_m + kSlack * (held.low_m - box.low_m) - margin;

@@ -21,7 +21,7 @@ class SweptBoxes {
   bool may_meet(const math::Ray& ray, double from_s, double to_s, double spread_rad = 0.0) const;
   bool covers(double time_s) const { return time_s >= from_s_ && time_s <= to_s_; }
 
-  World::Bounds hull() const { return hull_; }  ///< scene frame
+  World::Bounds reach() const { return reach_; }  ///< of where it is, scene frame
 
   /// The box at one instant.
   static bool meets(const math::Ray& in_carrier, const World::Bounds& box);
@@ -37,7 +37,7 @@ class SweptBoxes {
   double from_s_, to_s_;
   std::vector<Step> steps_;
   std::vector<World::Bounds> blocks_;  // scene frame, of kBlock steps each
-  World::Bounds hull_;
+  World::Bounds hull_, reach_;         // of the steps; of the box at many instants
 };
 
 }  // namespace ifov::geometry
