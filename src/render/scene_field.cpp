@@ -104,6 +104,7 @@ void SceneField::values_and_materials(std::span<const sampling::PathRequest> req
 
 void SceneField::values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
                         std::span<float> values, LabelDetail detail) {
+  if (moving_ != nullptr) return moving_values(requests, labels, values, detail);
   if (shared_ != nullptr) return shared_->values(*this, requests, labels, values);
   const std::size_t row_length = static_cast<std::size_t>(stride());
   for (std::size_t first = 0; first < requests.size(); first += kMostTraced) {
@@ -111,6 +112,50 @@ void SceneField::values(std::span<const sampling::PathRequest> requests, std::sp
     const transport::PathRecord& paths = trace_paths(requests.subspan(first, count));
     for (std::size_t k = 0; k < count; ++k) write(*this, paths, k, values.data() + (first + k) * row_length);
     label_hits(points_, hits_, detail, labels.subspan(first, count));
+  }
+}
+
+void SceneField::moving_values(std::span<const sampling::PathRequest> requests,
+                               std::span<sampling::Label> labels, std::span<float> values,
+                               LabelDetail detail) {
+  constexpr std::size_t kTogether = kMostTraced / 2;
+  const std::size_t row_length = static_cast<std::size_t>(stride());
+  std::vector<sampling::PathRequest> asked;
+  std::vector<float> shares(kTogether), row(row_length);
+  std::vector<sampling::Label> met;
+  for (std::size_t first = 0; first < requests.size(); first += kTogether) {
+    const std::span<const sampling::PathRequest> group =
+        requests.subspan(first, std::min(kTogether, requests.size() - first));
+    points_.resize(group.size()), rays_.resize(group.size()), hits_.resize(group.size());
+    for (std::size_t k = 0; k < group.size(); ++k) points_[k] = group[k].point;
+    camera_.rays(points_, rays_);
+    moving_->still().intersect(rays_, hits_);
+    counts_.primary += group.size();
+    asked.clear();
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      const MovingCover::Times times = moving_->times(group[k], rays_[k], hits_[k]);
+      shares[k] = static_cast<float>(times.share);
+      for (const bool meeting : {true, false}) {
+        if (shares[k] == (meeting ? 0.0f : 1.0f)) continue;
+        asked.push_back(group[k]);
+        asked.back().point.time_s += meeting ? times.met_s : times.else_s;
+      }
+    }
+    const transport::PathRecord& paths = trace_paths(asked);
+    for (std::size_t k = 0, j = 0; k < group.size(); ++k) {
+      float* const value = values.data() + (first + k) * row_length;
+      write(*this, paths, j++, value);
+      if (shares[k] == 0.0f || shares[k] == 1.0f) continue;
+      write(*this, paths, j++, row.data());
+      for (std::size_t c = 0; c < row_length; ++c)
+        value[c] = shares[k] * value[c] + (1.0f - shares[k]) * row[c];
+    }
+    met.resize(asked.size());
+    label_hits(points_, hits_, detail, met);
+    for (std::size_t k = 0, j = 0; k < group.size(); ++k) {
+      labels[first + k] = met[j];
+      j += shares[k] == 0.0f || shares[k] == 1.0f ? 1 : 2;
+    }
   }
 }
 
@@ -122,7 +167,6 @@ const transport::PathRecord& SceneField::trace_paths(std::span<const sampling::P
   hits_.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
     points_[k] = requests[k].point;
-    if (moving_ != nullptr) points_[k].time_s += moving_->time_s(requests[k]);
     keys_[k] = {requests[k].sequence, requests[k].index};
   }
   camera_.rays(points_, rays_);

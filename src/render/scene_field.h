@@ -96,6 +96,9 @@ class SceneField final : public sampling::Field {
   bool shows_sunlight(const scene::ResolvedSurface& surface, bool& transmits) const;
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
               std::span<float> values, LabelDetail detail);
+  /// The same where something moves.
+  void moving_values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
+                     std::span<float> values, LabelDetail detail);
   /// Where what moves may cover the points (covered_), whose rays and hits are known.
   void find_covered(std::span<const sampling::FocalPoint> points);
   void label_hits(std::span<const sampling::FocalPoint> points, std::span<const geometry::SurfacePoint> hits,
@@ -112,7 +115,7 @@ class SceneField final : public sampling::Field {
   UnseenLight unseen_;
   std::shared_ptr<const SurfaceMaps> maps_;  // once asked for
   SeenThrough through_;
-  const std::unique_ptr<const MovingCover> moving_;       // null: all is alike while a point is exposed
+  const std::unique_ptr<MovingCover> moving_;             // null: all is alike while a point is exposed
   std::unique_ptr<transport::MirrorLight> mirror_light_;  // null where mirrors throw none
   struct Sunlight {
     bool shows, passes;  ///< whether it is seen where it falls on a material, and from behind

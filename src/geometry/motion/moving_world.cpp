@@ -165,6 +165,11 @@ bool MovingWorld::may_move_into(const math::Ray& ray, double from_s, double to_s
   });
 }
 
+void MovingWorld::when_met(const math::Ray& ray, double from_s, double to_s, double spread_rad,
+                           std::vector<SweptBoxes::Interval>& times) const {
+  for (const Moving& mover : movers_) mover.swept->when(ray, from_s, to_s, spread_rad, times);
+}
+
 World::PlacedObject MovingWorld::object_at(std::size_t mover, std::uint32_t own, double time_s) const {
   PlacedObject object = movers_[mover].body->object(own);
   const math::Transform scene_from_carrier = movers_[mover].motion->scene_from_carrier(time_s);

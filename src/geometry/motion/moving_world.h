@@ -37,6 +37,11 @@ class MovingWorld final : public World {
   /// it does.
   bool may_move_into(const math::Ray& ray, double from_s, double to_s, double spread_rad) const;
 
+  /// The times of these at which it may, behind those that are there: in no order, and they may overlap.
+  void when_met(const math::Ray& ray, double from_s, double to_s, double spread_rad,
+                std::vector<SweptBoxes::Interval>& times) const;
+
+  const World& still() const { return *still_; }  ///< with numbers of its own
   std::size_t mover_count() const { return movers_.size(); }
   /// The first of a mover's objects, and how many it has.
   std::uint32_t first_object(std::size_t mover) const { return movers_[mover].first; }

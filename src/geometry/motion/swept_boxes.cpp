@@ -125,8 +125,10 @@ std::size_t SweptBoxes::step_at(double time_s) const {
   return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(steps_.size()) - 1.0));
 }
 
-bool SweptBoxes::may_meet(const math::Ray& ray, double from_s, double to_s, double spread_rad) const {
-  if (!meets_widened(ray, hull_, reach_m(ray, hull_, spread_rad))) return false;
+template <class Found>
+void SweptBoxes::find(const math::Ray& ray, double from_s, double to_s, double spread_rad,
+                      const Found& found) const {
+  if (!meets_widened(ray, hull_, reach_m(ray, hull_, spread_rad))) return;
   // A time on the border of two steps belongs to both.
   const double rounding_s = 1e-9 * (to_s_ - from_s_);
   const std::size_t first = step_at(from_s - rounding_s), last = step_at(to_s + rounding_s);
@@ -142,10 +144,33 @@ bool SweptBoxes::may_meet(const math::Ray& ray, double from_s, double to_s, doub
       math::Ray turned = ray;
       turned.origin_m = step.box_from_scene(ray.origin_m);
       turned.direction = step.box_from_scene(ray.direction);
-      if (meets_widened(turned, step.box, reach_m(turned, step.box, spread_rad))) return true;
+      if (meets_widened(turned, step.box, reach_m(turned, step.box, spread_rad)) && !found(k)) return;
     }
   }
-  return false;
+}
+
+bool SweptBoxes::may_meet(const math::Ray& ray, double from_s, double to_s, double spread_rad) const {
+  bool met = false;
+  find(ray, from_s, to_s, spread_rad, [&](std::size_t) {
+    met = true;
+    return false;
+  });
+  return met;
+}
+
+void SweptBoxes::when(const math::Ray& ray, double from_s, double to_s, double spread_rad,
+                      std::vector<Interval>& times) const {
+  const double span_s = (to_s_ - from_s_) / static_cast<double>(steps_.size());
+  std::size_t next = steps_.size();  // of the last interval
+  find(ray, from_s, to_s, spread_rad, [&](std::size_t k) {
+    const double end_s = from_s_ + span_s * static_cast<double>(k + 1);
+    if (k == next)
+      times.back().to_s = end_s;
+    else
+      times.push_back({from_s_ + span_s * static_cast<double>(k), end_s});
+    next = k + 1;
+    return true;
+  });
 }
 
 bool SweptBoxes::meets(const math::Ray& in_carrier, const World::Bounds& box) {

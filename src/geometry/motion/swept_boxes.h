@@ -13,12 +13,19 @@ class Motion;
 /// Where a box that moves is over a time: a chain of boxes, each of which holds it for one of many equal steps of that time.
 class SweptBoxes {
  public:
+  struct Interval {
+    double from_s = 0.0, to_s = 0.0;
+  };
+
   /// Of a box in the frame of what carries it, from `from_s` to `to_s`.
   SweptBoxes(const Motion& motion, World::Bounds box, double from_s, double to_s);
 
   /// Whether the box may lie on the ray, between its ends, at some time of these; never no where it does. `spread_rad`: of a cone about
   /// the ray. Times beyond those of the sweep are no part of it.
   bool may_meet(const math::Ray& ray, double from_s, double to_s, double spread_rad = 0.0) const;
+  /// The steps of that time in which it may, as times from and until, behind those that are there; neighbours are joined.
+  void when(const math::Ray& ray, double from_s, double to_s, double spread_rad,
+            std::vector<Interval>& times) const;
   bool covers(double time_s) const { return time_s >= from_s_ && time_s <= to_s_; }
 
   World::Bounds reach() const { return reach_; }  ///< of where it is, scene frame
@@ -33,6 +40,9 @@ class SweptBoxes {
   };
   static constexpr std::size_t kBlock = 16;
   std::size_t step_at(double time_s) const;
+  /// found(step): whether to go on.
+  template <class Found>
+  void find(const math::Ray& ray, double from_s, double to_s, double spread_rad, const Found& found) const;
 
   double from_s_, to_s_;
   std::vector<Step> steps_;

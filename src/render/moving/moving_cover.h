@@ -1,7 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
+#include "geometry/motion/swept_boxes.h"
 #include "geometry/surface_point.h"
 #include "math/ray.h"
 #include "sampling/field.h"
@@ -23,10 +25,19 @@ namespace ifov::render {
 class MovingCover {
  public:
   /// Null where nothing moves, or light falls on a point at one instant that its place tells (a scanner).
-  static std::unique_ptr<const MovingCover> find(const scene::Scene& scene, const sensor::Camera& camera);
+  static std::unique_ptr<MovingCover> find(const scene::Scene& scene, const sensor::Camera& camera);
 
-  /// When a path's light falls on its point, about the middle of the exposure of that.
-  double time_s(const sampling::PathRequest& request) const;
+  /// When paths through a point begin, about the middle of its exposure. Something that passes fast is there for a small part of the time,
+  /// which few paths would meet: so the times at which it may be met, on the ray or on the way to the Sun from where that ends, have a path of
+  /// their own. A value is `share` of what that finds, and the rest of what one at other times does.
+  struct Times {
+    double share = 0.0;  ///< of the exposure at which something may be met; 0 or 1: there is one path
+    double met_s = 0.0, else_s = 0.0;
+  };
+  /// `ray` through the request's point in the middle of the exposure; `still`: what it meets of what stands still.
+  Times times(const sampling::PathRequest& request, const math::Ray& ray,
+              const geometry::SurfacePoint& still);
+  const geometry::World& still() const;
 
   /// Whether something that moves may lie on the ray through a point while that is exposed. `met`: what it meets at its own time.
   bool covers(const sampling::FocalPoint& point, const math::Ray& ray,
@@ -36,11 +47,12 @@ class MovingCover {
               double spread_rad) const;
 
  private:
-  MovingCover(const geometry::MovingWorld& world, double exposure_s, double beyond_s)
-      : world_(world), exposure_s_(exposure_s), beyond_s_(beyond_s) {}
+  MovingCover(const scene::Scene& scene, double exposure_s, double beyond_s);
 
+  const scene::Scene& scene_;
   const geometry::MovingWorld& world_;
   double exposure_s_;
+  std::vector<geometry::SweptBoxes::Interval> times_;
   double beyond_s_;  ///< before and after: a point on the border of two rows belongs to both
 };
 
