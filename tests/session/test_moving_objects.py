@@ -205,6 +205,81 @@ class MovingObjects(unittest.TestCase):
         self.assertLess(near / of, 0.6)
 
 
+BOX = {"name": "car", "box": {"low": ["-1 m", "-1 m", "0 m"], "high": ["1 m", "1 m", "1 m"]}, "material": "paint"}
+NORTH = {"straight": {"frame": "scene", "position": ["0 m", "0 m", "0 m"], "velocity": ["0 m/s", "9 m/s", "0 m/s"]}}
+POINTS = lambda *times: {"way_points": {"frame": "scene", "points": [{"time": f"{t} s", "position": ["0 m", f"{30 * t} m", "0 m"]} for t in times]}}
+
+
+def checked(change, exposure="10 ms"):
+    """What `ifov check` says of a document with a car whose object, and all else, is changed."""
+    document = {
+        "ifov": 1,
+        "scene": {"materials": {"road": {"reflectance": 0.1}, "paint": {"reflectance": 0.5}, "glass": {"reflectance": 0.05, "scattering": "mirror"}},
+                  "objects": [{"plane": {}, "material": "road"}, {**BOX, "motion": NORTH}]},
+        "light": {"sun": {"disc": {"zenith": "40 deg", "azimuth": "160 deg"}}, "sky": {"radiance": "40 W m-2 sr-1 um-1"}},
+        "sensor": {"camera": {"frame": {**FRAME, "exposure": exposure}}, "channels": [{"name": "red", "gaussian": {"center": "0.65 um", "fwhm": "40 nm"}}]},
+        "sampling": {"accuracy": {"error": "3 %"}}}
+    change(document, document["scene"]["objects"][1])
+    with tempfile.TemporaryDirectory() as scratch:
+        (pathlib.Path(scratch) / "scene.json").write_text(json.dumps(document, indent=1))
+        done = subprocess.run([PROGRAM, "check", "scene.json"], cwd=scratch, capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout + done.stderr
+
+
+class MovingDocuments(unittest.TestCase):
+    def refused(self, text, change):
+        code, said = checked(change)
+        self.assertEqual(code, 1, said)
+        self.assertIn(text, said)
+        self.assertRegex(said, r"scene\.json:\d+:\d+: ")
+
+    def test_check_says_what_moves_and_how_far(self):
+        code, said = checked(lambda document, car: None)
+        self.assertEqual(code, 0, said)
+        self.assertRegex(said, r"moving: +'car' \(line \d+\): 9 m/s; while a pixel is exposed 0\.09 m \(0\.3 pixels\), while the image is taken 0\.09 m")
+
+    def test_a_path_that_does_not_cover_the_exposure(self):
+        self.refused("its path covers -0.002 to 0.003 s, and the image is exposed from -0.005 to 0.005 s: 0.003 s too late and 0.002 s too short",
+                     lambda document, car: car.update(motion=POINTS(-0.002, 0.003)))
+        self.refused("it ends 0.002 s too early", lambda document, car: car.update(motion=POINTS(-1, 0.003)))
+        code, said = checked(lambda document, car: car.update(motion=POINTS(-0.005, 0, 0.005)))
+        self.assertEqual(code, 0, said)
+
+    def test_what_cannot_move(self):
+        def instead(shape, **more):
+            def change(document, car):
+                del car["box"]
+                car.update(shape, **more)
+            return change
+
+        self.refused("a plane has no end", instead({"plane": {"height": "1 m"}}))
+        self.refused("nothing can move: all copies of it would", lambda document, car: document["scene"].update(periodic={"size": ["20 m", "20 m"]}))
+        self.refused("it is smooth", lambda document, car: car.update(material="glass"))
+        self.refused("nothing can move yet in a scene with smooth or glossy surfaces",
+                     lambda document, car: document["scene"]["objects"].append({"sphere": {"center": ["9 m", "0 m", "1 m"], "radius": "1 m"}, "material": "glass"}))
+        self.refused("'motion' and 'present' cannot stand together yet", lambda document, car: (
+            document.update(time="2026-06-21T12:00Z"), car.update(present=[["2026-06-21T10:00Z", "2026-06-21T14:00Z"]])))
+        self.refused("a part of a prototype cannot move by itself", lambda document, car: (
+            document["scene"].update(prototypes={"pair": [dict(car)]}), car.pop("motion")))
+        self.refused("yaw is counted from the track", lambda document, car: car.update(
+            motion={"straight": {**NORTH["straight"], "velocity": ["0 m/s", "0 m/s", "3 m/s"]}}))
+        self.refused("copies are placed at random on it", lambda document, car: (
+            document["scene"].update(prototypes={"crate": [{**BOX, "name": "crate"}]}),
+            document["scene"]["objects"].append({"random_placement": {"of": [{"prototype": "crate"}], "density": "0.1 m-2", "area": {"low": ["-1 m", "-1 m"], "high": ["1 m", "1 m"]}, "on": "car"}})))
+
+    def test_the_same_bytes_for_any_threads(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch)
+            document = car(frame(0.01, 0.001), (30, 7))
+            document["light"]["sky"] = {"temperature": "250 K"}
+            images = []
+            for threads in ("1", "3"):
+                done = run(document, folder, "--threads", threads)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                images.append([(folder / f"out/image_{what}.img").read_bytes() for what in ("radiance", "half_width", "abundance")])
+            self.assertEqual(*images)
+
+
 if __name__ == "__main__":
     if "--full" in sys.argv:
         for kind in KINDS:
