@@ -18,8 +18,7 @@ struct Presence;
 struct SurfaceSurvey;
 
 /// All geometry of a scene, built once and immutable: the only door to the ray tracer. Batches are traced in packets; the answer to
-/// a ray does not depend on its neighbours in the batch. Objects that are there for a time only are met by rays of that time,
-/// and objects that move where they are then.
+/// a ray does not depend on its neighbours in the batch. Objects that are there for a time only are met by rays of that time.
 /// Safe to call from many threads. Queries throw where memory runs out while a tree is made for them.
 class World {
  public:
@@ -74,8 +73,7 @@ class World {
   virtual std::span<const Presence> presences() const { return {}; }
   virtual const Presence* presence(std::uint32_t) const { return nullptr; }
 
-  /// What there is of objects that move; null: all stand still.
-  virtual const MovingWorld* moving() const { return nullptr; }
+  virtual const MovingWorld* moving() const { return nullptr; }  ///< null: all stands still
 
   /// As a ray sees them, copies counted.
   virtual std::size_t triangle_count() const = 0;

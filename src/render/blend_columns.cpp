@@ -35,17 +35,10 @@ BlendColumns::BlendColumns(const scene::Scene& scene, const scene::TruthMaterial
         std::lower_bound(materials_.begin(), materials_.end(), material) - materials_.begin()));
 }
 
-void BlendColumns::write_shares(const geometry::SurfacePoint& hit, float* columns) const {
+void BlendColumns::write_shares(const geometry::SurfacePoint& hit, float* columns, bool all) const {
   float* shares = columns + channels_;
   std::fill(shares, shares + count(), 0.0f);
-  if (!hit.hit() || !mixes(hit.material)) return;
-  for (const scene::Constituent& c : scene_.resolve_without_temperature(hit))
-    shares[column_of_material_[c.material]] += static_cast<float>(c.weight);
-}
-
-void BlendColumns::write_all_shares(const geometry::SurfacePoint& hit, float* columns) const {
-  float* shares = columns + channels_;
-  std::fill(shares, shares + count(), 0.0f);
+  if (!all && (!hit.hit() || !mixes(hit.material))) return;
   if (!hit.hit()) {
     shares[column_of_material_[scene_.surroundings.material]] = 1.0f;
     return;

@@ -129,7 +129,7 @@ void SceneField::moving_values(std::span<const sampling::PathRequest> requests,
     points_.resize(group.size()), rays_.resize(group.size()), hits_.resize(group.size());
     for (std::size_t k = 0; k < group.size(); ++k) points_[k] = group[k].point;
     camera_.rays(points_, rays_);
-    moving_->still().intersect(rays_, hits_);
+    moving_->meet_still(rays_, hits_);
     counts_.primary += group.size();
     asked.clear();
     for (std::size_t k = 0; k < group.size(); ++k) {
@@ -185,7 +185,7 @@ const transport::PathRecord& SceneField::trace(std::span<const sampling::PathReq
 void SceneField::write(const SceneField& by, const transport::PathRecord& paths, std::size_t k, float* row) {
   light_->write(paths, k, by.points_[k], by.rays_[k], row);
   if (by.moving_ != nullptr && by.covered_[k] != 0)
-    blends_.write_all_shares(by.hits_[k], row);
+    blends_.write_shares(by.hits_[k], row, true);
   else if (blends_.count() > 0)
     blends_.write_shares(by.hits_[k], row);
   unseen_.write(paths.paths[k], row);
@@ -208,7 +208,9 @@ void SceneField::label_hits(std::span<const sampling::FocalPoint> points,
   for (std::size_t k = 0; k < hits.size(); ++k) {
     const geometry::SurfacePoint& hit = hits[k];
     if (moving_ != nullptr && covered_[k] != 0) {
-      labels[k] = SurfaceLabel::moving();
+      // No material of its own, and uneven as penumbras are.
+      labels[k] =
+          SurfaceLabel{SurfaceLabel::kMoving, 0, SurfaceLabel::kBlend, true, SunState::penumbra}.pack();
       continue;
     }
     SurfaceLabel label;

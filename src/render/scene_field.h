@@ -96,7 +96,6 @@ class SceneField final : public sampling::Field {
   bool shows_sunlight(const scene::ResolvedSurface& surface, bool& transmits) const;
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
               std::span<float> values, LabelDetail detail);
-  /// The same where something moves.
   void moving_values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
                      std::span<float> values, LabelDetail detail);
   /// Where what moves may cover the points (covered_), whose rays and hits are known.

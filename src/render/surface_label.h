@@ -32,11 +32,6 @@ struct SurfaceLabel {
            static_cast<std::uint64_t>(sun);
   }
 
-  /// Where something that moves may be met while a point is exposed: no material of its own, and uneven as penumbras are.
-  static constexpr sampling::Label moving() {
-    return SurfaceLabel{kMoving, 0, kBlend, true, SunState::penumbra}.pack();
-  }
-
   /// The label of the same hit in a state of MirrorLight, which is folded into the bits of the patch; `uneven` takes
   /// the highest of them.
   static constexpr sampling::Label with_mirrored(sampling::Label label, std::uint64_t state, bool uneven) {

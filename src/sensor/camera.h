@@ -70,10 +70,8 @@ class Camera {
 
   virtual CameraPose pose(double line_px) const = 0;
 
-  /// How long light falls on a point whose time y does not tell, about the middle of its row's exposure; 0: at one instant, or y tells.
-  virtual double exposure_s() const { return 0.0; }
-  /// By how much later each row is exposed than that above it, as a whole; 0: together, or y tells.
-  virtual double row_period_s() const { return 0.0; }
+  virtual double exposure_s() const { return 0.0; }    ///< of a point; 0 where y alone tells when
+  virtual double row_period_s() const { return 0.0; }  ///< from one row's exposure to the next's
 
   /// What its pixels are spread over along image y beside the optics; of a camera that stands still nothing.
   virtual AlongTrack along_track() const;

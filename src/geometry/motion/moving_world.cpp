@@ -166,7 +166,7 @@ bool MovingWorld::may_move_into(const math::Ray& ray, double from_s, double to_s
 }
 
 void MovingWorld::when_met(const math::Ray& ray, double from_s, double to_s, double spread_rad,
-                           std::vector<SweptBoxes::Interval>& times) const {
+                           std::vector<TimeInterval>& times) const {
   for (const Moving& mover : movers_) mover.swept->when(ray, from_s, to_s, spread_rad, times);
 }
 

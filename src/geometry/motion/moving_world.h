@@ -39,7 +39,7 @@ class MovingWorld final : public World {
 
   /// The times of these at which it may, behind those that are there: in no order, and they may overlap.
   void when_met(const math::Ray& ray, double from_s, double to_s, double spread_rad,
-                std::vector<SweptBoxes::Interval>& times) const;
+                std::vector<TimeInterval>& times) const;
 
   const World& still() const { return *still_; }  ///< with numbers of its own
   std::size_t mover_count() const { return movers_.size(); }

@@ -159,7 +159,7 @@ bool SweptBoxes::may_meet(const math::Ray& ray, double from_s, double to_s, doub
 }
 
 void SweptBoxes::when(const math::Ray& ray, double from_s, double to_s, double spread_rad,
-                      std::vector<Interval>& times) const {
+                      std::vector<TimeInterval>& times) const {
   const double span_s = (to_s_ - from_s_) / static_cast<double>(steps_.size());
   std::size_t next = steps_.size();  // of the last interval
   find(ray, from_s, to_s, spread_rad, [&](std::size_t k) {

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "geometry/motion/time_interval.h"
 #include "geometry/world.h"
 #include "math/ray.h"
 #include "math/transform.h"
@@ -13,10 +14,6 @@ class Motion;
 /// Where a box that moves is over a time: a chain of boxes, each of which holds it for one of many equal steps of that time.
 class SweptBoxes {
  public:
-  struct Interval {
-    double from_s = 0.0, to_s = 0.0;
-  };
-
   /// Of a box in the frame of what carries it, from `from_s` to `to_s`.
   SweptBoxes(const Motion& motion, World::Bounds box, double from_s, double to_s);
 
@@ -25,7 +22,7 @@ class SweptBoxes {
   bool may_meet(const math::Ray& ray, double from_s, double to_s, double spread_rad = 0.0) const;
   /// The steps of that time in which it may, as times from and until, behind those that are there; neighbours are joined.
   void when(const math::Ray& ray, double from_s, double to_s, double spread_rad,
-            std::vector<Interval>& times) const;
+            std::vector<TimeInterval>& times) const;
   bool covers(double time_s) const { return time_s >= from_s_ && time_s <= to_s_; }
 
   World::Bounds reach() const { return reach_; }  ///< of where it is, scene frame

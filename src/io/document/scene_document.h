@@ -17,7 +17,6 @@
 namespace ifov::io {
 
 struct OpacityDocument;
-struct PlatformDocument;
 struct PresenceDocument;
 struct ParameterMap;
 struct ThermalDocument;
@@ -122,8 +121,7 @@ struct ObjectDocument {
   TransformDocument transform;
   std::optional<bool> pilot_ray;  ///< sent at it where it is smaller than a pixel; absent: by its shape
   std::shared_ptr<const PresenceDocument> present;  ///< null: always; never of what a prototype consists of
-  /// The path of what carries it, to which `transform` is then told; null: it stands still.
-  std::shared_ptr<const PlatformDocument> motion;
+  std::shared_ptr<const struct PlatformDocument> motion;  ///< of what carries it; null: it stands still
   SourcePosition position;
   SourcePosition shape_position;
 };

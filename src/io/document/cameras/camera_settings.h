@@ -60,7 +60,7 @@ class CameraSettings {
   /// InputError where a platform is missing, lacks what it needs, or would carry a camera that stands still.
   virtual std::shared_ptr<const CameraSettings> carried_by(std::shared_ptr<const PlatformFlight> by) const;
 
-  /// When light falls on the image, seconds after the document's instant: on the first of its pixels and the last.
+  /// When light falls on its image, seconds after the document's instant.
   struct Exposed {
     double from_s = 0.0, to_s = 0.0;
   };

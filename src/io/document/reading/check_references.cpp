@@ -15,6 +15,7 @@
 #include "io/document/file_materials_document.h"
 #include "io/document/presence_document.h"
 #include "io/document/pupil_document.h"
+#include "io/document/reading/check_motions.h"
 #include "io/document/samplers/accuracy_sampling.h"
 #include "io/document/samplers/sampler_settings.h"
 #include "io/quantities/quantity.h"
@@ -342,6 +343,9 @@ class ReferenceCheck {
 
 }  // namespace
 
-void check_references(const Document& document) { ReferenceCheck(document).run(); }
+void check_references(const Document& document) {
+  ReferenceCheck(document).run();
+  check_motions(document);
+}
 
 }  // namespace ifov::io

@@ -1,6 +1,5 @@
 #include "io/document/document.h"
 
-#include "io/document/reading/check_motions.h"
 #include "io/document/reading/check_references.h"
 #include "io/document/reading/document_kind.h"
 #include "io/document/reading/mount_camera.h"
@@ -68,7 +67,6 @@ Document parse_document(std::string text, const std::string& file_name,
   }
   mount_camera(document);
   check_references(document);
-  check_motions(document);
   return document;
 }
 

@@ -8,7 +8,6 @@
 #include "io/document/schema/shared_target.h"
 #include "io/document/shapes/primitive.h"
 #include "io/document/tables/map_tables.h"
-#include "io/document/tables/platform_tables.h"
 #include "io/document/tables/shape_tables.h"
 #include "io/document/tables/tables.h"
 
@@ -107,16 +106,14 @@ void add_keys_of_all(Record<ObjectDocument>& record) {
 }
 
 void add_common_keys(Record<ObjectDocument>& record) {
-  const auto placed = located<PlatformDocument>(
-      motion_type(),
-      [](PlatformDocument motion, const DocumentNode& node) {
-        motion.position = node.key_position();
-        return motion;
-      },
-      [](const PlatformDocument& motion) { return motion; });
   record.optional("transform", &ObjectDocument::transform, transform_type(), "where the shape goes")
-      .optional("motion", shared(&ObjectDocument::motion), placed,
-                "the path that it moves along; without it, it stands still");
+      .optional("motion",
+                via([](ObjectDocument& object,
+                       std::shared_ptr<const PlatformDocument> motion) { object.motion = std::move(motion); },
+                    [](const ObjectDocument& object) {
+                      return object.motion ? std::optional(object.motion) : std::nullopt;
+                    }),
+                motion_type(), "the path that it moves along; without it, it stands still");
   add_keys_of_all(record);
 }
 

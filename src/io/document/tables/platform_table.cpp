@@ -56,7 +56,7 @@ SchemaType<OrbitPath> orbit_type() {
 
 }  // namespace
 
-SchemaType<PlatformDocument> motion_type() {
+SchemaType<std::shared_ptr<const PlatformDocument>> motion_type() {
   Record<PlatformDocument> record(
       "motion",
       "Where something that moves is, and how it stands, over time. It is carried: its `transform` is told in axes to the right, ahead and "
@@ -67,7 +67,13 @@ SchemaType<PlatformDocument> motion_type() {
       .one("table", &PlatformDocument::path, path_table_type(), "a curve through the points of a file")
       .optional("attitude", &PlatformDocument::attitude, platform_attitude_type(),
                 "how it stands; if not given what the table says, or level, ahead along the track");
-  return record.type();
+  return located<std::shared_ptr<const PlatformDocument>>(
+      record.type(),
+      [](PlatformDocument motion, const DocumentNode& node) {
+        motion.position = node.key_position();
+        return std::make_shared<const PlatformDocument>(std::move(motion));
+      },
+      [](const std::shared_ptr<const PlatformDocument>& motion) { return *motion; });
 }
 
 SchemaType<PlatformDocument> platform_type() {

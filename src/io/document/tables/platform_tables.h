@@ -10,8 +10,6 @@ SchemaType<PlatformAttitude> platform_attitude_type();
 SchemaType<MountDocument> mount_type(const char* doc);
 SchemaType<JitterDocument> jitter_type();
 SchemaType<ReportedPose> reported_type();
-/// The path of something in the scene that moves, and how it stands there.
-SchemaType<PlatformDocument> motion_type();
 
 /// A frame must be named, also where there is one alone.
 template <class T>

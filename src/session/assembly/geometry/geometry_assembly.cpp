@@ -11,11 +11,9 @@
 
 #include "core/call_scope.h"
 #include "geodesy/utc_time.h"
-#include "geometry/motion/moving_world.h"
 #include "geometry/presence.h"
 #include "geometry/world.h"
 #include "geometry/world/world_builder.h"
-#include "io/document/platform_document.h"
 #include "io/instances/instance_csv.h"
 #include "io/instances/instance_file.h"
 #include "io/scene_cache/scene_cache.h"
@@ -83,10 +81,10 @@ class GeometryAssembly {
     for (const io::ObjectDocument& object : objects_) {
       stop_if_cancelled();
       tell(progress, static_cast<std::size_t>(&object - objects_.data()));
-      placed.begin(builder_.object_count() + moving_objects_);
+      placed.begin(builder_.object_count() + moving_.count());
       object.motion ? place_moving(object) : place_in_its_time(object, true);
     }
-    placed.end(builder_.object_count() + moving_objects_);
+    placed.end(builder_.object_count() + moving_.count());
     place_lamps(lamps);
     tell(progress, objects_.size());
     geometry::BuildOptions options;
@@ -94,10 +92,8 @@ class GeometryAssembly {
     options.lobes = assignments_.lobes();
     options.cut_outs = assignments_.cut_outs();
     std::unique_ptr<geometry::World> still = builder_.build(options);
-    if (movers_.empty()) return still;
-    refuse_mirrors(*still);
-    return std::make_unique<geometry::MovingWorld>(std::move(still), std::move(movers_), of_.exposed.from_s,
-                                                   of_.exposed.to_s);
+    if (moving_.count() > 0) refuse_mirrors(*still);
+    return moving_.about(std::move(still), of_);
   }
 
   /// What is there at other times alone; null: nothing is.
@@ -133,30 +129,25 @@ class GeometryAssembly {
 
   /// A world of its own, about what carries it.
   void place_moving(const io::ObjectDocument& object) {
-    geometry::MovingWorld::Mover mover;
-    mover.motion = assemble_motion(of_, object, frame_.document_offset_m());
-    mover.after = builder_.object_count();
+    auto motion = assemble_motion(of_, object, frame_.document_offset_m());
     GeometryAssembly alone(of_, assignments_, frame_, log_, cache_);
     with_position(sources_, object.position, [&] {
       alone.place(object, math::Transform());
       if (alone.builder_.object_count() == 0) return;
-      mover.body = alone.builder_.build();
-      const std::vector<double> areas = mover.body->surface_areas_m2(assignments_.count());
+      auto body = alone.builder_.build();
       std::vector<bool> covers;
-      for (const double area : areas) covers.push_back(area > 0.0);
+      for (const double area : body->surface_areas_m2(assignments_.count())) covers.push_back(area > 0.0);
       assignments_.refuse_moving(covers);
+      first_moving_ = first_moving_ != nullptr ? first_moving_ : &object;
+      moving_.add(std::move(body), std::move(motion), builder_.object_count());
     });
-    if (!mover.body) return;
-    first_moving_ = first_moving_ != nullptr ? first_moving_ : &object;
-    moving_objects_ += static_cast<std::uint32_t>(mover.body->object_count());
-    movers_.push_back(std::move(mover));
   }
 
   /// What mirrors show, and throw of light, is sought among what stands still.
   void refuse_mirrors(const geometry::World& still) const {
     if (still.survey() == nullptr && still.lobe_survey() == nullptr) return;
-    throw io::document_error(
-        sources_, first_moving_->motion->position,
+    refuse_motion(
+        of_, *first_moving_,
         "nothing can move yet in a scene with smooth or glossy surfaces (mirrors, panes, narrow lobes): what these throw of "
         "light is sought among what stands still; expected rough surfaces");
   }
@@ -248,8 +239,7 @@ class GeometryAssembly {
                     [&](const io::ObjectDocument& object) { return wanted(object) && is_there_now(object); });
     for (const io::ObjectDocument& object : objects_)
       if (wanted(object) && object.motion)
-        throw io::document_error(sources_, object.motion->position,
-                                 "copies are placed at random on it, and they would not move along");
+        refuse_motion(of_, object, "copies are placed at random on it, and they would not move along");
       else if (wanted(object) && (!some_now || is_there_now(object)))
         with_position(sources_, object.position, [&] { alone.place(object, scene_from_document); });
     world = alone.builder_.build();
@@ -346,8 +336,7 @@ class GeometryAssembly {
   const std::optional<geodesy::UtcTime>& time_;
   LogSink* log_;
   io::SceneCache* cache_;
-  std::vector<geometry::MovingWorld::Mover> movers_;
-  std::uint32_t moving_objects_ = 0;
+  MovingObjects moving_;
   const io::ObjectDocument* first_moving_ = nullptr;
   geometry::WorldBuilder builder_;
   ShapeAssembly shapes_;

@@ -5,7 +5,6 @@
 #include <span>
 
 #include "core/run_control.h"
-#include "io/document/cameras/camera_settings.h"
 #include "session/assembly/geometry/placed_objects.h"
 
 namespace ifov::geodesy {
@@ -35,7 +34,7 @@ struct GeometrySubject {
   std::span<const io::PrototypeDocument> prototypes;
   const std::optional<geodesy::UtcTime>& time;  ///< of the picture
   const io::OriginDocument& origin;
-  io::CameraSettings::Exposed exposed{};  ///< for which paths of what moves are to tell
+  double from_s = 0.0, to_s = 0.0;  ///< of the image's exposure: paths of what moves are to cover it
 };
 
 /// A document's objects that are there at its time, and the prototypes that they are copies of, and then the lamps, about the scene's origin;

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "geometry/motion/motion.h"
+#include "geometry/motion/moving_world.h"
 #include "io/document/cameras/flight_path.h"
 #include "io/document/platform_document.h"
 #include "io/document/scene_document.h"
@@ -30,7 +31,7 @@ class PathMotion final : public geometry::Motion {
   platform::Trajectory path_;
 };
 
-void check_covered(const platform::Trajectory& path, const io::CameraSettings::Exposed& exposed) {
+void check_covered(const platform::Trajectory& path, const GeometrySubject& exposed) {
   // A row may end where the exposure does, but for its rounding.
   const double rounding_s = 1e-9 * std::max(std::abs(exposed.from_s), std::abs(exposed.to_s));
   const double early_s = path.first_s() - exposed.from_s, late_s = exposed.to_s - path.last_s();
@@ -49,11 +50,35 @@ std::shared_ptr<const geometry::Motion> assemble_motion(const GeometrySubject& o
                                                         const io::ObjectDocument& object,
                                                         math::Vec3 offset_m) {
   return with_position(of.sources, object.motion->position, [&] {
-    platform::Trajectory path = io::trajectory_of({*object.motion, of.time, of.origin, 1}, offset_m,
-                                                  of.exposed.from_s, of.exposed.to_s);
-    check_covered(path, of.exposed);
+    platform::Trajectory path =
+        io::trajectory_of({*object.motion, of.time, of.origin, 1}, offset_m, of.from_s, of.to_s);
+    check_covered(path, of);
     return std::make_shared<const PathMotion>(std::move(path));
   });
+}
+
+struct MovingObjects::Content {
+  std::vector<geometry::MovingWorld::Mover> movers;
+};
+
+MovingObjects::MovingObjects() : content_(std::make_unique<Content>()) {}
+MovingObjects::~MovingObjects() = default;
+
+void MovingObjects::add(std::unique_ptr<geometry::World> body, std::shared_ptr<const geometry::Motion> motion,
+                        std::uint32_t after) {
+  count_ += static_cast<std::uint32_t>(body->object_count());
+  content_->movers.push_back({std::move(body), std::move(motion), after});
+}
+
+std::unique_ptr<geometry::World> MovingObjects::about(std::unique_ptr<geometry::World> still,
+                                                      const GeometrySubject& of) {
+  if (content_->movers.empty()) return still;
+  return std::make_unique<geometry::MovingWorld>(std::move(still), std::move(content_->movers), of.from_s,
+                                                 of.to_s);
+}
+
+void refuse_motion(const GeometrySubject& of, const io::ObjectDocument& object, const char* why) {
+  throw io::document_error(of.sources, object.motion->position, why);
 }
 
 }  // namespace ifov::session
