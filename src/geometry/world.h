@@ -13,6 +13,7 @@
 
 namespace ifov::geometry {
 
+class MovingWorld;
 struct Presence;
 struct SurfaceSurvey;
 
@@ -71,6 +72,8 @@ class World {
   /// What there is of times at which objects are there, and that of one object by its number; null: it always is.
   virtual std::span<const Presence> presences() const { return {}; }
   virtual const Presence* presence(std::uint32_t) const { return nullptr; }
+
+  virtual const MovingWorld* moving() const { return nullptr; }  ///< null: all stands still
 
   /// As a ray sees them, copies counted.
   virtual std::size_t triangle_count() const = 0;

@@ -11,7 +11,8 @@
 
 namespace ifov::render {
 
-BlendColumns::BlendColumns(const scene::Scene& scene, const scene::TruthMaterials& truth, int channels)
+BlendColumns::BlendColumns(const scene::Scene& scene, const scene::TruthMaterials& truth, int channels,
+                           bool all)
     : scene_(scene), channels_(channels) {
   std::set<std::uint32_t> mixed;
   for (const scene::SurfaceAssignment& assignment : scene.assignments) {
@@ -26,6 +27,7 @@ BlendColumns::BlendColumns(const scene::Scene& scene, const scene::TruthMaterial
       if (brought.empty()) mixed.insert(truth.of_material.begin(), truth.of_material.end());
     }
   }
+  if (all) mixed.insert(truth.of_material.begin(), truth.of_material.end());
   if (mixed.empty()) return;
   materials_.assign(mixed.begin(), mixed.end());
   for (const std::uint32_t material : truth.of_material)
@@ -33,11 +35,20 @@ BlendColumns::BlendColumns(const scene::Scene& scene, const scene::TruthMaterial
         std::lower_bound(materials_.begin(), materials_.end(), material) - materials_.begin()));
 }
 
-void BlendColumns::write_shares(const geometry::SurfacePoint& hit, float* columns) const {
+void BlendColumns::write_shares(const geometry::SurfacePoint& hit, float* columns, bool all) const {
   float* shares = columns + channels_;
   std::fill(shares, shares + count(), 0.0f);
-  if (!hit.hit() || !mixes(hit.material)) return;
-  for (const scene::Constituent& c : scene_.resolve_without_temperature(hit))
+  if (!all && (!hit.hit() || !mixes(hit.material))) return;
+  if (!hit.hit()) {
+    shares[column_of_material_[scene_.surroundings.material]] = 1.0f;
+    return;
+  }
+  const scene::ResolvedSurface surface = scene_.resolve_without_temperature(hit);
+  if (!mixes(hit.material)) {
+    shares[column_of_material_[surface.constituents[0].material]] = 1.0f;
+    return;
+  }
+  for (const scene::Constituent& c : surface)
     shares[column_of_material_[c.material]] += static_cast<float>(c.weight);
 }
 

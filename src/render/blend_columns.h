@@ -25,14 +25,14 @@ class BlendColumns {
  public:
   static constexpr std::uint32_t kNoMaterial = 0xffffffffu;
 
-  BlendColumns(const scene::Scene& scene, const scene::TruthMaterials& truth, int channels);
+  BlendColumns(const scene::Scene& scene, const scene::TruthMaterials& truth, int channels, bool all = false);
 
   int first_column() const { return channels_; }
   int count() const { return static_cast<int>(materials_.size()); }
   bool mixes(std::uint32_t assignment) const { return count() > 0 && mixes_[assignment] != 0; }
 
-  /// Into the columns of one sample.
-  void write_shares(const geometry::SurfacePoint& hit, float* columns) const;
+  /// Into the columns of one sample; `all` of what may be seen beside other things, whatever covers it.
+  void write_shares(const geometry::SurfacePoint& hit, float* columns, bool all = false) const;
 
   /// Turns the columns of a tile into abundances, beside those of labels, and leaves the channels alone: whatever
   /// stands behind the columns goes. Where a

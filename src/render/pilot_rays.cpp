@@ -7,6 +7,7 @@
 #include <optional>
 #include <tuple>
 
+#include "geometry/motion/moving_world.h"
 #include "geometry/world.h"
 #include "render/image_renderer.h"
 #include "render/small_pieces.h"
@@ -239,6 +240,30 @@ void visit_small_objects(const geometry::World& world, const sensor::Camera& cam
   }
 }
 
+/// Calls `at` with places of what moves and when it is there, where the camera may see it then.
+template <class At>
+void visit_moving(const geometry::MovingWorld& world, const sensor::Camera& camera, const At& at) {
+  constexpr int kTimes = 64, kMostLooks = 12;
+  constexpr std::uint32_t kMostObjects = 1000;  // of one mover: where there are more, lattices meet it
+  const bool any_time = camera.exposure_s() > 0.0 || camera.row_period_s() > 0.0;
+  const double from_s = world.from_s(), to_s = world.to_s();
+  for (std::size_t m = 0; m < world.mover_count(); ++m)
+    for (std::uint32_t own = 0; own < std::min(world.objects_of(m), kMostObjects); ++own)
+      for (int k = 0; k < (to_s > from_s ? kTimes : 1); ++k) {
+        double time_s = from_s + (to_s - from_s) * (k + 0.5) / kTimes;
+        geometry::World::PlacedObject object = world.object_at(m, own, time_s);
+        sampling::FocalPoint point;
+        bool seen = camera.project(object.pilot_point_m, point);
+        // Of a scanner: the time at which it is in the line that is seen then.
+        for (int look = 0; seen && look < (any_time ? 1 : kMostLooks); ++look) {
+          time_s = camera.ray(point).time_s;
+          object = world.object_at(m, own, time_s);
+          seen = camera.project(object.pilot_point_m, point);
+        }
+        if (seen) at(object, time_s);
+      }
+}
+
 /// Calls `at` with points of the image of long thin faces that are strips, and where they are in the scene.
 template <class At>
 void visit_strips(const geometry::World& world, std::size_t materials, const sensor::Camera& camera,
@@ -305,6 +330,18 @@ PilotRays::PilotRays(const geometry::World& world, std::size_t materials, const 
   visit_strips(world, materials, camera, [&](sampling::FocalPoint point, math::Point3) {
     add_point(point, sampling::Field::kNoObject);
   });
+  if (world.moving() != nullptr)
+    visit_moving(*world.moving(), camera, [&](const geometry::World::PlacedObject& object, double time_s) {
+      add(object.pilot_point_m, sampling::Field::kNoObject);
+      for (const math::Vec3 towards : towards_sun) {
+        const math::Ray away{.origin_m = object.centre_m - (1.01 * object.radius_m) * towards,
+                             .direction = -1.0 * towards,
+                             .time_s = time_s};
+        geometry::SurfacePoint shaded;
+        world.intersect({&away, 1}, {&shaded, 1});
+        if (shaded.hit()) add(shaded.position_m, sampling::Field::kNoObject);
+      }
+    });
   // Objects that are small as a whole have a ray of their own.
   std::uint32_t last = sampling::Field::kNoObject;
   bool larger = false;

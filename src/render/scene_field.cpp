@@ -6,6 +6,7 @@
 
 #include "geometry/world.h"
 #include "materials/bsdf/bsdf.h"
+#include "render/moving/moving_cover.h"
 #include "render/polarized/scene_light.h"
 #include "sensor/camera.h"
 #include "transport/mirror_light.h"
@@ -23,9 +24,11 @@ SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Came
       tracer_(std::make_unique<transport::PathTracer>(scene, transport)),
       light_(std::make_unique<SceneLight>(scene, camera, told)),
       truth_(scene::truth_materials(scene.scene())),
-      blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count())),
+      blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count()),
+              MovingCover::find(scene.scene(), camera) != nullptr),
       unseen_(scene, blends_.first_column() + blends_.count()),
       through_(scene),
+      moving_(MovingCover::find(scene.scene(), camera)),
       mirror_light_(
           detail == LabelDetail::sun_state
               ? transport::MirrorLight::find(scene, tracer_->sun_images(), transport.mirror_reflections)
@@ -55,7 +58,15 @@ void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<
   camera_.rays(points, rays_);
   scene_.scene().world->intersect(rays_, hits_);
   counts_.primary += points.size();
-  label_hits(hits_, detail_, labels);
+  find_covered(points);
+  label_hits(points, hits_, detail_, labels);
+}
+
+void SceneField::find_covered(std::span<const sampling::FocalPoint> points) {
+  if (moving_ == nullptr) return;
+  covered_.resize(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k)
+    covered_[k] = moving_->covers(points[k], rays_[k], hits_[k]);
 }
 
 std::uint32_t SceneField::object_of(sampling::Label label) const {
@@ -93,13 +104,58 @@ void SceneField::values_and_materials(std::span<const sampling::PathRequest> req
 
 void SceneField::values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
                         std::span<float> values, LabelDetail detail) {
+  if (moving_ != nullptr) return moving_values(requests, labels, values, detail);
   if (shared_ != nullptr) return shared_->values(*this, requests, labels, values);
   const std::size_t row_length = static_cast<std::size_t>(stride());
   for (std::size_t first = 0; first < requests.size(); first += kMostTraced) {
     const std::size_t count = std::min(kMostTraced, requests.size() - first);
     const transport::PathRecord& paths = trace_paths(requests.subspan(first, count));
     for (std::size_t k = 0; k < count; ++k) write(*this, paths, k, values.data() + (first + k) * row_length);
-    label_hits(hits_, detail, labels.subspan(first, count));
+    label_hits(points_, hits_, detail, labels.subspan(first, count));
+  }
+}
+
+void SceneField::moving_values(std::span<const sampling::PathRequest> requests,
+                               std::span<sampling::Label> labels, std::span<float> values,
+                               LabelDetail detail) {
+  constexpr std::size_t kTogether = kMostTraced / 2;
+  const std::size_t row_length = static_cast<std::size_t>(stride());
+  std::vector<sampling::PathRequest> asked;
+  std::vector<float> shares(kTogether), row(row_length);
+  std::vector<sampling::Label> met;
+  for (std::size_t first = 0; first < requests.size(); first += kTogether) {
+    const std::span<const sampling::PathRequest> group =
+        requests.subspan(first, std::min(kTogether, requests.size() - first));
+    points_.resize(group.size()), rays_.resize(group.size()), hits_.resize(group.size());
+    for (std::size_t k = 0; k < group.size(); ++k) points_[k] = group[k].point;
+    camera_.rays(points_, rays_);
+    moving_->meet_still(rays_, hits_);
+    counts_.primary += group.size();
+    asked.clear();
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      const MovingCover::Times times = moving_->times(group[k], rays_[k], hits_[k]);
+      shares[k] = static_cast<float>(times.share);
+      for (const bool meeting : {true, false}) {
+        if (shares[k] == (meeting ? 0.0f : 1.0f)) continue;
+        asked.push_back(group[k]);
+        asked.back().point.time_s += meeting ? times.met_s : times.else_s;
+      }
+    }
+    const transport::PathRecord& paths = trace_paths(asked);
+    for (std::size_t k = 0, j = 0; k < group.size(); ++k) {
+      float* const value = values.data() + (first + k) * row_length;
+      write(*this, paths, j++, value);
+      if (shares[k] == 0.0f || shares[k] == 1.0f) continue;
+      write(*this, paths, j++, row.data());
+      for (std::size_t c = 0; c < row_length; ++c)
+        value[c] = shares[k] * value[c] + (1.0f - shares[k]) * row[c];
+    }
+    met.resize(asked.size());
+    label_hits(points_, hits_, detail, met);
+    for (std::size_t k = 0, j = 0; k < group.size(); ++k) {
+      labels[first + k] = met[j];
+      j += shares[k] == 0.0f || shares[k] == 1.0f ? 1 : 2;
+    }
   }
 }
 
@@ -114,23 +170,29 @@ const transport::PathRecord& SceneField::trace_paths(std::span<const sampling::P
     keys_[k] = {requests[k].sequence, requests[k].index};
   }
   camera_.rays(points_, rays_);
-  return tracer_->trace(rays_, keys_, hits_, counts_);
+  const transport::PathRecord& paths = tracer_->trace(rays_, keys_, hits_, counts_);
+  find_covered(points_);
+  return paths;
 }
 
 const transport::PathRecord& SceneField::trace(std::span<const sampling::PathRequest> requests,
                                                std::span<sampling::Label> labels) {
   const transport::PathRecord& paths = trace_paths(requests);
-  label_hits(hits_, detail_, labels);
+  label_hits(points_, hits_, detail_, labels);
   return paths;
 }
 
 void SceneField::write(const SceneField& by, const transport::PathRecord& paths, std::size_t k, float* row) {
   light_->write(paths, k, by.points_[k], by.rays_[k], row);
-  if (blends_.count() > 0) blends_.write_shares(by.hits_[k], row);
+  if (by.moving_ != nullptr && by.covered_[k] != 0)
+    blends_.write_shares(by.hits_[k], row, true);
+  else if (blends_.count() > 0)
+    blends_.write_shares(by.hits_[k], row);
   unseen_.write(paths.paths[k], row);
 }
 
-void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelDetail detail,
+void SceneField::label_hits(std::span<const sampling::FocalPoint> points,
+                            std::span<const geometry::SurfacePoint> hits, LabelDetail detail,
                             std::span<sampling::Label> labels) {
   const scene::Scene& scene = scene_.scene();
   sun_rays_.clear();
@@ -145,6 +207,12 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
   }
   for (std::size_t k = 0; k < hits.size(); ++k) {
     const geometry::SurfacePoint& hit = hits[k];
+    if (moving_ != nullptr && covered_[k] != 0) {
+      // No material of its own, and uneven as penumbras are.
+      labels[k] =
+          SurfaceLabel{SurfaceLabel::kMoving, 0, SurfaceLabel::kBlend, true, SunState::penumbra}.pack();
+      continue;
+    }
     SurfaceLabel label;
     label.material = SurfaceLabel::kSky;
     if (hit.hit()) {
@@ -172,6 +240,12 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
                                                     : SunState::lit;
           if (mirror_light_ != nullptr)
             mirror_light_->ask(static_cast<std::uint32_t>(k), rays_[k], lit, (lit.front ? normal : -normal));
+          // Its shadow moves along, as a penumbra without a place.
+          if (moving_ != nullptr && above > 0 &&
+              moving_->shades(points[k], rays_[k],
+                              rays_[k].onward(lit.position_m + lit.offset_m * outward, scene.sun->direction),
+                              scene.sun->half_angle_rad))
+            label.sun = SunState::penumbra;
           if (label.sun == SunState::lit) {
             owner_.push_back(static_cast<std::uint32_t>(k));
             for (const math::Vec3& direction : disc_points_)
@@ -180,6 +254,8 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
         }
       }
     }
+    // What is behind panes and in mirrors is not looked for one by one.
+    if (moving_ != nullptr && through_.any() && passed_[k] != 0) label.sun = SunState::penumbra;
     labels[k] = label.pack();
     if (through_.any() && passed_[k] != 0)
       labels[k] = SurfaceLabel::with_mirrored(labels[k], passed_[k] >> 20,

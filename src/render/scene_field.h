@@ -29,6 +29,7 @@ struct TransportOptions;
 namespace ifov::render {
 
 class MapDetail;
+class MovingCover;
 class SceneLight;
 class SurfaceMaps;
 
@@ -95,8 +96,12 @@ class SceneField final : public sampling::Field {
   bool shows_sunlight(const scene::ResolvedSurface& surface, bool& transmits) const;
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
               std::span<float> values, LabelDetail detail);
-  void label_hits(std::span<const geometry::SurfacePoint> hits, LabelDetail detail,
-                  std::span<sampling::Label> labels);
+  void moving_values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
+                     std::span<float> values, LabelDetail detail);
+  /// Where what moves may cover the points (covered_), whose rays and hits are known.
+  void find_covered(std::span<const sampling::FocalPoint> points);
+  void label_hits(std::span<const sampling::FocalPoint> points, std::span<const geometry::SurfacePoint> hits,
+                  LabelDetail detail, std::span<sampling::Label> labels);
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
@@ -109,6 +114,7 @@ class SceneField final : public sampling::Field {
   UnseenLight unseen_;
   std::shared_ptr<const SurfaceMaps> maps_;  // once asked for
   SeenThrough through_;
+  const std::unique_ptr<MovingCover> moving_;             // null: all is alike while a point is exposed
   std::unique_ptr<transport::MirrorLight> mirror_light_;  // null where mirrors throw none
   struct Sunlight {
     bool shows, passes;  ///< whether it is seen where it falls on a material, and from behind
@@ -121,6 +127,7 @@ class SceneField final : public sampling::Field {
   std::vector<math::Ray> rays_, sun_rays_;
   std::vector<transport::PathKey> keys_;
   std::vector<geometry::SurfacePoint> hits_, seen_;
+  std::vector<std::uint8_t> covered_;  // by hit, where moving_ is
   std::vector<std::uint64_t> passed_;  // by hit: what it is seen through
   std::vector<std::uint8_t> blocked_;
   std::vector<std::uint32_t> owner_;  // of each group of sun rays: index of its hit

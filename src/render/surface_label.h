@@ -19,6 +19,7 @@ struct SurfaceLabel {
   SunState sun = SunState::none;
 
   static constexpr std::uint32_t kSunOfSky = 1;  ///< "patch" of the sky where the Sun's disc stands
+  static constexpr std::uint32_t kMoving = (1u << 25) - 1;  ///< "instance" of what may move
   static constexpr std::uint32_t kMaximumMaterials = (1u << 15) - 3;
   static constexpr std::uint32_t kBlend =
       (1u << 15) - 2;  ///< "material" of surface assignments that mix materials

@@ -18,6 +18,11 @@ FrameCamera::FrameCamera(const Settings& settings) : settings_(settings) {
   if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
     throw InputError("the frame camera's position is not finite");
 
+  if (!(settings.exposure_s >= 0.0) || !(settings.row_period_s >= 0.0) ||
+      !std::isfinite(settings.exposure_s) || !std::isfinite(settings.row_period_s))
+    throw InputError(format("an exposure of {} s and rows {} s apart; expected 0 s or more",
+                            settings.exposure_s, settings.row_period_s));
+
   const double step = settings.pitch_m / settings.focal_length_m;
   right_step_ = settings.axes.right * step;
   down_step_ = settings.axes.down * step;
@@ -30,7 +35,7 @@ void FrameCamera::rays(std::span<const sampling::FocalPoint> points, std::span<m
     rays[i] = {
         .origin_m = settings_.position_m,
         .direction = math::normalized(first_ + right_step_ * points[i].x_px + down_step_ * points[i].y_px),
-        .time_s = points[i].time_s};
+        .time_s = points[i].time_s + row_time_s(points[i].y_px)};
 }
 
 bool FrameCamera::project(math::Point3 position_m, sampling::FocalPoint& point) const {

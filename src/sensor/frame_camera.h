@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "sensor/camera.h"
 #include "sensor/camera_axes.h"
 
@@ -16,6 +18,8 @@ class FrameCamera final : public Camera {
     double pitch_m = 0.0;     ///< distance between the centres of neighbouring detector elements
     math::Point3 position_m;  ///< perspective centre, scene frame
     CameraAxes axes;
+    double exposure_s = 0.0;    ///< of each row
+    double row_period_s = 0.0;  ///< from row to row, of a rolling shutter: the middle of the image at 0 s
   };
 
   /// ifov::InputError on sizes, pitch or focal length that are not positive, or values that are not finite.
@@ -28,14 +32,24 @@ class FrameCamera final : public Camera {
   /// Depth along the optical axis times pitch over focal length: the pixel's side on a plane parallel to the
   /// image.
   double gsd_m(math::Point3 position_m) const override;
-  CameraPose pose(double) const override {
-    return {settings_.axes, settings_.position_m, settings_.focal_length_m, settings_.pitch_m, 0.0};
+  CameraPose pose(double line_px) const override {
+    return {settings_.axes, settings_.position_m, settings_.focal_length_m, settings_.pitch_m,
+            row_time_s(line_px)};
   }
   std::optional<GroundGrid> ground_grid() const override { return std::nullopt; }
+
+  double exposure_s() const override { return settings_.exposure_s; }
+  double row_period_s() const override { return settings_.row_period_s; }
 
   const Settings& settings() const { return settings_; }
 
  private:
+  /// The middle of the exposure of the row that holds a y.
+  double row_time_s(double y_px) const {
+    return settings_.row_period_s == 0.0
+               ? 0.0
+               : (std::floor(y_px) + 0.5 - 0.5 * settings_.height_px) * settings_.row_period_s;
+  }
   Settings settings_;
   math::Vec3 right_step_, down_step_;  // per pixel, at unit depth
   math::Vec3 first_;                   // direction of image point (0, 0), at unit depth

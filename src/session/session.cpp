@@ -96,8 +96,9 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
                   version(), log);
   phase("scene");
   const auto assemble = [&](LogSink* to) {
-    AssembledScene made = assemble_scene(document.sources, document.scene, document.light.lamps,
-                                         document.time, document.seed, to, cache ? &*cache : nullptr);
+    AssembledScene made =
+        assemble_scene(document.sources, document.scene, document.light.lamps, document.time,
+                       document.sensor.camera, document.seed, to, cache ? &*cache : nullptr);
     if (cache) shared.known_files = cache->known_files();
     return made;
   };

@@ -121,6 +121,7 @@ struct ObjectDocument {
   TransformDocument transform;
   std::optional<bool> pilot_ray;  ///< sent at it where it is smaller than a pixel; absent: by its shape
   std::shared_ptr<const PresenceDocument> present;  ///< null: always; never of what a prototype consists of
+  std::shared_ptr<const struct PlatformDocument> motion;  ///< of what carries it; null: it stands still
   SourcePosition position;
   SourcePosition shape_position;
 };

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 
+#include "geometry/world.h"
 #include "render/image_renderer.h"
 #include "render/picture.h"
 #include "render/scene_field.h"
@@ -30,6 +31,8 @@ std::string cannot_share_paths(std::span<const RenderJob* const> by_time) {
   if (first.image_wide) return "the accuracy is that of the image as a whole";
   if (first.polarimetry != nullptr || first.parts) return "more than radiance is told";
   if (!first.scene.scene().mirror_assignments().empty()) return "there are mirrors or panes";
+  if (const auto& world = first.scene.scene().world; world != nullptr && world->moving() != nullptr)
+    return "something moves";
   for (const RenderJob* job : by_time) {
     if (job->scene.scene().sun) return "the Sun lights the image";
     if (job->scene.scene().world != first.scene.scene().world) return "the scene is not the same";

@@ -12,6 +12,7 @@
 #include "render/tolerance/channel_brightness.h"
 #include "sensor/camera.h"
 #include "session/loaded/parts.h"
+#include "session/plausibility/motion_lines.h"
 
 namespace ifov::session {
 namespace {
@@ -131,6 +132,7 @@ std::vector<std::string> location_lines(const Parts& parts, const SceneSurvey& s
   lines.push_back(line("camera:", camera_line(parts)));
   lines.push_back(line("sees:", sees_line(parts, survey)));
   lines.push_back(line("in view:", in_view_line(survey)));
+  for (std::string& moving : motion_lines(parts)) lines.push_back(std::move(moving));
   lines.push_back(line(parts.scene.sun && parts.scene.sun->is_moon ? "Moon:" : "Sun:", sun_line(parts)));
   lines.push_back(line("on ground:", by_channel(parts, [&](std::size_t c) {
                                        const auto light = [](double irradiance) {

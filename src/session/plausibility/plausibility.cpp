@@ -11,6 +11,7 @@
 #include "session/loaded/parts.h"
 #include "session/plausibility/light_warnings.h"
 #include "session/plausibility/location_lines.h"
+#include "session/plausibility/motion_lines.h"
 #include "session/plausibility/plausibility_warnings.h"
 #include "transport/emitters.h"
 #include "transport/mirrors/emitter_mirrors.h"
@@ -71,6 +72,7 @@ void check_plausibility(Parts& parts, LogSink& log) {
   require_light(parts, survey);
   warn_of_locations(parts, survey, log);
   warn_of_standing(parts, log);
+  warn_of_motion(parts, log);
   warn_of_values(parts, survey, log);
   warn_of_colours(parts, log);
 }

@@ -121,8 +121,9 @@ std::unique_ptr<const SceneModel> SceneModel::load(const std::string& file,
       const io::Document& document = *inside->document;
       // What another call has kept is used; nothing is kept here.
       io::SceneCache cache(std::filesystem::path(file).replace_extension(".ifovcache"), version(), nullptr);
-      inside->assembled = assemble_scene(document.sources, document.scene, document.light.lamps,
-                                         document.time, document.seed, nullptr, &cache, progress);
+      inside->assembled =
+          assemble_scene(document.sources, document.scene, document.light.lamps, document.time,
+                         document.sensor.camera, document.seed, nullptr, &cache, progress);
       break;
     } catch (const InputError& error) {
       stop_if_cancelled();

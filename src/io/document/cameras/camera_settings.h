@@ -60,6 +60,12 @@ class CameraSettings {
   /// InputError where a platform is missing, lacks what it needs, or would carry a camera that stands still.
   virtual std::shared_ptr<const CameraSettings> carried_by(std::shared_ptr<const PlatformFlight> by) const;
 
+  /// When light falls on its image, seconds after the document's instant.
+  struct Exposed {
+    double from_s = 0.0, to_s = 0.0;
+  };
+  virtual Exposed exposed() const { return {}; }
+
   /// Lines of the image that one sweep of a scanner makes; 0: the image is no scanner's.
   virtual int sweep_lines() const { return 0; }
 

@@ -75,6 +75,16 @@ SchemaType<std::shared_ptr<const CameraSettings>> frame_type() {
       .optional("up", &FrameEntry::up, direction(),
                 "direction that is up in the image; +z if not given, or north where the camera looks along z")
       .needs("up", "look_at")
+      .with_default(
+          "exposure", path(&FrameEntry::camera, &FrameCamera::exposure_s),
+          quantity(kDuration, Range::at_least(0.0, "s")), "\"0 s\"",
+          "for which a row is exposed; what moves in the scene is blurred by its way in that time. The document's `time` is in its "
+          "middle")
+      .with_default(
+          "row_period", path(&FrameEntry::camera, &FrameCamera::row_period_s),
+          quantity(kDuration, Range::at_least(0.0, "s")), "\"0 s\"",
+          "of a rolling shutter: by how much later each row is exposed than that above it, the middle of the image at the "
+          "document's `time`; 0 s: all rows at once")
       .check([](const FrameEntry& entry, const DocumentNode& node) {
         const auto* look_at = std::get_if<LookAt>(&entry.camera.orientation);
         if (look_at != nullptr && look_at->target_m == entry.camera.position_m) {
@@ -105,8 +115,14 @@ std::unique_ptr<sensor::Camera> FrameCamera::build(const CameraSite& site) const
   settings.focal_length_m = focal_length_m;
   settings.pitch_m = pitch_m;
   settings.position_m = position_m - site.offset_m;
+  settings.exposure_s = exposure_s, settings.row_period_s = row_period_s;
   settings.axes = std::visit(Axes{settings.position_m, site.offset_m}, orientation);
   return std::make_unique<sensor::FrameCamera>(settings);
+}
+
+CameraSettings::Exposed FrameCamera::exposed() const {
+  const double half_s = 0.5 * (exposure_s + (size.height_px - 1) * row_period_s);
+  return {-half_s, half_s};
 }
 
 std::string FrameCamera::description(math::Vec3 shift_m, std::string_view axes) const {
@@ -123,6 +139,8 @@ std::shared_ptr<const CameraSettings> FrameCamera::shrunk(int longest_px) const 
   const double factor = size.times(longest_px);
   camera->size = size.divided(factor);
   camera->pitch_m *= factor;
+  // The same time for all rows.
+  camera->row_period_s *= static_cast<double>(size.height_px) / camera->size.height_px;
   return camera;
 }
 

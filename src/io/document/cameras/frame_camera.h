@@ -25,11 +25,15 @@ struct FrameCamera final : CameraSettings {
   /// An attitude is that of the aircraft that the camera hangs below (sensor::axes_from_attitude).
   std::variant<LookAt, geodesy::Attitude> orientation;
 
+  double exposure_s = 0.0;    ///< of each row
+  double row_period_s = 0.0;  ///< from row to row, of a rolling shutter; 0: all rows at once
+
   std::unique_ptr<sensor::Camera> build(const CameraSite& site) const override;
   std::string description(math::Vec3 shift_m, std::string_view axes) const override;
   std::shared_ptr<const CameraSettings> shrunk(int longest_px) const override;
   std::shared_ptr<const CameraSettings> seen_from(double zenith_rad, double azimuth_rad) const override;
   std::optional<Optics> optics() const override { return Optics{focal_length_m, pitch_m}; }
+  Exposed exposed() const override;
 };
 
 }  // namespace ifov::io

@@ -15,6 +15,7 @@
 #include "io/document/file_materials_document.h"
 #include "io/document/presence_document.h"
 #include "io/document/pupil_document.h"
+#include "io/document/reading/check_motions.h"
 #include "io/document/samplers/accuracy_sampling.h"
 #include "io/document/samplers/sampler_settings.h"
 #include "io/quantities/quantity.h"
@@ -59,6 +60,10 @@ class ReferenceCheck {
           throw document_error(
               document_.sources, object.present->position,
               "a part of a prototype cannot have times of its own; give 'present' to the copies");
+        if (object.motion)
+          throw document_error(
+              document_.sources, object.motion->position,
+              "a part of a prototype cannot move by itself: it is rigid; give 'motion' to the copies");
         if (std::holds_alternative<RandomPlacement>(object.shape))
           throw document_error(document_.sources, object.shape_position,
                                "a prototype cannot hold a random placement");
@@ -338,6 +343,9 @@ class ReferenceCheck {
 
 }  // namespace
 
-void check_references(const Document& document) { ReferenceCheck(document).run(); }
+void check_references(const Document& document) {
+  ReferenceCheck(document).run();
+  check_motions(document);
+}
 
 }  // namespace ifov::io

@@ -106,7 +106,14 @@ void add_keys_of_all(Record<ObjectDocument>& record) {
 }
 
 void add_common_keys(Record<ObjectDocument>& record) {
-  record.optional("transform", &ObjectDocument::transform, transform_type(), "where the shape goes");
+  record.optional("transform", &ObjectDocument::transform, transform_type(), "where the shape goes")
+      .optional("motion",
+                via([](ObjectDocument& object,
+                       std::shared_ptr<const PlatformDocument> motion) { object.motion = std::move(motion); },
+                    [](const ObjectDocument& object) {
+                      return object.motion ? std::optional(object.motion) : std::nullopt;
+                    }),
+                motion_type(), "the path that it moves along; without it, it stands still");
   add_keys_of_all(record);
 }
 

@@ -56,6 +56,26 @@ SchemaType<OrbitPath> orbit_type() {
 
 }  // namespace
 
+SchemaType<std::shared_ptr<const PlatformDocument>> motion_type() {
+  Record<PlatformDocument> record(
+      "motion",
+      "Where something that moves is, and how it stands, over time. It is carried: its `transform` is told in axes to the right, ahead and "
+      "up of what follows the path, so that it looks as in its file or table while it heads north.");
+  record.exactly_one()
+      .one("straight", &PlatformDocument::path, straight_type(), "the same velocity at all times")
+      .one("way_points", &PlatformDocument::path, way_points_type(), "a curve through points")
+      .one("table", &PlatformDocument::path, path_table_type(), "a curve through the points of a file")
+      .optional("attitude", &PlatformDocument::attitude, platform_attitude_type(),
+                "how it stands; if not given what the table says, or level, ahead along the track");
+  return located<std::shared_ptr<const PlatformDocument>>(
+      record.type(),
+      [](PlatformDocument motion, const DocumentNode& node) {
+        motion.position = node.key_position();
+        return std::make_shared<const PlatformDocument>(std::move(motion));
+      },
+      [](const std::shared_ptr<const PlatformDocument>& motion) { return *motion; });
+}
+
 SchemaType<PlatformDocument> platform_type() {
   Record<PlatformDocument> record(
       "platform", "What carries a camera that scans: where it is and how it stands over time.");

@@ -68,6 +68,7 @@ SchemaType<atmosphere::GasRequests> gases_type();
 SchemaType<ImportedDocument> imported_type();
 SchemaType<WeatherDocument> weather_type();
 SchemaType<PlatformDocument> platform_type();
+SchemaType<std::shared_ptr<const PlatformDocument>> motion_type();  ///< of something in the scene
 SchemaType<CameraDocument> camera_type();
 SchemaType<std::vector<ChannelDocument>> channels_type();
 SchemaType<std::vector<ChannelDocument>> preset_type();  ///< of an instrument, by its name

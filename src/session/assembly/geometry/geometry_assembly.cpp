@@ -19,6 +19,7 @@
 #include "io/scene_cache/scene_cache.h"
 #include "session/assembly/geometry/city_assembly.h"
 #include "session/assembly/geometry/mesh_cache.h"
+#include "session/assembly/geometry/motion_assembly.h"
 #include "session/assembly/geometry/presence_assembly.h"
 #include "session/assembly/geometry/random_placement_assembly.h"
 #include "session/assembly/geometry/shape_assembly.h"
@@ -62,41 +63,43 @@ class SlotList {
 
 class GeometryAssembly {
  public:
-  GeometryAssembly(const io::DocumentSources& sources, std::span<const io::ObjectDocument> objects,
-                   std::span<const io::PrototypeDocument> prototypes, AssignmentAssembly& assignments,
-                   const MapFrame& frame, const std::optional<geodesy::UtcTime>& time, LogSink* log,
-                   io::SceneCache* cache)
-      : sources_(sources),
-        objects_(objects),
-        prototype_documents_(prototypes),
+  GeometryAssembly(const GeometrySubject& of, AssignmentAssembly& assignments, const MapFrame& frame,
+                   LogSink* log, io::SceneCache* cache)
+      : of_(of),
+        sources_(of.sources),
+        objects_(of.objects),
+        prototype_documents_(of.prototypes),
         assignments_(assignments),
         frame_(frame),
-        time_(time),
+        time_(of.time),
         log_(log),
         cache_(cache),
-        shapes_(sources, frame, builder_, cache, log, assignments.any_medium()) {}
+        shapes_(of.sources, frame, builder_, cache, log, assignments.any_medium()) {}
 
   std::unique_ptr<geometry::World> assemble(std::span<const PlacedLamp> lamps, PlacedObjects& placed,
                                             ProgressSink* progress) {
     for (const io::ObjectDocument& object : objects_) {
       stop_if_cancelled();
       tell(progress, static_cast<std::size_t>(&object - objects_.data()));
-      placed.begin(builder_.object_count());
-      place_in_its_time(object, true);
+      placed.begin(builder_.object_count() + moving_.count());
+      object.motion ? place_moving(object) : place_in_its_time(object, true);
     }
-    placed.end(builder_.object_count());
+    placed.end(builder_.object_count() + moving_.count());
     place_lamps(lamps);
     tell(progress, objects_.size());
     geometry::BuildOptions options;
     options.surveyed = assignments_.mirrors();
     options.lobes = assignments_.lobes();
     options.cut_outs = assignments_.cut_outs();
-    return builder_.build(options);
+    std::unique_ptr<geometry::World> still = builder_.build(options);
+    if (moving_.count() > 0) refuse_mirrors(*still);
+    return moving_.about(std::move(still), of_);
   }
 
   /// What is there at other times alone; null: nothing is.
   std::unique_ptr<geometry::World> assemble_departed() {
-    for (const io::ObjectDocument& object : objects_) place_in_its_time(object, false);
+    for (const io::ObjectDocument& object : objects_)
+      if (!object.motion) place_in_its_time(object, false);
     if (builder_.object_count() == 0) return nullptr;
     geometry::BuildOptions options;
     options.cut_outs = assignments_.cut_outs();
@@ -122,6 +125,31 @@ class GeometryAssembly {
     const math::Transform scene_from_document = math::Transform::translation(-frame_.document_offset_m());
     with_position(sources_, object.position, [&] { place(object, scene_from_document); });
     builder_.set_presence(nullptr);
+  }
+
+  /// A world of its own, about what carries it.
+  void place_moving(const io::ObjectDocument& object) {
+    auto motion = assemble_motion(of_, object, frame_.document_offset_m());
+    GeometryAssembly alone(of_, assignments_, frame_, log_, cache_);
+    with_position(sources_, object.position, [&] {
+      alone.place(object, math::Transform());
+      if (alone.builder_.object_count() == 0) return;
+      auto body = alone.builder_.build();
+      std::vector<bool> covers;
+      for (const double area : body->surface_areas_m2(assignments_.count())) covers.push_back(area > 0.0);
+      assignments_.refuse_moving(covers);
+      first_moving_ = first_moving_ != nullptr ? first_moving_ : &object;
+      moving_.add(std::move(body), std::move(motion), builder_.object_count());
+    });
+  }
+
+  /// What mirrors show, and throw of light, is sought among what stands still.
+  void refuse_mirrors(const geometry::World& still) const {
+    if (still.survey() == nullptr && still.lobe_survey() == nullptr) return;
+    refuse_motion(
+        of_, *first_moving_,
+        "nothing can move yet in a scene with smooth or glossy surfaces (mirrors, panes, narrow lobes): what these throw of "
+        "light is sought among what stands still; expected rough surfaces");
   }
 
   void place(const io::ObjectDocument& object, const math::Transform& scene_from_document) {
@@ -202,8 +230,7 @@ class GeometryAssembly {
   const geometry::World& ground(const std::string& name, const math::Transform& scene_from_document) {
     std::unique_ptr<geometry::World>& world = grounds_[name];
     if (world) return *world;
-    GeometryAssembly alone(sources_, objects_, prototype_documents_, assignments_, frame_, time_, nullptr,
-                           cache_);
+    GeometryAssembly alone(of_, assignments_, frame_, nullptr, cache_);
     const auto wanted = [&](const io::ObjectDocument& object) {
       return object.name == name && static_cast<bool>(object.material);
     };
@@ -211,7 +238,9 @@ class GeometryAssembly {
         std::any_of(objects_.begin(), objects_.end(),
                     [&](const io::ObjectDocument& object) { return wanted(object) && is_there_now(object); });
     for (const io::ObjectDocument& object : objects_)
-      if (wanted(object) && (!some_now || is_there_now(object)))
+      if (wanted(object) && object.motion)
+        refuse_motion(of_, object, "copies are placed at random on it, and they would not move along");
+      else if (wanted(object) && (!some_now || is_there_now(object)))
         with_position(sources_, object.position, [&] { alone.place(object, scene_from_document); });
     world = alone.builder_.build();
     return *world;
@@ -298,6 +327,7 @@ class GeometryAssembly {
     return transform * math::Transform::scaling(source.scale);
   }
 
+  const GeometrySubject& of_;
   const io::DocumentSources& sources_;
   std::span<const io::ObjectDocument> objects_;
   std::span<const io::PrototypeDocument> prototype_documents_;
@@ -306,6 +336,8 @@ class GeometryAssembly {
   const std::optional<geodesy::UtcTime>& time_;
   LogSink* log_;
   io::SceneCache* cache_;
+  MovingObjects moving_;
+  const io::ObjectDocument* first_moving_ = nullptr;
   geometry::WorldBuilder builder_;
   ShapeAssembly shapes_;
   std::map<std::string, BuiltPrototype> prototypes_;
@@ -318,15 +350,13 @@ std::unique_ptr<geometry::World> assemble_geometry(const GeometrySubject& of, As
                                                    std::span<const PlacedLamp> lamps, const MapFrame& frame,
                                                    LogSink* log, io::SceneCache* cache, PlacedObjects& placed,
                                                    ProgressSink* progress) {
-  return GeometryAssembly(of.sources, of.objects, of.prototypes, assignments, frame, of.time, log, cache)
-      .assemble(lamps, placed, progress);
+  return GeometryAssembly(of, assignments, frame, log, cache).assemble(lamps, placed, progress);
 }
 
 std::unique_ptr<geometry::World> assemble_departed(const GeometrySubject& of, AssignmentAssembly& assignments,
                                                    const MapFrame& frame, LogSink* log,
                                                    io::SceneCache* cache) {
-  return GeometryAssembly(of.sources, of.objects, of.prototypes, assignments, frame, of.time, log, cache)
-      .assemble_departed();
+  return GeometryAssembly(of, assignments, frame, log, cache).assemble_departed();
 }
 
 }  // namespace ifov::session

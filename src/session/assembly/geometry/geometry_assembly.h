@@ -17,6 +17,7 @@ namespace ifov::io {
 struct DocumentSources;
 class SceneCache;
 struct ObjectDocument;
+struct OriginDocument;
 struct PrototypeDocument;
 }  // namespace ifov::io
 
@@ -32,6 +33,8 @@ struct GeometrySubject {
   std::span<const io::ObjectDocument> objects;
   std::span<const io::PrototypeDocument> prototypes;
   const std::optional<geodesy::UtcTime>& time;  ///< of the picture
+  const io::OriginDocument& origin;
+  double from_s = 0.0, to_s = 0.0;  ///< of the image's exposure: paths of what moves are to cover it
 };
 
 /// A document's objects that are there at its time, and the prototypes that they are copies of, and then the lamps, about the scene's origin;

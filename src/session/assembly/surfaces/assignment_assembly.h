@@ -56,6 +56,8 @@ class AssignmentAssembly {
   /// Of a surface of one state, without maps.
   std::uint32_t assignment(scene::SurfaceState surface);
 
+  std::size_t count() const;  ///< of surface assignments made so far
+
   /// By surface assignment made so far: whether any of its materials is a mirror; empty where none is.
   std::vector<bool> mirrors() const;
   std::vector<bool> lobes() const;
@@ -67,6 +69,9 @@ class AssignmentAssembly {
   /// Throws where a binding has a material with holes: for shapes that are not made of triangles, or (`by_place`) with holes by
   /// texture coordinates, for those that have none.
   void refuse_holes(const io::MaterialBinding& binding, bool by_place) const;
+
+  /// Throws where one of these surface assignments (by index) cannot cover what moves.
+  void refuse_moving(const std::vector<bool>& covers) const;
 
   /// How large the cells of the maps are that were made so far.
   const std::vector<MapScale>& map_scales() const { return textures_.map_scales(); }

@@ -4,6 +4,7 @@
 
 #include "geometry/periodic_world.h"
 #include "geometry/world.h"
+#include "io/document/cameras/camera_settings.h"
 #include "io/document/scene_document.h"
 #include "io/scene_cache/scene_cache.h"
 #include "session/assembly/geometry/geometry_assembly.h"
@@ -30,15 +31,19 @@ std::string scene_statement(const geometry::World& world) {
 
 AssembledScene assemble_scene(const io::DocumentSources& sources, const io::SceneDocument& written,
                               std::span<const io::LampDocument> lamps,
-                              const std::optional<geodesy::UtcTime>& time, std::uint64_t seed, LogSink* log,
-                              io::SceneCache* cache, ProgressSink* progress) {
+                              const std::optional<geodesy::UtcTime>& time, const io::CameraDocument& camera,
+                              std::uint64_t seed, LogSink* log, io::SceneCache* cache,
+                              ProgressSink* progress) {
   AssembledScene assembled;
   scene::Scene& scene = assembled.scene;
   const MapFrame frame(sources, written.origin);
   assembled.map_offset_m = frame.offset_m();
   AssignmentAssembly assignments(sources, written.materials, seed, frame, scene, log);
   const std::vector<PlacedLamp> placed = assemble_lamps(sources, lamps, frame, scene);
-  const GeometrySubject geometry{sources, written.objects, written.prototypes, time};
+  const io::CameraSettings::Exposed exposed =
+      camera.settings ? camera.settings->exposed() : io::CameraSettings::Exposed{};
+  const GeometrySubject geometry{sources,        written.objects, written.prototypes, time,
+                                 written.origin, exposed.from_s,  exposed.to_s};
   std::unique_ptr<geometry::World> world =
       assemble_geometry(geometry, assignments, placed, frame, log, cache, assembled.placed, progress);
   std::unique_ptr<geometry::World> departed;

@@ -1,0 +1,293 @@
+"""What moves, under frames that are exposed for a while, rolling shutters and scanners: edges where kinematics puts them, and intervals that hold
+what a grid of thousands of paths a pixel finds, each path at its own time.
+
+The full measure: test_moving_objects.py --full, of seven scenes and 12 seeds."""
+
+import json
+import math
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+try:
+    import numpy as np
+except ImportError:
+    np = None
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("IFOV_PROGRAM", str(ROOT / "build" / "ifov"))
+SCENES = ROOT / "benchmarks" / "honesty" / "scenes"
+KINDS = ("frame", "rolling", "scanned")
+FULL_SCENES = ("panel_boxes", "gable_roof", "wall_foot", "penumbra", "slab_gaps", "alley", "street_canyon")
+EXPOSURE_S, LINE_S, HEIGHT_M = 0.01, 0.01, 200.0
+# Cells of grids along a pixel's side; of one grid the error at an edge along its cells is half of one.
+GRIDS, FULL_GRIDS = (83, 97), (149, 171)
+
+
+def run(document, folder, *more):
+    (folder / "scene.json").write_text(json.dumps(document))
+    return subprocess.run([PROGRAM, "render", "scene.json", "-o", "out", "--no-state", *more], cwd=folder, capture_output=True, text=True, check=False)
+
+
+def radiance_of(document, folder, sampling, seed=1, *more):
+    errors = "accuracy" in sampling
+    document = {**document, "seed": seed, "sampling": sampling, "output": {"products": ["radiance", "half_width"] if errors else ["radiance"]}}
+    done = run(document, folder, *more)
+    if done.returncode not in (0, 5, 6):
+        raise RuntimeError(done.stderr)
+    read = lambda quantity: np.fromfile(folder / f"out/image_{quantity}.img", "f4").astype(float)
+    return (read("radiance"), read("half_width")) if errors else read("radiance")
+
+
+# ---- edges
+
+PIXELS, GSD_M, CAR_M, CAR_AT_M = 24, 0.3, (1.7, 2.3), (0.13, -0.21)
+FRAME = {"focal_length": "50 mm", "pitch": "50 um", "pixels": [PIXELS, PIXELS], "position": ["0 m", "0 m", "300 m"], "attitude": {}}
+
+
+def car(camera, velocity_m_s, platform=None):
+    """A hot plate on the cold ground, black both, so that a pixel is what it covers of it."""
+    at = lambda signs: [f"{sign * side / 2} m" for sign, side in zip(signs, CAR_M)]
+    document = {
+        "ifov": 1,
+        "scene": {"materials": {"road": {"reflectance": 0, "temperature": "290 K"}, "paint": {"reflectance": 0, "temperature": "450 K"}},
+                  "objects": [{"plane": {}, "material": "road"},
+                              {"name": "car", "box": {"low": at((-1, -1)) + ["0 m"], "high": at((1, 1)) + ["0.1 mm"]}, "material": "paint",
+                               "motion": {"straight": {"frame": "scene", "position": [f"{x} m" for x in CAR_AT_M] + ["0 m"],
+                                                       "velocity": [f"{v} m/s" for v in velocity_m_s] + ["0 m/s"]},
+                                          "attitude": {"from": "north"}}}]},
+        "light": {"sky": {"none": {}}},
+        "sensor": {"camera": camera, "channels": [{"name": "thermal", "gaussian": {"center": "10 um", "fwhm": "0.2 um"}}]},
+        "sampling": {"accuracy": {"error": "0.5 %"}}}
+    if platform:
+        document["platform"] = platform
+    return document
+
+
+def overlap(low, high, edges):
+    """Of the pixels between rising edges, the part of each."""
+    return np.clip(np.minimum(high, edges[1:]) - np.maximum(low, edges[:-1]), 0, None) / np.diff(edges)
+
+
+def covered_by_frame(velocity_m_s, exposure_s, row_period_s, instants=801):
+    edges = (np.arange(PIXELS + 1) - PIXELS / 2) * GSD_M
+    covered = np.zeros((PIXELS, PIXELS))
+    shares = (np.arange(instants) + 0.5) / instants - 0.5
+    for row in range(PIXELS):
+        for share in shares if exposure_s else [0.0]:
+            t = (row + 0.5 - PIXELS / 2) * row_period_s + share * exposure_s
+            x, y = CAR_AT_M[0] + velocity_m_s[0] * t, -(CAR_AT_M[1] + velocity_m_s[1] * t)
+            covered[row] += overlap(x - CAR_M[0] / 2, x + CAR_M[0] / 2, edges) * overlap(y - CAR_M[1] / 2, y + CAR_M[1] / 2, edges[row:row + 2])
+    return covered / (instants if exposure_s else 1)
+
+
+def covered_by_scanner(velocity_m_s, speed_m_s, instants=2001):
+    """Lines from south to north: the image's y grows to the north, its x to the left wing, which is west."""
+    edges = (np.arange(PIXELS + 1) - PIXELS / 2) * GSD_M
+    covered = np.zeros((PIXELS, PIXELS))
+    period_s = GSD_M / speed_m_s
+    for row in range(PIXELS):
+        for share in (np.arange(instants) + 0.5) / instants:
+            t = (row - PIXELS / 2 + share) * period_s
+            x, y = -(CAR_AT_M[0] + velocity_m_s[0] * t), CAR_AT_M[1] + velocity_m_s[1] * t
+            if abs(speed_m_s * t - y) <= CAR_M[1] / 2:
+                covered[row] += overlap(x - CAR_M[0] / 2, x + CAR_M[0] / 2, edges)
+    return covered / instants
+
+
+def furthest(camera, platform, velocity_m_s, covered, moves=True):
+    """How far a pixel's part of the car is from where it should be, and the sum along a row or column, that is where two edges are."""
+    with tempfile.TemporaryDirectory() as scratch:
+        document = car(camera, velocity_m_s if moves else (0, 0), platform)
+        radiance, _ = radiance_of(document, pathlib.Path(scratch), document["sampling"])
+    radiance = radiance.reshape(PIXELS, PIXELS)
+    part = (radiance - radiance.min()) / (radiance.max() - radiance.min())
+    return max(np.abs(part - covered).max(), np.abs((part - covered).sum(axis=0)).max(), np.abs((part - covered).sum(axis=1)).max())
+
+
+def frame(exposure_s=0.0, row_period_s=0.0):
+    return {"frame": {**FRAME, "exposure": f"{exposure_s} s", "row_period": f"{row_period_s} s"}}
+
+
+def scanner(speed_m_s):
+    """The middle of its image is at 0 s, straight above the middle."""
+    period_s = GSD_M / speed_m_s
+    return ({"pushbroom": {"pixels": [PIXELS, PIXELS], "focal_length": "50 mm", "pitch": "50 um", "line_period": f"{period_s!r} s",
+                           "start": f"{-PIXELS / 2 * period_s!r} s"}},
+            {"straight": {"frame": "scene", "position": ["0 m", "0 m", "300 m"], "velocity": ["0 m/s", f"{speed_m_s} m/s", "0 m/s"]}})
+
+
+# ---- coverage
+
+# By scene: where something of two pixels by three is at 0 s, and where it moves to, in pixels from the middle, and how high, in metres.
+WAY = {"gable_roof": ((-1, -1), (0.8, 0.5), 6.2), "wall_foot": ((1, 1), (1, -0.2), 0.2), "alley": ((0, 1), (0.9, 0.4), 5.3), "street_canyon": ((-2, 0), (0.1, 1), 0.3)}
+
+
+def moving(name, kind, moves=True):
+    scene = json.loads(re.sub(r"^\s*//.*$", "", (SCENES / f"{name}.json").read_text(), flags=re.MULTILINE))
+    above = scene["sensor"]["camera"]["orthographic"]
+    gsd_m, (width, lines) = float(above["gsd"].split()[0]), above["pixels"]
+    middle_m = [float(c.split()[0]) for c in above["center"]]
+    where, ahead, height_m = WAY.get(name, ((0, 1), (0.9, 0.4), 0.4 * gsd_m))
+    speed_m_s = 3.0 * gsd_m / EXPOSURE_S if moves else 0.0
+    position = [f"{m + gsd_m * w} m" for m, w in zip(middle_m, where)] + [f"{height_m} m"]
+    velocity = [f"{speed_m_s * a / math.hypot(*ahead)} m/s" for a in ahead] + ["0 m/s"]
+    heading_deg = math.degrees(math.atan2(*ahead))
+    scene["scene"]["materials"]["vehicle"] = {"reflectance": 0.75, "temperature": "310 K"}
+    scene["scene"]["objects"].append({
+        "name": "vehicle", "box": {"low": [f"{-1.0 * gsd_m} m", f"{-1.5 * gsd_m} m", "0 m"], "high": [f"{1.0 * gsd_m} m", f"{1.5 * gsd_m} m", f"{gsd_m} m"]},
+        "material": "vehicle", "motion": {"straight": {"frame": "scene", "position": position, "velocity": velocity},
+                                          "attitude": {"from": "north", "yaw": f"{heading_deg} deg"}}})
+    step = gsd_m / HEIGHT_M
+    if kind == "scanned":
+        scene["sensor"]["camera"] = {"pushbroom": {"pixels": [width, lines], "field_of_view": f"{2e3 * math.atan(0.5 * width * step)} mrad",
+                                                   "line_period": f"{LINE_S} s", "start": f"{-lines / 2 * LINE_S} s"}}
+        scene["platform"] = {"straight": {"frame": "scene", "position": [f"{m} m" for m in middle_m] + [f"{HEIGHT_M} m"],
+                                          "velocity": ["0 m/s", f"{gsd_m / LINE_S} m/s", "0 m/s"]}}
+    else:
+        scene["sensor"]["camera"] = {"frame": {
+            "focal_length": "100 mm", "pitch": f"{100 * step} mm", "pixels": [width, lines], "position": [f"{m} m" for m in middle_m] + [f"{HEIGHT_M} m"],
+            "attitude": {"yaw": above.get("rotation", "0 deg")}, "exposure": f"{EXPOSURE_S if kind == 'frame' else 0.3 * EXPOSURE_S} s",
+            "row_period": "0 s" if kind == "frame" else f"{0.1 * EXPOSURE_S} s"}}
+    return scene
+
+
+def held(name, kind, seeds, grids=GRIDS, truth_moves=True, narrower=1.0):
+    """Of so many images at 3 %: intervals that hold the mean of the grids, and all; then the same of pixels that show that it moves."""
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        grid = lambda scene: np.mean([radiance_of(scene, folder, {"grid": {"elements": [cells, cells]}}, 990 + cells) for cells in grids], axis=0)
+        truth, still = grid(moving(name, kind)), grid(moving(name, kind, False))
+        near = np.abs(truth - still) > 0.02 * truth
+        counts = np.zeros(4, int)
+        for seed in range(1, seeds + 1):
+            found, half_width = radiance_of(moving(name, kind, truth_moves), folder, {"accuracy": {"error": "3 %"}}, seed)
+            inside = np.abs(found - truth) <= narrower * half_width
+            counts += inside.sum(), inside.size, inside[near].sum(), near.sum()
+        return counts
+
+
+@unittest.skipIf(np is None, "NumPy not found")
+class MovingObjects(unittest.TestCase):
+    LIMIT_PX = 0.02
+
+    def test_edges_are_where_kinematics_puts_them(self):
+        for exposure_s, row_period_s, velocity in ((0.01, 0, (30, 0)), (0.01, 0, (20, 13)), (0.002, 0.002, (30, 7)), (0.0, 0.003, (20, 5)),
+                                                   (1e-4, 0.001, (0, 40))):
+            with self.subTest(exposure_s=exposure_s, row_period_s=row_period_s):
+                covered = covered_by_frame(velocity, exposure_s, row_period_s)
+                self.assertLess(furthest(frame(exposure_s, row_period_s), None, velocity, covered), self.LIMIT_PX)
+
+    def test_a_scanner_sees_each_line_at_its_time(self):
+        for speed in (20.0, 60.0):
+            with self.subTest(speed=speed):
+                covered = covered_by_scanner((9, 4), speed)
+                self.assertLess(furthest(*scanner(speed), (9, 4), covered), self.LIMIT_PX)
+
+    def test_a_car_that_stands_still_is_noticed(self):
+        covered = covered_by_frame((30, 0), 0.01, 0)
+        self.assertGreater(furthest(frame(0.01), None, (30, 0), covered, moves=False), 10 * self.LIMIT_PX)
+
+    def test_intervals_hold_what_they_say(self):
+        for kind in KINDS:
+            with self.subTest(kind):
+                inside, count, near, of = np.sum([held(name, kind, 2) for name in ("gable_roof", "wall_foot")], axis=0)
+                self.assertGreater(inside / count, 0.93)
+                self.assertGreater(of, 20)
+                self.assertGreater(near / of, 0.93)
+
+    def test_an_object_that_stands_still_is_noticed(self):
+        _, _, near, of = held("gable_roof", "frame", 1, truth_moves=False)
+        self.assertLess(near / of, 0.6)
+
+
+BOX = {"name": "car", "box": {"low": ["-1 m", "-1 m", "0 m"], "high": ["1 m", "1 m", "1 m"]}, "material": "paint"}
+NORTH = {"straight": {"frame": "scene", "position": ["0 m", "0 m", "0 m"], "velocity": ["0 m/s", "9 m/s", "0 m/s"]}}
+POINTS = lambda *times: {"way_points": {"frame": "scene", "points": [{"time": f"{t} s", "position": ["0 m", f"{30 * t} m", "0 m"]} for t in times]}}
+
+
+def checked(change, exposure="10 ms"):
+    """What `ifov check` says of a document with a car whose object, and all else, is changed."""
+    document = {
+        "ifov": 1,
+        "scene": {"materials": {"road": {"reflectance": 0.1}, "paint": {"reflectance": 0.5}, "glass": {"reflectance": 0.05, "scattering": "mirror"}},
+                  "objects": [{"plane": {}, "material": "road"}, {**BOX, "motion": NORTH}]},
+        "light": {"sun": {"disc": {"zenith": "40 deg", "azimuth": "160 deg"}}, "sky": {"radiance": "40 W m-2 sr-1 um-1"}},
+        "sensor": {"camera": {"frame": {**FRAME, "exposure": exposure}}, "channels": [{"name": "red", "gaussian": {"center": "0.65 um", "fwhm": "40 nm"}}]},
+        "sampling": {"accuracy": {"error": "3 %"}}}
+    change(document, document["scene"]["objects"][1])
+    with tempfile.TemporaryDirectory() as scratch:
+        (pathlib.Path(scratch) / "scene.json").write_text(json.dumps(document, indent=1))
+        done = subprocess.run([PROGRAM, "check", "scene.json"], cwd=scratch, capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout + done.stderr
+
+
+class MovingDocuments(unittest.TestCase):
+    def refused(self, text, change):
+        code, said = checked(change)
+        self.assertEqual(code, 1, said)
+        self.assertIn(text, said)
+        self.assertRegex(said, r"scene\.json:\d+:\d+: ")
+
+    def test_check_says_what_moves_and_how_far(self):
+        code, said = checked(lambda document, car: None)
+        self.assertEqual(code, 0, said)
+        self.assertRegex(said, r"moving: +'car' \(line \d+\): 9 m/s; while a pixel is exposed 0\.09 m \(0\.3 pixels\), while the image is taken 0\.09 m")
+
+    def test_a_path_that_does_not_cover_the_exposure(self):
+        self.refused("its path covers -0.002 to 0.003 s, and the image is exposed from -0.005 to 0.005 s: 0.003 s too late and 0.002 s too short",
+                     lambda document, car: car.update(motion=POINTS(-0.002, 0.003)))
+        self.refused("it ends 0.002 s too early", lambda document, car: car.update(motion=POINTS(-1, 0.003)))
+        code, said = checked(lambda document, car: car.update(motion=POINTS(-0.005, 0, 0.005)))
+        self.assertEqual(code, 0, said)
+
+    def test_what_cannot_move(self):
+        def instead(shape, **more):
+            def change(document, car):
+                del car["box"]
+                car.update(shape, **more)
+            return change
+
+        self.refused("a plane has no end", instead({"plane": {"height": "1 m"}}))
+        self.refused("nothing can move: all copies of it would", lambda document, car: document["scene"].update(periodic={"size": ["20 m", "20 m"]}))
+        self.refused("it is smooth", lambda document, car: car.update(material="glass"))
+        self.refused("nothing can move yet in a scene with smooth or glossy surfaces",
+                     lambda document, car: document["scene"]["objects"].append({"sphere": {"center": ["9 m", "0 m", "1 m"], "radius": "1 m"}, "material": "glass"}))
+        self.refused("'motion' and 'present' cannot stand together yet", lambda document, car: (
+            document.update(time="2026-06-21T12:00Z"), car.update(present=[["2026-06-21T10:00Z", "2026-06-21T14:00Z"]])))
+        self.refused("a part of a prototype cannot move by itself", lambda document, car: (
+            document["scene"].update(prototypes={"pair": [dict(car)]}), car.pop("motion")))
+        self.refused("yaw is counted from the track", lambda document, car: car.update(
+            motion={"straight": {**NORTH["straight"], "velocity": ["0 m/s", "0 m/s", "3 m/s"]}}))
+        self.refused("copies are placed at random on it", lambda document, car: (
+            document["scene"].update(prototypes={"crate": [{**BOX, "name": "crate"}]}),
+            document["scene"]["objects"].append({"random_placement": {"of": [{"prototype": "crate"}], "density": "0.1 m-2", "area": {"low": ["-1 m", "-1 m"], "high": ["1 m", "1 m"]}, "on": "car"}})))
+
+    def test_the_same_bytes_for_any_threads(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch)
+            document = car(frame(0.01, 0.001), (30, 7))
+            document["light"]["sky"] = {"temperature": "250 K"}
+            images = []
+            for threads in ("1", "3"):
+                done = run(document, folder, "--threads", threads)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                images.append([(folder / f"out/image_{what}.img").read_bytes() for what in ("radiance", "half_width", "abundance")])
+            self.assertEqual(*images)
+
+
+if __name__ == "__main__":
+    if "--full" in sys.argv:
+        for kind in KINDS:
+            every = np.zeros(4)
+            for name in FULL_SCENES:
+                counts = held(name, kind, 12, FULL_GRIDS)
+                every += counts
+                print(f"{kind:8s} {name:16s} {counts[0] / counts[1]:.4f} of {counts[1]}; where it moves {counts[2] / max(1, counts[3]):.4f} of {counts[3]}", flush=True)
+            print(f"{kind:8s} {'all':16s} {every[0] / every[1]:.4f} of {int(every[1])}; where it moves {every[2] / every[3]:.4f} of {int(every[3])}", flush=True)
+    else:
+        unittest.main()
