@@ -28,17 +28,13 @@ class Stopping {
     if (cache_.empty()) cache_.assign(3 * 201, 0.0);
     const int row = std::clamp(test, 0, 2);
     double& quantile = cache_[row * 201 + freedom];
-    if (quantile == 0.0) quantile = two_sided_student(1.0 - (1.0 - confidence_) * share(row, freedom), freedom);
+    if (quantile == 0.0) quantile = two_sided_student(1.0 - (1.0 - confidence_) * kShare[row], freedom);
     return quantile;
   }
 
  private:
-  /// Of the probability of error.
-  static double share(int row, int freedom) {
-    constexpr double kEarly[2] = {0.05, 0.1}, kMost = 0.85, kPrice = 6.0, kOffset = 9.0;
-    return row < 2 ? kEarly[row] : kMost - kPrice / (freedom + kOffset);
-  }
-
+  static constexpr double kShare[3] = {0.05, 0.1,
+                                       0.4};  // of the probability of error, from the third test on the last
   double confidence_, normal_;
   mutable std::vector<double> cache_;
 };
