@@ -59,7 +59,7 @@ void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<
   scene_.scene().world->intersect(rays_, hits_);
   counts_.primary += points.size();
   find_covered(points);
-  label_hits(points, hits_, detail_, labels);
+  label_hits(points, hits_, detail_, labels, {});
 }
 
 void SceneField::find_covered(std::span<const sampling::FocalPoint> points) {
@@ -94,16 +94,23 @@ bool SceneField::shows_sunlight(const scene::ResolvedSurface& surface, bool& tra
 
 void SceneField::values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
                         std::span<float> values) {
-  this->values(requests, labels, values, detail_);
+  this->values(requests, labels, values, detail_, {});
+}
+
+void SceneField::values_expecting(std::span<const sampling::PathRequest> requests,
+                                  std::span<const sampling::Label> expected,
+                                  std::span<sampling::Label> labels, std::span<float> values) {
+  this->values(requests, labels, values, detail_, expected);
 }
 
 void SceneField::values_and_materials(std::span<const sampling::PathRequest> requests,
                                       std::span<sampling::Label> labels, std::span<float> values) {
-  this->values(requests, labels, values, LabelDetail::material);
+  this->values(requests, labels, values, LabelDetail::material, {});
 }
 
 void SceneField::values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
-                        std::span<float> values, LabelDetail detail) {
+                        std::span<float> values, LabelDetail detail,
+                        std::span<const sampling::Label> expected) {
   if (moving_ != nullptr) return moving_values(requests, labels, values, detail);
   if (shared_ != nullptr) return shared_->values(*this, requests, labels, values);
   const std::size_t row_length = static_cast<std::size_t>(stride());
@@ -111,7 +118,8 @@ void SceneField::values(std::span<const sampling::PathRequest> requests, std::sp
     const std::size_t count = std::min(kMostTraced, requests.size() - first);
     const transport::PathRecord& paths = trace_paths(requests.subspan(first, count));
     for (std::size_t k = 0; k < count; ++k) write(*this, paths, k, values.data() + (first + k) * row_length);
-    label_hits(points_, hits_, detail, labels.subspan(first, count));
+    label_hits(points_, hits_, detail, labels.subspan(first, count),
+               expected.empty() ? Expected{} : Expected{expected.subspan(first, count), &paths});
   }
 }
 
@@ -151,7 +159,7 @@ void SceneField::moving_values(std::span<const sampling::PathRequest> requests,
         value[c] = shares[k] * value[c] + (1.0f - shares[k]) * row[c];
     }
     met.resize(asked.size());
-    label_hits(points_, hits_, detail, met);
+    label_hits(points_, hits_, detail, met, {});
     for (std::size_t k = 0, j = 0; k < group.size(); ++k) {
       labels[first + k] = met[j];
       j += shares[k] == 0.0f || shares[k] == 1.0f ? 1 : 2;
@@ -178,7 +186,7 @@ const transport::PathRecord& SceneField::trace_paths(std::span<const sampling::P
 const transport::PathRecord& SceneField::trace(std::span<const sampling::PathRequest> requests,
                                                std::span<sampling::Label> labels) {
   const transport::PathRecord& paths = trace_paths(requests);
-  label_hits(points_, hits_, detail_, labels);
+  label_hits(points_, hits_, detail_, labels, {});
   return paths;
 }
 
@@ -191,9 +199,21 @@ void SceneField::write(const SceneField& by, const transport::PathRecord& paths,
   unseen_.write(paths.paths[k], row);
 }
 
+bool SceneField::is_expected(const SurfaceLabel& label, const Expected& expected, std::size_t k) {
+  using SunSeen = transport::PathRecord::Path::SunSeen;
+  if (expected.paths == nullptr) return false;
+  const sampling::Label wanted = expected.labels[k];
+  SurfaceLabel as_wanted = label;
+  as_wanted.sun = SurfaceLabel::sun_of(wanted);
+  if (as_wanted.pack() != wanted) return false;
+  const SunSeen seen = expected.paths->paths[k].first_sun;
+  return (as_wanted.sun == SunState::lit && seen == SunSeen::seen) ||
+         (as_wanted.sun == SunState::shaded && seen == SunSeen::hidden);
+}
+
 void SceneField::label_hits(std::span<const sampling::FocalPoint> points,
                             std::span<const geometry::SurfacePoint> hits, LabelDetail detail,
-                            std::span<sampling::Label> labels) {
+                            std::span<sampling::Label> labels, const Expected& expected) {
   const scene::Scene& scene = scene_.scene();
   sun_rays_.clear();
   owner_.clear();
@@ -246,7 +266,10 @@ void SceneField::label_hits(std::span<const sampling::FocalPoint> points,
                               rays_[k].onward(lit.position_m + lit.offset_m * outward, scene.sun->direction),
                               scene.sun->half_angle_rad))
             label.sun = SunState::penumbra;
-          if (label.sun == SunState::lit) {
+          if (label.sun == SunState::lit && (!through_.any() || passed_[k] == 0) &&
+              is_expected(label, expected, k)) {
+            label.sun = SurfaceLabel::sun_of(expected.labels[k]);
+          } else if (label.sun == SunState::lit) {
             owner_.push_back(static_cast<std::uint32_t>(k));
             for (const math::Vec3& direction : disc_points_)
               sun_rays_.push_back(rays_[k].onward(lit.position_m + lit.offset_m * outward, direction));

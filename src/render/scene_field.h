@@ -59,6 +59,9 @@ class SceneField final : public sampling::Field {
   void labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) override;
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
               std::span<float> values) override;
+  void values_expecting(std::span<const sampling::PathRequest> requests,
+                        std::span<const sampling::Label> expected, std::span<sampling::Label> labels,
+                        std::span<float> values) override;
   void values_and_materials(std::span<const sampling::PathRequest> requests,
                             std::span<sampling::Label> labels, std::span<float> values) override;
   void levels(const sampling::LevelRequests& requests, sampling::LevelSums& sums) override;
@@ -95,13 +98,20 @@ class SceneField final : public sampling::Field {
   /// Whether sunlight on a surface is seen from the side that is viewed, and whether light from behind is, too.
   bool shows_sunlight(const scene::ResolvedSurface& surface, bool& transmits) const;
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
-              std::span<float> values, LabelDetail detail);
+              std::span<float> values, LabelDetail detail, std::span<const sampling::Label> expected);
   void moving_values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
                      std::span<float> values, LabelDetail detail);
   /// Where what moves may cover the points (covered_), whose rays and hits are known.
   void find_covered(std::span<const sampling::FocalPoint> points);
+  /// What the paths that begin with these hits are taken to show, and how they saw the Sun.
+  struct Expected {
+    std::span<const sampling::Label> labels;
+    const transport::PathRecord* paths = nullptr;
+  };
+  /// Whether a label without the Sun's state is the one that is expected, and the Sun seen or hidden as that says.
+  static bool is_expected(const SurfaceLabel& label, const Expected& expected, std::size_t k);
   void label_hits(std::span<const sampling::FocalPoint> points, std::span<const geometry::SurfacePoint> hits,
-                  LabelDetail detail, std::span<sampling::Label> labels);
+                  LabelDetail detail, std::span<sampling::Label> labels, const Expected& expected);
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;

@@ -47,6 +47,7 @@ struct SurfaceLabel {
   static constexpr std::uint32_t instance_of(sampling::Label label) {
     return static_cast<std::uint32_t>(label >> 39);
   }
+  static constexpr SunState sun_of(sampling::Label label) { return static_cast<SunState>(label & 3u); }
   static constexpr std::uint32_t material_of(sampling::Label label) {
     return static_cast<std::uint32_t>(label >> 3) & 0x7fffu;
   }

@@ -81,6 +81,13 @@ class Field {
   virtual void values(std::span<const PathRequest> requests, std::span<Label> labels,
                       std::span<float> values) = 0;
 
+  /// The same where points are taken to show the labels `expected`: of one that does so as far as its path tells, that label may be
+  /// told without the rays that others take. So a point whose path sees the Sun may be told to be lit in a penumbra.
+  virtual void values_expecting(std::span<const PathRequest> requests, std::span<const Label> /*expected*/,
+                                std::span<Label> labels, std::span<float> values) {
+    this->values(requests, labels, values);
+  }
+
   /// The same where labels are asked for their material alone (material_of), which may take fewer rays.
   virtual void values_and_materials(std::span<const PathRequest> requests, std::span<Label> labels,
                                     std::span<float> values) {

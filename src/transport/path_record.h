@@ -62,6 +62,8 @@ struct PathRecord {
 
     /// TransportOptions::sky_shares of its first surface; 0: none.
     float sky_share = 0.0f;
+    /// Whether the Sun was seen where the ray that was sent to it from the first surface went; if one was, and came through nothing.
+    enum class SunSeen : std::uint8_t { not_asked, seen, hidden } first_sun = SunSeen::not_asked;
     math::Vec3 first_normal,
         left_first;  ///< of that surface, and the direction in which it leaves; where sky_share is not 0
 

@@ -142,6 +142,9 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
   record_.directions.insert(record_.directions.end(), directions_.begin(), directions_.end());
   for (SurfaceEvent& event : events_) {
     const Path& path = paths_[event.path];
+    if (depth == 0 && event.shadow != kNone && event.vertex.sun_passes == PathVertex::kNone)
+      record_.paths[event.number].first_sun =
+          blocked_[event.shadow] != 0 ? PathRecord::Path::SunSeen::hidden : PathRecord::Path::SunSeen::seen;
     if (event.shadow == kNone || blocked_[event.shadow] != 0) event.vertex.sun_weight = event.rare_sun = 0.0f;
     record_.paths[event.number].unseen += event.rare_sun;
     record_.add(event.number, event.vertex);

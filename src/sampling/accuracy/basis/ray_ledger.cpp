@@ -42,14 +42,33 @@ void RayLedger::labels(std::span<const FocalPoint> points, std::vector<std::uint
 
 void RayLedger::values(std::span<const PathRequest> requests, std::vector<std::uint32_t>& out,
                        std::span<float> values) {
+  ask(requests, out, values, [&](std::size_t first, std::size_t n, std::span<float> rows) {
+    field_.values(requests.subspan(first, n), {raw_of_values_.data() + first, n}, rows);
+  });
+}
+
+void RayLedger::values_expecting(std::span<const PathRequest> requests,
+                                 std::span<const std::uint32_t> expected, std::vector<std::uint32_t>& out,
+                                 std::span<float> values) {
+  expected_.resize(requests.size());
+  for (std::size_t i = 0; i < requests.size(); ++i) expected_[i] = table_.label(expected[i]);
+  ask(requests, out, values, [&](std::size_t first, std::size_t n, std::span<float> rows) {
+    field_.values_expecting(requests.subspan(first, n), {expected_.data() + first, n},
+                            {raw_of_values_.data() + first, n}, rows);
+  });
+}
+
+/// Calls batch(first, count, rows) for requests in batches.
+template <class Batch>
+void RayLedger::ask(std::span<const PathRequest> requests, std::vector<std::uint32_t>& out,
+                    std::span<float> values, const Batch& batch) {
   const std::size_t stride = static_cast<std::size_t>(field_.stride());
   out.resize(requests.size());
   raw_of_values_.resize(requests.size());
   for (std::size_t first = 0; first < requests.size(); first += kBatch) {
     check_cancel();
     const std::size_t n = std::min(kBatch, requests.size() - first);
-    field_.values(requests.subspan(first, n), {raw_of_values_.data() + first, n},
-                  values.subspan(first * stride, n * stride));
+    batch(first, n, values.subspan(first * stride, n * stride));
   }
   for (std::size_t i = 0; i < requests.size(); ++i) {
     out[i] = table_.index(raw_of_values_[i]);

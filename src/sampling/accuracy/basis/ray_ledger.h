@@ -39,6 +39,10 @@ class RayLedger {
   void values(std::span<const PathRequest> requests, std::vector<std::uint32_t>& out,
               std::span<float> values);
 
+  /// As values, of points that are taken to show the labels of these numbers (Field::values_expecting).
+  void values_expecting(std::span<const PathRequest> requests, std::span<const std::uint32_t> expected,
+                        std::vector<std::uint32_t>& out, std::span<float> values);
+
   /// As values, of paths that every run of the tile needs: they are kept in its memory.
   void first_values(std::span<const PathRequest> requests, std::vector<std::uint32_t>& out,
                     std::span<float> values);
@@ -62,6 +66,9 @@ class RayLedger {
   std::uint64_t probe_rays() const { return probe_rays_; }
 
  private:
+  template <class Batch>
+  void ask(std::span<const PathRequest> requests, std::vector<std::uint32_t>& out, std::span<float> values,
+           const Batch& batch);
   void check_cancel() const;
   void trace(std::span<const FocalPoint> points, std::span<Label> labels);
   std::size_t recall(std::span<const FocalPoint> points);
@@ -72,7 +79,7 @@ class RayLedger {
   const Lattice& lattice_;
   LabelTable& table_;
   TileMemory* memory_;
-  std::vector<Label> raw_, raw_of_values_;
+  std::vector<Label> raw_, raw_of_values_, expected_;
   std::vector<std::uint64_t> keys_;                         // of the points asked
   std::vector<std::size_t> unknown_;                        // of them, those that the memory does not know
   std::vector<std::uint32_t> label_rays_, value_rays_;      // asked for

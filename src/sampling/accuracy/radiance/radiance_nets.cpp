@@ -87,12 +87,12 @@ void RadianceNets::trace() {
     std::size_t replicate;
   };
   std::vector<Asker> askers;
-  std::vector<std::uint32_t> labels;
+  std::vector<std::uint32_t> labels, expected;
   std::vector<float> values, foretold(stride_);
   const auto trace_batch = [&] {
     labels.clear();
     values.resize(requests.size() * stride_);
-    ledger_.values(requests, labels, values);
+    ledger_.values_expecting(requests, expected, labels, values);
     for (std::size_t i = 0; i < requests.size(); ++i) {
       Stratum& stratum = *askers[i].stratum;
       const float* value = &values[i * stride_];
@@ -106,6 +106,7 @@ void RadianceNets::trace() {
       for (std::size_t c = 0; c < stride_; ++c) sum[c] -= foretold[c];
     }
     requests.clear();
+    expected.clear();
     askers.clear();
   };
   for (const auto& [p, s] : planned_)
@@ -113,6 +114,7 @@ void RadianceNets::trace() {
         p, s,
         [&, pixel = &pixels_[p], stratum = &pixels_[p].strata[s]](std::size_t r, const PathRequest& request) {
           requests.push_back(request);
+          expected.push_back(stratum->label);
           askers.push_back({pixel, stratum, r});
           if (requests.size() == kBatch) trace_batch();
         });

@@ -129,7 +129,7 @@ void RadianceRounds::trace() {
 
 void RadianceRounds::trace_requests() {
   constexpr std::size_t kBatch = 1024;
-  std::vector<std::uint32_t> labels;
+  std::vector<std::uint32_t> labels, expected;
   std::vector<float> values;
   for (std::size_t first = 0; first < requests_.size();) {
     std::size_t last = std::min(first + kBatch, requests_.size());
@@ -137,7 +137,10 @@ void RadianceRounds::trace_requests() {
     const std::span<const PathRequest> batch =
         std::span<const PathRequest>(requests_).subspan(first, last - first);
     values.resize(batch.size() * stride_);
-    ledger_.values(batch, labels, values);
+    expected.clear();
+    for (std::size_t i = first; i < last; ++i)
+      expected.push_back(pixels_[planned_[i].pixel].strata[planned_[i].stratum].label);
+    ledger_.values_expecting(batch, expected, labels, values);
     for (std::size_t i = first, end = first; i < last; i = end) {
       while (end < last && planned_[end].same_block(planned_[i])) ++end;
       add_block(i, end, {labels.data() + (i - first), end - i}, &values[(i - first) * stride_]);
