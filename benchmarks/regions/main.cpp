@@ -14,8 +14,8 @@
 
 #include "core/error.h"
 #include "io/document/document.h"
+#include "render/field/scene_field.h"
 #include "render/image_renderer.h"
-#include "render/scene_field.h"
 #include "render/tile_sink.h"
 #include "sampling/means/region_interval.h"
 #include "sampling/tile.h"

@@ -72,7 +72,6 @@ class World {
   /// What there is of times at which objects are there, and that of one object by its number; null: it always is.
   virtual std::span<const Presence> presences() const { return {}; }
   virtual const Presence* presence(std::uint32_t) const { return nullptr; }
-
   virtual const MovingWorld* moving() const { return nullptr; }  ///< null: all stands still
 
   /// As a ray sees them, copies counted.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/run_control.h"
-#include "render/label_detail.h"
+#include "render/field/label_detail.h"
 #include "render/tolerance/atmosphere_half_width.h"
 #include "render/tolerance/node_half_width.h"
 #include "transport/transport_options.h"

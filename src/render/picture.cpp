@@ -4,10 +4,10 @@
 
 #include "core/error.h"
 #include "geometry/world.h"
+#include "render/field/scene_field.h"
 #include "render/image_renderer.h"
 #include "render/open_sky.h"
 #include "render/polarized/steering.h"
-#include "render/scene_field.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/atmosphere_budget.h"
 #include "render/tolerance/node_budget.h"

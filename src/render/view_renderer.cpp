@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "core/error.h"
+#include "render/field/seen_through.h"
 #include "render/image_renderer.h"
-#include "render/seen_through.h"
 #include "render/tile_loop.h"
 #include "render/tile_sink.h"
 #include "render/views/point_irradiance.h"

@@ -36,12 +36,7 @@ struct RayCounts {
   std::uint64_t shadow = 0;        ///< rays to the Sun, for labels and for radiance
   std::uint64_t continuation = 0;  ///< rays leaving surfaces
   std::uint64_t total() const { return primary + shadow + continuation; }
-  RayCounts& operator+=(const RayCounts& other) {
-    primary += other.primary;
-    shadow += other.shadow;
-    continuation += other.continuation;
-    return *this;
-  }
+  RayCounts& operator+=(const RayCounts& other);
 };
 
 /// Pixels [x0, x1) x [y0, y1).
@@ -51,10 +46,9 @@ struct FieldRect {
 
 /// Detail of a rectangle of pixels that need not be searched for.
 struct KnownDetail {
-  std::vector<FocalPoint> points;  ///< one in each part of the picture that a pixel is known to hold
-  std::vector<std::uint8_t> full;  ///< by pixel, row by row: 1 where it holds too many parts to name
-  std::vector<FocalPoint>
-      standouts;  ///< where something is known to stand out from all about it, however small
+  std::vector<FocalPoint> points;     ///< one in each part of the picture that a pixel is known to hold
+  std::vector<std::uint8_t> full;     ///< by pixel, row by row: 1 where it holds too many parts to name
+  std::vector<FocalPoint> standouts;  ///< where something is known to stand out from all about it
 };
 
 class MappedSurface;
@@ -81,18 +75,14 @@ class Field {
   virtual void values(std::span<const PathRequest> requests, std::span<Label> labels,
                       std::span<float> values) = 0;
 
-  /// The same where points are taken to show the labels `expected`: of one that does so as far as its path tells, that label may be
-  /// told without the rays that others take. So a point whose path sees the Sun may be told to be lit in a penumbra.
-  virtual void values_expecting(std::span<const PathRequest> requests, std::span<const Label> /*expected*/,
-                                std::span<Label> labels, std::span<float> values) {
-    this->values(requests, labels, values);
-  }
+  /// The same where points are taken to show the labels `expected`, which those may be told to that do so as far as their paths tell: where
+  /// a path sees the Sun, to be lit in a penumbra.
+  virtual void values_expecting(std::span<const PathRequest> requests, std::span<const Label> expected,
+                                std::span<Label> labels, std::span<float> values);
 
   /// The same where labels are asked for their material alone (material_of), which may take fewer rays.
   virtual void values_and_materials(std::span<const PathRequest> requests, std::span<Label> labels,
-                                    std::span<float> values) {
-    this->values(requests, labels, values);
-  }
+                                    std::span<float> values);
 
   /// Means and spreads of groups of values in two levels (sampling/image/levels.h). Here: of values(), all of it direct.
   virtual void levels(const LevelRequests& requests, LevelSums& sums);

@@ -72,7 +72,6 @@ class Camera {
 
   virtual double exposure_s() const { return 0.0; }    ///< of a point; 0 where y alone tells when
   virtual double row_period_s() const { return 0.0; }  ///< from one row's exposure to the next's
-
   /// What its pixels are spread over along image y beside the optics; of a camera that stands still nothing.
   virtual AlongTrack along_track() const;
   /// And along image x, by elements that are swept across the track.

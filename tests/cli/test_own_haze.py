@@ -84,7 +84,7 @@ class Told(unittest.TestCase):
             )
 
     def test_by_check(self):
-        with Folder(yard=YARD % (HAZE % (OWN + ', "asymmetry": 0.65, "wavelength": "0.44 um"'))) as folder:
+        with Folder(yard=YARD % (HAZE % (OWN + ', "asymmetry": 0.65, "wavelength": "0.44 um"') + ', "interval": "numerical"')) as folder:
             done = run("check", "yard.json", cwd=folder)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn(

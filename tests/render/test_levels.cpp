@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "materials/bsdf/mirror.h"
+#include "render/field/scene_field.h"
 #include "render/image_renderer.h"
-#include "render/scene_field.h"
 #include "render/tile_grid.h"
 #include "render/tile_sink.h"
 #include "render/tolerance/accuracy_tolerance.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <memory>
 #include <numbers>
 #include <numeric>
 #include <sstream>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "atmosphere/column/atmosphere_column.h"
+#include "atmosphere/profile/gas_requests.h"
 #include "atmosphere/scattering/column_solver.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "materials/bsdf/mirror.h"
@@ -42,6 +44,9 @@ atmosphere::AtmosphereColumn air_above(double ground_km) {
   description.air.model = "US standard 1976";
   description.air.ground_altitude_km = ground_km;
   description.air.water_vapour_g_cm2 = description.air.ozone_DU = 0.0;
+  atmosphere::GasRequests gases;
+  gases.of[static_cast<std::size_t>(atmosphere::Gas::no2)].emplace().off = true;
+  description.air.gases = std::make_shared<const atmosphere::GasRequests>(gases);
   description.air.co2_ppm = description.air.ch4_ppm = description.air.n2o_ppm = 0.0;
   description.aerosol.type = "none";
   description.depolarization = 0.0;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "materials/bsdf/mirror.h"
-#include "render/scene_field.h"
+#include "render/field/scene_field.h"
 #include "sensor/orthographic_camera.h"
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"

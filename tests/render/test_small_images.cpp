@@ -10,9 +10,9 @@
 
 #include "materials/bsdf/mirror.h"
 #include "radiometry/planck.h"
+#include "render/field/scene_field.h"
 #include "render/image_renderer.h"
 #include "render/mirrors/mirror_images.h"
-#include "render/scene_field.h"
 #include "render/tile_sink.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/channel_brightness.h"

@@ -93,7 +93,7 @@ class AddedLightInWings(unittest.TestCase):
                 ball = {"sphere": {"center": ["6 m", "0.13 m", "1.21 m"], "radius": f"{radius} m"}, "material": "hot"}
                 roof = {"box": {"low": ["4 m", "-2 m", "2.5 m"], "high": ["8 m", "2 m", "2.6 m"]}, "material": "ground"}
                 materials = {"mirror": MIRROR, "ground": GROUND, "hot": {"reflectance": 0.0, "temperature": "1200 K"}}
-                radiance, half_width = self.render(materials, [{"plane": {}, "material": "ground"}, mirror, ball, roof], AIRY, (3.94, 3.96), error="3 %")
+                radiance, half_width = self.render(materials, [{"plane": {}, "material": "ground"}, mirror, ball, roof], AIRY, (3.94, 3.96), error="1.5 %")
                 self.compare(HOT * math.pi * radius**2, planck(3.95, 280.0), radiance, half_width, share=0.6)
 
     def test_a_hot_cell_of_a_map(self):

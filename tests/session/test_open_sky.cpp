@@ -5,9 +5,9 @@
 #include <string>
 
 #include "io/document/document.h"
+#include "render/field/scene_field.h"
 #include "render/image_renderer.h"
 #include "render/open_sky.h"
-#include "render/scene_field.h"
 #include "sampling/hash.h"
 #include "sampling/random.h"
 #include "session/loaded/parts.h"

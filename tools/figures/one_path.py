@@ -7,7 +7,7 @@ from style import BLUE, GREY, PALE, PALER, PAGE_WIDTH, arrow, plt, save, sketch
 # Step, what it is, class that does it -> what it leaves, file.
 STEPS = [
     ("sampling", "points of the focal plane", "(x, y), path number", "TileWork  →  PathRequest", "sampling/field.h"),
-    ("render", "batch", "up to 512 paths, in order", "SceneField", "render/scene_field.cpp"),
+    ("render", "batch", "up to 512 paths, in order", "SceneField", "render/field/scene_field.cpp"),
     ("sensor", "rays", "o + t d", "Camera  →  Ray", "sensor/camera.h"),
     ("geometry", "nearest hits", "position, normals, material number", "World  →  SurfacePoint", "geometry/world.h"),
     ("scene", "what the surface is there", "materials and their shares, T, n′", "Scene  →  ResolvedSurface", "scene/scene.cpp"),

@@ -34,7 +34,6 @@ class MovingCover {
   Times times(const sampling::PathRequest& request, const math::Ray& ray,
               const geometry::SurfacePoint& still);
   void meet_still(std::span<const math::Ray> rays, std::span<geometry::SurfacePoint> hits) const;
-
   /// Whether something that moves may lie on the ray through a point while that is exposed. `met`: what it meets at its own time.
   bool covers(const sampling::FocalPoint& point, const math::Ray& ray,
               const geometry::SurfacePoint& met) const;

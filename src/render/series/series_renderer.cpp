@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "geometry/world.h"
+#include "render/field/scene_field.h"
 #include "render/image_renderer.h"
 #include "render/picture.h"
-#include "render/scene_field.h"
 #include "render/series/shared_paths.h"
 #include "render/series/temperatures_by_time.h"
 #include "render/tile_grid.h"

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "render/scene_field.h"
+#include "render/field/scene_field.h"
 
 namespace ifov::scene {
 class TemperaturesOfTimes;

@@ -5,6 +5,9 @@
 
 #include "render/wings/wing_spots.h"
 
+namespace ifov {
+class CancelToken;
+}
 namespace ifov::render {
 
 /// Boxes about the places of maps that outshine what lies around them, which pieces of surface do not tell: pixels of the picture, and

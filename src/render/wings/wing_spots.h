@@ -11,6 +11,9 @@
 #include "sampling/field.h"
 #include "sampling/pixel_rect.h"
 
+namespace ifov {
+class CancelToken;
+}
 namespace ifov::sensor {
 class Camera;
 }

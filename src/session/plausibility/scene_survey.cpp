@@ -8,8 +8,8 @@
 
 #include "geometry/world.h"
 #include "io/document/document.h"
+#include "render/field/make_field.h"
 #include "render/image_renderer.h"
-#include "render/make_field.h"
 #include "sampling/hash.h"
 #include "sensor/camera.h"
 #include "session/loaded/parts.h"

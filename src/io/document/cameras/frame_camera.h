@@ -24,7 +24,6 @@ struct FrameCamera final : CameraSettings {
   math::Point3 position_m;
   /// An attitude is that of the aircraft that the camera hangs below (sensor::axes_from_attitude).
   std::variant<LookAt, geodesy::Attitude> orientation;
-
   double exposure_s = 0.0;    ///< of each row
   double row_period_s = 0.0;  ///< from row to row, of a rolling shutter; 0: all rows at once
 

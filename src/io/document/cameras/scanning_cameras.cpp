@@ -36,6 +36,10 @@ sensor::SweepPattern ScanningCamera::pattern() const {
   return pattern;
 }
 
+CameraSettings::Exposed ScanningCamera::exposed() const {
+  return {start_s, start_s + size.height_px / std::max(1, elements) * period_s};
+}
+
 sensor::SweepPattern WhiskbroomCamera::pattern() const {
   sensor::SweepPattern pattern = ScanningCamera::pattern();
   pattern.axis = sensor::SweepPattern::Axis::nose;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "io/document/cameras/camera_model.h"
 #include "io/document/cameras/image_size.h"
 
@@ -29,9 +27,7 @@ struct ScanningCamera : CameraSettings {
   std::shared_ptr<const CameraSettings> shrunk(int longest_px) const override;
   std::shared_ptr<const CameraSettings> seen_from(double zenith_rad, double azimuth_rad) const override;
   std::optional<Optics> optics() const override;
-  Exposed exposed() const override {
-    return {start_s, start_s + size.height_px / std::max(1, elements) * period_s};
-  }
+  Exposed exposed() const override;
   std::shared_ptr<const CameraSettings> carried_by(std::shared_ptr<const PlatformFlight> by) const override;
   int sweep_lines() const override { return elements; }
   std::vector<std::string> remarks() const override;

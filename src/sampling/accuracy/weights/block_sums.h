@@ -17,47 +17,7 @@ class BlockSums {
   /// not explain is one degree of freedom about the variance of a value within its cell, of two or three half the
   /// square of a difference.
   /// A value alone in its block, and the third of three, stand in none of these squares; what they differ by is summed apart.
-  void add_block(std::span<const float* const> rows) {
-    if (sums_.empty()) sums_.resize(kSums * stride_, 0.0);
-    if (rows.size() == 1) add_alone(rows[0]);
-    count_ += static_cast<double>(rows.size());
-    double *sum = sums_.data(), *power = sum + stride_, *squares = power + stride_,
-           *fourths = squares + stride_;
-    if (rows.size() == 4) {
-      const float *a = rows[0], *b = rows[1], *d = rows[2], *e = rows[3];
-      for (std::size_t c = 0; c < stride_; ++c) {
-        const double v[4] = {a[c], b[c], d[c], e[c]};
-        sum[c] += (v[0] + v[1]) + (v[2] + v[3]);
-        power[c] += (v[0] * v[0] + v[1] * v[1]) + (v[2] * v[2] + v[3] * v[3]);
-        const double twist = (v[0] - v[1]) - (v[2] - v[3]), square = 0.25 * twist * twist;
-        squares[c] += square;
-        fourths[c] += square * square;
-      }
-      blocks_ += 1.0;
-      return;
-    }
-    for (const float* row : rows)
-      for (std::size_t c = 0; c < stride_; ++c) {
-        const double value = row[c];
-        sum[c] += value;
-        power[c] += value * value;
-      }
-    if (rows.size() < 2) return;
-    for (std::size_t c = 0; c < stride_; ++c) {
-      const double difference = static_cast<double>(rows[0][c]) - rows[1][c],
-                   square = 0.5 * difference * difference;
-      squares[c] += square;
-      fourths[c] += square * square;
-    }
-    blocks_ += 1.0;
-    if (rows.size() < 3) return;
-    double* alone = fourths + stride_;
-    for (std::size_t c = 0; c < stride_; ++c) {
-      const double difference = static_cast<double>(rows[2][c]) - rows[1][c];
-      alone[c] += 0.5 * difference * difference;
-    }
-    alone_ += 1.0;
-  }
+  void add_block(std::span<const float* const> rows);
 
   double count() const { return count_; }    ///< values
   double blocks() const { return blocks_; }  ///< of two values and more: degrees of freedom at most
@@ -95,18 +55,7 @@ class BlockSums {
 
  private:
   /// By the nearer of the last such value and the mean of all before: a gradient moves it away from either.
-  void add_alone(const float* row) {
-    double* alone = &sums_[4 * stride_];
-    const bool any = !last_alone_.empty();
-    for (std::size_t c = 0; c < stride_ && count_ > 0.0; ++c) {
-      const double value = row[c], before = value - sums_[c] / count_;
-      double square = before * before * count_ / (count_ + 1.0);
-      if (any) square = std::min(square, 0.5 * (value - last_alone_[c]) * (value - last_alone_[c]));
-      alone[c] += square;
-    }
-    if (count_ > 0.0) alone_ += 1.0;
-    last_alone_.assign(row, row + stride_);
-  }
+  void add_alone(const float* row);
 
   static constexpr std::size_t kSums = 5;
   std::size_t stride_;

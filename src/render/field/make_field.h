@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "render/label_detail.h"
+#include "render/field/label_detail.h"
 #include "render/parts/light_told.h"
 #include "sampling/field.h"
 #include "transport/transport_options.h"

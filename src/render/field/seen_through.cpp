@@ -1,4 +1,4 @@
-#include "render/seen_through.h"
+#include "render/field/seen_through.h"
 
 #include <cmath>
 

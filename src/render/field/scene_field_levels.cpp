@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "radiometry/spectral_nodes.h"
+#include "render/field/scene_field.h"
 #include "render/moving/moving_cover.h"
 #include "render/parts/part_columns.h"
 #include "render/polarized/scene_light.h"
-#include "render/scene_field.h"
 #include "sampling/image/levels.h"
 #include "sensor/camera.h"
 #include "transport/path_tracer.h"

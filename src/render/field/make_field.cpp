@@ -1,6 +1,6 @@
-#include "render/make_field.h"
+#include "render/field/make_field.h"
 
-#include "render/scene_field.h"
+#include "render/field/scene_field.h"
 
 namespace ifov::render {
 

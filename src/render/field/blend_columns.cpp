@@ -1,4 +1,4 @@
-#include "render/blend_columns.h"
+#include "render/field/blend_columns.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,11 +3,11 @@
 #include <memory>
 #include <vector>
 
-#include "render/blend_columns.h"
-#include "render/label_detail.h"
+#include "render/field/blend_columns.h"
+#include "render/field/label_detail.h"
+#include "render/field/seen_through.h"
+#include "render/field/surface_label.h"
 #include "render/parts/light_told.h"
-#include "render/seen_through.h"
-#include "render/surface_label.h"
 #include "render/unseen/unseen_light.h"
 #include "sampling/field.h"
 #include "scene/scene.h"
@@ -31,9 +31,8 @@ namespace ifov::render {
 class MapDetail;
 class MovingCover;
 class SceneLight;
-class SurfaceMaps;
-
 class SceneField;
+class SurfaceMaps;
 
 /// Where a field's values come from that it shares with others.
 class SharedValues {
@@ -103,15 +102,10 @@ class SceneField final : public sampling::Field {
                      std::span<float> values, LabelDetail detail);
   /// Where what moves may cover the points (covered_), whose rays and hits are known.
   void find_covered(std::span<const sampling::FocalPoint> points);
-  /// What the paths that begin with these hits are taken to show, and how they saw the Sun.
-  struct Expected {
-    std::span<const sampling::Label> labels;
-    const transport::PathRecord* paths = nullptr;
-  };
-  /// Whether a label without the Sun's state is the one that is expected, and the Sun seen or hidden as that says.
-  static bool is_expected(const SurfaceLabel& label, const Expected& expected, std::size_t k);
+  /// `expected`: the labels that paths which begin with these hits are taken to show; empty: none.
   void label_hits(std::span<const sampling::FocalPoint> points, std::span<const geometry::SurfacePoint> hits,
-                  LabelDetail detail, std::span<sampling::Label> labels, const Expected& expected);
+                  LabelDetail detail, std::span<sampling::Label> labels,
+                  std::span<const sampling::Label> expected = {}, const transport::PathRecord* paths = {});
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
@@ -137,10 +131,9 @@ class SceneField final : public sampling::Field {
   std::vector<math::Ray> rays_, sun_rays_;
   std::vector<transport::PathKey> keys_;
   std::vector<geometry::SurfacePoint> hits_, seen_;
-  std::vector<std::uint8_t> covered_;  // by hit, where moving_ is
-  std::vector<std::uint64_t> passed_;  // by hit: what it is seen through
-  std::vector<std::uint8_t> blocked_;
-  std::vector<std::uint32_t> owner_;  // of each group of sun rays: index of its hit
+  std::vector<std::uint64_t> passed_;            // by hit: what it is seen through
+  std::vector<std::uint8_t> covered_, blocked_;  // the former by hit, where moving_ is
+  std::vector<std::uint32_t> owner_;             // of each group of sun rays: index of its hit
 };
 
 }  // namespace ifov::render

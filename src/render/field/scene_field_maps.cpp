@@ -1,9 +1,9 @@
 #include "geometry/world.h"
+#include "render/field/scene_field.h"
 #include "render/mapped/map_detail.h"
 #include "render/mapped/surface_maps.h"
 #include "render/moving/moving_cover.h"
 #include "render/polarized/scene_light.h"
-#include "render/scene_field.h"
 #include "sensor/camera.h"
 #include "transport/spectral_scene.h"
 
@@ -37,7 +37,7 @@ std::unique_ptr<sampling::MappedSurface> SceneField::mapped_surface(sampling::La
   if (!hits_[0].hit() || !maps_->differs(hits_[0].material)) return nullptr;
   sampling::Label met = 0;
   find_covered(points_);
-  label_hits(points_, std::span(hits_).first(1), LabelDetail::material, {&met, 1}, {});
+  label_hits(points_, std::span(hits_).first(1), LabelDetail::material, {&met, 1});
   // The Sun's state makes no difference to what maps say.
   if (((met ^ label) & ~sampling::Label{3}) != 0) return nullptr;
   return maps_->about(hits_, static_cast<std::size_t>(stride()));
