@@ -22,7 +22,7 @@ constexpr std::size_t kMostPieces = std::size_t{1} << 20;
 /// What is wider than this meets the detection lattice anyway.
 constexpr double kNarrow_px = 1.0;
 /// Points of a long piece are this far apart.
-constexpr double kThin_px = 0.35;
+constexpr double kPointsApart_px = 0.35;
 constexpr double kMostPointsOfOne = 1e5;
 /// Of pieces nearer to each other than this one is enough.
 constexpr double kApart_px = 0.25;
@@ -104,8 +104,8 @@ void visit_small_pieces(const geometry::World& world, const geometry::WantedMate
     if (!camera.project(piece.scene_from_unit(math::Point3{} + shape.middle), middle)) return;
     const Extent extent = extent_of(piece, shape, camera, middle);
     if (2.0 * extent.half_width_px > kNarrow_px) return;
-    if (2.0 * extent.half_length_px <= kThin_px) return add(middle);
-    const double parts = std::min(std::ceil(2.0 * extent.half_length_px / kThin_px), kMostPointsOfOne);
+    if (2.0 * extent.half_length_px <= kPointsApart_px) return add(middle);
+    const double parts = std::min(std::ceil(2.0 * extent.half_length_px / kPointsApart_px), kMostPointsOfOne);
     sampling::FocalPoint last, next;
     bool any = false;
     for (double k = 0.0; k < parts; k += 1.0) {

@@ -200,6 +200,34 @@ class MovingObjects(unittest.TestCase):
                 self.assertGreater(of, 20)
                 self.assertGreater(near / of, 0.93)
 
+    def test_light_of_a_small_hot_thing_that_moves_is_in_the_interval(self):
+        """Scattered paths seldom meet it: by Lambert's law a black ball of radius r and radiance B adds rho B (r/d)^2 cos to the ground."""
+        rho, radius, height, speed, exposure = 0.3, 0.08, 5.0, 20.0, 0.04
+        planck = lambda kelvins: 1.191042972e8 / 3.95**5 / math.expm1(14387.76877 / 3.95 / kelvins)
+        document = {
+            "ifov": 1,
+            "scene": {"materials": {"ground": {"reflectance": rho, "temperature": "300 K"}, "hot": {"reflectance": 0, "temperature": "1100 K"}},
+                      "objects": [{"plane": {}, "material": "ground"},
+                                  {"name": "flare", "sphere": {"center": ["0 m", "0 m", "0 m"], "radius": f"{radius} m"}, "material": "hot",
+                                   "motion": {"straight": {"frame": "scene", "position": ["0 m", "0 m", f"{height} m"],
+                                                           "velocity": [f"{speed} m/s", "0 m/s", "0 m/s"]}}}]},
+            "light": {"sky": {"none": {}}},
+            "sensor": {"camera": {"frame": {**FRAME, "exposure": f"{exposure} s"}}, "channels": [{"name": "mid", "gaussian": {"center": "3.95 um", "fwhm": "0.02 um"}}]}}
+        with tempfile.TemporaryDirectory() as folder:
+            radiance, half_width = radiance_of(document, pathlib.Path(folder), {"accuracy": {"error": "2 %"}})
+        x = (np.arange(PIXELS) + 0.5 - PIXELS / 2) * GSD_M
+        y = -x[:, None]
+        truth = (1 - rho) * planck(300.0) + 0 * x + 0 * y
+        times = (np.arange(200) + 0.5) / 200 * exposure - exposure / 2
+        for time in times:
+            squares = (x - speed * time) ** 2 + y**2 + height**2
+            truth = truth + rho * planck(1100.0) * radius**2 * height / squares**1.5 / len(times)
+        off = np.abs(radiance.reshape(PIXELS, PIXELS) - truth)
+        # All but what the ball itself passes before.
+        open_ground = np.abs(y + 0 * x) > 2 * GSD_M
+        self.assertGreater(np.median(off[open_ground] / truth[open_ground]), 0.02, "what paths do not meet would matter")
+        self.assertGreater(np.mean((off <= half_width.reshape(PIXELS, PIXELS))[open_ground]), 0.99)
+
     def test_an_object_that_stands_still_is_noticed(self):
         _, _, near, of = held("gable_roof", "frame", 1, truth_moves=False)
         self.assertLess(near / of, 0.6)

@@ -49,6 +49,7 @@ class MovingWorld final : public World {
   /// One of them at an instant.
   PlacedObject object_at(std::size_t mover, std::uint32_t own, double time_s) const;
   const Motion& motion(std::size_t mover) const { return *movers_[mover].motion; }
+  const World& body(std::size_t mover) const { return *movers_[mover].body; }  ///< in the carrier's frame
   /// In the carrier's frame.
   const Bounds& box(std::size_t mover) const { return movers_[mover].box; }
   bool is_moving(std::uint32_t object) const { return place_of(object).mover != kStill; }

@@ -22,11 +22,10 @@ SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Came
       tracer_(std::make_unique<transport::PathTracer>(scene, transport)),
       light_(std::make_unique<SceneLight>(scene, camera, told)),
       truth_(scene::truth_materials(scene.scene())),
-      blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count()),
-              MovingCover::find(scene.scene(), camera) != nullptr),
+      moving_(MovingCover::find(scene.scene(), camera)),
+      blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count()), moving_ != nullptr),
       unseen_(scene, blends_.first_column() + blends_.count()),
       through_(scene),
-      moving_(MovingCover::find(scene.scene(), camera)),
       mirror_light_(
           detail == LabelDetail::sun_state
               ? transport::MirrorLight::find(scene, tracer_->sun_images(), transport.mirror_reflections)

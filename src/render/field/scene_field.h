@@ -113,12 +113,12 @@ class SceneField final : public sampling::Field {
   const std::unique_ptr<transport::PathTracer> tracer_;
   const std::unique_ptr<SceneLight> light_;
   scene::TruthMaterials truth_;
+  const std::unique_ptr<MovingCover> moving_;  // null: all is alike while a point is exposed
   BlendColumns blends_;
   std::shared_ptr<MapDetail> map_detail_;  // once asked for
   UnseenLight unseen_;
   std::shared_ptr<const SurfaceMaps> maps_;  // once asked for
   SeenThrough through_;
-  const std::unique_ptr<MovingCover> moving_;             // null: all is alike while a point is exposed
   std::unique_ptr<transport::MirrorLight> mirror_light_;  // null where mirrors throw none
   struct Sunlight {
     bool shows, passes;  ///< whether it is seen where it falls on a material, and from behind

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
+
+#include "math/vec3.h"
 
 namespace ifov::sampling {
 struct TileResult;
@@ -17,9 +20,10 @@ namespace ifov::render {
 
 class AccuracyTolerance;
 
-/// Light of emitters that are too many to be sought (transport::Emitters::left_out), which scattered paths find by chance:
+/// Light of emitters that are too many to be sought (transport::Emitters::left_out), or move, which scattered paths find by chance:
 /// a pixel that met none of it may be sure of too little. What it may be at most follows from areas and distances, with
-/// nothing in the way and all of it facing the surface. That marks pixels; it never enters a radiance.
+/// nothing in the way and all of it facing the surface; of what moves, on the mean over the pixel's exposure. That marks pixels; it
+/// never enters a radiance.
 class UnseenEmitters {
  public:
   /// Null where all are sought. Keeps references.
@@ -35,10 +39,23 @@ class UnseenEmitters {
 
  private:
   UnseenEmitters(const transport::SpectralScene& scene, const sensor::Camera& camera);
+  /// What a mover has of one surface assignment: in a ball of its carrier's frame.
+  struct Carried {
+    std::size_t mover = 0;
+    std::uint32_t assignment = 0;
+    math::Point3 centre_m;
+    double radius_m = 0.0, area_m2 = 0.0;
+  };
+  void list_moving(const std::vector<bool>& wanted);
+  /// Calls at(centre, radius, area, assignment, share of the exposure) for everything that is not sought, where it is while a ray of
+  /// this time is exposed.
+  template <class At>
+  void visit(double time_s, const At& at) const;
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
   std::vector<std::vector<double>> highest_;  // by surface assignment: emission by channel
+  std::vector<Carried> carried_;
 };
 
 }  // namespace ifov::render
