@@ -73,6 +73,15 @@ MovingWorld::MovingWorld(std::unique_ptr<World> still, std::vector<Mover> movers
     first = false;
     movers_.push_back(std::move(made));
   }
+  std::vector<Bounds> hulls;
+  for (const Moving& mover : movers_) hulls.push_back(mover.swept->hull());
+  tree_ = std::make_unique<const BoxTree>(hulls);
+}
+
+template <class At>
+void MovingWorld::visit_near(const math::Ray& ray, double spread_rad, const At& at) const {
+  if (ray.time_s >= from_s_ && ray.time_s <= to_s_) return tree_->visit(ray, spread_rad, at);
+  for (std::uint32_t m = 0; m < movers_.size(); ++m) at(m);
 }
 
 MovingWorld::~MovingWorld() = default;
@@ -118,9 +127,18 @@ void MovingWorld::intersect(std::span<const math::Ray> rays, std::span<SurfacePo
   const auto rounding_m = [&](const math::Ray& ray, double distance_m) {
     return kOne * (1.0 + distance_m + math::length(ray.origin_m - math::Point3{}));
   };
-  for (const Moving& mover : movers_) {
+  std::vector<std::vector<std::uint32_t>> near(movers_.size());
+  for (std::uint32_t k = 0; k < rays.size(); ++k) {
+    math::Ray seen = rays[k];
+    if (hits[k].hit())
+      seen.t_max_m = std::min(seen.t_max_m, hits[k].distance_m + rounding_m(rays[k], hits[k].distance_m));
+    visit_near(seen, 0.0, [&](std::uint32_t m) { near[m].push_back(k); });
+  }
+  for (std::size_t m = 0; m < movers_.size(); ++m) {
+    if (near[m].empty()) continue;
+    const Moving& mover = movers_[m];
     Turned turned(mover);
-    for (std::uint32_t k = 0; k < rays.size(); ++k) {
+    for (const std::uint32_t k : near[m]) {
       const double seen_m = hits[k].hit() ? hits[k].distance_m : rays[k].t_max_m;
       turned.add(rays[k], k, hits[k].hit() ? seen_m + rounding_m(rays[k], seen_m) : seen_m);
     }
@@ -148,9 +166,14 @@ void MovingWorld::intersect(std::span<const math::Ray> rays, std::span<SurfacePo
 void MovingWorld::occluded(std::span<const math::Ray> rays, std::span<std::uint8_t> blocked) const {
   still_->occluded(rays, blocked);
   std::vector<std::uint8_t> found;
-  for (const Moving& mover : movers_) {
+  std::vector<std::vector<std::uint32_t>> near(movers_.size());
+  for (std::uint32_t k = 0; k < rays.size(); ++k)
+    if (blocked[k] == 0) visit_near(rays[k], 0.0, [&](std::uint32_t m) { near[m].push_back(k); });
+  for (std::size_t m = 0; m < movers_.size(); ++m) {
+    if (near[m].empty()) continue;
+    const Moving& mover = movers_[m];
     Turned turned(mover);
-    for (std::uint32_t k = 0; k < rays.size(); ++k)
+    for (const std::uint32_t k : near[m])
       if (blocked[k] == 0) turned.add(rays[k], k, rays[k].t_max_m);
     if (turned.rays.empty()) continue;
     found.resize(turned.rays.size());
@@ -160,14 +183,17 @@ void MovingWorld::occluded(std::span<const math::Ray> rays, std::span<std::uint8
 }
 
 bool MovingWorld::may_move_into(const math::Ray& ray, double from_s, double to_s, double spread_rad) const {
-  return std::any_of(movers_.begin(), movers_.end(), [&](const Moving& mover) {
-    return mover.swept->may_meet(ray, from_s, to_s, spread_rad);
+  bool any = false;
+  tree_->visit(ray, spread_rad, [&](std::uint32_t m) {
+    any = any || movers_[m].swept->may_meet(ray, from_s, to_s, spread_rad);
   });
+  return any;
 }
 
 void MovingWorld::when_met(const math::Ray& ray, double from_s, double to_s, double spread_rad,
                            std::vector<TimeInterval>& times) const {
-  for (const Moving& mover : movers_) mover.swept->when(ray, from_s, to_s, spread_rad, times);
+  tree_->visit(ray, spread_rad,
+               [&](std::uint32_t m) { movers_[m].swept->when(ray, from_s, to_s, spread_rad, times); });
 }
 
 World::PlacedObject MovingWorld::object_at(std::size_t mover, std::uint32_t own, double time_s) const {

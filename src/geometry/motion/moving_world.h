@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "geometry/motion/box_tree.h"
 #include "geometry/motion/swept_boxes.h"
 #include "geometry/world.h"
 
@@ -85,11 +86,15 @@ class MovingWorld final : public World {
   class Turned;
   using Meet = void (World::*)(std::span<const math::Ray>, std::span<SurfacePoint>) const;
   void intersect(std::span<const math::Ray> rays, std::span<SurfacePoint> hits, Meet meet) const;
+  /// Calls at(mover) for those that may be met.
+  template <class At>
+  void visit_near(const math::Ray& ray, double spread_rad, const At& at) const;
   std::uint32_t number_of_still(std::uint32_t own) const;
   Place place_of(std::uint32_t object) const;
 
   std::unique_ptr<World> still_;
   std::vector<Moving> movers_;
+  std::unique_ptr<const BoxTree> tree_;  // of where each may be from from_s_ to to_s_
   double from_s_, to_s_;
   Bounds bounds_;
   Heights heights_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/motion/box_tree.h"
 #include "geometry/motion/motion.h"
 
 namespace ifov::geometry {
@@ -30,35 +31,6 @@ void include(World::Bounds& bounds, Point3 p) {
 World::Bounds none() {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-}
-
-/// Whether a ray comes as near as `beyond_m` to a box.
-bool meets_widened(const math::Ray& ray, const World::Bounds& box, double beyond_m) {
-  double first = ray.t_min_m, last = ray.t_max_m;
-  const double origin[3] = {ray.origin_m.x, ray.origin_m.y, ray.origin_m.z},
-               direction[3] = {ray.direction.x, ray.direction.y, ray.direction.z},
-               low[3] = {box.low_m.x, box.low_m.y, box.low_m.z},
-               high[3] = {box.high_m.x, box.high_m.y, box.high_m.z};
-  for (int a = 0; a < 3; ++a) {
-    const double l = low[a] - beyond_m, h = high[a] + beyond_m;
-    if (direction[a] == 0.0) {
-      if (origin[a] < l || origin[a] > h) return false;
-      continue;
-    }
-    const double one = (l - origin[a]) / direction[a], other = (h - origin[a]) / direction[a];
-    first = std::max(first, std::min(one, other)), last = std::min(last, std::max(one, other));
-    if (!(first <= last)) return false;
-  }
-  return true;
-}
-
-/// How far a cone about the ray may reach aside where the box is.
-double reach_m(const math::Ray& ray, const World::Bounds& box, double spread_rad) {
-  if (spread_rad == 0.0) return 0.0;
-  const Vec3 diagonal = box.high_m - box.low_m;
-  const Point3 middle = box.low_m + 0.5 * diagonal;
-  return std::tan(std::min(spread_rad, 1.5)) *
-         (math::length(middle - ray.origin_m) + 0.5 * math::length(diagonal));
 }
 
 }  // namespace
@@ -128,14 +100,14 @@ std::size_t SweptBoxes::step_at(double time_s) const {
 template <class Found>
 void SweptBoxes::find(const math::Ray& ray, double from_s, double to_s, double spread_rad,
                       const Found& found) const {
-  if (!meets_widened(ray, hull_, reach_m(ray, hull_, spread_rad))) return;
+  if (!comes_near(ray, hull_, cone_reach_m(ray, hull_, spread_rad))) return;
   // A time on the border of two steps belongs to both.
   const double rounding_s = 1e-9 * (to_s_ - from_s_);
   const std::size_t first = step_at(from_s - rounding_s), last = step_at(to_s + rounding_s);
   for (std::size_t k = first; k <= last;) {
     const World::Bounds& block = blocks_[k / kBlock];
     const std::size_t end = std::min(last + 1, (k / kBlock + 1) * kBlock);
-    if (!meets_widened(ray, block, reach_m(ray, block, spread_rad))) {
+    if (!comes_near(ray, block, cone_reach_m(ray, block, spread_rad))) {
       k = end;
       continue;
     }
@@ -144,7 +116,7 @@ void SweptBoxes::find(const math::Ray& ray, double from_s, double to_s, double s
       math::Ray turned = ray;
       turned.origin_m = step.box_from_scene(ray.origin_m);
       turned.direction = step.box_from_scene(ray.direction);
-      if (meets_widened(turned, step.box, reach_m(turned, step.box, spread_rad)) && !found(k)) return;
+      if (comes_near(turned, step.box, cone_reach_m(turned, step.box, spread_rad)) && !found(k)) return;
     }
   }
 }
@@ -174,7 +146,7 @@ void SweptBoxes::when(const math::Ray& ray, double from_s, double to_s, double s
 }
 
 bool SweptBoxes::meets(const math::Ray& in_carrier, const World::Bounds& box) {
-  return meets_widened(in_carrier, box, 1e-9 * (1.0 + math::length(in_carrier.origin_m - Point3{})));
+  return comes_near(in_carrier, box, 1e-9 * (1.0 + math::length(in_carrier.origin_m - Point3{})));
 }
 
 }  // namespace ifov::geometry

@@ -26,6 +26,8 @@ class SweptBoxes {
   bool covers(double time_s) const { return time_s >= from_s_ && time_s <= to_s_; }
 
   World::Bounds reach() const { return reach_; }  ///< of where it is, scene frame
+  /// Of all that may_meet() takes to be its place.
+  World::Bounds hull() const { return hull_; }
 
   /// The box at one instant.
   static bool meets(const math::Ray& in_carrier, const World::Bounds& box);
