@@ -32,6 +32,24 @@ class SamplerOf final : public sampling::AccuracySampler {
   Parts parts_;
 };
 
+/// What values of the pixels around have met is not looked at. It shows many a fault of a pixel's own, and is left out where one is planted.
+struct EachPixelAlone : sampling::UnseenValues {
+  using UnseenValues::UnseenValues;
+  double rare_beside(const sampling::SourcePixel&, const sampling::Stratum&, int, double) const override {
+    return 0.0;
+  }
+};
+class NothingBesideTells : public sampling::AccuracyParts {
+ public:
+  std::unique_ptr<sampling::UnseenValues> unseen(const sampling::LabelSpread& spread,
+                                                 const sampling::Prober& prober,
+                                                 const sampling::StandoutValues& standouts,
+                                                 const sampling::LabelTable& table,
+                                                 const sampling::Field& field) const override {
+    return std::make_unique<EachPixelAlone>(spread, prober, standouts, table, field);
+  }
+};
+
 /// All grids of brackets begin alike, so that their errors agree on aligned scenes.
 class Undithered final : public sampling::AccuracyParts {
  public:
@@ -121,8 +139,8 @@ struct AloneUntold final : sampling::StratumEstimates {
 };
 
 /// What values of a penumbra may be is taken to be their mean.
-struct MeansAreFarthest final : sampling::UnseenValues {
-  using UnseenValues::UnseenValues;
+struct MeansAreFarthest final : EachPixelAlone {
+  using EachPixelAlone::EachPixelAlone;
   double farthest_of(std::uint32_t label, int column, double mean) const override {
     return (mean_of(label, column) - mean) * (mean_of(label, column) - mean);
   }
@@ -139,8 +157,8 @@ class PenumbraeAreMeans final : public sampling::AccuracyParts {
 };
 
 /// What rays and strays have met in a cluttered pixel is forgotten where no value has met it.
-struct NothingKnownFarther final : sampling::UnseenValues {
-  using UnseenValues::UnseenValues;
+struct NothingKnownFarther final : EachPixelAlone {
+  using EachPixelAlone::EachPixelAlone;
   double known_farther(const sampling::SourcePixel&, int) const override { return 0.0; }
 };
 class Forgetful final : public sampling::AccuracyParts {
@@ -178,7 +196,7 @@ struct FewTellNearby final : sampling::NearbySpread {
  private:
   const sampling::LabelSpread& spread_;
 };
-class OtherLabelsTell final : public sampling::AccuracyParts {
+class OtherLabelsTell final : public NothingBesideTells {
  public:
   std::unique_ptr<sampling::StratumEstimates> estimates(const sampling::Lattice& lattice,
                                                         const sampling::LatticeValues& values,

@@ -269,7 +269,7 @@ TEST(ControlVariates, OfSeveralLabelsLeaveTheLimitWithinReach) {
 
 TEST(ControlVariates, MustNotTakeTheVarianceTheyAreJudgedBy) {
   const Found right = render<AccuracySampler>({.noise = 0.6}, 20),
-              fault = render<AccuracySampler>({.noise = 0.6, .fitted_exactly = true}, 20);
+              fault = render<SamplerOf<NothingBesideTells>>({.noise = 0.6, .fitted_exactly = true}, 20);
   EXPECT_GE(right.held, 0.96);
   EXPECT_LT(fault.held, 0.93);
 }

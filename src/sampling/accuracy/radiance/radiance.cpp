@@ -18,7 +18,7 @@ struct Radiance::Parts {
   Parts(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable& table, const Judges& judges,
         std::uint64_t seed, bool keep)
       : strays(tracer.model(), tracer.contradictions(), table, ledger.field()),
-        pixels(tracer.pixels(), judges.spread, judges.nearby),
+        pixels(tracer.pixels(), judges.spread, judges.nearby, tracer.lattice().domain().width()),
         rounds(pixels.others(), tracer.model(), strays, table, ledger, judges.controls,
                keep ? &kept : nullptr, seed),
         nets(pixels.others(), tracer.model(), strays, table, ledger, judges.controls, seed),

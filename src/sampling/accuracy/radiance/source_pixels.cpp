@@ -22,6 +22,27 @@ void SourcePixels::add(int first, int last, const LeafIntegrator& integrator) {
     others_.emplace_back().source = source;
     fill(others_.back(), integrator);
   }
+  find_neighbours();
+}
+
+void SourcePixels::find_neighbours() {
+  constexpr int kBeside = 2;  // how far around
+  if (others_.empty()) return;
+  const int first = others_.front().source, last = others_.back().source;
+  std::vector<const SourcePixel*> at(static_cast<std::size_t>(last - first) + 1, nullptr);
+  for (const SourcePixel& pixel : others_) at[static_cast<std::size_t>(pixel.source - first)] = &pixel;
+  for (SourcePixel& pixel : others_) {
+    const int column = pixel.source % width_;
+    for (int dy = -kBeside; dy <= kBeside; ++dy)
+      for (int dx = -kBeside; dx <= kBeside; ++dx) {
+        const int source = pixel.source + dy * width_ + dx;
+        if ((dx == 0 && dy == 0) || column + dx < 0 || column + dx >= width_ || source < first ||
+            source > last)
+          continue;
+        if (const SourcePixel* other = at[static_cast<std::size_t>(source - first)]; other != nullptr)
+          pixel.beside.push_back(other);
+      }
+  }
 }
 
 bool SourcePixels::refresh(const LeafIntegrator& integrator) {

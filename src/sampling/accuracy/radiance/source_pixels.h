@@ -15,10 +15,11 @@ class TracedPixels;
 /// A group of source pixels, with what the traced model says of each.
 class SourcePixels {
  public:
-  SourcePixels(const TracedPixels& traced, const LabelSpread& spread, const NearbySpread& nearby)
-      : traced_(traced), spread_(spread), nearby_(nearby) {}
+  /// `width`: of the domain, in pixels.
+  SourcePixels(const TracedPixels& traced, const LabelSpread& spread, const NearbySpread& nearby, int width)
+      : traced_(traced), spread_(spread), nearby_(nearby), width_(width) {}
 
-  /// Source pixels [first, last).
+  /// Source pixels [first, last), once.
   void add(int first, int last, const LeafIntegrator& integrator);
   /// Before any value is planned: follows what tracing has changed. False where pixels must be added anew.
   bool refresh(const LeafIntegrator& integrator);
@@ -31,10 +32,12 @@ class SourcePixels {
 
  private:
   void fill(SourcePixel& pixel, const LeafIntegrator& integrator) const;
+  void find_neighbours();
 
   const TracedPixels& traced_;
   const LabelSpread& spread_;
   const NearbySpread& nearby_;
+  int width_;
   std::vector<PlainPixel> plain_;
   std::vector<SourcePixel> others_;
 };

@@ -60,7 +60,8 @@ struct SourcePixel {
   PixelModel model;
   std::vector<Stratum> strata;  ///< one per region of the model; for a cluttered pixel one, of all labels
   bool cluttered = false;
-  std::vector<ClutterRound> rounds;  ///< of a cluttered pixel, whose strata have no values
+  std::vector<ClutterRound> rounds;          ///< of a cluttered pixel, whose strata have no values
+  std::vector<const SourcePixel*> beside{};  ///< those around it that are of the same group
 
   double clutter_count() const;  ///< values of all rounds
 };

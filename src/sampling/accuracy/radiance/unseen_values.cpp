@@ -30,6 +30,20 @@ constexpr double kKnownFar = 1.5;
 /// Of labels that are uneven, values as rare as one of so many are known.
 constexpr double kRarest = 16.0;
 
+/// Whether a cluttered pixel has values on no other materials than another.
+bool is_of(const SourcePixel& pixel, const SourcePixel& other) {
+  const auto has = [&](std::uint32_t material) {
+    return std::any_of(other.rounds.begin(), other.rounds.end(), [&](const ClutterRound& round) {
+      return std::any_of(round.materials().begin(), round.materials().end(),
+                         [&](const auto& entry) { return entry.first == material; });
+    });
+  };
+  return std::all_of(pixel.rounds.begin(), pixel.rounds.end(), [&](const ClutterRound& round) {
+    return std::all_of(round.materials().begin(), round.materials().end(),
+                       [&](const auto& entry) { return has(entry.first); });
+  });
+}
+
 }  // namespace
 
 /// Whether random rays, probes or pilot rays have met a material in a cluttered pixel that none of its values has met.
@@ -96,6 +110,27 @@ double UnseenValues::known_farther(const SourcePixel& pixel, int column) const {
   return farthest > met ? farthest : 0.0;
 }
 
+double UnseenValues::rare_beside(const SourcePixel& pixel, const Stratum& stratum, int column,
+                                 double count) const {
+  double farthest = 0.0, own = 0.0, blocks = 0.0;
+  const auto look = [&](const BlockSums& round) {
+    if (round.blocks() >= kManyValues) farthest = std::max(farthest, round.rare(column));
+  };
+  const auto add = [&](const BlockSums& round) { own += round.squares(column), blocks += round.blocks(); };
+  for (const SourcePixel* other : pixel.beside) {
+    if (other->cluttered != pixel.cluttered) continue;
+    if (pixel.cluttered && is_of(*other, pixel))
+      for (const ClutterRound& round : other->rounds) look(round.sums());
+    for (const Stratum& like : other->strata)
+      if (!pixel.cluttered && like.label == stratum.label)
+        for (const BlockSums& round : like.rounds) look(round);
+  }
+  for (const BlockSums& round : stratum.rounds) add(round);
+  for (const ClutterRound& round : pixel.rounds) add(round.sums());
+  // One such value more would make a variance of farthest / count.
+  return blocks > 0.0 ? std::max(0.0, farthest - count * own / blocks) : 0.0;
+}
+
 double UnseenValues::variance(const SourcePixel& pixel, std::size_t s, int column) const {
   const Stratum& stratum = pixel.strata[s];
   if (stratum.deviation.empty()) return 0.0;
@@ -115,7 +150,9 @@ double UnseenValues::variance(const SourcePixel& pixel, std::size_t s, int colum
   // Where none of the many vertices thereabouts has met any, the pixel is like the rest of the tile, in which n values differ
   // from their label's mean by as much.
   if (rare > kThereabouts * deviation2) rare = std::min(rare, count * spread.local(stratum.label, column));
-  if (pixel.cluttered) rare = kKnownFar * kKnownFar * known_farther(pixel, column);
+  if (many || (pixel.cluttered && count >= kManyValues))
+    rare = std::max(rare, rare_beside(pixel, stratum, column, count));
+  if (pixel.cluttered) rare = std::max(rare, kKnownFar * kKnownFar * known_farther(pixel, column));
   double squared = std::min(kUnseen * kUnseen, 1.0 + count);
   if (pixel.cluttered) {
     const double missed =

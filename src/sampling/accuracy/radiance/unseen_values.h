@@ -14,6 +14,7 @@ class LabelTable;
 class Prober;
 class StandoutValues;
 struct SourcePixel;
+struct Stratum;
 
 /// What values have not met: the variance of their mean by values that differ from all of them, as those nearby show.
 class UnseenValues {
@@ -29,6 +30,10 @@ class UnseenValues {
 
  protected:
   double mean_of(std::uint32_t label, int column) const;
+  /// The square of how far rare values of the stratum's label (of a cluttered pixel's materials) lie from the others in the pixels around, beyond what `count` of its own
+  /// would show if they differed by nothing else.
+  virtual double rare_beside(const SourcePixel& pixel, const Stratum& stratum, int column,
+                             double count) const;
   /// The square of how far from the mean of a cluttered pixel's values lies what rays, strays or standouts have met there, and none
   /// of its values; 0: nothing.
   virtual double known_farther(const SourcePixel& pixel, int column) const;

@@ -31,6 +31,14 @@ class BlockSums {
   /// Sum over the blocks of their estimates of the variance of a value.
   double squares(int column) const { return count_ > 0.0 ? sums_[2 * stride_ + column] : 0.0; }
 
+  /// Square of how far rare values are from the others, as the blocks tell: 4 E[s^2]/E[s] of squares s with mean E[s], less the
+  /// 12 E[s] that normal values would give; 0 where none is rare.
+  double rare(int column) const {
+    const double square = squares(column);
+    if (!(square > 0.0)) return 0.0;
+    return std::max(0.0, 4.0 * sums_[3 * stride_ + column] / square - 12.0 * square / blocks_);
+  }
+
   /// Values that stand in no block, and the sum of what each tells of the variance of a value.
   double alone() const { return alone_; }
   double squares_alone(int column) const { return count_ > 0.0 ? sums_[4 * stride_ + column] : 0.0; }

@@ -52,6 +52,7 @@ class ClutterRound {
   double spread(int column) const {
     return sums_.spread(column);
   }  ///< variance of the values, wherever they stand
+  const BlockSums& sums() const { return sums_; }
   /// Weights of the values as the footprint about `centre` has them.
   std::vector<double> weigh(const PixelFootprint& footprint, Point2 centre) const;
   /// Of values that weigh so; of values that weigh alike where none lies under the footprint.
