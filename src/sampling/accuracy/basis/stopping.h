@@ -28,11 +28,15 @@ class Stopping {
     if (cache_.empty()) cache_.assign(3 * 201, 0.0);
     const int row = std::clamp(test, 0, 2);
     double& quantile = cache_[row * 201 + freedom];
-    if (quantile == 0.0) quantile = two_sided_student(1.0 - (1.0 - confidence_) * kShare[row], freedom);
+    if (quantile == 0.0) quantile = two_sided_student(1.0 - (1.0 - confidence_) * (row < 2 ? kShare[row] : share(freedom)), freedom);
     return quantile;
   }
 
  private:
+  static double share(double freedom) {
+    const double many = std::clamp(std::log(freedom / 16.0) / std::log(100.0 / 16.0), 0.0, 1.0);
+    return 0.4 + 0.35 * many;
+  }
   static constexpr double kShare[3] = {0.05, 0.1,
                                        0.4};  // of the probability of error, from the third test on the last
   double confidence_, normal_;

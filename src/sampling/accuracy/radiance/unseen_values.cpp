@@ -15,18 +15,18 @@ namespace {
 
 /// What n values have not met is rarer than x / n but for a share exp(-x) of cases. As a standard error, in units of
 /// 1 / n, with room for what lies farther off than one deviation.
-constexpr double kUnseen = 3.0;
+constexpr double kUnseen = 3.4;
 /// The same where rays have met something in the pixel on a material that no value has met yet: that it is there is known.
-constexpr double kKnownUnseen = 6.0;
+constexpr double kKnownUnseen = 6.9;
 /// Values far from the rest are taken to be one more than were met: else those strata would stop soonest that
 /// happened to meet few of them, and would be wrong all the same way.
-constexpr double kRareValues = 1.0, kManyValues = 8.0;
+constexpr double kRareValues = 1.3, kManyValues = 8.0;
 /// A far value that one of the vertices in a pixel and those around it has met makes the square of what they differ by at least this
 /// part of its own.
 constexpr double kThereabouts = 256.0;
 /// What is known to be there, and farther from the mean than any of n values: its 95 % interval is that of the 3 / n at which n
 /// values meet none.
-constexpr double kKnownFar = 1.5;
+constexpr double kKnownFar = 1.72;
 /// Of labels that are uneven, values as rare as one of so many are known.
 constexpr double kRarest = 16.0;
 
@@ -118,6 +118,9 @@ double UnseenValues::rare_beside(const SourcePixel& pixel, const Stratum& stratu
   };
   const auto add = [&](const BlockSums& round) { own += round.squares(column), blocks += round.blocks(); };
   for (const SourcePixel* other : pixel.beside) {
+    // What contradicted the model there may be here, too.
+    for (const Stratum& like : other->strata)
+      if (like.strays > 0.0) farthest = std::max(farthest, like.stray_squares[column] / like.strays);
     if (other->cluttered != pixel.cluttered) continue;
     if (pixel.cluttered && is_of(*other, pixel))
       for (const ClutterRound& round : other->rounds) look(round.sums());
