@@ -33,6 +33,7 @@ struct Grid {
   }
 };
 constexpr Grid kOptics{276}, kMatrices{72};
+constexpr double kTermsOfMatrices = 3e5;  ///< each at all angles: a tenth of a second
 
 std::vector<double> cosines(const PhaseAngles& angles) {
   std::vector<double> result;
@@ -104,7 +105,7 @@ std::complex<double> MieParticles::index(double um) const {
 const MieMixture& MieParticles::efficiencies(std::size_t node) const {
   std::call_once(kept_->optics.made[node], [&] {
     const double um = kOptics.at(static_cast<double>(node));
-    kept_->optics.mixture[node] = mie_mixture(sizes_, um, index(um), {});
+    kept_->optics.mixture[node] = mie_mixture(sizes_.resolved(um), um, index(um), {});
   });
   return kept_->optics.mixture[node];
 }
@@ -112,7 +113,8 @@ const MieMixture& MieParticles::efficiencies(std::size_t node) const {
 const MieMixture& MieParticles::matrix(std::size_t node) const {
   std::call_once(kept_->matrices.made[node], [&] {
     const double um = kMatrices.at(static_cast<double>(node));
-    kept_->matrices.mixture[node] = mie_mixture(sizes_, um, index(um), cosines(*mie_angles()));
+    kept_->matrices.mixture[node] =
+        mie_mixture(sizes_.resolved(um, kTermsOfMatrices), um, index(um), cosines(*mie_angles()));
   });
   return kept_->matrices.mixture[node];
 }
