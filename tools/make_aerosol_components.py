@@ -19,7 +19,7 @@ ABOUT = """\
 # @index NAME: wavelength um, n, k (dry). @mixture TYPE COMPONENT NUMBER ...: numbers in any unit.
 # OPAC: M. Hess, P. Koepke and I. Schult, Bull. Amer. Meteor. Soc. 79 (1998) 831-844; published figures, free to use with citation.
 # Smoke: O. Dubovik et al., J. Atmos. Sci. 59 (2002) 590-608, table 1, forest of Amazonia and savanna of Zambia at a depth of 1 at
-# 440 nm; beyond 1.02 um, which they did not see, the index of OPAC's water-soluble component from 1.25 um on.
+# 440 nm; beyond 1.02 um, which they did not see, the index goes over to that of OPAC's water-soluble component at 2 um.
 # Made by tools/make_aerosol_components.py; format in docs/formats/data.md.
 """
 
@@ -46,7 +46,7 @@ SMOKE = {
     "biomass_burning": ("smoke_of_forest", 1.47, 0.0093, (0.12, 0.14 + 0.013, 0.40), (0.05, 3.27 + 0.58, 0.79)),
     "savanna_burning": ("smoke_of_savanna", 1.51, 0.021, (0.12, 0.12 + 0.025, 0.40), (0.09, 3.22 + 0.71, 0.73)),
 }
-SEEN_UM, GOES_ON_UM, LARGEST_UM = (0.44, 1.02), 1.25, 15.0
+SEEN_UM, GOES_ON_UM, LARGEST_UM = (0.44, 1.02), 2.0, 15.0
 
 
 def component(path):
