@@ -134,17 +134,36 @@ TEST(AerosolComponents, ScatterWhereOpacSays) {
   EXPECT_GT(off_by(70.0), 0.02);
 }
 
-// Koepke, Gasteiger and Hess (2015) have mineral particles as spheroids in OPAC 4. What the guide and `ifov check` say of spheres.
+// Koepke, Gasteiger and Hess (2015) have mineral particles as spheroids in OPAC 4. What the guide and `ifov check` say of spheres, and
+// the error of the model holds.
 TEST(AerosolComponents, SpheresAreNoDust) {
-  const std::map<double, double> spheroids{{1, 220.1},   {20, 5.01},    {60, 0.5727},
-                                           {90, 0.2043}, {130, 0.1623}, {170, 0.2161}};
-  const PhaseFunction function = composed_aerosol("desert", 80.0)->phase_function(0.55);
+  const std::map<double, double> spheroids{{1, 220.1},    {20, 5.010},   {60, 0.5727},
+                                           {90, 0.2043},  {120, 0.1578}, {130, 0.1623},
+                                           {150, 0.1818}, {170, 0.2161}, {180, 0.3462}};
+  const auto desert = composed_aerosol("desert", 80.0);
+  const PhaseFunction function = desert->phase_function(0.55);
   const auto ratio = [&](double degrees) {
-    return function.at(std::cos(degrees * kDegree)) / spheroids.at(degrees);
+    return spheroids.at(degrees) / function.at(std::cos(degrees * kDegree));
   };
   for (const double degrees : {1.0, 20.0, 60.0, 90.0}) EXPECT_NEAR(ratio(degrees), 1.0, 0.1) << degrees;
-  EXPECT_NEAR(ratio(130.0), 0.67, 0.02);
-  EXPECT_NEAR(ratio(170.0), 2.25, 0.05);
+  EXPECT_NEAR(ratio(130.0), 1.5, 0.03);
+  EXPECT_NEAR(ratio(170.0), 0.44, 0.02);
+  double most = 0.0;
+  for (const auto& [degrees, value] : spheroids) most = std::max(most, std::abs(ratio(degrees) - 1.0));
+  EXPECT_GT(desert->scattering_error(0.55), most);
+  EXPECT_LT(desert->scattering_error(0.55), 1.2 * most);
+  EXPECT_EQ(composed_aerosol("continental_average", 80.0)->scattering_error(0.55), 0.0);
+  // Of a column it is the haze's, beside what has none.
+  const auto of_column = [](const char* type) {
+    AerosolDescription description;
+    description.type = type;
+    description.aot550 = 0.5;
+    return AerosolColumn(description, build_profile({}).profile, "mid-latitude summer")
+        .scattering_error(0.55);
+  };
+  EXPECT_GT(of_column("desert"), 0.4 * desert->scattering_error(0.55));
+  EXPECT_LT(of_column("desert"), desert->scattering_error(0.55));
+  EXPECT_EQ(of_column("rural"), 0.0);
 }
 
 // Dubovik et al. (2002), table 1: what was retrieved at 440, 670, 870 and 1020 nm beside sizes and indices. The volumes are those of a

@@ -101,10 +101,15 @@ std::shared_ptr<const MieParticles> component_spheres(std::string_view name, dou
 
 const std::vector<std::string>& composed_aerosols() { return ComponentTables::instance().names; }
 
+/// Of mineral particles. Spheroids of their sizes and index (Koepke, Gasteiger and Hess 2015, Atmos. Chem. Phys. 15, 5947) send half as
+/// much again to 110 to 140 degrees and half as much to 160 to 180; of desert dust with what is soluble beside it this holds all.
+constexpr double kShapeError = 0.7;
+
 std::shared_ptr<const ParticleMixture> composed_aerosol(std::string_view name, double humidity_percent) {
   std::vector<ParticleMixture::Part> parts;
   for (const auto& [component, number] : ComponentTables::instance().mixtures.at(std::string(name)))
-    parts.push_back({component_spheres(component, humidity_percent), number});
+    parts.push_back({component_spheres(component, humidity_percent), number,
+                     component.starts_with("mineral") ? kShapeError : 0.0});
   return std::make_shared<const ParticleMixture>(std::move(parts));
 }
 

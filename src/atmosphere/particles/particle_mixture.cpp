@@ -18,7 +18,7 @@ double ParticleMixture::extinction_um2(double um) const {
 
 AerosolProperties ParticleMixture::properties(double um) const {
   MieMixture sum;
-  for (const auto& [spheres, number] : parts_) {
+  for (const auto& [spheres, number, shape_error] : parts_) {
     const MieMixture here = spheres->cross_sections(um);
     sum.extinction += number * here.extinction;
     sum.scattering += number * here.scattering;
@@ -28,13 +28,23 @@ AerosolProperties ParticleMixture::properties(double um) const {
           sum.asymmetry / sum.scattering};
 }
 
+double ParticleMixture::scattering_error(double um) const {
+  double sum = 0.0, scattering = 0.0;
+  for (const Part& part : parts_) {
+    const double here = part.number * part.spheres->cross_sections(um).scattering;
+    scattering += here;
+    sum += here * part.shape_error;
+  }
+  return sum / scattering;
+}
+
 PhaseFunction ParticleMixture::phase_function(double um) const {
   const std::size_t count = mie_angles()->angle_rad.size();
   std::vector<double> a1(count, 0.0);
   PolarizationRatios ratios{std::vector<double>(count, 1.0), std::vector<double>(count, 0.0),
                             std::vector<double>(count, 0.0)};
   double scattering = 0.0;
-  for (const auto& [spheres, number] : parts_) {
+  for (const auto& [spheres, number, shape_error] : parts_) {
     const double of_part = number * spheres->cross_sections(um).scattering;
     const MieMixture matrix = spheres->matrix_at(um);
     scattering += of_part;

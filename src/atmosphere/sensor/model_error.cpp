@@ -228,7 +228,8 @@ ChannelModelError channel_model_error(const AtmosphereColumn& column, std::span<
       lit_less += share * std::exp(-two + table.of_depth(
                                               um, {view_air + sun_air, view_water + sun_water, two, haze}));
       const double hazy = haze_share(layers);
-      error.scattered += share * table.of_scattered(um, hazy);
+      error.scattered +=
+          share * (table.of_scattered(um, hazy) + hazy * column.aerosol().scattering_error(um));
       error.scattered_floor +=
           share * table.at(um).floor * bins[b].irradiance * geometry.sun_sine() / std::numbers::pi;
     }
