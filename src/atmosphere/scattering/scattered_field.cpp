@@ -84,14 +84,14 @@ class SlantSource::Sum {
   bool operator()(const PathPiece& piece) {
     return add(piece.sublayer, piece.depth, piece.near_position, piece.far_position, {}, {});
   }
-  /// At the piece's ends the source, times a factor, and something besides that is not polarized.
+  /// At the piece's ends the source, times a factor, and something besides.
   struct Varied {
     double factor = 1.0, besides = 0.0;
   };
   bool add(std::size_t sublayer, double depth, double near_position, double far_position,
            const Varied& near_end, const Varied& far_end) {
     const LinearSource step = LinearSource::over(depth);
-    multiple_.i += transmission_ * (step.near * near_end.besides + step.far * far_end.besides);
+    besides_ += transmission_ * (step.near * near_end.besides + step.far * far_end.besides);
     // The source at the piece's two ends, weighted, is one weighting of it at the sublayer's two ends.
     const double near = step.near * near_end.factor, far = step.far * far_end.factor;
     const double bottom = transmission_ * (near * near_position + far * far_position);
@@ -103,12 +103,15 @@ class SlantSource::Sum {
     transmission_ *= step.transmission;
     return transmission_ > 0.0;
   }
-  const StokesVector& multiple() const { return multiple_; }
+  /// What is besides has the polarization of the rest.
+  StokesVector multiple() const {
+    return multiple_.i > 0.0 ? (1.0 + besides_ / multiple_.i) * multiple_ : multiple_;
+  }
 
  private:
   std::size_t ends_;
   std::vector<double> at_azimuth_;  ///< [component][sublayer][top, bottom]
-  double transmission_ = 1.0;
+  double transmission_ = 1.0, besides_ = 0.0;
   StokesVector multiple_;
 };
 
