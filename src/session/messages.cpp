@@ -161,7 +161,7 @@ std::vector<std::string> notes(const Parts& parts) {
     if (modelled && modelled->aerosol && has_aerosol_of(*modelled->aerosol, "desert"))
       lines.push_back(
           "haze: dust is taken for spheres; spheroids send half as much again to scattering angles of 110 to 140 degrees and half as much "
-          "to 160 to 180, and the error of the model of the air has 0.7 of what dust scatters besides");
+          "to 160 to 180, and the error of the model of the air has 0.7 of what dust scatters into paths besides");
   }
   if (parts.document.atmosphere.modelled && !parts.document.atmosphere.modelled->clouds.empty()) {
     for (const io::CloudDocument& cloud : parts.document.atmosphere.modelled->clouds)
