@@ -157,9 +157,11 @@ std::vector<std::string> notes(const Parts& parts) {
           format("haze: the document's own, {}; {}, and the error of the model "
                  "of the air is that of gases and of haze of the tables: how far this haze is from the "
                  "air it does not know",
-                 haze,
-                 is_of_spheres(*modelled->aerosol) ? "it polarizes light as spheres do"
-                                                   : "light that it scatters is not polarized"));
+                 haze, haze_polarization(*modelled->aerosol)));
+    if (modelled && modelled->aerosol && has_aerosol_of(*modelled->aerosol, "desert"))
+      lines.push_back(
+          "haze: dust is taken for spheres; spheroids send half as much again to scattering angles of 110 to 140 degrees and half as much "
+          "to 160 to 180, and the error of the model of the air has 0.7 of what dust scatters into paths besides");
   }
   if (parts.document.atmosphere.modelled && !parts.document.atmosphere.modelled->clouds.empty()) {
     for (const io::CloudDocument& cloud : parts.document.atmosphere.modelled->clouds)

@@ -146,9 +146,9 @@ INSTANTIATE_TEST_SUITE_P(Runs, Lowtran7, testing::Values(&run_a, &run_b, &run_g)
 TEST(GasLowtran7, NitricAcidIsWithinTheErrorOfTheModel) {
   double most = 0.0, held = 0.0;  // depth, and depth over what is stated
   for (const char* run : {"A_MLS_vertical_noaerosol_trans", "B_US76_rural23_vertical_trans"}) {
-    const auto file = test::truth_file(std::string("atmosphere/lowtran7/") + run + ".tape7.txt");
+    const auto file = ifov::test::truth_file(std::string("atmosphere/lowtran7/") + run + ".tape7.txt");
     if (!file) GTEST_SKIP() << "reference data not found";
-    for (const test::LowtranRow& row : test::lowtran_rows(*file)) {
+    for (const ifov::test::LowtranRow& row : ifov::test::lowtran_rows(*file)) {
       if (!(row.hno3 > 0.0) || row.hno3 > 0.9995) continue;  // four decimals
       const double depth = -std::log(row.hno3);
       most = std::max(most, depth);

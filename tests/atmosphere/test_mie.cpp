@@ -199,7 +199,9 @@ TEST(Mie, HazeLHasItsCoefficients) {
   EXPECT_LT(off(haze_l(0.002)), 6e-6);  // half of the last decimal printed, and a little
   EXPECT_GT(off(haze_l(0.02)), 1e-5);   // twin: coarse steps
   const double root = 2.0 / (0.5 * 15.1186);
-  EXPECT_LT(off(modified_gamma(root * root, 2.0, 0.5)), 3e-4);  // as documents have it
+  const SizeDistribution of_documents = modified_gamma(root * root, 2.0, 0.5);
+  EXPECT_LT(off(of_documents.resolved(0.7)), 1e-5);
+  EXPECT_GT(off(of_documents), 1e-5);  // twin: not resolved
 }
 
 // In closed form: gamma distributions have what they are asked for, and lognormal ones median * exp(5/2 s^2) and exp(s^2) - 1.

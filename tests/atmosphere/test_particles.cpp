@@ -185,9 +185,19 @@ TEST(Aerosol, VisibilityOfAThicknessAsModtran6) {
 
 TEST(Aerosol, EveryTypeHasItsVisibility) {
   const Profile profile = build_profile({}).profile;
-  const std::map<std::string, double> expected{
-      {"none", 0.0},          {"rural", 23.0},        {"urban", 5.0},        {"maritime", 23.0},
-      {"tropospheric", 50.0}, {"advective fog", 0.2}, {"radiative fog", 0.5}};
+  const std::map<std::string, double> expected{{"none", 0.0},
+                                               {"rural", 23.0},
+                                               {"urban", 5.0},
+                                               {"maritime", 23.0},
+                                               {"tropospheric", 50.0},
+                                               {"advective fog", 0.2},
+                                               {"radiative fog", 0.5},
+                                               {"continental clean", 23.0},
+                                               {"continental average", 23.0},
+                                               {"continental polluted", 23.0},
+                                               {"desert", 23.0},
+                                               {"biomass burning", 23.0},
+                                               {"savanna burning", 23.0}};
   ASSERT_EQ(aerosol_types().size(), expected.size());
   for (const std::string& type : aerosol_types()) {
     AerosolDescription description;
@@ -216,7 +226,8 @@ TEST(Aerosol, WrongWordsAreNamed) {
   EXPECT_EQ(
       message(description),
       "'rurl' is no aerosol type; expected 'none', 'rural', 'urban', 'maritime', 'tropospheric', 'advective "
-      "fog' or 'radiative fog'; did you mean 'rural'?");
+      "fog', 'radiative fog', 'continental clean', 'continental average', 'continental polluted', 'desert', "
+      "'biomass burning' or 'savanna burning'; did you mean 'rural'?");
   description.type = "rural";
   description.visibility_km = 23.0;
   description.aot550 = 0.2;

@@ -85,7 +85,7 @@ TEST(RoundEarth, TheStudysRowsAreTheTables) {
   }
 }
 
-// With haze that a low Sun lights, (3) holds less well: by what round_earth_error() says.
+// With haze that a low Sun lights, (3) of docs/theory/atmosphere_round_earth.md holds less well: by what round_earth_error() says.
 TEST(RoundEarth, HazeIsWithinTheStatedError) {
   std::map<double, std::unique_ptr<ColumnSolution>> by_sun;
   int rows = 0, beyond_molecules = 0;
@@ -106,7 +106,7 @@ TEST(RoundEarth, HazeIsWithinTheStatedError) {
     ++rows;
   }
   EXPECT_EQ(rows, 105);
-  EXPECT_GT(beyond_molecules, 5) << "the stated error is not needed";
+  EXPECT_GT(beyond_molecules, 0) << "the stated error is not needed";
 }
 
 TEST(RoundEarth, NothingJumpsWithTheSun) {

@@ -19,7 +19,7 @@ RETRIEVAL = (
 ).format([0.3 * (nm / 550) ** -1.3 for nm in (440, 675, 870)])
 
 
-class MoreThanNumbers(unittest.TestCase):
+class Looked(unittest.TestCase):
     def looked_at(self, haze, **files):
         with Folder(yard=YARD % (HAZE % haze)) as folder:
             for name, text in files.items():
@@ -33,6 +33,8 @@ class MoreThanNumbers(unittest.TestCase):
                 if a:
                     self.assertAlmostEqual(b / a, 1.0, delta=1e-3)
 
+
+class MoreThanNumbers(Looked):
     def test_a_retrieval_is_the_haze_of_its_numbers(self):
         numbers = self.looked_at(OWN + ', "asymmetry": 0.65')
         retrieval = self.looked_at('"aeronet": {"file": "sgp.all"}', sgp=RETRIEVAL)
@@ -70,6 +72,45 @@ class MoreThanNumbers(unittest.TestCase):
             self.assertEqual((done.returncode, done.stdout), (1, ""), haze)
             self.assertIn(message, done.stderr)
             self.assertIn("yard.json:", done.stderr + "yard.json:" * haze.startswith('"aeronet": {"file": "sgp.all", "time"'))
+
+
+class Kinds(Looked):
+    """Optics of one of the types, by its name."""
+
+    def test_are_those_of_the_type(self):
+        told = self.looked_at('"optical_depth": 0.3, "kind": "biomass burning", "top": "2 km"')
+        self.assertEqual((told.returncode, told.stderr), (0, ""))
+        self.assertIn("Haze of the document's own: biomass burning, optical depth 0.3 at 0.55 um, from the ground to 2 km.", told.stdout)
+        mixed = self.looked_at('"mixture": [{"optical_depth": 0.1, "kind": "biomass burning", "top": "2 km"}, '
+                               '{"optical_depth": 0.2, "kind": "biomass burning", "humidity": "10 %", "top": "2 km"}]')
+        self.same(told, mixed)
+        other = self.looked_at('"optical_depth": 0.3, "kind": "savanna burning", "top": "2 km"')
+        self.assertNotAlmostEqual(rows(other.stdout)["blue"][0], 0.0)
+        self.assertGreater(
+            max(abs(b / a - 1.0) for a, b in zip(rows(told.stdout)["red"], rows(other.stdout)["red"]) if a), 0.01, "the other smoke is the same"
+        )
+
+    def test_types_are_known(self):
+        for kind in ("desert", "continental clean", "continental average", "continental polluted", "biomass burning", "savanna burning"):
+            done = self.looked_at('"type": "%s", "aot550": 0.2' % kind)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), kind)
+            self.assertIn(f"Aerosol: {kind}, visibility", done.stdout)
+
+    def test_what_is_said_where_it_is_wrong(self):
+        for haze, message in (
+            ('"type": "desrt"', "'desert'"),
+            ('"type": "continental"', "'continental clean', 'continental average', 'continental polluted', 'desert', 'biomass burning' or 'savanna burning'"),
+            ('"optical_depth": 0.3, "kind": "smoke"', "'biomass burning'"),
+            ('"optical_depth": 0.3, "kind": "desert", "angstrom": 1', "'angstrom' follows from the 'kind', 'desert': leave one out"),
+            ('"optical_depth": 0.3, "kind": "desert", "asymmetry": 0.7', "cannot stand beside"),
+            ('"optical_depth": 0.3, "kind": "desert", "humidity": "120 %"', "120 %"),
+            ('"optical_depth": 0.3, "angstrom": 1, "single_scattering_albedo": 0.9, "asymmetry": 0.7, "humidity": "50 %"', "'humidity' needs the key 'kind' beside it"),
+            ('"kind": "desert"', "'kind' needs the key 'optical_depth' beside it"),
+        ):
+            done = self.looked_at(haze)
+            self.assertEqual((done.returncode, done.stdout), (1, ""), haze)
+            self.assertIn(message, done.stderr)
+            self.assertIn("yard.json:", done.stderr)
 
 
 class Told(unittest.TestCase):
@@ -185,7 +226,7 @@ class Errors(unittest.TestCase):
     def test_what_it_needs(self):
         self.refused('"optical_depth": 0.3', "'optical_depth' needs 'angstrom'", "0.3")
         self.refused('"optical_depth": 0.3, "angstrom": 1', "'optical_depth' needs 'single_scattering_albedo'", "0.3")
-        self.refused(OWN, "'optical_depth' needs 'asymmetry', 'phase_function' or 'mie'", "0.3")
+        self.refused(OWN, "'optical_depth' needs 'asymmetry', 'phase_function', 'mie' or 'kind'", "0.3")
         self.refused(OWN + ', "asymmetry": 0.6, "type": "rural"', "'type' is of the tables' haze", '"type"')
         self.refused('"asymmetry": 0.6', "'asymmetry' needs the key 'optical_depth' beside it", '{"asymmetry"')
 
@@ -195,7 +236,7 @@ class Errors(unittest.TestCase):
         self.refused(spheres % '"radius": "1 um", "index": "water"', "'radius' needs 'sigma'", '"1 um"')
         self.refused(spheres % '"radius": "1 um", "sigma": 2, "effective_radius": "2 um", "index": "water"', "cannot stand beside", '"')
         self.refused(
-            spheres % '"radius": "10 um", "sigma": 2, "index": [1.4, 0]', "spheres of up to 3.51e+03 um: expected 1.59e+03 um or less", '{"radius"'
+            spheres % '"radius": "50 um", "sigma": 2, "index": [1.4, 0]', "spheres of up to 3.9e+03 um: expected 1.59e+03 um or less", '{"radius"'
         )
         self.refused(
             spheres % '"radius": "0.1 um", "sigma": 2, "index": [1.4, 0]' + ', "angstrom": 1',

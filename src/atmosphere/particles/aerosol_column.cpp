@@ -6,7 +6,7 @@
 
 #include "atmosphere/particles/aerosol_description.h"
 #include "atmosphere/particles/aerosol_height.h"
-#include "atmosphere/particles/aerosol_phase_functions.h"
+#include "atmosphere/particles/aerosol_types.h"
 #include "atmosphere/particles/particle_layer.h"
 #include "atmosphere/particles/particles.h"
 #include "atmosphere/profile/column_integral.h"
@@ -15,38 +15,6 @@
 
 namespace ifov::atmosphere {
 namespace {
-
-struct AerosolType {
-  std::string name, optics;
-  double visibility_km;  ///< where none is given
-};
-
-const std::vector<AerosolType>& types() {
-  static const std::vector<AerosolType> all{
-      {"rural", "rural", 23.0},
-      {"urban", "urban", 5.0},
-      {"maritime", "maritime", 23.0},
-      {"tropospheric", "tropospheric", 50.0},
-      {"advective fog", "fog_advection", 0.2},
-      {"radiative fog", "fog_radiation", 0.5},
-  };
-  return all;
-}
-
-/// One kind of LOWTRAN7's, at a humidity.
-class TabulatedParticles : public Particles {
- public:
-  TabulatedParticles(std::string_view kind, double humidity_percent)
-      : optics_(kind, humidity_percent), phase_functions_(kind, humidity_percent) {}
-  AerosolProperties properties(double wavelength_um) const override { return optics_.at(wavelength_um); }
-  PhaseFunction phase_function(double wavelength_um) const override {
-    return phase_functions_.at(wavelength_um);
-  }
-
- private:
-  AerosolOptics optics_;
-  AerosolPhaseFunctions phase_functions_;
-};
 
 constexpr double kClearestKm = 300.0;  ///< beyond, air alone limits the view (3.912 / 0.01159 km-1)
 constexpr double kThickestKm = 0.05;
@@ -104,15 +72,6 @@ double mean_humidity(const Profile& profile, const std::vector<double>& altitude
 
 }  // namespace
 
-const std::vector<std::string>& aerosol_types() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all{"none"};
-    for (const AerosolType& type : types()) all.push_back(type.name);
-    return all;
-  }();
-  return names;
-}
-
 const std::vector<std::string>& stratosphere_states() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
@@ -132,7 +91,7 @@ AerosolColumn::AerosolColumn(const AerosolDescription& description, const Profil
 
 void AerosolColumn::add_haze(const AerosolDescription& description, const Profile& profile,
                              std::string_view model) {
-  const AerosolType& type = row_named(types(), description.type, "aerosol type", aerosol_types());
+  const AerosolType& type = aerosol_type(description.type);
   const StratosphereState& state = row_named(stratosphere_table(), description.stratosphere,
                                              "state of the stratosphere", stratosphere_states());
   const bool spring_summer = is_spring_summer(description.season, model);
@@ -164,19 +123,11 @@ void AerosolColumn::add_haze(const AerosolDescription& description, const Profil
       std::fill_n(heights.extinction_km[region].begin(), heights.altitude_km.size(), 0.0);
   }
   humidity_percent_ = mean_humidity(profile, heights.altitude_km, heights.extinction_km[0]);
-  struct Kind {
-    std::string_view name;
-    double humidity_percent;
-  };
-  const std::array<Kind, kRegions> kinds{Kind{type.optics, humidity_percent_},
-                                         {"tropospheric", kTroposphereHumidity},
-                                         {state.optics, 0.0},
-                                         {"meteoric_dust", 0.0}};
-  for (std::size_t r = 0; r < kRegions; ++r) {
-    const auto& [name, humidity] = kinds[r];
-    regions_.push_back({heights.altitude_km, heights.extinction_km[r],
-                        std::make_shared<const TabulatedParticles>(name, humidity)});
-  }
+  const std::array<std::shared_ptr<const Particles>, kRegions> kinds{
+      particles_of(type, humidity_percent_), tabulated_particles("tropospheric", kTroposphereHumidity),
+      tabulated_particles(state.optics, 0.0), tabulated_particles("meteoric_dust", 0.0)};
+  for (std::size_t r = 0; r < kRegions; ++r)
+    regions_.push_back({heights.altitude_km, heights.extinction_km[r], kinds[r]});
   constexpr double kThickest = 10.0;
   for (const std::shared_ptr<const ParticleLayer>& layer : description.own)
     add(*layer, kThickest, profile.ground_km());
@@ -234,6 +185,17 @@ AerosolProperties AerosolColumn::properties(std::size_t region, double wavelengt
 
 PhaseFunction AerosolColumn::phase_function(std::size_t region, double wavelength_um) const {
   return regions_[region].particles->phase_function(wavelength_um);
+}
+
+double AerosolColumn::scattering_error(double wavelength_um) const {
+  double sum = 0.0, scattering = 0.0;
+  for (std::size_t r = 0; r < first_cloud_; ++r) {
+    const AerosolProperties here = properties(r, wavelength_um);
+    const double scattered = thickness_550(r, 0.0, kTopOfAtmosphereKm) * (here.extinction - here.absorption);
+    scattering += scattered;
+    if (scattered > 0.0) sum += scattered * regions_[r].particles->scattering_error(wavelength_um);
+  }
+  return scattering > 0.0 ? sum / scattering : 0.0;
 }
 
 }  // namespace ifov::atmosphere

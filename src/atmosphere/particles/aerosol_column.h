@@ -48,6 +48,8 @@ class AerosolColumn {
   double extinction_550_km(std::size_t region, double altitude) const;
   AerosolProperties properties(std::size_t region, double wavelength_um) const;
   PhaseFunction phase_function(std::size_t region, double wavelength_um) const;
+  /// Particles::scattering_error, mean over what all regions but clouds scatter; 0 where there are none.
+  double scattering_error(double wavelength_um) const;
 
  private:
   struct Region {

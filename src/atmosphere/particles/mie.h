@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "atmosphere/particles/size_distribution.h"
+
 namespace ifov::atmosphere {
 
 /// Light scattered by a sphere (Mie 1908; Bohren and Huffman 1983, ch. 4). Size parameter x = 2 pi radius / wavelength, index
@@ -32,21 +34,6 @@ class MieSphere {
   double extinction_ = 0.0, scattering_ = 0.0, asymmetry_ = 0.0;
 };
 
-/// Radii of many spheres, and how many have each (in any unit).
-struct SizeDistribution {
-  std::vector<double> radius_um, number;
-  /// Ratio of the sums of r^3 and r^2, and Hansen and Travis's (1974, eq. 2.54) variance about it.
-  double effective_radius_um() const;
-  double effective_variance() const;
-};
-
-/// Numbers that are normal in ln r: median radius and geometric standard deviation (above 1).
-SizeDistribution lognormal(double median_um, double deviation);
-/// Numbers per radius as r^alpha exp(-(alpha / gamma) (r / mode)^gamma) (Deirmendjian 1969), alpha and gamma above 0.
-SizeDistribution modified_gamma(double mode_um, double alpha, double gamma);
-/// That with gamma = 1 which has this effective radius and variance, 0 to 1/3 without the ends (Hansen and Travis 1974, eq. 2.56).
-SizeDistribution gamma_by_effective_radius(double effective_um, double variance);
-
 /// What spheres of many sizes make of light together.
 struct MieMixture {
   double extinction = 0.0, scattering = 0.0;  ///< cross-sections, um^2, of a mean sphere
@@ -55,6 +42,7 @@ struct MieMixture {
   /// Scattering matrix at the cosines asked for, the mean of a1 over the sphere 1; a2 is a1.
   std::vector<double> a1, a3, b1;
 };
+/// `sizes` as they stand: who wants them resolved says so.
 MieMixture mie_mixture(const SizeDistribution& sizes, double wavelength_um, std::complex<double> index,
                        std::span<const double> cosine);
 

@@ -33,6 +33,7 @@ struct Grid {
   }
 };
 constexpr Grid kOptics{276}, kMatrices{72};
+constexpr double kTermsOfMatrices = 3e5;  ///< each at all angles: a tenth of a second
 
 std::vector<double> cosines(const PhaseAngles& angles) {
   std::vector<double> result;
@@ -89,6 +90,7 @@ MieParticles::MieParticles(SizeDistribution sizes, radiometry::Spectrum n, radio
                most_um = MieSphere::kLargest * kShortest_um / (2.0 * std::numbers::pi);
   if (largest_um > most_um)
     throw InputError(format("spheres of up to {:.3g} um: expected {:.3g} um or less", largest_um, most_um));
+  share_within_ = sizes_.share_within();
   reference_extinction_ = interpolated(kReference_um).extinction;
 }
 
@@ -104,7 +106,7 @@ std::complex<double> MieParticles::index(double um) const {
 const MieMixture& MieParticles::efficiencies(std::size_t node) const {
   std::call_once(kept_->optics.made[node], [&] {
     const double um = kOptics.at(static_cast<double>(node));
-    kept_->optics.mixture[node] = mie_mixture(sizes_, um, index(um), {});
+    kept_->optics.mixture[node] = mie_mixture(sizes_.resolved(um), um, index(um), {});
   });
   return kept_->optics.mixture[node];
 }
@@ -112,7 +114,8 @@ const MieMixture& MieParticles::efficiencies(std::size_t node) const {
 const MieMixture& MieParticles::matrix(std::size_t node) const {
   std::call_once(kept_->matrices.made[node], [&] {
     const double um = kMatrices.at(static_cast<double>(node));
-    kept_->matrices.mixture[node] = mie_mixture(sizes_, um, index(um), cosines(*mie_angles()));
+    kept_->matrices.mixture[node] =
+        mie_mixture(sizes_.resolved(um, kTermsOfMatrices), um, index(um), cosines(*mie_angles()));
   });
   return kept_->matrices.mixture[node];
 }
@@ -141,17 +144,36 @@ double MieParticles::extinction_per_volume(double um) const {
   return here.extinction / here.volume;
 }
 
-PhaseFunction MieParticles::phase_function(double um) const {
+MieMixture MieParticles::cross_sections(double um) const {
+  MieMixture here = interpolated(um);
+  here.extinction *= share_within_, here.scattering *= share_within_, here.volume *= share_within_;
+  return here;
+}
+
+MieMixture MieParticles::matrix_at(double um) const {
   const auto [node, share] = kMatrices.place(um);
   const MieMixture &a = matrix(node), &b = matrix(node + 1);
   const std::size_t count = a.a1.size();
+  MieMixture here;
+  here.a1.resize(count), here.a3.resize(count), here.b1.resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    here.a1[k] = std::exp(std::lerp(std::log(a.a1[k]), std::log(b.a1[k]), share));
+    here.a3[k] = here.a1[k] * std::lerp(a.a3[k] / a.a1[k], b.a3[k] / b.a1[k], share);
+    here.b1[k] = here.a1[k] * std::lerp(a.b1[k] / a.a1[k], b.b1[k] / b.a1[k], share);
+  }
+  return here;
+}
+
+PhaseFunction MieParticles::phase_function(double um) const {
+  const MieMixture here = matrix_at(um);
+  const std::size_t count = here.a1.size();
   std::vector<double> logarithms(count);
   PolarizationRatios ratios{std::vector<double>(count, 1.0), std::vector<double>(count),
                             std::vector<double>(count)};
   for (std::size_t k = 0; k < count; ++k) {
-    logarithms[k] = std::lerp(std::log(a.a1[k]), std::log(b.a1[k]), share);
-    ratios.a3[k] = std::lerp(a.a3[k] / a.a1[k], b.a3[k] / b.a1[k], share);
-    ratios.b1[k] = std::lerp(a.b1[k] / a.a1[k], b.b1[k] / b.a1[k], share);
+    logarithms[k] = std::log(here.a1[k]);
+    ratios.a3[k] = here.a3[k] / here.a1[k];
+    ratios.b1[k] = here.b1[k] / here.a1[k];
   }
   return {mie_angles(), std::move(logarithms), std::make_shared<const PolarizationRatios>(std::move(ratios))};
 }

@@ -21,6 +21,9 @@ class MieParticles : public Particles {
   PhaseFunction phase_function(double wavelength_um) const override;  ///< with its polarization
 
   const SizeDistribution& sizes() const { return sizes_; }
+  /// Extinction, scattering and asymmetry, for one sphere of the whole distribution (those beyond its range do nothing).
+  MieMixture cross_sections(double wavelength_um) const;
+  MieMixture matrix_at(double wavelength_um) const;  ///< a1, a3 and b1 at mie_angles()
   /// Extinction cross-section over volume, 1/um, of all spheres together.
   double extinction_per_volume(double wavelength_um) const;
 
@@ -36,6 +39,7 @@ class MieParticles : public Particles {
   radiometry::Spectrum n_, k_;
   std::unique_ptr<Kept> kept_;
   double reference_extinction_ = 1.0;  ///< at 550 nm
+  double share_within_ = 1.0;          ///< of all spheres, those in the range of sizes
 };
 
 /// Angles at which the scattering matrices of spheres are told: from steps of 0.02 degrees about the forward direction to 1.25,

@@ -13,6 +13,9 @@ class Particles {
   /// InputError where something was given that does not reach to this wavelength.
   virtual AerosolProperties properties(double wavelength_um) const = 0;
   virtual PhaseFunction phase_function(double wavelength_um) const = 0;
+  /// How far light that they scatter may be off because they are taken for something else (dust for spheres), relative, beside what
+  /// the table of the model's error says of haze.
+  virtual double scattering_error(double /*wavelength_um*/) const { return 0.0; }
 };
 
 }  // namespace ifov::atmosphere

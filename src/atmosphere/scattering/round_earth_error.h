@@ -13,7 +13,7 @@ struct RoundEarthError {
 };
 
 inline RoundEarthError round_earth_error(double sun_zenith_rad) {
-  constexpr double kLow_deg = 80.0, kPath = 0.0008, kSky = 0.0028;  // by degree
+  constexpr double kLow_deg = 80.0, kPath = 0.0008, kSky = 0.0014;  // by degree
   const double lower = std::max(0.0, sun_zenith_rad / math::kDegree - kLow_deg);
   return {kPath * lower, kSky * lower};
 }

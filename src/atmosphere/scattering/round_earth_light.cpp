@@ -59,25 +59,41 @@ RoundEarthLight::RoundEarthLight(const ScatteringColumn& column) {
   // While the Sun is high it is as good as equally high all along a ray, and that costs a tenth.
   const double low = std::clamp((sun_rad - kStill_rad) / (kTurns_rad - kStill_rad), 0.0, 1.0);
   constexpr double kLongest_km = 60.0;
-  std::vector<double> log_mean, log_flux;
+  std::vector<double> log_mean, log_flux, up, sunward;
   const auto add = [&](const ShellOrders& shells, double share) {
     log_mean.resize(shells.log_mean().size(), 0.0);
     log_flux.resize(shells.log_flux().size(), 0.0);
-    for (std::size_t k = 0; k < log_mean.size(); ++k) log_mean[k] += share * shells.log_mean()[k];
+    up.resize(shells.up().size(), 0.0);
+    sunward.resize(shells.sunward().size(), 0.0);
+    for (std::size_t k = 0; k < log_mean.size(); ++k) {
+      log_mean[k] += share * shells.log_mean()[k];
+      up[k] += share * shells.up()[k];
+      sunward[k] += share * shells.sunward()[k];
+    }
     for (std::size_t k = 0; k < log_flux.size(); ++k) log_flux[k] += share * shells.log_flux()[k];
   };
   if (low < 1.0) add({column, {true, false}, angle_rad_, own, {}}, 1.0 - low);
   if (low > 0.0) add({column, {true, true}, angle_rad_, own, {6, 3, kLongest_km}}, low);
   for (const double z : column.altitude_km) {
-    const double flat_mean = between(flat.altitude_km(), z, 1, flat.log_mean().data());
-    for (std::size_t k = 0; k < angles; ++k)
-      log_ratio_.push_back(between(flat.altitude_km(), z, angles, log_mean.data() + k) - flat_mean);
+    const auto of_flat = [&](const std::vector<double>& values) {
+      return between(flat.altitude_km(), z, 1, values.data());
+    };
+    log_flat_.push_back(of_flat(flat.log_mean()));
+    const double flat_up = of_flat(flat.up()), flat_sunward = of_flat(flat.sunward());
+    for (std::size_t k = 0; k < angles; ++k) {
+      const auto of_shells = [&](const std::vector<double>& values) {
+        return between(flat.altitude_km(), z, angles, values.data() + k);
+      };
+      log_ratio_.push_back(of_shells(log_mean) - log_flat_.back());
+      up_.push_back(of_shells(up) - flat_up);
+      sunward_.push_back(of_shells(sunward) - flat_sunward);
+    }
     flux_ratio_.push_back(std::exp(between(flat.altitude_km(), z, 1, log_flux.data()) -
                                    between(flat.altitude_km(), z, 1, flat.log_flux().data())));
   }
 }
 
-double RoundEarthLight::mean_ratio(std::size_t sublayer, double position, double sun_mu) const {
+RoundEarthLight::Change RoundEarthLight::change(std::size_t sublayer, double position, double sun_mu) const {
   const double angle = std::clamp(std::acos(sun_mu), angle_rad_.front(), angle_rad_.back());
   // A parabola through the three nearest.
   const double step = angle_rad_[1] - angle_rad_[0], place = (angle - angle_rad_[0]) / step;
@@ -85,10 +101,19 @@ double RoundEarthLight::mean_ratio(std::size_t sublayer, double position, double
       std::clamp(std::floor(place + 0.5), 1.0, static_cast<double>(angle_rad_.size() - 2)));
   const double x = place - static_cast<double>(middle);
   const double before = 0.5 * x * (x - 1.0), after = 0.5 * x * (x + 1.0), here = 1.0 - x * x;
-  const auto log_at = [&](std::size_t boundary) {
-    return before * at(middle - 1, boundary) + here * at(middle, boundary) + after * at(middle + 1, boundary);
+  const auto at = [&](const std::vector<double>& values) {
+    const double* top = values.data() + sublayer * angle_rad_.size() + middle;
+    const double* bottom = top + angle_rad_.size();
+    return (1.0 - position) * (before * top[-1] + here * top[0] + after * top[1]) +
+           position * (before * bottom[-1] + here * bottom[0] + after * bottom[1]);
   };
-  return std::exp((1.0 - position) * log_at(sublayer) + position * log_at(sublayer + 1));
+  Change change;
+  change.ratio = std::exp(at(log_ratio_));
+  const double mean =
+      change.ratio * std::exp((1.0 - position) * log_flat_[sublayer] + position * log_flat_[sublayer + 1]);
+  change.up = mean * at(up_);
+  change.sunward = mean * at(sunward_);
+  return change;
 }
 
 }  // namespace ifov::atmosphere

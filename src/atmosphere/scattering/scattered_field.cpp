@@ -82,14 +82,18 @@ class SlantSource::Sum {
   }
 
   bool operator()(const PathPiece& piece) {
-    return add(piece.sublayer, piece.depth, piece.near_position, piece.far_position, 1.0, 1.0);
+    return add(piece.sublayer, piece.depth, piece.near_position, piece.far_position, {}, {});
   }
-  /// Factors: of the source at the piece's ends.
-  bool add(std::size_t sublayer, double depth, double near_position, double far_position, double near_factor,
-           double far_factor) {
+  /// At the piece's ends the source, times a factor, and something besides.
+  struct Varied {
+    double factor = 1.0, besides = 0.0;
+  };
+  bool add(std::size_t sublayer, double depth, double near_position, double far_position,
+           const Varied& near_end, const Varied& far_end) {
     const LinearSource step = LinearSource::over(depth);
+    besides_ += transmission_ * (step.near * near_end.besides + step.far * far_end.besides);
     // The source at the piece's two ends, weighted, is one weighting of it at the sublayer's two ends.
-    const double near = step.near * near_factor, far = step.far * far_factor;
+    const double near = step.near * near_end.factor, far = step.far * far_end.factor;
     const double bottom = transmission_ * (near * near_position + far * far_position);
     const double top = transmission_ * (near + far) - bottom;
     const double* at = at_azimuth_.data() + 2 * sublayer;
@@ -99,12 +103,15 @@ class SlantSource::Sum {
     transmission_ *= step.transmission;
     return transmission_ > 0.0;
   }
-  const StokesVector& multiple() const { return multiple_; }
+  /// What is besides has the polarization of the rest.
+  StokesVector multiple() const {
+    return multiple_.i > 0.0 ? (1.0 + besides_ / multiple_.i) * multiple_ : multiple_;
+  }
 
  private:
   std::size_t ends_;
   std::vector<double> at_azimuth_;  ///< [component][sublayer][top, bottom]
-  double transmission_ = 1.0;
+  double transmission_ = 1.0, besides_ = 0.0;
   StokesVector multiple_;
 };
 
@@ -139,15 +146,22 @@ PathLight SlantSource::through_shells(double azimuth_rad, double lower_km, doubl
   if (!field_->sunlit()) light.single = {};
   const ShellLineOfSight line(column.altitude_km, column.spherical, column.sun_mu, direction, ends, false);
   const bool varies = field_->sunlit() && solved.round_earth.any();
-  const auto factor = [&](std::size_t sublayer, double position, double sun_mu) {
-    return varies ? solved.round_earth.mean_ratio(sublayer, position, sun_mu) : 1.0;
+  const auto at = [&](std::size_t sublayer, double position, std::size_t end) -> Sum::Varied {
+    if (!varies) return {};
+    const double sun_mu = line.sun_mu()[end], from_mu = line.from_mu()[end];
+    const RoundEarthLight::Change change = solved.round_earth.change(sublayer, position, sun_mu);
+    const double sunward =
+        (line.scattering_cosine() - sun_mu * from_mu) / std::sqrt(std::max(1e-12, 1.0 - sun_mu * sun_mu));
+    const ScatteringColumn::Mixture& mixture = column.mixtures[column.mixture_of[sublayer]];
+    const double pattern = 3.0 * mixture.first * mixture.aerosol * (1.0 - mixture.peak);
+    return {change.ratio, pattern * (change.up * from_mu + change.sunward * sunward)};
   };
   Sum sum(*this, azimuth_rad);
   for (std::size_t p = 0; p < line.pieces().size(); ++p) {
     const ShellLineOfSight::Piece& piece = line.pieces()[p];
     if (!sum.add(piece.layer, piece.slant * column.depth[piece.layer], piece.near_position,
-                 piece.far_position, factor(piece.layer, piece.near_position, line.sun_mu()[p]),
-                 factor(piece.layer, piece.far_position, line.sun_mu()[p + 1])))
+                 piece.far_position, at(piece.layer, piece.near_position, p),
+                 at(piece.layer, piece.far_position, p + 1)))
       break;
   }
   light.multiple = sum.multiple();

@@ -71,7 +71,11 @@ ShellLineOfSight::ShellLineOfSight(std::span<const double> altitude_km, bool sph
     }
   }
 
-  for (const double length : at) sun_mu_.push_back(sun_at(length));
+  for (const double length : at) {
+    sun_mu_.push_back(sun_at(length));
+    from_mu_.push_back((looks_up ? 1.0 : -1.0) *
+                       (spherical ? (start * mu + length) / radius_at(length) : mu));
+  }
   for (std::size_t p = 0; p < layer.size(); ++p) {
     const double top = altitude_km[layer[p]], thickness = top - altitude_km[layer[p] + 1];
     const double middle = 0.5 * (at[p] + at[p + 1]), radius = spherical ? radius_at(middle) : start,
@@ -84,6 +88,7 @@ ShellLineOfSight::ShellLineOfSight(std::span<const double> altitude_km, bool sph
     std::reverse(pieces_.begin(), pieces_.end());
     for (Piece& piece : pieces_) std::swap(piece.near_position, piece.far_position);
     std::reverse(sun_mu_.begin(), sun_mu_.end());
+    std::reverse(from_mu_.begin(), from_mu_.end());
     std::reverse(place_km.begin(), place_km.end());
   }
   if (sunbeams) add_beams(altitude_km, spherical, place_km);

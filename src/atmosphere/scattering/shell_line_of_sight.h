@@ -34,6 +34,8 @@ class ShellLineOfSight {
   const std::vector<Piece>& pieces() const { return pieces_; }
   /// At the ends of pieces, pieces().size() + 1: cosine of the Sun's zenith angle there.
   const std::vector<double>& sun_mu() const { return sun_mu_; }
+  /// Likewise of the direction that the light comes from, with the vertical there.
+  const std::vector<double>& from_mu() const { return from_mu_; }
   const Propagation& direction() const { return direction_; }
   double scattering_cosine() const { return scattering_cosine_; }
 
@@ -47,7 +49,7 @@ class ShellLineOfSight {
   Propagation direction_;
   double scattering_cosine_ = 1.0;
   std::vector<Piece> pieces_;
-  std::vector<double> sun_mu_;
+  std::vector<double> sun_mu_, from_mu_;
   std::vector<double> sun_slant_;  ///< [layer][place]: length of the sunbeam in a layer over its thickness
 };
 

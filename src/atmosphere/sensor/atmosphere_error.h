@@ -24,6 +24,8 @@ struct ChannelModelError {
   double sunlight = 0.0;  ///< of reflected sunlight on its way down, relative
   double scattered = 0.0,
          scattered_floor = 0.0;  ///< of sunlight scattered into the path, relative, and beside that
+  double by_shape =
+      0.0;  ///< likewise, of paths alone: particles taken for spheres; the sky's flux hardly knows
   double emission = 0.0, emission_less = 0.0;   ///< what the path emits; its change with less absorption
   double emission_other = 0.0;                  ///< how far it may be off beside that
   double sky_emission = 0.0, sky_change = 0.0;  ///< mean over a level surface's view; how far that may be off

@@ -229,6 +229,7 @@ ChannelModelError channel_model_error(const AtmosphereColumn& column, std::span<
                                               um, {view_air + sun_air, view_water + sun_water, two, haze}));
       const double hazy = haze_share(layers);
       error.scattered += share * table.of_scattered(um, hazy);
+      error.by_shape += share * hazy * column.aerosol().scattering_error(um);
       error.scattered_floor +=
           share * table.at(um).floor * bins[b].irradiance * geometry.sun_sine() / std::numbers::pi;
     }
@@ -245,6 +246,7 @@ ChannelModelError channel_model_error(const AtmosphereColumn& column, std::span<
   if (lit > 0.0) error.sunlight = std::max(0.0, lit_less / lit - 1.0 - error.surface);
   // Scattered sunlight meets the gases on a part of the way; it is off by no more than reflected sunlight is.
   error.scattered = error.scattered / shares + error.sunlight;
+  error.by_shape /= shares;
   for (double* value : {&error.scattered_floor, &error.emission, &error.emission_less, &error.emission_other,
                         &error.sky_emission, &error.sky_change})
     *value /= shares;

@@ -41,6 +41,8 @@ struct OwnHazeDocument {
   std::optional<SpectrumDocument> single_scattering_albedo, asymmetry;
   std::optional<DocumentFile> phase_function;
   std::optional<MieDocument> mie;
+  std::optional<std::string> kind;         ///< one of the types of the tables ...
+  std::optional<double> humidity_percent;  ///< ... at this relative humidity
   /// Above mean sea level; absent: from the ground, to the end of the air.
   std::optional<double> base_km, top_km;
   std::optional<double> scale_height_km;  ///< absent: uniform between base and top; without a top 2 km

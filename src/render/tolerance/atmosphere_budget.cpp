@@ -37,7 +37,8 @@ void add_model_error(const atmosphere::ChannelModelError& model, double transmit
   air.model_sunlight = model.sunlight;
   air.model_emission = model.emission_less;
   const double scattered = std::max(0.0, air.path_radiance - model.emission);
-  air.model_path = model.scattered * scattered + model.scattered_floor + model.emission_other;
+  air.model_path =
+      (model.scattered + model.by_shape) * scattered + model.scattered_floor + model.emission_other;
   if (!(air.white_in_sky > 0.0)) return;
   const double warm = std::min(air.white_in_sky, transmittance * model.sky_emission);
   const double of_warm = model.sky_emission > 0.0 ? model.sky_change / model.sky_emission : 0.0;

@@ -1,3 +1,4 @@
+#include "atmosphere/particles/aerosol_types.h"
 #include "atmosphere/profile/profile.h"
 #include "core/format.h"
 #include "io/document/aerosol_document.h"
@@ -125,25 +126,29 @@ SchemaType<atmosphere::ParticleLayer::Height> height_type() {
 void check_optics(const OwnHazeDocument& haze, const DocumentNode& node) {
   if (haze.aeronet) {
     for (const char* key :
-         {"wavelength", "angstrom", "single_scattering_albedo", "asymmetry", "phase_function", "mie"})
+         {"wavelength", "angstrom", "single_scattering_albedo", "asymmetry", "phase_function", "mie", "kind"})
       if (const DocumentNode* other = node.find(key))
         other->fail_at_key(format("'{}' follows from the file of 'aeronet': leave one out", key));
     return;
   }
   if (!haze.optical_depth) return;
-  if (haze.mie) {
+  const bool whole = haze.mie || haze.kind;
+  if (whole) {
     for (const char* key : {"angstrom", "single_scattering_albedo"})
       if (const DocumentNode* other = node.find(key))
-        other->fail_at_key(format("'{}' follows from the spheres of 'mie': leave one out", key));
+        other->fail_at_key(
+            haze.mie ? format("'{}' follows from the spheres of 'mie': leave one out", key)
+                     : format("'{}' follows from the 'kind', '{}': leave one out", key, *haze.kind));
+    return;
   }
-  if (!haze.mie && !haze.angstrom)
+  if (!haze.angstrom)
     node.given(kDepth).fail("'optical_depth' needs 'angstrom', by which extinction changes with wavelength");
-  if (!haze.mie && !haze.single_scattering_albedo)
+  if (!haze.single_scattering_albedo)
     node.given(kDepth).fail(
         "'optical_depth' needs 'single_scattering_albedo', the share of extinction that is scattered");
-  if (!haze.asymmetry && !haze.phase_function && !haze.mie)
+  if (!haze.asymmetry && !haze.phase_function)
     node.given(kDepth).fail(
-        "'optical_depth' needs 'asymmetry', 'phase_function' or 'mie', by which light is scattered");
+        "'optical_depth' needs 'asymmetry', 'phase_function', 'mie' or 'kind', by which light is scattered");
 }
 
 void check_heights(const OwnHazeDocument& haze, const DocumentNode& node) {
@@ -216,6 +221,12 @@ void add_optics_and_heights(Record<T>& record, Own own) {
            "[table](phase_functions.md) of angles and wavelengths; scatters without polarization")
       .one("mie", own(&OwnHazeDocument::mie), mie_type(),
            "spheres: what they take, scatter and polarize follows from their sizes and index of refraction")
+      .one("kind", own(&OwnHazeDocument::kind), word_type(atmosphere::aerosol_kinds()),
+           "one of the types: optics as 'type' has them, at 'humidity'")
+      .optional("humidity", own(&OwnHazeDocument::humidity_percent),
+                quantity(kPercent, Range::between(0.0, 100.0, "%"), 100.0),
+                "of the air about the particles of the 'kind', which swell in it; 70 % if nothing is said")
+      .needs("humidity", "kind")
       .optional("base", own(&OwnHazeDocument::base_km), quantity(kLength, {}, 1e-3),
                 "where the haze begins, above mean sea level; the ground if nothing is said")
       .optional("top", own(&OwnHazeDocument::top_km), quantity(kLength, {}, 1e-3),
@@ -250,7 +261,7 @@ SchemaType<OwnHazeDocument> part_type() {
 SchemaType<AerosolDocument> aerosol_type() {
   Record<AerosolDocument> record(
       "aerosol",
-      "Haze and dust: of the tables (Shettle and Fenn 1979), or with 'optical_depth', 'aeronet' or 'mixture' of one's own below 10 km.");
+      "Haze and dust: of the tables (Shettle and Fenn 1979; OPAC; smoke), or with 'optical_depth', 'aeronet' or 'mixture' of one's own below 10 km.");
   record
       .with_default("type", tables(&AerosolDescription::type), word_type(atmosphere::aerosol_types()),
                     "\"rural\"", "of the lowest 2 km; \"none\": clear air at all heights")
@@ -274,7 +285,7 @@ SchemaType<AerosolDocument> aerosol_type() {
   add_optics_and_heights(record, [](auto member) { return own(member); });
   record.check(check_own);
   for (const char* key :
-       {"wavelength", "angstrom", "single_scattering_albedo", "asymmetry", "phase_function", "mie"})
+       {"wavelength", "angstrom", "single_scattering_albedo", "asymmetry", "phase_function", "mie", "kind"})
     record.needs(key, kDepth);
   return record.type();
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "atmosphere/particles/aerosol_description.h"
+#include "atmosphere/particles/aerosol_types.h"
 #include "atmosphere/particles/given_particles.h"
 #include "atmosphere/particles/measured_particles.h"
 #include "atmosphere/particles/mie_particles.h"
@@ -47,6 +48,10 @@ std::shared_ptr<const atmosphere::Particles> spheres(const io::DocumentSources& 
 std::shared_ptr<const atmosphere::Particles> particles(const io::DocumentSources& sources,
                                                        const io::OwnHazeDocument& haze) {
   if (haze.mie) return spheres(sources, *haze.mie);
+  constexpr double kUsualHumidity_percent = 70.0;
+  if (haze.kind)
+    return atmosphere::particles_of(atmosphere::aerosol_type(*haze.kind),
+                                    haze.humidity_percent.value_or(kUsualHumidity_percent));
   const io::SpectrumDocument& of_albedo = haze.single_scattering_albedo.value();
   const radiometry::Spectrum albedo =
       assemble_spectrum(sources, of_albedo, "single-scattering albedo of the haze");
@@ -101,12 +106,22 @@ std::shared_ptr<const atmosphere::ParticleLayer> layer_of(const io::DocumentSour
   return std::make_shared<const atmosphere::ParticleLayer>(std::move(layer));
 }
 
+std::vector<const io::OwnHazeDocument*> own_parts(const io::AerosolDocument& written) {
+  if (written.own) return {&*written.own};
+  std::vector<const io::OwnHazeDocument*> parts;
+  for (const io::OwnHazeDocument& part : written.mixture) parts.push_back(&part);
+  return parts;
+}
+
 std::string statement_of(const io::OwnHazeDocument& haze) {
   const auto altitude = [](const std::optional<double>& km, const char* otherwise) {
     return km ? format("{:.4g} km", *km) : std::string(otherwise);
   };
   std::string what = haze.aeronet ? "a retrieval of AERONET"
-                                  : format("{}optical depth {:.4g} at {:.4g} um", haze.mie ? "spheres, " : "",
+                                  : format("{}optical depth {:.4g} at {:.4g} um",
+                                           haze.mie    ? "spheres, "
+                                           : haze.kind ? *haze.kind + ", "
+                                                       : std::string(),
                                            haze.optical_depth.value(), haze.wavelength_um);
   if (!haze.heights.empty())
     return what + format(", from {:.4g} to {:.4g} km by a table", haze.heights.front().altitude_km,
@@ -129,17 +144,34 @@ atmosphere::AerosolDescription assemble_aerosol(const io::DocumentSources& sourc
 }
 
 std::string haze_statement(const io::AerosolDocument& written) {
-  if (written.own) return statement_of(*written.own);
   std::string text;
-  for (const io::OwnHazeDocument& part : written.mixture)
-    text += (text.empty() ? "" : "; ") + statement_of(part);
+  for (const io::OwnHazeDocument* part : own_parts(written))
+    text += (text.empty() ? "" : "; ") + statement_of(*part);
   return text;
 }
 
-bool is_of_spheres(const io::AerosolDocument& written) {
-  if (written.own) return written.own->mie.has_value();
-  return std::all_of(written.mixture.begin(), written.mixture.end(),
-                     [](const io::OwnHazeDocument& part) { return part.mie.has_value(); });
+std::string haze_polarization(const io::AerosolDocument& written) {
+  bool spheres = false, tables = false, none = false;
+  for (const io::OwnHazeDocument* part : own_parts(written)) {
+    const bool composed = part->kind && atmosphere::aerosol_type(*part->kind).composed;
+    if (part->mie || composed)
+      spheres = true;
+    else if (part->kind)
+      tables = true;
+    else
+      none = true;
+  }
+  if (spheres && !tables && !none) return "it polarizes light as spheres do";
+  if (tables && !spheres && !none) return "it polarizes light as haze of the tables is taken to";
+  if (none && !spheres && !tables) return "light that it scatters is not polarized";
+  return "its spheres and its types of the tables polarize light that they scatter, what else it has does not";
+}
+
+bool has_aerosol_of(const io::AerosolDocument& written, const std::string& type) {
+  const std::vector<const io::OwnHazeDocument*> parts = own_parts(written);
+  if (parts.empty()) return written.tables.type == type;
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const io::OwnHazeDocument* part) { return part->kind == type; });
 }
 
 }  // namespace ifov::session

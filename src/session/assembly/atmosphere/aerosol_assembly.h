@@ -18,7 +18,9 @@ atmosphere::AerosolDescription assemble_aerosol(const io::DocumentSources& sourc
 
 /// What a document says of its own haze, for people (empty: it has none): "depth 0.3 at 0.55 um, ..., from the ground up over 2 km".
 std::string haze_statement(const io::AerosolDocument& written);
-/// Whether all of it polarizes the light that it scatters, by Mie's theory.
-bool is_of_spheres(const io::AerosolDocument& written);
+/// What its own haze does to polarization, for people.
+std::string haze_polarization(const io::AerosolDocument& written);
+/// Whether any of its aerosol, of the tables or its own, is of this type.
+bool has_aerosol_of(const io::AerosolDocument& written, const std::string& type);
 
 }  // namespace ifov::session
