@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "radiometry/polarization_frame.h"
 #include "sensor/along_track.h"
@@ -19,6 +20,8 @@ math::Ray Camera::ray(const sampling::FocalPoint& point) const {
   rays({&point, 1}, {&ray, 1});
   return ray;
 }
+
+double Camera::step_s() const { return std::numeric_limits<double>::infinity(); }
 
 AlongTrack Camera::along_track() const { return {}; }
 
@@ -52,8 +55,9 @@ std::vector<sampling::FocalPoint> grid_over(const Camera& camera, int columns, i
 
 double nadir_angle_rad(const math::Ray& ray) { return std::acos(std::clamp(-ray.direction.z, -1.0, 1.0)); }
 
-radiometry::PolarizationFrame focal_frame(const Camera& camera, double line_px, const math::Ray& ray) {
-  const CameraAxes axes = camera.pose(line_px).axes;
+radiometry::PolarizationFrame focal_frame(const Camera& camera, const sampling::FocalPoint& point,
+                                           const math::Ray& ray) {
+  const CameraAxes axes = camera.axes_at(point);
   const math::Vec3 axis = -axes.forward;
   const math::Vec3 right = math::normalized(axes.right - math::dot(axes.right, axis) * axis);
   return radiometry::carried({axis, right}, -ray.direction);

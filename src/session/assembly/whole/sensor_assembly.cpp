@@ -16,9 +16,9 @@
 #include "scene/scene.h"
 #include "sensor/airy_aperture.h"
 #include "sensor/camera.h"
+#include "sensor/flying/picture_stack.h"
 #include "sensor/psf.h"
 #include "sensor/pupil.h"
-#include "sensor/scanning/scan_camera.h"
 #include "sensor/view_list.h"
 #include "sensor/view_list_camera.h"
 #include "session/assembly/shared/map_frame.h"
@@ -189,7 +189,8 @@ render::ImageInfo image_info(const io::OriginDocument& origin, const sensor::Cam
   render::ImageInfo info;
   info.width_px = camera.width_px();
   info.height_px = camera.height_px();
-  if (const sensor::ScanCamera* const scans = camera.scans()) info.sweep_lines = scans->pattern().elements;
+  if (const sensor::PictureStack* const pictures = camera.pictures())
+    info.sweep_lines = pictures->lines_of_each();
   for (const radiometry::Channel& channel : channels)
     info.channels.push_back({channel.name, channel.centre_um, channel.fwhm_um});
   info.materials = scene::truth_materials(scene).names;
