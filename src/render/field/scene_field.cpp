@@ -4,6 +4,7 @@
 
 #include "geometry/world.h"
 #include "materials/bsdf/bsdf.h"
+#include "render/moving/flown_exposure.h"
 #include "render/moving/moving_cover.h"
 #include "render/polarized/scene_light.h"
 #include "sensor/camera.h"
@@ -23,7 +24,8 @@ SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Came
       light_(std::make_unique<SceneLight>(scene, camera, told)),
       truth_(scene::truth_materials(scene.scene())),
       moving_(MovingCover::find(scene.scene(), camera)),
-      blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count()), moving_ != nullptr),
+      flown_(FlownExposure::find(scene.scene(), camera)),
+      blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count()), moving_ != nullptr || flown_ != nullptr),
       unseen_(scene, blends_.first_column() + blends_.count()),
       through_(scene),
       mirror_light_(
@@ -81,6 +83,7 @@ void SceneField::values_and_materials(std::span<const sampling::PathRequest> req
 void SceneField::values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
                         std::span<float> values, LabelDetail detail,
                         std::span<const sampling::Label> expected) {
+  if (flown_ != nullptr) return flown_values(requests, labels, values, detail, expected);
   if (moving_ != nullptr) return moving_values(requests, labels, values, detail);
   if (shared_ != nullptr) return shared_->values(*this, requests, labels, values);
   const std::size_t row_length = static_cast<std::size_t>(stride());
@@ -162,7 +165,7 @@ const transport::PathRecord& SceneField::trace(std::span<const sampling::PathReq
 
 void SceneField::write(const SceneField& by, const transport::PathRecord& paths, std::size_t k, float* row) {
   light_->write(paths, k, by.points_[k], by.rays_[k], row);
-  if (by.moving_ != nullptr && by.covered_[k] != 0)
+  if ((by.moving_ != nullptr || by.flown_ != nullptr) && by.covered_[k] != 0)
     blends_.write_shares(by.hits_[k], row, true);
   else if (blends_.count() > 0)
     blends_.write_shares(by.hits_[k], row);

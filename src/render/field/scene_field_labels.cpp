@@ -2,6 +2,7 @@
 
 #include "geometry/world.h"
 #include "render/field/scene_field.h"
+#include "render/moving/flown_exposure.h"
 #include "render/moving/moving_cover.h"
 #include "sensor/camera.h"
 #include "transport/mirror_light.h"
@@ -26,6 +27,7 @@ bool is_expected(SurfaceLabel label, sampling::Label expected, transport::PathRe
 }  // namespace
 
 void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) {
+  if (flown_ != nullptr) return flown_labels(points, detail_, labels);
   rays_.resize(points.size());
   hits_.resize(points.size());
   camera_.rays(points, rays_);
@@ -70,9 +72,7 @@ void SceneField::label_hits(std::span<const sampling::FocalPoint> points,
   for (std::size_t k = 0; k < hits.size(); ++k) {
     const geometry::SurfacePoint& hit = hits[k];
     if (moving_ != nullptr && covered_[k] != 0) {
-      // No material of its own, and uneven as penumbras are.
-      labels[k] =
-          SurfaceLabel{SurfaceLabel::kMoving, 0, SurfaceLabel::kBlend, true, SunState::penumbra}.pack();
+      labels[k] = SurfaceLabel::moving();
       continue;
     }
     SurfaceLabel label;

@@ -3,6 +3,7 @@
 
 #include "radiometry/spectral_nodes.h"
 #include "render/field/scene_field.h"
+#include "render/moving/flown_exposure.h"
 #include "render/moving/moving_cover.h"
 #include "render/parts/part_columns.h"
 #include "render/polarized/scene_light.h"
@@ -30,7 +31,7 @@ void variance_to_channels(const radiometry::SpectralNodes& nodes, float* in_node
 
 void SceneField::levels(const sampling::LevelRequests& of, sampling::LevelSums& sums) {
   // Values that weigh unlike by channel are no sums of spectra; those of what moves have times of their own.
-  if (light_->polarized() || !of.importance.empty() || moving_ != nullptr) return Field::levels(of, sums);
+  if (light_->polarized() || !of.importance.empty() || moving_ != nullptr || flown_ != nullptr) return Field::levels(of, sums);
   const radiometry::SpectralNodes& nodes = scene_.nodes();
   const std::size_t row_length = static_cast<std::size_t>(stride()), in_nodes = scene_.stride(),
                     channels = nodes.channel_count(), others = static_cast<std::size_t>(columns()) - channels;

@@ -2,6 +2,7 @@
 #include "render/field/scene_field.h"
 #include "render/mapped/map_detail.h"
 #include "render/mapped/surface_maps.h"
+#include "render/moving/flown_exposure.h"
 #include "render/moving/moving_cover.h"
 #include "render/polarized/scene_light.h"
 #include "sensor/camera.h"
@@ -12,6 +13,7 @@
 namespace ifov::render {
 
 void SceneField::known_detail(const sampling::FieldRect& pixels, sampling::KnownDetail& detail) {
+  if (flown_ != nullptr) return;
   if (map_detail_ == nullptr) map_detail_ = std::make_shared<MapDetail>(scene_.scene(), camera_);
   map_detail_->find(pixels, detail, counts_.primary);
 }
@@ -23,7 +25,7 @@ std::unique_ptr<sampling::MappedSurface> SceneField::mapped_surface(sampling::La
                                                 [this](const geometry::SurfacePoint& at, float* columns) {
                                                   if (blends_.count() > 0) blends_.write_shares(at, columns);
                                                 });
-  if (!maps_->any() || light_->polarized()) return nullptr;
+  if (!maps_->any() || light_->polarized() || flown_ != nullptr) return nullptr;
   // Far enough apart to tell how texture coordinates go on, near enough to meet the same surface.
   constexpr double kApart_px = 0.01;
   points_ = {seen, seen, seen};

@@ -1,0 +1,103 @@
+#include "render/moving/flown_exposure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/motion/moving_world.h"
+#include "scene/scene.h"
+#include "sensor/camera.h"
+
+namespace ifov::render {
+namespace {
+
+/// How far the picture may move from one instant of labels to the next: as far apart as samplers' lattices look for what is small.
+constexpr double kApart_px = 0.2;
+constexpr double kMostInstants = 64.0;
+/// As far away as this all places of a scene and its sensor are one.
+constexpr double kFarAway_m = 1e9;
+
+}  // namespace
+
+FlownExposure::FlownExposure(const scene::Scene& scene, const sensor::Camera& camera)
+    : scene_(scene), camera_(camera), exposure_s_(camera.exposure_s()) {
+  const double parts = std::clamp(std::ceil(way_px() / kApart_px), 2.0, kMostInstants);
+  for (int k = 0; k <= static_cast<int>(parts); ++k) instants_s_.push_back(exposure_s_ * (k / parts - 0.5));
+}
+
+std::unique_ptr<FlownExposure> FlownExposure::find(const scene::Scene& scene, const sensor::Camera& camera) {
+  if (!camera.moves_while_exposed()) return nullptr;
+  return std::unique_ptr<FlownExposure>(new FlownExposure(scene, camera));
+}
+
+/// The longest way in the picture, while it is exposed, of what the middles of its parts look at.
+double FlownExposure::way_px() const {
+  constexpr double kSteps = 32.0, kMostSteps = 256.0;
+  const int steps =
+      static_cast<int>(std::clamp(std::ceil(4.0 * exposure_s_ / camera_.step_s()), kSteps, kMostSteps));
+  double longest_px = 0.0;
+  for (const sampling::FocalPoint& point : sensor::grid_over(camera_, 3, 3)) {
+    const math::Ray ray = camera_.ray(point);
+    geometry::SurfacePoint hit;
+    scene_.world->intersect({&ray, 1}, {&hit, 1});
+    const math::Point3 place_m = ray.origin_m + (hit.hit() ? hit.distance_m : kFarAway_m) * ray.direction;
+    double way_px = 0.0;
+    sampling::FocalPoint last, next;
+    for (int k = 0; k <= steps; ++k) {
+      if (!camera_.project_when(place_m, exposure_s_ * (static_cast<double>(k) / steps - 0.5), next)) break;
+      if (k > 0) way_px += std::hypot(next.x_px - last.x_px, next.y_px - last.y_px);
+      last = next;
+    }
+    longest_px = std::max(longest_px, way_px);
+  }
+  return longest_px;
+}
+
+void FlownExposure::when_crossed(const sampling::FocalPoint& point) {
+  crossed_.clear();
+  const geometry::MovingWorld* const world = scene_.world->moving();
+  if (world == nullptr) return;
+  sampling::FocalPoint at = point;
+  at.time_s = 0.0;
+  const math::Ray middle = camera_.ray(at);
+  geometry::SurfacePoint still;
+  world->still().intersect({&middle, 1}, {&still, 1});
+  at.time_s = instants_s_.front();
+  math::Ray next = camera_.ray(at);
+  for (std::size_t k = 0; k + 1 < instants_s_.size(); ++k) {
+    const math::Ray last = next;
+    at.time_s = instants_s_[k + 1];
+    next = camera_.ray(at);
+    at.time_s = 0.5 * (instants_s_[k] + instants_s_[k + 1]);
+    const math::Ray between = camera_.ray(at);
+    // A cone that holds the rays of that time, but for what is nearer than a metre.
+    const double spread_rad = std::max(math::length(last.direction - between.direction) +
+                                           math::length(last.origin_m - between.origin_m),
+                                       math::length(next.direction - between.direction) +
+                                           math::length(next.origin_m - between.origin_m));
+    world->when_met(between, last.time_s, next.time_s, spread_rad, crossed_);
+  }
+  if (!still.hit() || !scene_.sun || !scene_.sun->is_up()) return;
+  const math::Vec3 normal = still.geometric_normal.as_vector(), sun = scene_.sun->direction;
+  const math::Vec3 outward = math::dot(normal, sun) < 0.0 ? -normal : normal;
+  world->when_met(middle.onward(still.position_m + still.offset_m * outward, sun),
+                  middle.time_s - 0.5 * exposure_s_, middle.time_s + 0.5 * exposure_s_,
+                  scene_.sun->half_angle_rad, crossed_);
+}
+
+MovingCover::Times FlownExposure::times(const sampling::PathRequest& request) {
+  when_crossed(request.point);
+  sampling::FocalPoint middle = request.point;
+  middle.time_s = 0.0;
+  const double middle_s = camera_.ray(middle).time_s;
+  MovingCover::Times times =
+      MovingCover::drawn(crossed_, middle_s - 0.5 * exposure_s_, middle_s + 0.5 * exposure_s_, request);
+  times.met_s -= middle_s, times.else_s -= middle_s;
+  return times;
+}
+
+bool FlownExposure::crossed(const sampling::FocalPoint& point) {
+  when_crossed(point);
+  return !crossed_.empty();
+}
+
+}  // namespace ifov::render

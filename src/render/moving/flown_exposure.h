@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "render/moving/moving_cover.h"
+
+namespace ifov::render {
+
+/// What a point of the focal plane looks at while it is exposed, where the camera moves meanwhile: another ray at every instant. A point
+/// that shows one label at instants so close that the picture moves by a fraction of a pixel from one to the next has that label; any
+/// other shows several things, one after the other, as what is covered by something that moves does. Labels steer alone: values have times
+/// of their own, stratified over all of the exposure.
+class FlownExposure {
+ public:
+  /// Null where the camera stands still while a point is exposed.
+  static std::unique_ptr<FlownExposure> find(const scene::Scene& scene, const sensor::Camera& camera);
+
+  /// At which labels are asked, after the middle of the exposure: the first is its beginning, the last its end.
+  const std::vector<double>& instants_s() const { return instants_s_; }
+
+  /// As MovingCover's, about the middle of the exposure.
+  MovingCover::Times times(const sampling::PathRequest& request);
+  /// Whether something that moves by itself may lie on the rays of a point, between instants too.
+  bool crossed(const sampling::FocalPoint& point);
+
+ private:
+  FlownExposure(const scene::Scene& scene, const sensor::Camera& camera);
+  double way_px() const;
+  void when_crossed(const sampling::FocalPoint& point);
+
+  const scene::Scene& scene_;
+  const sensor::Camera& camera_;
+  double exposure_s_;
+  std::vector<double> instants_s_;
+  std::vector<geometry::TimeInterval> crossed_;  // of the point that was asked last
+};
+
+}  // namespace ifov::render
