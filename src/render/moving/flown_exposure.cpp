@@ -6,6 +6,7 @@
 #include "geometry/motion/moving_world.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
+#include "sensor/flying/image_way.h"
 
 namespace ifov::render {
 namespace {
@@ -31,23 +32,13 @@ std::unique_ptr<FlownExposure> FlownExposure::find(const scene::Scene& scene, co
 
 /// The longest way in the picture, while it is exposed, of what the middles of its parts look at.
 double FlownExposure::way_px() const {
-  constexpr double kSteps = 32.0, kMostSteps = 256.0;
-  const int steps =
-      static_cast<int>(std::clamp(std::ceil(4.0 * exposure_s_ / camera_.step_s()), kSteps, kMostSteps));
   double longest_px = 0.0;
   for (const sampling::FocalPoint& point : sensor::grid_over(camera_, 3, 3)) {
     const math::Ray ray = camera_.ray(point);
     geometry::SurfacePoint hit;
     scene_.world->intersect({&ray, 1}, {&hit, 1});
     const math::Point3 place_m = ray.origin_m + (hit.hit() ? hit.distance_m : kFarAway_m) * ray.direction;
-    double way_px = 0.0;
-    sampling::FocalPoint last, next;
-    for (int k = 0; k <= steps; ++k) {
-      if (!camera_.project_when(place_m, exposure_s_ * (static_cast<double>(k) / steps - 0.5), next)) break;
-      if (k > 0) way_px += std::hypot(next.x_px - last.x_px, next.y_px - last.y_px);
-      last = next;
-    }
-    longest_px = std::max(longest_px, way_px);
+    longest_px = std::max(longest_px, sensor::image_way_px(camera_, place_m, exposure_s_).value_or(0.0));
   }
   return longest_px;
 }
