@@ -6,6 +6,7 @@
 #include "geometry/world.h"
 #include "render/field/scene_field.h"
 #include "render/image_renderer.h"
+#include "render/moving/flown_exposure.h"
 #include "render/open_sky.h"
 #include "render/polarized/steering.h"
 #include "render/tolerance/accuracy_tolerance.h"
@@ -65,16 +66,7 @@ Picture::Picture(const RenderJob& job, const RenderControl& control)
       unsampled_(job, control.threads, control.cancel),
       transport_(unsampled_.transport()),
       steering_channels_(job.steering_channels) {
-  if (job.pilot_rays) {
-    const scene::Scene& scene = job.scene.scene();
-    std::vector<math::Vec3> towards_sun, glare;
-    if (scene.sun) {
-      towards_sun = transport::fixed_disc_points(scene.sun->direction, scene.sun->half_angle_rad);
-      glare = sun_and_its_images(job.scene);
-    }
-    pilot_rays_.emplace(*scene.world, scene.assignments.size(), job.camera, towards_sun,
-                        job.scene.sought_assignments(), margin_px_, glare);
-  }
+  if (job.pilot_rays) find_pilots();
   // Samplers that judge every column where none is named are not to judge the shares of mixtures.
   if (steering_channels_.empty())
     for (std::size_t c = 0; c < job.scene.nodes().channel_count(); ++c)
@@ -85,7 +77,12 @@ Picture::Picture(const RenderJob& job, const RenderControl& control)
     sky_shares_ = open_sky_shares(job.scene, job.camera);
   if (!sky_shares_.empty()) transport_.sky_shares = &sky_shares_;
   const sampling::TileProblem whole = problem_of({0, 0, job.camera.width_px(), job.camera.height_px()});
-  survey_ = job.sampler.survey({whole, [this] { return field(); }, control.threads});
+  const auto surveyed = [this, &whole] {
+    auto field = this->field();
+    pilots_near(whole.tile, *field);
+    return field;
+  };
+  survey_ = job.sampler.survey({whole, surveyed, control.threads});
   if (survey_ != nullptr) rays_ += survey_->rays;
   if (!job.wings.empty()) find_wings();
 }
@@ -116,6 +113,43 @@ std::unique_ptr<SceneField> Picture::tracer() const {
   return std::make_unique<SceneField>(job_.scene, job_.camera, transport, job_.label_detail, told_);
 }
 
+void Picture::find_pilots() {
+  const scene::Scene& scene = job_.scene.scene();
+  std::vector<math::Vec3> towards_sun, glare;
+  if (scene.sun) {
+    towards_sun = transport::fixed_disc_points(scene.sun->direction, scene.sun->half_angle_rad);
+    glare = sun_and_its_images(job_.scene);
+  }
+  const auto of = [&](const sensor::Camera& camera) {
+    return PilotRays(*scene.world, scene.assignments.size(), camera, towards_sun,
+                     job_.scene.sought_assignments(), margin_px_, glare);
+  };
+  const auto field = job_.camera.moves_while_exposed() ? this->field() : nullptr;
+  if (field == nullptr) {
+    pilot_rays_.emplace(of(job_.camera));
+    return;
+  }
+  for (const double time_s : field->flown()->instants_s())
+    flown_rays_.push_back(of(*job_.camera.at_instant(time_s)));
+}
+
+PilotRays::Near Picture::pilots_near(const sampling::PixelRect& tile, SceneField& field) const {
+  if (flown_rays_.empty()) return pilot_rays_ ? pilot_rays_->near(tile, margin_px_) : PilotRays::Near{};
+  PilotRays::Near all;
+  std::vector<FlownExposure::Dot> dots;
+  for (std::size_t k = 0; k < flown_rays_.size(); ++k) {
+    const PilotRays::Near near = flown_rays_[k].near(tile, margin_px_);
+    for (std::size_t j = 0; j < near.points.size(); ++j) {
+      dots.push_back({near.points[j], near.radii_px[j], k});
+      all.points.push_back(near.points[j]);
+      // Where it is smeared it is no object of its own.
+      all.objects.push_back(sampling::Field::kNoObject);
+    }
+  }
+  field.flown()->follow(std::move(dots));
+  return all;
+}
+
 void Picture::find_wings() {
   const auto field = this->field();
   std::vector<WingSpots::Box> boxes = unsampled_.met();
@@ -134,7 +168,7 @@ sampling::TileResult Picture::tile(const sampling::PixelRect& tile, std::size_t 
 sampling::TileResult Picture::tile(const sampling::PixelRect& tile, std::size_t number,
                                    SceneField& field) const {
   if (cancel_ != nullptr && cancel_->cancelled()) throw Cancelled();
-  const PilotRays::Near pilot_rays = pilot_rays_ ? pilot_rays_->near(tile, margin_px_) : PilotRays::Near{};
+  const PilotRays::Near pilot_rays = pilots_near(tile, field);
   sampling::TileProblem problem = problem_of(tile);
   problem.survey = survey_.get();
   problem.pilot_points = pilot_rays.points;

@@ -38,6 +38,9 @@ class Picture {
  private:
   sampling::TileProblem problem_of(const sampling::PixelRect& tile) const;
   void find_wings();
+  void find_pilots();
+  /// Those near a tile; the field is told where what is small is when.
+  PilotRays::Near pilots_near(const sampling::PixelRect& tile, SceneField& field) const;
 
   const RenderJob& job_;
   const CancelToken* cancel_;
@@ -46,6 +49,7 @@ class Picture {
   const UnsampledLight unsampled_;
   transport::TransportOptions transport_;
   std::optional<PilotRays> pilot_rays_;
+  std::vector<PilotRays> flown_rays_;  // of a camera that moves while exposed: by instant
   std::vector<int> steering_channels_;
   std::vector<float> sky_shares_;
   std::unique_ptr<const sampling::ImageSurvey> survey_;

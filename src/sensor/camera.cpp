@@ -21,6 +21,8 @@ math::Ray Camera::ray(const sampling::FocalPoint& point) const {
   return ray;
 }
 
+std::unique_ptr<const Camera> Camera::at_instant(double) const { return nullptr; }
+
 double Camera::step_s() const { return std::numeric_limits<double>::infinity(); }
 
 AlongTrack Camera::along_track() const { return {}; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -80,7 +81,9 @@ class Camera {
   virtual double row_period_s() const { return 0.0; }  ///< from one row's exposure to the next's
   /// Whether a point looks elsewhere at another time of its exposure.
   virtual bool moves_while_exposed() const { return false; }
-  /// Where it does, the shortest time in which it may turn back; infinite where it moves straight.
+  /// Where it does: itself as it stands at an instant, so long after the middle of each point's exposure.
+  virtual std::unique_ptr<const Camera> at_instant(double time_s) const;
+  /// The shortest time in which it may turn back; infinite where it moves straight.
   virtual double step_s() const;
   /// What its pixels are spread over along image y beside the optics; of a camera that stands still nothing.
   virtual AlongTrack along_track() const;

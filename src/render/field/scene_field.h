@@ -78,6 +78,8 @@ class SceneField final : public sampling::Field {
   std::uint32_t object_of(sampling::Label label) const override;
   const BlendColumns& blends() const { return blends_; }
   const UnseenLight& unseen() const { return unseen_; }
+  /// Null where the camera stands still while a point is exposed.
+  FlownExposure* flown() { return flown_.get(); }
   /// As StokesColumns::settle().
   void settle(sampling::TileResult& tile) const;
   sampling::RayCounts counts() const override { return counts_; }

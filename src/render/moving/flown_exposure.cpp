@@ -17,11 +17,14 @@ constexpr double kMostInstants = 64.0;
 /// As far away as this all places of a scene and its sensor are one.
 constexpr double kFarAway_m = 1e9;
 
+/// Of labels: no band of them is narrower than what is found.
+double reach_px(const FlownExposure::Dot& dot) { return std::max(dot.radius_px, 0.2); }
+
 }  // namespace
 
 FlownExposure::FlownExposure(const scene::Scene& scene, const sensor::Camera& camera)
     : scene_(scene), camera_(camera), exposure_s_(camera.exposure_s()) {
-  const double parts = std::clamp(std::ceil(way_px() / kApart_px), 2.0, kMostInstants);
+  const double parts = std::clamp(std::ceil(longest_way_px() / kApart_px), 2.0, kMostInstants);
   for (int k = 0; k <= static_cast<int>(parts); ++k) instants_s_.push_back(exposure_s_ * (k / parts - 0.5));
 }
 
@@ -31,7 +34,7 @@ std::unique_ptr<FlownExposure> FlownExposure::find(const scene::Scene& scene, co
 }
 
 /// The longest way in the picture, while it is exposed, of what the middles of its parts look at.
-double FlownExposure::way_px() const {
+double FlownExposure::longest_way_px() const {
   double longest_px = 0.0;
   for (const sampling::FocalPoint& point : sensor::grid_over(camera_, 3, 3)) {
     const math::Ray ray = camera_.ray(point);
@@ -43,8 +46,55 @@ double FlownExposure::way_px() const {
   return longest_px;
 }
 
-void FlownExposure::when_crossed(const sampling::FocalPoint& point) {
+void FlownExposure::follow(std::vector<Dot> dots) {
+  dots_ = std::move(dots);
+  near_.clear();
+  if (dots_.empty()) return;
+  double low_x = INFINITY, low_y = INFINITY, high_x = -INFINITY, high_y = -INFINITY;
+  for (Dot& dot : dots_) {
+    // As far as it goes until half way to the next instant; and wide enough that a band of such dots is found.
+    dot.radius_px += 0.5 * kApart_px;
+    low_x = std::min(low_x, dot.at.x_px - reach_px(dot)), high_x = std::max(high_x, dot.at.x_px + reach_px(dot));
+    low_y = std::min(low_y, dot.at.y_px - reach_px(dot)), high_y = std::max(high_y, dot.at.y_px + reach_px(dot));
+  }
+  first_x_ = static_cast<int>(std::floor(low_x)), first_y_ = static_cast<int>(std::floor(low_y));
+  columns_ = static_cast<int>(std::floor(high_x)) - first_x_ + 1;
+  rows_ = static_cast<int>(std::floor(high_y)) - first_y_ + 1;
+  near_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  for (std::size_t k = 0; k < dots_.size(); ++k) {
+    const Dot& dot = dots_[k];
+    for (int y = static_cast<int>(std::floor(dot.at.y_px - reach_px(dot))); y <= dot.at.y_px + reach_px(dot); ++y)
+      for (int x = static_cast<int>(std::floor(dot.at.x_px - reach_px(dot))); x <= dot.at.x_px + reach_px(dot); ++x)
+        near_[static_cast<std::size_t>(y - first_y_) * static_cast<std::size_t>(columns_) +
+              static_cast<std::size_t>(x - first_x_)]
+            .push_back(static_cast<std::uint32_t>(k));
+  }
+}
+
+/// Calls at(dot, how far it is) for those that may be near.
+template <class At>
+void FlownExposure::visit_dots(const sampling::FocalPoint& point, const At& at) const {
+  const double x = std::floor(point.x_px) - first_x_, y = std::floor(point.y_px) - first_y_;
+  if (!(x >= 0.0) || !(y >= 0.0) || x >= columns_ || y >= rows_) return;
+  for (const std::uint32_t k :
+       near_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)])
+    at(dots_[k], std::hypot(dots_[k].at.x_px - point.x_px, dots_[k].at.y_px - point.y_px));
+}
+
+void FlownExposure::when_met(const sampling::FocalPoint& point) {
   crossed_.clear();
+  const double apart_s = instants_s_[1] - instants_s_[0];
+  sampling::FocalPoint middle = point;
+  middle.time_s = 0.0;
+  const double middle_s = dots_.empty() ? 0.0 : camera_.ray(middle).time_s;
+  visit_dots(point, [&](const Dot& dot, double away_px) {
+    const double at_s = middle_s + instants_s_[dot.instant];
+    if (away_px <= dot.radius_px) crossed_.push_back({at_s - 0.5 * apart_s, at_s + 0.5 * apart_s});
+  });
+  when_crossed(point);
+}
+
+void FlownExposure::when_crossed(const sampling::FocalPoint& point) {
   const geometry::MovingWorld* const world = scene_.world->moving();
   if (world == nullptr) return;
   sampling::FocalPoint at = point;
@@ -76,7 +126,7 @@ void FlownExposure::when_crossed(const sampling::FocalPoint& point) {
 }
 
 MovingCover::Times FlownExposure::times(const sampling::PathRequest& request) {
-  when_crossed(request.point);
+  when_met(request.point);
   sampling::FocalPoint middle = request.point;
   middle.time_s = 0.0;
   const double middle_s = camera_.ray(middle).time_s;
@@ -87,6 +137,10 @@ MovingCover::Times FlownExposure::times(const sampling::PathRequest& request) {
 }
 
 bool FlownExposure::crossed(const sampling::FocalPoint& point) {
+  bool dotted = false;
+  visit_dots(point, [&](const Dot& dot, double away_px) { dotted = dotted || away_px <= reach_px(dot); });
+  if (dotted) return true;
+  crossed_.clear();
   when_crossed(point);
   return !crossed_.empty();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -19,21 +20,37 @@ class FlownExposure {
   /// At which labels are asked, after the middle of the exposure: the first is its beginning, the last its end.
   const std::vector<double>& instants_s() const { return instants_s_; }
 
+  /// Where something small is at an instant: what lies between instants passes unseen by labels.
+  struct Dot {
+    sampling::FocalPoint at;
+    double radius_px = 0.0;
+    std::size_t instant = 0;  ///< its number
+  };
+  /// Those near all points that will be asked for.
+  void follow(std::vector<Dot> dots);
+
   /// As MovingCover's, about the middle of the exposure.
   MovingCover::Times times(const sampling::PathRequest& request);
-  /// Whether something that moves by itself may lie on the rays of a point, between instants too.
+  /// Whether something that moves by itself, or something small, may lie on the rays of a point, between instants too.
   bool crossed(const sampling::FocalPoint& point);
 
  private:
   FlownExposure(const scene::Scene& scene, const sensor::Camera& camera);
-  double way_px() const;
+  double longest_way_px() const;
+  void when_met(const sampling::FocalPoint& point);
   void when_crossed(const sampling::FocalPoint& point);
+  template <class At>
+  void visit_dots(const sampling::FocalPoint& point, const At& at) const;
 
   const scene::Scene& scene_;
   const sensor::Camera& camera_;
   double exposure_s_;
   std::vector<double> instants_s_;
   std::vector<geometry::TimeInterval> crossed_;  // of the point that was asked last
+  std::vector<Dot> dots_;
+  // Of squares a pixel wide: the dots that reach into each.
+  int first_x_ = 0, first_y_ = 0, columns_ = 0, rows_ = 0;
+  std::vector<std::vector<std::uint32_t>> near_;
 };
 
 }  // namespace ifov::render

@@ -52,12 +52,20 @@ std::unique_ptr<FlyingFrameCamera> FlyingFrameCamera::row(int number) const {
   return row;
 }
 
+std::unique_ptr<const Camera> FlyingFrameCamera::at_instant(double time_s) const {
+  std::unique_ptr<FlyingFrameCamera> camera(new FlyingFrameCamera(settings_, Unjudged{}));
+  camera->settings_.exposure_s = 0.0;
+  camera->rows_ = rows_, camera->first_row_ = first_row_;
+  camera->middle_s_ = middle_s_ + time_s;
+  return camera;
+}
+
 double FlyingFrameCamera::step_s() const { return settings_.platform->step_s(); }
 
 double FlyingFrameCamera::row_time_s(double y_px) const {
   if (settings_.row_period_s == 0.0) return middle_s_;
   const double within_px = std::clamp(y_px, -kBeyond_px, settings_.height_px + kBeyond_px);
-  return (std::floor(within_px) + 0.5 - 0.5 * settings_.height_px) * settings_.row_period_s;
+  return middle_s_ + (std::floor(within_px) + 0.5 - 0.5 * settings_.height_px) * settings_.row_period_s;
 }
 
 FlyingFrameCamera::Stand FlyingFrameCamera::stand_at(double time_s) const {
@@ -98,7 +106,7 @@ bool FlyingFrameCamera::project_when(math::Point3 position_m, double time_s, sam
   const auto below_px = [&](double y) -> std::optional<double> {
     const double within_px = std::clamp(y, -kBeyond_px, settings_.height_px + kBeyond_px);
     sampling::FocalPoint at;
-    if (!seen(stand_at((within_px - half_px) * settings_.row_period_s + time_s), position_m, at)) return std::nullopt;
+    if (!seen(stand_at(middle_s_ + (within_px - half_px) * settings_.row_period_s + time_s), position_m, at)) return std::nullopt;
     return at.y_px - y;
   };
   double before = half_px;

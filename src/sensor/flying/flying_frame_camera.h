@@ -50,6 +50,7 @@ class FlyingFrameCamera final : public Camera, public PictureStack {
   double exposure_s() const override { return settings_.exposure_s; }
   double row_period_s() const override { return settings_.row_period_s; }
   bool moves_while_exposed() const override { return settings_.exposure_s > 0.0; }
+  std::unique_ptr<const Camera> at_instant(double time_s) const override;
   double step_s() const override;
   const Camera& reported() const override { return reported_ ? *reported_ : *this; }
 
@@ -69,7 +70,7 @@ class FlyingFrameCamera final : public Camera, public PictureStack {
   Settings settings_;
   int rows_ = 0;            // of this picture
   double first_row_ = 0.0;  // of the whole frame
-  double middle_s_ = 0.0;   // of the exposure of all rows, where they are exposed together
+  double middle_s_ = 0.0;   // of the exposure of all rows, or of the middle of a rolling shutter
   std::unique_ptr<const FlyingFrameCamera> reported_;
 };
 
