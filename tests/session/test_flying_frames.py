@@ -136,6 +136,10 @@ class Flight:
                  "attitude": {"yaw": f"{yaw!r} deg", "pitch": f"{pitch!r} deg", "roll": f"{roll!r} deg"}}
         return {**self.scene, "sensor": {**self.scene["sensor"], "camera": {"frame": frame}}}
 
+    def shape(self):
+        """As products are, interleaved by line."""
+        return self.size[1], len(self.scene["sensor"]["channels"]), self.size[0]
+
     def truth(self, folder, instants, cells):
         """Grids that differ from instant to instant: of one the error at an edge along its cells is half of one."""
         taken = 0
@@ -144,15 +148,15 @@ class Flight:
             taken += 1
             n = cells + taken % 7
             flat = image_of(self.still(time_s), folder, {"grid": {"elements": [n, n]}}, 900 + taken)
-            return flat.reshape(-1, self.size[1], self.size[0])
+            return flat.reshape(self.shape())
         shares = (np.arange(instants) + 0.5) / instants - 0.5 if self.exposure_s else np.zeros(1)
         if not self.row_s:
             return np.mean([grid(share * self.exposure_s) for share in shares], axis=0)
         rows = []
         for row in range(self.size[1]):
             middle_s = (row + 0.5 - 0.5 * self.size[1]) * self.row_s
-            rows.append(np.mean([grid(middle_s + share * self.exposure_s)[:, row] for share in shares], axis=0))
-        return np.stack(rows, axis=1)
+            rows.append(np.mean([grid(middle_s + share * self.exposure_s)[row] for share in shares], axis=0))
+        return np.stack(rows)
 
 
 def held(name, kind, seeds, instants, cells, truth_moves=True):

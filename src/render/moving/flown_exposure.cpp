@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/motion/moving_world.h"
 #include "scene/scene.h"
@@ -19,6 +20,28 @@ constexpr double kFarAway_m = 1e9;
 
 /// Of labels: no band of them is narrower than what is found.
 double reach_px(const FlownExposure::Dot& dot) { return std::max(dot.radius_px, 0.2); }
+
+struct PixelBox {
+  int x0 = std::numeric_limits<int>::max(), y0 = x0, x1 = std::numeric_limits<int>::min(), y1 = x1;
+  PixelBox with(const PixelBox& other) const {
+    return {std::min(x0, other.x0), std::min(y0, other.y0), std::max(x1, other.x1), std::max(y1, other.y1)};
+  }
+};
+
+/// The pixels that it may be found in.
+PixelBox box_of(const FlownExposure::Dot& dot) {
+  const sampling::FocalPoint next = dot.next.value_or(dot.at);
+  const double reach = reach_px(dot);
+  const auto low = [&](double a, double b) { return static_cast<int>(std::floor(std::min(a, b) - reach)); };
+  const auto high = [&](double a, double b) { return static_cast<int>(std::floor(std::max(a, b) + reach)); };
+  return {low(dot.at.x_px, next.x_px), low(dot.at.y_px, next.y_px), high(dot.at.x_px, next.x_px),
+          high(dot.at.y_px, next.y_px)};
+}
+
+/// Where along its way something small is nearest to a point, if it went on for ever.
+struct Passage {
+  double share = 0.0, way_px = 0.0, aside_px = 0.0;
+};
 
 }  // namespace
 
@@ -50,35 +73,39 @@ void FlownExposure::follow(std::vector<Dot> dots) {
   dots_ = std::move(dots);
   near_.clear();
   if (dots_.empty()) return;
-  double low_x = INFINITY, low_y = INFINITY, high_x = -INFINITY, high_y = -INFINITY;
+  PixelBox all;
   for (Dot& dot : dots_) {
-    // As far as it goes until half way to the next instant; and wide enough that a band of such dots is found.
-    dot.radius_px += 0.5 * kApart_px;
-    low_x = std::min(low_x, dot.at.x_px - reach_px(dot)), high_x = std::max(high_x, dot.at.x_px + reach_px(dot));
-    low_y = std::min(low_y, dot.at.y_px - reach_px(dot)), high_y = std::max(high_y, dot.at.y_px + reach_px(dot));
+    // Ways are straight to a small part of a pixel; a dot alone holds where it is until half way to the next instant.
+    dot.radius_px = dot.next ? 1.1 * dot.radius_px + 0.002 : dot.radius_px + 0.5 * kApart_px;
+    all = all.with(box_of(dot));
   }
-  first_x_ = static_cast<int>(std::floor(low_x)), first_y_ = static_cast<int>(std::floor(low_y));
-  columns_ = static_cast<int>(std::floor(high_x)) - first_x_ + 1;
-  rows_ = static_cast<int>(std::floor(high_y)) - first_y_ + 1;
+  first_x_ = all.x0, first_y_ = all.y0;
+  columns_ = all.x1 - all.x0 + 1, rows_ = all.y1 - all.y0 + 1;
   near_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
   for (std::size_t k = 0; k < dots_.size(); ++k) {
-    const Dot& dot = dots_[k];
-    for (int y = static_cast<int>(std::floor(dot.at.y_px - reach_px(dot))); y <= dot.at.y_px + reach_px(dot); ++y)
-      for (int x = static_cast<int>(std::floor(dot.at.x_px - reach_px(dot))); x <= dot.at.x_px + reach_px(dot); ++x)
+    const PixelBox box = box_of(dots_[k]);
+    for (int y = box.y0; y <= box.y1; ++y)
+      for (int x = box.x0; x <= box.x1; ++x)
         near_[static_cast<std::size_t>(y - first_y_) * static_cast<std::size_t>(columns_) +
               static_cast<std::size_t>(x - first_x_)]
             .push_back(static_cast<std::uint32_t>(k));
   }
 }
 
-/// Calls at(dot, how far it is) for those that may be near.
 template <class At>
 void FlownExposure::visit_dots(const sampling::FocalPoint& point, const At& at) const {
   const double x = std::floor(point.x_px) - first_x_, y = std::floor(point.y_px) - first_y_;
   if (!(x >= 0.0) || !(y >= 0.0) || x >= columns_ || y >= rows_) return;
   for (const std::uint32_t k :
-       near_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)])
-    at(dots_[k], std::hypot(dots_[k].at.x_px - point.x_px, dots_[k].at.y_px - point.y_px));
+       near_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)]) {
+    const Dot& dot = dots_[k];
+    const sampling::FocalPoint next = dot.next.value_or(dot.at);
+    const double dx = next.x_px - dot.at.x_px, dy = next.y_px - dot.at.y_px, way = dx * dx + dy * dy;
+    const double to_x = point.x_px - dot.at.x_px, to_y = point.y_px - dot.at.y_px;
+    const double share = way > 0.0 ? (to_x * dx + to_y * dy) / way : 0.5, on = std::clamp(share, 0.0, 1.0);
+    at(dot, Passage{share, std::sqrt(way), std::hypot(to_x - share * dx, to_y - share * dy)},
+       std::hypot(to_x - on * dx, to_y - on * dy));
+  }
 }
 
 void FlownExposure::when_met(const sampling::FocalPoint& point) {
@@ -87,9 +114,19 @@ void FlownExposure::when_met(const sampling::FocalPoint& point) {
   sampling::FocalPoint middle = point;
   middle.time_s = 0.0;
   const double middle_s = dots_.empty() ? 0.0 : camera_.ray(middle).time_s;
-  visit_dots(point, [&](const Dot& dot, double away_px) {
+  visit_dots(point, [&](const Dot& dot, const Passage& passage, double nearest_px) {
+    if (nearest_px > dot.radius_px) return;
     const double at_s = middle_s + instants_s_[dot.instant];
-    if (away_px <= dot.radius_px) crossed_.push_back({at_s - 0.5 * apart_s, at_s + 0.5 * apart_s});
+    if (!dot.next) {
+      crossed_.push_back({at_s - 0.5 * apart_s, at_s + 0.5 * apart_s});
+      return;
+    }
+    // As long as it is within its radius.
+    const double half_px = std::sqrt(
+        std::max(0.0, dot.radius_px * dot.radius_px - passage.aside_px * passage.aside_px));
+    const double half = passage.way_px > 0.0 ? std::min(half_px / passage.way_px, 1e6) : 1.0;
+    crossed_.push_back({at_s + apart_s * std::clamp(passage.share - half, 0.0, 1.0),
+                        at_s + apart_s * std::clamp(passage.share + half, 0.0, 1.0)});
   });
   when_crossed(point);
 }
@@ -138,7 +175,9 @@ MovingCover::Times FlownExposure::times(const sampling::PathRequest& request) {
 
 bool FlownExposure::crossed(const sampling::FocalPoint& point) {
   bool dotted = false;
-  visit_dots(point, [&](const Dot& dot, double away_px) { dotted = dotted || away_px <= reach_px(dot); });
+  visit_dots(point, [&](const Dot& dot, const Passage&, double nearest_px) {
+    dotted = dotted || nearest_px <= reach_px(dot);
+  });
   if (dotted) return true;
   crossed_.clear();
   when_crossed(point);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "render/moving/moving_cover.h"
@@ -25,6 +26,7 @@ class FlownExposure {
     sampling::FocalPoint at;
     double radius_px = 0.0;
     std::size_t instant = 0;  ///< its number
+    std::optional<sampling::FocalPoint> next = std::nullopt;  ///< at the next one, where it is known there too
   };
   /// Those near all points that will be asked for.
   void follow(std::vector<Dot> dots);
@@ -39,6 +41,7 @@ class FlownExposure {
   double longest_way_px() const;
   void when_met(const sampling::FocalPoint& point);
   void when_crossed(const sampling::FocalPoint& point);
+  /// Calls at(dot, where it is nearest to the point, how near) for those that may be near.
   template <class At>
   void visit_dots(const sampling::FocalPoint& point, const At& at) const;
 
