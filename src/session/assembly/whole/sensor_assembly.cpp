@@ -75,7 +75,12 @@ std::unique_ptr<sensor::Camera> assemble_camera(const io::DocumentSources& sourc
   return with_position(sources, camera.position, [&] {
     io::CameraSite site{origin.offset_m, world.heights().high_m, world.heights().low_m, seed};
     if (const auto period = world.period()) site.period_m = {period->x_m, period->y_m};
-    return camera.settings->build(site);
+    std::unique_ptr<sensor::Camera> built = camera.settings->build(site);
+    if (built->moves_while_exposed() && (world.survey() != nullptr || world.lobe_survey() != nullptr))
+      throw InputError(
+          "what smooth and glossy surfaces (mirrors, panes, narrow lobes) throw of light is sought for one place of the camera, and a frame "
+          "camera that flies is exposed from many; expected no 'exposure', with or without a 'row_period', or rough surfaces alone");
+    return built;
   });
 }
 
