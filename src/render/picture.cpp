@@ -163,7 +163,8 @@ PilotRays::Near Picture::pilots_near(const sampling::PixelRect& tile, SceneField
       all.objects.push_back(sampling::Field::kNoObject);
       FlownExposure::Dot dot{near[k].points[j], near[k].radii_px[j], k};
       const std::uint32_t object = near[k].objects[j];
-      const bool alone = single[k].contains(object), before = k > 0 && alone && single[k - 1].contains(object),
+      const bool alone = single[k].contains(object),
+                 before = k > 0 && alone && single[k - 1].contains(object),
                  after = k < last && alone && single[k + 1].contains(object);
       if (!(after || (k == last && alone)) || !(before || (k == 0 && alone))) dots.push_back(dot);
       if (!after) continue;

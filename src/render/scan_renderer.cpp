@@ -88,7 +88,8 @@ class Sweep {
 /// The sweeps whose tiles are being rendered, each made once by the first thread that asks while others wait for it.
 class Sweeps {
  public:
-  Sweeps(const RenderJob& job, const sensor::PictureStack& pictures, const RenderControl& control, Tally& tally)
+  Sweeps(const RenderJob& job, const sensor::PictureStack& pictures, const RenderControl& control,
+         Tally& tally)
       : job_(job), pictures_(pictures), control_(control), tally_(tally) {}
 
   std::shared_ptr<const Sweep> get(int number) {
@@ -129,8 +130,8 @@ class Sweeps {
 
 }  // namespace
 
-Progress render_scans(const RenderJob& job, const sensor::PictureStack& pictures, const RenderControl& control,
-                      TileSink& sink) {
+Progress render_scans(const RenderJob& job, const sensor::PictureStack& pictures,
+                      const RenderControl& control, TileSink& sink) {
   const int lines = pictures.lines_of_each();
   const std::vector<sampling::PixelRect> tiles =
       tile_grid(job.camera.width_px(), job.camera.height_px(), job.tile_px, lines);

@@ -126,7 +126,7 @@ std::vector<sampling::FocalPoint> grid_over(const Camera& camera, int columns, i
 /// symmetric lens carries it, so that fields along the radius and across it stay such. y = k cross x is the image's
 /// upward direction on the axis.
 radiometry::PolarizationFrame focal_frame(const Camera& camera, const sampling::FocalPoint& point,
-                                           const math::Ray& ray);
+                                          const math::Ray& ray);
 
 /// Angle between the nadir and where a ray looks: 0 straight down, pi/2 level.
 double nadir_angle_rad(const math::Ray& ray);

@@ -1,5 +1,3 @@
-#include "sensor/flying/flying_frame_camera.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 #include "core/error.h"
 #include "platform/trajectory.h"
 #include "sensor/camera_axes.h"
+#include "sensor/flying/flying_frame_camera.h"
 #include "sensor/flying/image_way.h"
 #include "sensor/frame_camera.h"
 
@@ -15,7 +14,6 @@ namespace ifov::sensor {
 namespace {
 
 using platform::Trajectory;
-
 
 FlyingFrameCamera::Settings flying(double exposure_s, double row_period_s, geodesy::Attitude angles = {}) {
   FlyingFrameCamera::Settings settings;
@@ -66,7 +64,8 @@ TEST(FlyingFrameCamera, ProjectsBack) {
         ASSERT_TRUE(camera.project(place, at));
         // What two rows see is in either.
         const math::Ray again = camera.ray(at);
-        const double off = math::length(math::cross(place - again.origin_m, again.direction)) / 280.0 * 1000.0;
+        const double off =
+            math::length(math::cross(place - again.origin_m, again.direction)) / 280.0 * 1000.0;
         EXPECT_LT(off, 0.51 * row_period_s / 0.001 * 0.075 + 1e-9) << x << ' ' << y;
         found += off < 1e-6;
       }
@@ -95,9 +94,10 @@ TEST(FlyingFrameCamera, SaysWhatCannotBe) {
   auto settings = flying(0.01, 0.0);
   const std::vector<platform::PathPoint> points{{-0.002, {0.0, 0.0, 300.0}}, {0.003, {0.1, 0.0, 300.0}}};
   settings.platform = std::make_shared<const Trajectory>(points, platform::HeldAttitude{});
-  EXPECT_EQ(message(settings),
-            "the platform's path covers -0.002 to 0.003 s, and the image is exposed from -0.005 to 0.005 s: 0.003 s too late and 0.002 s too "
-            "short");
+  EXPECT_EQ(
+      message(settings),
+      "the platform's path covers -0.002 to 0.003 s, and the image is exposed from -0.005 to 0.005 s: 0.003 s too late and 0.002 s too "
+      "short");
   settings = flying(-1.0, 0.0);
   EXPECT_EQ(message(settings), "an exposure of -1 s and rows 0 s apart; expected 0 s or more");
 }

@@ -175,6 +175,36 @@ def held(name, kind, seeds, instants, cells, truth_moves=True):
         return counts
 
 
+# ---- small hot things, smeared
+
+def balls(velocity_m_s, radius_m, kelvin, seeds, pilot_rays=True):
+    """Of three black balls on the black road: pixels that they light by 0.1 % or more, and how many intervals hold them. The truth is the overlap of discs with
+    pixels along their way."""
+    exposure_s, places = 0.01, [(-0.3, 0.13 + 1.07 * k) for k in range(3)]
+    document = plate({"exposure": f"{exposure_s} s"}, straight(velocity_m_s))
+    document["scene"]["objects"][1:] = [
+        {"sphere": {"center": [f"{x} m", f"{y} m", f"{radius_m} m"], "radius": f"{radius_m} m"}, "material": "paint"} for x, y in places]
+    document["scene"]["materials"]["paint"]["temperature"] = f"{kelvin} K"
+    planck = lambda k: 1.191042972e8 / 10**5 / math.expm1(14387.76877 / 10 / k)
+    side = (np.arange(12) + 0.5) / 6 - 1
+    parts = [(a * radius_m, b * radius_m) for a in side for b in side if a * a + b * b < 1]
+    shares = ((np.arange(4001) + 0.5) / 4001 - 0.5) * exposure_s
+    seen = np.zeros((PIXELS, PIXELS))
+    for x, y in places:
+        for dx, dy in parts:
+            columns = (x + dx - velocity_m_s[0] * shares) / GSD_M + PIXELS / 2
+            rows = PIXELS / 2 - (y + dy - velocity_m_s[1] * shares) / GSD_M
+            seen += np.histogram2d(rows, columns, bins=[np.arange(PIXELS + 1)] * 2)[0] / len(shares) / len(parts)
+    truth = planck(290) + (planck(kelvin) - planck(290)) * math.pi * radius_m**2 / GSD_M**2 * seen
+    near = truth > 1.001 * planck(290)
+    held_there = 0
+    with tempfile.TemporaryDirectory() as scratch:
+        for seed in range(1, seeds + 1):
+            found, half_width = image_of(document, pathlib.Path(scratch), {"accuracy": {"error": "2 %", "pilot_rays": pilot_rays}}, seed)
+            held_there += (np.abs(found.reshape(truth.shape) - truth) <= half_width.reshape(truth.shape))[near].sum()
+    return held_there, seeds * near.sum()
+
+
 @unittest.skipIf(np is None, "NumPy not found")
 class FlyingFrames(unittest.TestCase):
     LIMIT_PX = 0.02
@@ -200,12 +230,20 @@ class FlyingFrames(unittest.TestCase):
             self.assertLess(np.abs(flown - still).max() / still.max(), 1e-6)
 
     def test_intervals_hold_what_they_say(self):
-        for kind, instants, cells in (("exposed", 48, 9), ("rolling", 1, 41)):
+        for kind, instants, cells in (("exposed", 48, 9), ("rolling", 1, 61)):
             with self.subTest(kind):
                 inside, count, near, of = np.sum([held(name, kind, 2, instants, cells) for name in ("gable_roof", "wall_foot")], axis=0)
                 self.assertGreater(inside / count, 0.93)
                 self.assertGreater(of, 20)
                 self.assertGreater(near / of, 0.93)
+
+    def test_small_hot_things_are_smeared(self):
+        inside, count = np.sum([balls((150, 20, 0), 0.02, 3000, 3), balls((150, 33, 0), 0.005, 3000, 3), balls((-40, 60, 0), 0.02, 1000, 3)], axis=0)
+        self.assertGreater(inside / count, 0.93)
+
+    def test_small_things_that_are_not_sought_are_noticed(self):
+        inside, count = balls((150, 20, 0), 0.02, 3000, 2, pilot_rays=False)
+        self.assertLess(inside / count, 0.5)
 
     def test_a_flight_that_is_not_told_is_noticed(self):
         for kind in ("exposed", "rolling"):
@@ -213,12 +251,63 @@ class FlyingFrames(unittest.TestCase):
             self.assertLess(near / of, 0.6)
 
 
+def checked(change, command="check"):
+    """What `ifov check` says of a document that is changed."""
+    document = plate({"exposure": "10 ms"}, straight((30, 0, 0)))
+    change(document, document["sensor"]["camera"]["frame"])
+    with tempfile.TemporaryDirectory() as scratch:
+        done = run(document, pathlib.Path(scratch), command=command)
+    return done.returncode, done.stdout + done.stderr
+
+
+class FlyingDocuments(unittest.TestCase):
+    def refused(self, text, change):
+        code, said = checked(change)
+        self.assertEqual(code, 1, said)
+        self.assertIn(text, said)
+        self.assertRegex(said, r"scene\.json:\d+:\d+: ")
+
+    def test_check_and_sensor_say_how_far_the_picture_moves(self):
+        rolling = lambda document, frame: frame.update(row_period="1 ms")
+        self.assertRegex(checked(rolling)[1], r"flight: +while a pixel is exposed the picture of the ground moves by 1 pixels, from row to row by 0\.1\n")
+        self.assertIn("smear 1 pixels, 0.1 pixels from row to row", checked(rolling, "sensor")[1])
+        self.assertNotIn("flight:", checked(lambda document, frame: frame.update(exposure="0 s"))[1])
+
+    def test_what_cannot_be(self):
+        self.refused("the platform's path covers -0.002 to 0.003 s, and the image is exposed from -0.005 to 0.005 s: 0.003 s too late and 0.002 s too short",
+                     lambda document, frame: document.update(platform={"way_points": {"frame": "scene", "points": [
+                         {"time": f"{t} s", "position": [f"{9 * t} m", "0 m", "300 m"]} for t in (-0.002, 0.003)]}}))
+        self.refused("expected its 'position', or a 'platform' beside the 'sensor'", lambda document, frame: document.pop("platform"))
+        stands = {"position": ["0 m", "0 m", "300 m"], "attitude": {}}
+        self.refused("the frame camera has a 'position' of its own, at which it stands", lambda document, frame: frame.update(stands))
+        self.refused("'position' needs 'look_at' or 'attitude'", lambda document, frame: frame.update(position=stands["position"]))
+        self.refused("'attitude' needs the key 'position' beside it", lambda document, frame: frame.update(attitude={}))
+        self.refused("'look_at' says already how the camera is turned", lambda document, frame: frame.update(stands, look_at=["0 m", "0 m", "0 m"]))
+        self.refused("each row of a frame camera is one of its own", lambda document, frame: (
+            frame.update(row_period="1 ms"), document.update(sampling={"accuracy": {"error": "1 %", "of": "image"}})))
+        self.refused("a frame camera that flies is exposed from many; expected no 'exposure'", lambda document, frame: (
+            document["scene"]["materials"].update(glass={"reflectance": 0.05, "scattering": "mirror"}),
+            document["scene"]["objects"].append({"sphere": {"center": ["9 m", "0 m", "1 m"], "radius": "1 m"}, "material": "glass"})))
+
+    def test_the_same_bytes_for_any_threads(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch)
+            document = plate({"exposure": "4 ms", "row_period": "1 ms"}, {**straight((30, 7, 0)), "jitter": {"white": {"roll": "0.5 mrad", "up_to": "200 Hz"}}})
+            document["light"]["sky"] = {"temperature": "250 K"}
+            images = []
+            for threads in ("1", "3"):
+                done = run(document, folder, "--threads", threads)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                images.append([(folder / f"out/image_{what}.img").read_bytes() for what in ("radiance", "half_width", "abundance")])
+            self.assertEqual(*images)
+
+
 if __name__ == "__main__":
     if "--full" in sys.argv:
         for kind in KINDS:
             every = np.zeros(4)
             for name in FULL_SCENES:
-                counts = held(name, kind, 12, 96 if kind == "exposed" else 12, 19 if kind == "exposed" else 61)
+                counts = held(name, kind, 12, *{"exposed": (96, 19), "rolling": (1, 131), "both": (16, 41)}[kind])
                 every += counts
                 print(f"{kind:8s} {name:16s} {counts[0] / counts[1]:.4f} of {counts[1]}; where it moves {counts[2] / max(1, counts[3]):.4f} of {counts[3]}", flush=True)
             print(f"{kind:8s} {'all':16s} {every[0] / every[1]:.4f} of {int(every[1])}; where it moves {every[2] / every[3]:.4f} of {int(every[3])}", flush=True)

@@ -25,7 +25,8 @@ SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Came
       truth_(scene::truth_materials(scene.scene())),
       moving_(MovingCover::find(scene.scene(), camera)),
       flown_(FlownExposure::find(scene.scene(), camera)),
-      blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count()), moving_ != nullptr || flown_ != nullptr),
+      blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count()),
+              moving_ != nullptr || flown_ != nullptr),
       unseen_(scene, blends_.first_column() + blends_.count()),
       through_(scene),
       mirror_light_(

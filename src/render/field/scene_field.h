@@ -120,7 +120,7 @@ class SceneField final : public sampling::Field {
   const std::unique_ptr<transport::PathTracer> tracer_;
   const std::unique_ptr<SceneLight> light_;
   scene::TruthMaterials truth_;
-  const std::unique_ptr<MovingCover> moving_;  // null: all is alike while a point is exposed, or
+  const std::unique_ptr<MovingCover> moving_;   // null: all is alike while a point is exposed, or
   const std::unique_ptr<FlownExposure> flown_;  // null: the camera stands still meanwhile
   BlendColumns blends_;
   std::shared_ptr<MapDetail> map_detail_;  // once asked for

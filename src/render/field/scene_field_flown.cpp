@@ -32,7 +32,8 @@ void SceneField::flown_labels(std::span<const sampling::FocalPoint> points, Labe
     label_hits(points_, hits_, detail, shown);
     for (std::size_t k = 0; k < count; ++k) {
       const auto own = std::span(shown).subspan(k * instants, instants);
-      const bool alike = std::all_of(own.begin(), own.end(), [&](sampling::Label one) { return one == own[0]; });
+      const bool alike =
+          std::all_of(own.begin(), own.end(), [&](sampling::Label one) { return one == own[0]; });
       labels[first + k] = alike && !flown_->crossed(points[first + k]) ? own[0] : SurfaceLabel::moving();
     }
   }

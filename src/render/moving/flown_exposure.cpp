@@ -96,8 +96,8 @@ template <class At>
 void FlownExposure::visit_dots(const sampling::FocalPoint& point, const At& at) const {
   const double x = std::floor(point.x_px) - first_x_, y = std::floor(point.y_px) - first_y_;
   if (!(x >= 0.0) || !(y >= 0.0) || x >= columns_ || y >= rows_) return;
-  for (const std::uint32_t k :
-       near_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)]) {
+  for (const std::uint32_t k : near_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+                                     static_cast<std::size_t>(x)]) {
     const Dot& dot = dots_[k];
     const sampling::FocalPoint next = dot.next.value_or(dot.at);
     const double dx = next.x_px - dot.at.x_px, dy = next.y_px - dot.at.y_px, way = dx * dx + dy * dy;
@@ -122,8 +122,8 @@ void FlownExposure::when_met(const sampling::FocalPoint& point) {
       return;
     }
     // As long as it is within its radius.
-    const double half_px = std::sqrt(
-        std::max(0.0, dot.radius_px * dot.radius_px - passage.aside_px * passage.aside_px));
+    const double half_px =
+        std::sqrt(std::max(0.0, dot.radius_px * dot.radius_px - passage.aside_px * passage.aside_px));
     const double half = passage.way_px > 0.0 ? std::min(half_px / passage.way_px, 1e6) : 1.0;
     crossed_.push_back({at_s + apart_s * std::clamp(passage.share - half, 0.0, 1.0),
                         at_s + apart_s * std::clamp(passage.share + half, 0.0, 1.0)});
@@ -148,10 +148,9 @@ void FlownExposure::when_crossed(const sampling::FocalPoint& point) {
     at.time_s = 0.5 * (instants_s_[k] + instants_s_[k + 1]);
     const math::Ray between = camera_.ray(at);
     // A cone that holds the rays of that time, but for what is nearer than a metre.
-    const double spread_rad = std::max(math::length(last.direction - between.direction) +
-                                           math::length(last.origin_m - between.origin_m),
-                                       math::length(next.direction - between.direction) +
-                                           math::length(next.origin_m - between.origin_m));
+    const double spread_rad = std::max(
+        math::length(last.direction - between.direction) + math::length(last.origin_m - between.origin_m),
+        math::length(next.direction - between.direction) + math::length(next.origin_m - between.origin_m));
     world->when_met(between, last.time_s, next.time_s, spread_rad, crossed_);
   }
   if (!still.hit() || !scene_.sun || !scene_.sun->is_up()) return;

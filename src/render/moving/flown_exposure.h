@@ -26,7 +26,8 @@ class FlownExposure {
     sampling::FocalPoint at;
     double radius_px = 0.0;
     std::size_t instant = 0;  ///< its number
-    std::optional<sampling::FocalPoint> next = std::nullopt;  ///< at the next one, where it is known there too
+    std::optional<sampling::FocalPoint> next =
+        std::nullopt;  ///< at the next one, where it is known there too
   };
   /// Those near all points that will be asked for.
   void follow(std::vector<Dot> dots);

@@ -51,8 +51,8 @@ MovingCover::Times MovingCover::times(const sampling::PathRequest& request, cons
   return times;
 }
 
-MovingCover::Times MovingCover::drawn(std::vector<geometry::TimeInterval>& met_times, double from_s, double to_s,
-                                      const sampling::PathRequest& request) {
+MovingCover::Times MovingCover::drawn(std::vector<geometry::TimeInterval>& met_times, double from_s,
+                                      double to_s, const sampling::PathRequest& request) {
   // In order, without overlap, within that time.
   std::sort(met_times.begin(), met_times.end(),
             [](const auto& a, const auto& b) { return a.from_s < b.from_s; });

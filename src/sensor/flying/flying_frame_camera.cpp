@@ -20,8 +20,14 @@ FlyingFrameCamera::FlyingFrameCamera(const Settings& settings, Unjudged)
 
 FlyingFrameCamera::FlyingFrameCamera(const Settings& settings) : FlyingFrameCamera(settings, Unjudged{}) {
   // What is wrong with one that stands still is wrong here.
-  const FrameCamera still({settings.width_px, settings.height_px, settings.focal_length_m, settings.pitch_m,
-                           {}, {}, settings.exposure_s, settings.row_period_s});
+  const FrameCamera still({settings.width_px,
+                           settings.height_px,
+                           settings.focal_length_m,
+                           settings.pitch_m,
+                           {},
+                           {},
+                           settings.exposure_s,
+                           settings.row_period_s});
   const double half_s = 0.5 * (settings.exposure_s + (settings.height_px - 1) * settings.row_period_s);
   // A row may end where the exposure does, but for its rounding.
   const double rounding_s = 1e-9 * half_s;
@@ -83,9 +89,10 @@ void FlyingFrameCamera::rays(std::span<const sampling::FocalPoint> points, std::
     if (own_s != time_s) stand = stand_at(own_s), time_s = own_s;
     const double right = (p.x_px - 0.5 * settings_.width_px) * step,
                  down = (p.y_px + first_row_ - 0.5 * settings_.height_px) * step;
-    rays[i] = {.origin_m = stand.position_m,
-               .direction = math::normalized(stand.axes.forward + stand.axes.right * right + stand.axes.down * down),
-               .time_s = own_s};
+    rays[i] = {
+        .origin_m = stand.position_m,
+        .direction = math::normalized(stand.axes.forward + stand.axes.right * right + stand.axes.down * down),
+        .time_s = own_s};
   }
 }
 
@@ -99,14 +106,16 @@ bool FlyingFrameCamera::seen(const Stand& stand, math::Point3 position_m, sampli
   return true;
 }
 
-bool FlyingFrameCamera::project_when(math::Point3 position_m, double time_s, sampling::FocalPoint& point) const {
+bool FlyingFrameCamera::project_when(math::Point3 position_m, double time_s,
+                                     sampling::FocalPoint& point) const {
   if (settings_.row_period_s == 0.0) return seen(stand_at(middle_s_ + time_s), position_m, point);
   const double half_px = 0.5 * settings_.height_px;
   // How much further down than y the point is while a row there would be exposed, as if rows had no height.
   const auto below_px = [&](double y) -> std::optional<double> {
     const double within_px = std::clamp(y, -kBeyond_px, settings_.height_px + kBeyond_px);
     sampling::FocalPoint at;
-    if (!seen(stand_at(middle_s_ + (within_px - half_px) * settings_.row_period_s + time_s), position_m, at)) return std::nullopt;
+    if (!seen(stand_at(middle_s_ + (within_px - half_px) * settings_.row_period_s + time_s), position_m, at))
+      return std::nullopt;
     return at.y_px - y;
   };
   double before = half_px;

@@ -22,7 +22,8 @@ class FlyingFrameCamera final : public Camera, public PictureStack {
     int width_px = 0, height_px = 0;
     double focal_length_m = 0.0, pitch_m = 0.0;
     double exposure_s = 0.0, row_period_s = 0.0;  ///< as FrameCamera's
-    std::shared_ptr<const platform::Trajectory> platform;  ///< scene frame, with what is between it and the camera
+    std::shared_ptr<const platform::Trajectory>
+        platform;  ///< scene frame, with what is between it and the camera
     std::shared_ptr<const platform::Trajectory> reported = nullptr;  ///< as it is reported; null: as it is
   };
 

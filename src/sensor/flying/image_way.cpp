@@ -11,11 +11,13 @@ namespace ifov::sensor {
 
 std::optional<double> image_way_px(const Camera& camera, math::Point3 place_m, double span_s) {
   constexpr double kSteps = 32.0, kMostSteps = 256.0;
-  const int steps = static_cast<int>(std::clamp(std::ceil(4.0 * span_s / camera.step_s()), kSteps, kMostSteps));
+  const int steps =
+      static_cast<int>(std::clamp(std::ceil(4.0 * span_s / camera.step_s()), kSteps, kMostSteps));
   double way_px = 0.0;
   sampling::FocalPoint last, next;
   for (int k = 0; k <= steps; ++k) {
-    if (!camera.project_when(place_m, span_s * (static_cast<double>(k) / steps - 0.5), next)) return std::nullopt;
+    if (!camera.project_when(place_m, span_s * (static_cast<double>(k) / steps - 0.5), next))
+      return std::nullopt;
     if (k > 0) way_px += std::hypot(next.x_px - last.x_px, next.y_px - last.y_px);
     last = next;
   }

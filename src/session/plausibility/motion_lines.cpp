@@ -65,9 +65,10 @@ std::vector<std::string> motion_lines(const Parts& parts) {
   std::vector<std::string> lines;
   if (const auto motion = sensor::frame_motion(*parts.camera, parts.scene.world->heights().low_m))
     if (parts.camera->exposure_s() > 0.0 || parts.camera->row_period_s() > 0.0)
-      lines.push_back(format("{:<10} while a pixel is exposed the picture of the ground moves by {:.2g} pixels{}", "flight:",
-                             motion->exposure_px,
-                             parts.camera->row_period_s() > 0.0 ? format(", from row to row by {:.2g}", motion->row_px) : ""));
+      lines.push_back(format(
+          "{:<10} while a pixel is exposed the picture of the ground moves by {:.2g} pixels{}",
+          "flight:", motion->exposure_px,
+          parts.camera->row_period_s() > 0.0 ? format(", from row to row by {:.2g}", motion->row_px) : ""));
   const MovingWorld* const world = parts.scene.world->moving();
   if (world == nullptr) return lines;
   for (std::size_t m = 0; m < world->mover_count(); ++m) {

@@ -95,7 +95,8 @@ SchemaType<std::shared_ptr<const CameraSettings>> frame_type() {
                 "columns and rows")
       .optional("position", &FrameEntry::position_m, point(),
                 "where the camera is; if not given the document's `platform` carries it")
-      .optional("look_at", &FrameEntry::look_at_m, point(), "of a camera with a `position`: point at the image's centre")
+      .optional("look_at", &FrameEntry::look_at_m, point(),
+                "of a camera with a `position`: point at the image's centre")
       .needs("look_at", "position")
       .optional("attitude", &FrameEntry::attitude, attitude_type(), "instead of `look_at`: angles")
       .needs("attitude", "position")
@@ -115,8 +116,9 @@ SchemaType<std::shared_ptr<const CameraSettings>> frame_type() {
       .check([](const FrameEntry& entry, const DocumentNode& node) {
         if (entry.position_m && entry.look_at_m.has_value() == entry.attitude.has_value())
           (entry.look_at_m ? node.given("attitude") : node.given("position"))
-              .fail(entry.look_at_m ? "'look_at' says already how the camera is turned; expected one of both"
-                                    : "'position' needs 'look_at' or 'attitude', how the camera is turned there");
+              .fail(entry.look_at_m
+                        ? "'look_at' says already how the camera is turned; expected one of both"
+                        : "'position' needs 'look_at' or 'attitude', how the camera is turned there");
         if (entry.look_at_m && *entry.look_at_m == *entry.position_m)
           node.given("look_at").fail(
               format("{} is where the camera itself is", node.given("look_at").title()));
@@ -194,7 +196,8 @@ std::shared_ptr<const CameraSettings> FrameCamera::seen_from(double zenith_rad, 
   return camera;
 }
 
-std::shared_ptr<const CameraSettings> FrameCamera::carried_by(std::shared_ptr<const PlatformFlight> by) const {
+std::shared_ptr<const CameraSettings> FrameCamera::carried_by(
+    std::shared_ptr<const PlatformFlight> by) const {
   if (placed && by)
     throw InputError(
         "the frame camera has a 'position' of its own, at which it stands, so that no platform carries it; expected no 'position', 'look_at', "
