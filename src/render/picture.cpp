@@ -1,14 +1,11 @@
 #include "render/picture.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
 
 #include "core/error.h"
 #include "geometry/world.h"
 #include "render/field/scene_field.h"
 #include "render/image_renderer.h"
-#include "render/moving/flown_exposure.h"
 #include "render/open_sky.h"
 #include "render/polarized/steering.h"
 #include "render/tolerance/accuracy_tolerance.h"
@@ -56,16 +53,6 @@ std::vector<double> cut_by_column(const std::vector<double>& by_channel, const S
   for (int c = 0; !by_channel.empty() && c < field.columns(); ++c)
     cut.push_back(by_channel[static_cast<std::size_t>(std::max(0, field.channel_of(c)))]);
   return cut;
-}
-
-/// Which points stand for an object by itself, by its number.
-std::map<std::uint32_t, std::size_t> single_points(const PilotRays::Near& near) {
-  std::map<std::uint32_t, std::size_t> points;
-  std::set<std::uint32_t> several{sampling::Field::kNoObject};
-  for (std::size_t k = 0; k < near.objects.size(); ++k)
-    if (!points.emplace(near.objects[k], k).second) several.insert(near.objects[k]);
-  for (const std::uint32_t object : several) points.erase(object);
-  return points;
 }
 
 }  // namespace
@@ -136,43 +123,16 @@ void Picture::find_pilots() {
     return PilotRays(*scene.world, scene.assignments.size(), camera, towards_sun,
                      job_.scene.sought_assignments(), margin_px_, glare);
   };
-  const auto field = job_.camera.moves_while_exposed() ? this->field() : nullptr;
-  if (field == nullptr) {
-    pilot_rays_.emplace(of(job_.camera));
-    return;
-  }
-  for (const double time_s : field->flown()->instants_s())
-    flown_rays_.push_back(of(*job_.camera.at_instant(time_s)));
+  const std::vector<double> instants_s = field()->instants_s();
+  if (instants_s.empty()) pilot_rays_.emplace(of(job_.camera));
+  std::vector<PilotRays> flown;
+  for (const double time_s : instants_s) flown.push_back(of(*camera_at(job_.camera, time_s)));
+  flown_pilots_ = FlownPilots(std::move(flown));
 }
 
 PilotRays::Near Picture::pilots_near(const sampling::PixelRect& tile, SceneField& field) const {
-  if (flown_rays_.empty()) return pilot_rays_ ? pilot_rays_->near(tile, margin_px_) : PilotRays::Near{};
-  std::vector<PilotRays::Near> near;
-  std::vector<std::map<std::uint32_t, std::size_t>> single;
-  for (const PilotRays& rays : flown_rays_) {
-    near.push_back(rays.near(tile, margin_px_));
-    single.push_back(single_points(near.back()));
-  }
-  PilotRays::Near all;
-  std::vector<FlownExposure::Dot> dots;
-  const std::size_t last = near.size() - 1;
-  for (std::size_t k = 0; k <= last; ++k)
-    for (std::size_t j = 0; j < near[k].points.size(); ++j) {
-      all.points.push_back(near[k].points[j]);
-      // Where it is smeared it is no object of its own.
-      all.objects.push_back(sampling::Field::kNoObject);
-      FlownExposure::Dot dot{near[k].points[j], near[k].radii_px[j], k};
-      const std::uint32_t object = near[k].objects[j];
-      const bool alone = single[k].contains(object),
-                 before = k > 0 && alone && single[k - 1].contains(object),
-                 after = k < last && alone && single[k + 1].contains(object);
-      if (!(after || (k == last && alone)) || !(before || (k == 0 && alone))) dots.push_back(dot);
-      if (!after) continue;
-      dot.next = near[k + 1].points[single[k + 1].at(object)];
-      dots.push_back(dot);
-    }
-  field.flown()->follow(std::move(dots));
-  return all;
+  if (flown_pilots_.any()) return flown_pilots_.near(tile, margin_px_, *field.flown());
+  return pilot_rays_ ? pilot_rays_->near(tile, margin_px_) : PilotRays::Near{};
 }
 
 void Picture::find_wings() {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "render/moving/flown_pilots.h"
 #include "render/parts/light_told.h"
-#include "render/pilot_rays.h"
 #include "render/unsampled_light.h"
 #include "sampling/image/survey.h"
 #include "sampling/tile.h"
@@ -49,7 +49,7 @@ class Picture {
   const UnsampledLight unsampled_;
   transport::TransportOptions transport_;
   std::optional<PilotRays> pilot_rays_;
-  std::vector<PilotRays> flown_rays_;  // of a camera that moves while exposed: by instant
+  FlownPilots flown_pilots_{{}};  // of a camera that moves while it is exposed
   std::vector<int> steering_channels_;
   std::vector<float> sky_shares_;
   std::unique_ptr<const sampling::ImageSurvey> survey_;

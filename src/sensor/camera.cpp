@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "radiometry/polarization_frame.h"
 #include "sensor/along_track.h"
@@ -20,10 +19,6 @@ math::Ray Camera::ray(const sampling::FocalPoint& point) const {
   rays({&point, 1}, {&ray, 1});
   return ray;
 }
-
-std::unique_ptr<const Camera> Camera::at_instant(double) const { return nullptr; }
-
-double Camera::step_s() const { return std::numeric_limits<double>::infinity(); }
 
 AlongTrack Camera::along_track() const { return {}; }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -17,6 +16,7 @@ struct PolarizationFrame;
 namespace ifov::sensor {
 
 struct AlongTrack;
+class FlyingFrameCamera;
 class PictureStack;
 class ViewListCamera;
 
@@ -65,26 +65,17 @@ class Camera {
 
   /// Image of a scene point; false where it is behind the camera.
   virtual bool project(math::Point3 position_m, sampling::FocalPoint& point) const = 0;
-  /// The same so long after the middle of an exposure; only where the camera moves meanwhile not the same.
-  virtual bool project_when(math::Point3 position_m, double, sampling::FocalPoint& point) const {
-    return project(position_m, point);
-  }
 
   /// Ground sample distance at a scene point, metres per pixel.
   virtual double gsd_m(math::Point3 position_m) const = 0;
 
   virtual CameraPose pose(double line_px) const = 0;
-  /// At the point's own time.
   virtual CameraAxes axes_at(const sampling::FocalPoint& point) const { return pose(point.y_px).axes; }
 
   virtual double exposure_s() const { return 0.0; }    ///< of a point; 0 where y alone tells when
   virtual double row_period_s() const { return 0.0; }  ///< from one row's exposure to the next's
-  /// Whether a point looks elsewhere at another time of its exposure.
-  virtual bool moves_while_exposed() const { return false; }
-  /// Where it does: itself as it stands at an instant, so long after the middle of each point's exposure.
-  virtual std::unique_ptr<const Camera> at_instant(double time_s) const;
-  /// The shortest time in which it may turn back; infinite where it moves straight.
-  virtual double step_s() const;
+  virtual const FlyingFrameCamera* flying() const { return nullptr; }  ///< itself where it is one
+  bool moves_while_exposed() const { return flying() != nullptr && exposure_s() > 0.0; }
   /// What its pixels are spread over along image y beside the optics; of a camera that stands still nothing.
   virtual AlongTrack along_track() const;
   /// And along image x, by elements that are swept across the track.

@@ -80,6 +80,7 @@ class SceneField final : public sampling::Field {
   const UnseenLight& unseen() const { return unseen_; }
   /// Null where the camera stands still while a point is exposed.
   FlownExposure* flown() { return flown_.get(); }
+  std::vector<double> instants_s() const;  ///< FlownExposure's; empty without it
   /// As StokesColumns::settle().
   void settle(sampling::TileResult& tile) const;
   sampling::RayCounts counts() const override { return counts_; }
@@ -103,6 +104,10 @@ class SceneField final : public sampling::Field {
               std::span<float> values, LabelDetail detail, std::span<const sampling::Label> expected);
   void moving_values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
                      std::span<float> values, LabelDetail detail);
+  static std::shared_ptr<MovingCover> find_moving(const scene::Scene& scene, const sensor::Camera& camera);
+  static std::shared_ptr<FlownExposure> find_flown(const scene::Scene& scene, const sensor::Camera& camera);
+  /// Rays through points (rays_) and what they meet (hits_).
+  void meet(std::span<const sampling::FocalPoint> points);
   void flown_values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
                     std::span<float> values, LabelDetail detail, std::span<const sampling::Label> expected);
   void flown_labels(std::span<const sampling::FocalPoint> points, LabelDetail detail,
@@ -120,8 +125,8 @@ class SceneField final : public sampling::Field {
   const std::unique_ptr<transport::PathTracer> tracer_;
   const std::unique_ptr<SceneLight> light_;
   scene::TruthMaterials truth_;
-  const std::unique_ptr<MovingCover> moving_;   // null: all is alike while a point is exposed, or
-  const std::unique_ptr<FlownExposure> flown_;  // null: the camera stands still meanwhile
+  const std::shared_ptr<MovingCover> moving_;   // null: all is alike while a point is exposed, or
+  const std::shared_ptr<FlownExposure> flown_;  // null: the camera stands still meanwhile
   BlendColumns blends_;
   std::shared_ptr<MapDetail> map_detail_;  // once asked for
   UnseenLight unseen_;

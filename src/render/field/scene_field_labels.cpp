@@ -2,7 +2,6 @@
 
 #include "geometry/world.h"
 #include "render/field/scene_field.h"
-#include "render/moving/flown_exposure.h"
 #include "render/moving/moving_cover.h"
 #include "sensor/camera.h"
 #include "transport/mirror_light.h"
@@ -28,20 +27,17 @@ bool is_expected(SurfaceLabel label, sampling::Label expected, transport::PathRe
 
 void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) {
   if (flown_ != nullptr) return flown_labels(points, detail_, labels);
+  meet(points);
+  find_covered(points);
+  label_hits(points, hits_, detail_, labels);
+}
+
+void SceneField::meet(std::span<const sampling::FocalPoint> points) {
   rays_.resize(points.size());
   hits_.resize(points.size());
   camera_.rays(points, rays_);
   scene_.scene().world->intersect(rays_, hits_);
   counts_.primary += points.size();
-  find_covered(points);
-  label_hits(points, hits_, detail_, labels);
-}
-
-void SceneField::find_covered(std::span<const sampling::FocalPoint> points) {
-  if (moving_ == nullptr) return;
-  covered_.resize(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k)
-    covered_[k] = moving_->covers(points[k], rays_[k], hits_[k]);
 }
 
 bool SceneField::shows_sunlight(const scene::ResolvedSurface& surface, bool& transmits) const {

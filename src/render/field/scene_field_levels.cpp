@@ -3,8 +3,6 @@
 
 #include "radiometry/spectral_nodes.h"
 #include "render/field/scene_field.h"
-#include "render/moving/flown_exposure.h"
-#include "render/moving/moving_cover.h"
 #include "render/parts/part_columns.h"
 #include "render/polarized/scene_light.h"
 #include "sampling/image/levels.h"

@@ -2,8 +2,6 @@
 #include "render/field/scene_field.h"
 #include "render/mapped/map_detail.h"
 #include "render/mapped/surface_maps.h"
-#include "render/moving/flown_exposure.h"
-#include "render/moving/moving_cover.h"
 #include "render/polarized/scene_light.h"
 #include "sensor/camera.h"
 #include "transport/spectral_scene.h"

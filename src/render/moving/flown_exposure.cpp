@@ -64,7 +64,8 @@ double FlownExposure::longest_way_px() const {
     geometry::SurfacePoint hit;
     scene_.world->intersect({&ray, 1}, {&hit, 1});
     const math::Point3 place_m = ray.origin_m + (hit.hit() ? hit.distance_m : kFarAway_m) * ray.direction;
-    longest_px = std::max(longest_px, sensor::image_way_px(camera_, place_m, exposure_s_).value_or(0.0));
+    longest_px =
+        std::max(longest_px, sensor::image_way_px(*camera_.flying(), place_m, exposure_s_).value_or(0.0));
   }
   return longest_px;
 }

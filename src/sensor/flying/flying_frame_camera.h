@@ -42,7 +42,8 @@ class FlyingFrameCamera final : public Camera, public PictureStack {
   bool project(math::Point3 position_m, sampling::FocalPoint& point) const override {
     return project_when(position_m, 0.0, point);
   }
-  bool project_when(math::Point3 position_m, double time_s, sampling::FocalPoint& point) const override;
+  /// The same so long after the middle of an exposure.
+  bool project_when(math::Point3 position_m, double time_s, sampling::FocalPoint& point) const;
   double gsd_m(math::Point3 position_m) const override;
   CameraPose pose(double line_px) const override;
   CameraAxes axes_at(const sampling::FocalPoint& point) const override;
@@ -50,9 +51,11 @@ class FlyingFrameCamera final : public Camera, public PictureStack {
 
   double exposure_s() const override { return settings_.exposure_s; }
   double row_period_s() const override { return settings_.row_period_s; }
-  bool moves_while_exposed() const override { return settings_.exposure_s > 0.0; }
-  std::unique_ptr<const Camera> at_instant(double time_s) const override;
-  double step_s() const override;
+  const FlyingFrameCamera* flying() const override { return this; }
+  /// Itself as it stands at an instant, so long after the middle of each point's exposure.
+  std::unique_ptr<const Camera> at_instant(double time_s) const;
+  /// The shortest time in which the platform may turn back; infinite where it flies straight.
+  double step_s() const;
   const Camera& reported() const override { return reported_ ? *reported_ : *this; }
 
   const PictureStack* pictures() const override { return settings_.row_period_s > 0.0 ? this : nullptr; }

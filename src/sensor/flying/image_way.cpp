@@ -9,7 +9,7 @@
 
 namespace ifov::sensor {
 
-std::optional<double> image_way_px(const Camera& camera, math::Point3 place_m, double span_s) {
+std::optional<double> image_way_px(const FlyingFrameCamera& camera, math::Point3 place_m, double span_s) {
   constexpr double kSteps = 32.0, kMostSteps = 256.0;
   const int steps =
       static_cast<int>(std::clamp(std::ceil(4.0 * span_s / camera.step_s()), kSteps, kMostSteps));
@@ -25,7 +25,7 @@ std::optional<double> image_way_px(const Camera& camera, math::Point3 place_m, d
 }
 
 std::optional<FrameMotion> frame_motion(const Camera& camera, double ground_m) {
-  if (dynamic_cast<const FlyingFrameCamera*>(&camera) == nullptr) return std::nullopt;
+  if (camera.flying() == nullptr) return std::nullopt;
   FrameMotion motion;
   bool any = false;
   for (const sampling::FocalPoint& point : grid_over(camera, 3, 3)) {
@@ -36,7 +36,7 @@ std::optional<FrameMotion> frame_motion(const Camera& camera, double ground_m) {
     // Of one row, so that which one it is makes no difference.
     std::unique_ptr<const Camera> row;
     if (camera.pictures() != nullptr) row = camera.pictures()->picture(static_cast<int>(point.y_px));
-    const Camera& at = row ? *row : camera;
+    const FlyingFrameCamera& at = row ? *row->flying() : *camera.flying();
     const auto exposed = image_way_px(at, place_m, camera.exposure_s()),
                next = image_way_px(at, place_m, camera.row_period_s());
     if (!exposed || !next) continue;

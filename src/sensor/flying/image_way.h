@@ -7,10 +7,11 @@
 namespace ifov::sensor {
 
 class Camera;
+class FlyingFrameCamera;
 
 /// How far the image of a place moves in a time about the middle of the exposure, by the camera's own motion: there and back counts twice.
-/// None where it gets out of sight. 0 of a camera that stands still while it is exposed, and of those whose rows or lines are no frames.
-std::optional<double> image_way_px(const Camera& camera, math::Point3 place_m, double span_s);
+/// None where it gets out of sight.
+std::optional<double> image_way_px(const FlyingFrameCamera& camera, math::Point3 place_m, double span_s);
 
 /// The longest of those of nine places of the image on level ground: while a row is exposed, and from a row's exposure to the next's.
 struct FrameMotion {

@@ -1,17 +1,76 @@
 #include <algorithm>
 
-#include "geometry/world.h"
 #include "render/field/scene_field.h"
 #include "render/moving/flown_exposure.h"
-#include "scene/scene.h"
+#include "render/moving/moving_cover.h"
 #include "sensor/camera.h"
-#include "transport/path_record.h"
-#include "transport/path_tracer.h"
-#include "transport/spectral_scene.h"
 
-// What points show where the camera moves while they are exposed.
+// What points show where something moves while they are exposed, the camera or what it sees.
 
 namespace ifov::render {
+
+std::shared_ptr<MovingCover> SceneField::find_moving(const scene::Scene& scene, const sensor::Camera& camera) {
+  return MovingCover::find(scene, camera);
+}
+
+std::shared_ptr<FlownExposure> SceneField::find_flown(const scene::Scene& scene, const sensor::Camera& camera) {
+  return FlownExposure::find(scene, camera);
+}
+
+std::vector<double> SceneField::instants_s() const {
+  return flown_ != nullptr ? flown_->instants_s() : std::vector<double>{};
+}
+
+void SceneField::find_covered(std::span<const sampling::FocalPoint> points) {
+  if (moving_ == nullptr) return;
+  covered_.resize(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k)
+    covered_[k] = moving_->covers(points[k], rays_[k], hits_[k]);
+}
+
+void SceneField::moving_values(std::span<const sampling::PathRequest> requests,
+                               std::span<sampling::Label> labels, std::span<float> values,
+                               LabelDetail detail) {
+  constexpr std::size_t kTogether = kMostTraced / 2;
+  const std::size_t row_length = static_cast<std::size_t>(stride());
+  std::vector<sampling::PathRequest> asked;
+  std::vector<float> shares(kTogether), row(row_length);
+  std::vector<sampling::Label> met;
+  for (std::size_t first = 0; first < requests.size(); first += kTogether) {
+    const std::span<const sampling::PathRequest> group =
+        requests.subspan(first, std::min(kTogether, requests.size() - first));
+    points_.resize(group.size()), rays_.resize(group.size()), hits_.resize(group.size());
+    for (std::size_t k = 0; k < group.size(); ++k) points_[k] = group[k].point;
+    camera_.rays(points_, rays_);
+    moving_->meet_still(rays_, hits_);
+    counts_.primary += group.size();
+    asked.clear();
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      const MovingCover::Times times = moving_->times(group[k], rays_[k], hits_[k]);
+      shares[k] = static_cast<float>(times.share);
+      for (const bool meeting : {true, false}) {
+        if (shares[k] == (meeting ? 0.0f : 1.0f)) continue;
+        asked.push_back(group[k]);
+        asked.back().point.time_s += meeting ? times.met_s : times.else_s;
+      }
+    }
+    const transport::PathRecord& paths = trace_paths(asked);
+    for (std::size_t k = 0, j = 0; k < group.size(); ++k) {
+      float* const value = values.data() + (first + k) * row_length;
+      write(*this, paths, j++, value);
+      if (shares[k] == 0.0f || shares[k] == 1.0f) continue;
+      write(*this, paths, j++, row.data());
+      for (std::size_t c = 0; c < row_length; ++c)
+        value[c] = shares[k] * value[c] + (1.0f - shares[k]) * row[c];
+    }
+    met.resize(asked.size());
+    label_hits(points_, hits_, detail, met);
+    for (std::size_t k = 0, j = 0; k < group.size(); ++k) {
+      labels[first + k] = met[j];
+      j += shares[k] == 0.0f || shares[k] == 1.0f ? 1 : 2;
+    }
+  }
+}
 
 void SceneField::flown_labels(std::span<const sampling::FocalPoint> points, LabelDetail detail,
                               std::span<sampling::Label> labels) {
@@ -26,9 +85,7 @@ void SceneField::flown_labels(std::span<const sampling::FocalPoint> points, Labe
       points_[k] = points[first + k / instants];
       points_[k].time_s = instants_s[k % instants];
     }
-    camera_.rays(points_, rays_);
-    scene_.scene().world->intersect(rays_, hits_);
-    counts_.primary += rays_.size();
+    meet(points_);
     label_hits(points_, hits_, detail, shown);
     for (std::size_t k = 0; k < count; ++k) {
       const auto own = std::span(shown).subspan(k * instants, instants);
