@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/moving/flown_pilots.h"
+#include "render/flown_pilots.h"
 #include "render/parts/light_told.h"
 #include "render/unsampled_light.h"
 #include "sampling/image/survey.h"

@@ -1,4 +1,4 @@
-#include "render/moving/flown_pilots.h"
+#include "render/flown_pilots.h"
 
 #include <map>
 #include <set>
