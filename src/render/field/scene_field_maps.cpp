@@ -1,3 +1,4 @@
+#include "geometry/motion/moving_world.h"
 #include "geometry/world.h"
 #include "render/field/scene_field.h"
 #include "render/mapped/map_detail.h"
@@ -35,6 +36,9 @@ std::unique_ptr<sampling::MappedSurface> SceneField::mapped_surface(sampling::La
   scene_.scene().world->intersect(rays_, hits_);
   counts_.primary += points_.size();
   if (!hits_[0].hit() || !maps_->differs(hits_[0].material)) return nullptr;
+  // Of what moves the rays of other lines are of other times.
+  const geometry::MovingWorld* const moving = scene_.scene().world->moving();
+  if (moving != nullptr && moving->is_moving(hits_[0].instance)) return nullptr;
   sampling::Label met = 0;
   find_covered(points_);
   label_hits(points_, std::span(hits_).first(1), LabelDetail::material, {&met, 1});
