@@ -230,9 +230,10 @@ class FlyingFrames(unittest.TestCase):
             self.assertLess(np.abs(flown - still).max() / still.max(), 1e-6)
 
     def test_intervals_hold_what_they_say(self):
-        for kind, instants, cells in (("exposed", 48, 9), ("rolling", 1, 61)):
-            with self.subTest(kind):
-                inside, count, near, of = np.sum([held(name, kind, 2, instants, cells) for name in ("gable_roof", "wall_foot")], axis=0)
+        for kind, instants, cells, names in (("exposed", 48, 9, ("gable_roof", "wall_foot")), ("exposed", 48, 9, ("mirror", "glass_front")),
+                                             ("rolling", 1, 61, ("gable_roof", "wall_foot"))):
+            with self.subTest(kind, names=names):
+                inside, count, near, of = np.sum([held(name, kind, 2, instants, cells) for name in names], axis=0)
                 self.assertGreater(inside / count, 0.93)
                 self.assertGreater(of, 20)
                 self.assertGreater(near / of, 0.93)
@@ -288,6 +289,11 @@ class FlyingDocuments(unittest.TestCase):
         self.refused("a frame camera that flies is exposed from many; expected no 'exposure'", lambda document, frame: (
             document["scene"]["materials"].update(glass={"reflectance": 0.05, "scattering": "mirror"}),
             document["scene"]["objects"].append({"sphere": {"center": ["9 m", "0 m", "1 m"], "radius": "1 m"}, "material": "glass"})))
+        pane = lambda document: (
+            document["scene"]["materials"].update(glass={"reflectance": 0.05, "scattering": "mirror"}),
+            document["scene"]["objects"].append({"box": {"low": ["9 m", "0 m", "0 m"], "high": ["9.1 m", "4 m", "3 m"]}, "material": "glass"}))
+        self.refused("images in mirrors and panes of what outshines the scene are sought for one place of the camera", lambda document, frame: pane(document))
+        self.assertEqual(checked(lambda document, frame: (pane(document), frame.update(exposure="0 s", row_period="1 ms")))[0], 0)
 
     def test_the_same_bytes_for_any_threads(self):
         with tempfile.TemporaryDirectory() as scratch:
