@@ -9,11 +9,13 @@
 
 namespace ifov::render {
 
-std::shared_ptr<MovingCover> SceneField::find_moving(const scene::Scene& scene, const sensor::Camera& camera) {
+std::shared_ptr<MovingCover> SceneField::find_moving(const scene::Scene& scene,
+                                                     const sensor::Camera& camera) {
   return MovingCover::find(scene, camera);
 }
 
-std::shared_ptr<FlownExposure> SceneField::find_flown(const scene::Scene& scene, const sensor::Camera& camera) {
+std::shared_ptr<FlownExposure> SceneField::find_flown(const scene::Scene& scene,
+                                                      const sensor::Camera& camera) {
   return FlownExposure::find(scene, camera);
 }
 
