@@ -281,9 +281,9 @@ class FlyingDocuments(unittest.TestCase):
         self.refused("expected its 'position', or a 'platform' beside the 'sensor'", lambda document, frame: document.pop("platform"))
         stands = {"position": ["0 m", "0 m", "300 m"], "attitude": {}}
         self.refused("the frame camera has a 'position' of its own, at which it stands", lambda document, frame: frame.update(stands))
-        self.refused("'position' needs 'look_at' or 'attitude'", lambda document, frame: frame.update(position=stands["position"]))
+        self.refused("with a 'position' needs exactly one of 'look_at' or 'attitude'", lambda document, frame: frame.update(position=stands["position"]))
         self.refused("'attitude' needs the key 'position' beside it", lambda document, frame: frame.update(attitude={}))
-        self.refused("'look_at' says already how the camera is turned", lambda document, frame: frame.update(stands, look_at=["0 m", "0 m", "0 m"]))
+        self.refused("with a 'position' needs exactly one of 'look_at' or 'attitude'", lambda document, frame: frame.update(stands, look_at=["0 m", "0 m", "0 m"]))
         self.refused("each row of a frame camera is one of its own", lambda document, frame: (
             frame.update(row_period="1 ms"), document.update(sampling={"accuracy": {"error": "1 %", "of": "image"}})))
         self.refused("a frame camera that flies is exposed from many; expected no 'exposure'", lambda document, frame: (

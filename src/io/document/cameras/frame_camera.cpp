@@ -116,9 +116,7 @@ SchemaType<std::shared_ptr<const CameraSettings>> frame_type() {
       .check([](const FrameEntry& entry, const DocumentNode& node) {
         if (entry.position_m && entry.look_at_m.has_value() == entry.attitude.has_value())
           (entry.look_at_m ? node.given("attitude") : node.given("position"))
-              .fail(entry.look_at_m
-                        ? "'look_at' says already how the camera is turned; expected one of both"
-                        : "'position' needs 'look_at' or 'attitude', how the camera is turned there");
+              .fail("a frame camera with a 'position' needs exactly one of 'look_at' or 'attitude'");
         if (entry.look_at_m && *entry.look_at_m == *entry.position_m)
           node.given("look_at").fail(
               format("{} is where the camera itself is", node.given("look_at").title()));
