@@ -15,6 +15,8 @@ struct SensorDescription {
   std::optional<double> swath_m;   ///< between the ends of the middle line, on z = 0
   double ifov_rad = 0.0;           ///< of a pixel in the middle, across; 0 where rays are parallel
   std::optional<double> f_number;  ///< of the optics
+  /// Of a frame camera that flies, how far the picture of z = 0 moves at most: while a row is exposed, and from row to row of a rolling shutter.
+  std::optional<double> smear_px, row_shift_px;
 
   struct Channel {
     std::string name;

@@ -58,7 +58,8 @@ def find(name: str) -> Preset:
 
 def describe(document: Mapping[str, Any]) -> xarray.Dataset:
     """What ``ifov sensor`` tells of a document's sensor: MTF, and with a detector electrons, SNR, NEdL and NEdT, along ``channel``; what is
-    not known is not a number. Attributes: width_px, height_px, gsd_m, swath_m, ifov_rad, f_number, where they are known. No scene is loaded."""
+    not known is not a number. Attributes: width_px, height_px, gsd_m, swath_m, ifov_rad, f_number and, of a frame that flies, smear_px
+    and row_shift_px, where they are known. No scene is loaded."""
     import xarray
 
     with Written(document) as written:
@@ -79,7 +80,7 @@ def describe(document: Mapping[str, Any]) -> xarray.Dataset:
         if name == "nedl":  # 0: no noise is told
             values = [value or np.nan for value in values]
         made[variable] = ("channel", np.array(values, float), {"units": unit, "long_name": what})
-    for name in ("width_px", "height_px", "gsd_m", "swath_m", "ifov_rad", "f_number"):
+    for name in ("width_px", "height_px", "gsd_m", "swath_m", "ifov_rad", "f_number", "smear_px", "row_shift_px"):
         if (value := getattr(told, name)) is not None:
             made.attrs[name] = value
     return made

@@ -37,6 +37,8 @@ void add_sensors(nb::module_& module) {
       .def_ro("swath_m", &SensorDescription::swath_m)
       .def_ro("ifov_rad", &SensorDescription::ifov_rad)
       .def_ro("f_number", &SensorDescription::f_number)
+      .def_ro("smear_px", &SensorDescription::smear_px)
+      .def_ro("row_shift_px", &SensorDescription::row_shift_px)
       .def_ro("channels", &SensorDescription::channels);
   nb::class_<SensorPresetInfo>(module, "SensorPreset")
       .def_ro("name", &SensorPresetInfo::name)

@@ -16,6 +16,8 @@ void say_camera(const SensorDescription& sensor) {
   if (sensor.swath_m) text += format(", swath {:.5g} m", *sensor.swath_m);
   if (sensor.ifov_rad > 0.0) text += format(", IFOV {:.4g} urad", 1e6 * sensor.ifov_rad);
   if (sensor.f_number) text += format(", f/{:.3g}", *sensor.f_number);
+  if (sensor.smear_px) text += format(", smear {:.3g} pixels", *sensor.smear_px);
+  if (sensor.row_shift_px) text += format(", {:.3g} pixels from row to row", *sensor.row_shift_px);
   say(text + "\n");
 }
 
@@ -68,7 +70,7 @@ Command add_sensor_command(CLI::App& app) {
   arguments->input.add_to(*parser);
   add_inputs_below(*parser);
   parser->footer(
-      "GSD, swath and IFOV where the middle of the image meets z = 0; by channel the MTF at half a cycle a pixel, and with a\n"
+      "GSD, swath and IFOV where the middle of the image meets z = 0, and of a frame that flies how far its picture moves; by channel the MTF at half a cycle a pixel, and with a\n"
       "'detector' photons, electrons, how full the well is, SNR, NEdL and NEdT, of one exposure at the detector's 'reference'.\n\n"
       "Examples:\n"
       "  ifov sensor scene.json\n"

@@ -41,7 +41,8 @@ struct ImageInfo {
   double map_rotation_rad = 0.0;  ///< azimuth of the upward direction of the image, clockwise from north
   std::string map_projection;     ///< "Arbitrary" for a local ENU frame, else well-known text
   std::shared_ptr<const sensor::ViewList> views;  ///< null: the pixels are those of a picture
-  int sweep_lines = 0;        ///< of a scanner: that one sweep makes, which tiles keep apart; 0: one picture
+  int sweep_lines =
+      0;  ///< of a scanner that one sweep makes, of a rolling shutter that flies 1: tiles keep them apart; 0: one picture
   double footprint_px = 1.0;  ///< sampling::response_area_px(): pixels that share what one of them sees
 };
 

@@ -15,8 +15,8 @@ namespace ifov::render {
 Progress render_image(const RenderJob& job, const RenderControl& control, TileSink& sink) {
   if (const sensor::ViewListCamera* const views = job.camera.view_list())
     return render_views(job, *views, control, sink);
-  if (const sensor::ScanCamera* const scans = job.camera.scans())
-    return render_scans(job, *scans, control, sink);
+  if (const sensor::PictureStack* const pictures = job.camera.pictures())
+    return render_scans(job, *pictures, control, sink);
   const int width = job.camera.width_px(), height = job.camera.height_px();
   const std::vector<sampling::PixelRect> tiles = tile_grid(width, height, job.tile_px);
   const Picture picture(job, control);

@@ -65,16 +65,7 @@ Picture::Picture(const RenderJob& job, const RenderControl& control)
       unsampled_(job, control.threads, control.cancel),
       transport_(unsampled_.transport()),
       steering_channels_(job.steering_channels) {
-  if (job.pilot_rays) {
-    const scene::Scene& scene = job.scene.scene();
-    std::vector<math::Vec3> towards_sun, glare;
-    if (scene.sun) {
-      towards_sun = transport::fixed_disc_points(scene.sun->direction, scene.sun->half_angle_rad);
-      glare = sun_and_its_images(job.scene);
-    }
-    pilot_rays_.emplace(*scene.world, scene.assignments.size(), job.camera, towards_sun,
-                        job.scene.sought_assignments(), margin_px_, glare);
-  }
+  if (job.pilot_rays) find_pilots();
   // Samplers that judge every column where none is named are not to judge the shares of mixtures.
   if (steering_channels_.empty())
     for (std::size_t c = 0; c < job.scene.nodes().channel_count(); ++c)
@@ -85,7 +76,12 @@ Picture::Picture(const RenderJob& job, const RenderControl& control)
     sky_shares_ = open_sky_shares(job.scene, job.camera);
   if (!sky_shares_.empty()) transport_.sky_shares = &sky_shares_;
   const sampling::TileProblem whole = problem_of({0, 0, job.camera.width_px(), job.camera.height_px()});
-  survey_ = job.sampler.survey({whole, [this] { return field(); }, control.threads});
+  const auto surveyed = [this, &whole] {
+    auto field = this->field();
+    pilots_near(whole.tile, *field);
+    return field;
+  };
+  survey_ = job.sampler.survey({whole, surveyed, control.threads});
   if (survey_ != nullptr) rays_ += survey_->rays;
   if (!job.wings.empty()) find_wings();
 }
@@ -116,6 +112,29 @@ std::unique_ptr<SceneField> Picture::tracer() const {
   return std::make_unique<SceneField>(job_.scene, job_.camera, transport, job_.label_detail, told_);
 }
 
+void Picture::find_pilots() {
+  const scene::Scene& scene = job_.scene.scene();
+  std::vector<math::Vec3> towards_sun, glare;
+  if (scene.sun) {
+    towards_sun = transport::fixed_disc_points(scene.sun->direction, scene.sun->half_angle_rad);
+    glare = sun_and_its_images(job_.scene);
+  }
+  const auto of = [&](const sensor::Camera& camera) {
+    return PilotRays(*scene.world, scene.assignments.size(), camera, towards_sun,
+                     job_.scene.sought_assignments(), margin_px_, glare);
+  };
+  const std::vector<double> instants_s = field()->instants_s();
+  if (instants_s.empty()) pilot_rays_.emplace(of(job_.camera));
+  std::vector<PilotRays> flown;
+  for (const double time_s : instants_s) flown.push_back(of(*camera_at(job_.camera, time_s)));
+  flown_pilots_ = FlownPilots(std::move(flown));
+}
+
+PilotRays::Near Picture::pilots_near(const sampling::PixelRect& tile, SceneField& field) const {
+  if (flown_pilots_.any()) return flown_pilots_.near(tile, margin_px_, *field.flown());
+  return pilot_rays_ ? pilot_rays_->near(tile, margin_px_) : PilotRays::Near{};
+}
+
 void Picture::find_wings() {
   const auto field = this->field();
   std::vector<WingSpots::Box> boxes = unsampled_.met();
@@ -134,7 +153,7 @@ sampling::TileResult Picture::tile(const sampling::PixelRect& tile, std::size_t 
 sampling::TileResult Picture::tile(const sampling::PixelRect& tile, std::size_t number,
                                    SceneField& field) const {
   if (cancel_ != nullptr && cancel_->cancelled()) throw Cancelled();
-  const PilotRays::Near pilot_rays = pilot_rays_ ? pilot_rays_->near(tile, margin_px_) : PilotRays::Near{};
+  const PilotRays::Near pilot_rays = pilots_near(tile, field);
   sampling::TileProblem problem = problem_of(tile);
   problem.survey = survey_.get();
   problem.pilot_points = pilot_rays.points;

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "render/flown_pilots.h"
 #include "render/parts/light_told.h"
-#include "render/pilot_rays.h"
 #include "render/unsampled_light.h"
 #include "sampling/image/survey.h"
 #include "sampling/tile.h"
@@ -38,6 +38,9 @@ class Picture {
  private:
   sampling::TileProblem problem_of(const sampling::PixelRect& tile) const;
   void find_wings();
+  void find_pilots();
+  /// Those near a tile; the field is told where what is small is when.
+  PilotRays::Near pilots_near(const sampling::PixelRect& tile, SceneField& field) const;
 
   const RenderJob& job_;
   const CancelToken* cancel_;
@@ -46,6 +49,7 @@ class Picture {
   const UnsampledLight unsampled_;
   transport::TransportOptions transport_;
   std::optional<PilotRays> pilot_rays_;
+  FlownPilots flown_pilots_{{}};  // of a camera that moves while it is exposed
   std::vector<int> steering_channels_;
   std::vector<float> sky_shares_;
   std::unique_ptr<const sampling::ImageSurvey> survey_;

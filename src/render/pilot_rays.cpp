@@ -315,18 +315,19 @@ std::optional<sensor::OrthographicCamera> seen_from_sun(const geometry::World& w
 PilotRays::PilotRays(const geometry::World& world, std::size_t materials, const sensor::Camera& camera,
                      std::span<const math::Vec3> towards_sun, const geometry::WantedMaterials& shining,
                      double margin_px, std::span<const math::Vec3> glare) {
-  auto add_point = [&](sampling::FocalPoint point, std::uint32_t object) {
+  auto add_point = [&](sampling::FocalPoint point, std::uint32_t object, double radius_px = kSpacing_px) {
     if (point.x_px < -margin_px || point.y_px < -margin_px || point.x_px > camera.width_px() + margin_px ||
         point.y_px > camera.height_px() + margin_px)
       return;
-    points_.push_back({point, object});
+    points_.push_back({point, object, radius_px});
   };
-  auto add = [&](math::Point3 position_m, std::uint32_t object) {
+  auto add = [&](math::Point3 position_m, std::uint32_t object, double across_m = 0.0) {
     sampling::FocalPoint point;
-    if (camera.project(position_m, point)) add_point(point, object);
+    if (!camera.project(position_m, point)) return;
+    const bool whole = across_m > 0.0 && object != sampling::Field::kNoObject;
+    add_point(point, object, whole ? across_m / camera.gsd_m(position_m) : kSpacing_px);
   };
-  visit_small_objects(world, camera,
-                      [&](math::Point3 at_m, std::uint32_t object, double) { add(at_m, object); });
+  visit_small_objects(world, camera, add);
   visit_strips(world, materials, camera, [&](sampling::FocalPoint point, math::Point3) {
     add_point(point, sampling::Field::kNoObject);
   });
@@ -407,6 +408,7 @@ PilotRays::Near PilotRays::near(sampling::PixelRect tile, double margin_px) cons
         point.y_px >= tile.y0 - margin_px && point.y_px < tile.y1 + margin_px) {
       found.points.push_back(point);
       found.objects.push_back(points_[k].object);
+      found.radii_px.push_back(points_[k].radius_px);
     }
   }
   return found;

@@ -34,6 +34,8 @@ class PilotRays {
   struct Near {
     std::vector<sampling::FocalPoint> points;
     std::vector<std::uint32_t> objects;  ///< of each point; Field::kNoObject where it is long and thin
+    std::vector<double>
+        radii_px;  ///< of a disc about each that holds what it is for, or the part that is nearest
   };
   /// What lies so far outside a tile may matter to it.
   static double margin_px(const RenderJob& job);
@@ -45,6 +47,7 @@ class PilotRays {
   struct Target {
     sampling::FocalPoint point;
     std::uint32_t object;
+    double radius_px;
   };
   std::vector<Target> points_;             // sorted by row, then object
   std::vector<std::size_t> first_of_row_;  // rows from lowest_row_

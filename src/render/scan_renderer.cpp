@@ -10,7 +10,8 @@
 #include "render/tile_loop.h"
 #include "render/tile_sink.h"
 #include "sampling/hash.h"
-#include "sensor/scanning/scan_camera.h"
+#include "sensor/camera.h"
+#include "sensor/flying/picture_stack.h"
 
 namespace ifov::render {
 namespace {
@@ -33,9 +34,9 @@ class EarlierSweep final : public EarlierTiles {
 /// A sweep's picture with all that it refers to.
 class Sweep {
  public:
-  Sweep(const RenderJob& all, const sensor::ScanCamera& scans, int number, const RenderControl& control)
-      : camera_(scans.sweep(number)),
-        first_line_(number * scans.pattern().elements),
+  Sweep(const RenderJob& all, const sensor::PictureStack& pictures, int number, const RenderControl& control)
+      : camera_(pictures.picture(number)),
+        first_line_(number * pictures.lines_of_each()),
         job_(of_camera(all, *camera_)) {
     job_.seed = sampling::hash(all.seed, static_cast<std::uint64_t>(number));
     if (all.earlier != nullptr)
@@ -77,7 +78,7 @@ class Sweep {
     return one;
   }
 
-  std::unique_ptr<const sensor::SweepCamera> camera_;
+  std::unique_ptr<const sensor::Camera> camera_;
   int first_line_;
   RenderJob job_;
   std::unique_ptr<EarlierSweep> earlier_;
@@ -87,8 +88,9 @@ class Sweep {
 /// The sweeps whose tiles are being rendered, each made once by the first thread that asks while others wait for it.
 class Sweeps {
  public:
-  Sweeps(const RenderJob& job, const sensor::ScanCamera& scans, const RenderControl& control, Tally& tally)
-      : job_(job), scans_(scans), control_(control), tally_(tally) {}
+  Sweeps(const RenderJob& job, const sensor::PictureStack& pictures, const RenderControl& control,
+         Tally& tally)
+      : job_(job), pictures_(pictures), control_(control), tally_(tally) {}
 
   std::shared_ptr<const Sweep> get(int number) {
     std::shared_ptr<Place> place;
@@ -105,7 +107,7 @@ class Sweeps {
     }
     const std::scoped_lock lock(place->mutex);
     if (place->sweep == nullptr) {
-      place->sweep = std::make_shared<const Sweep>(job_, scans_, number, control_);
+      place->sweep = std::make_shared<const Sweep>(job_, pictures_, number, control_);
       tally_.add(place->sweep->rays());
     }
     return place->sweep;
@@ -119,7 +121,7 @@ class Sweeps {
     std::shared_ptr<const Sweep> sweep;
   };
   const RenderJob& job_;
-  const sensor::ScanCamera& scans_;
+  const sensor::PictureStack& pictures_;
   const RenderControl& control_;
   Tally& tally_;
   std::mutex mutex_;
@@ -128,13 +130,13 @@ class Sweeps {
 
 }  // namespace
 
-Progress render_scans(const RenderJob& job, const sensor::ScanCamera& scans, const RenderControl& control,
-                      TileSink& sink) {
-  const int lines = scans.pattern().elements;
+Progress render_scans(const RenderJob& job, const sensor::PictureStack& pictures,
+                      const RenderControl& control, TileSink& sink) {
+  const int lines = pictures.lines_of_each();
   const std::vector<sampling::PixelRect> tiles =
-      tile_grid(scans.width_px(), scans.height_px(), job.tile_px, lines);
+      tile_grid(job.camera.width_px(), job.camera.height_px(), job.tile_px, lines);
   Tally tally(pixels_of(control.tile_order, tiles), control.progress);
-  Sweeps sweeps(job, scans, control, tally);
+  Sweeps sweeps(job, pictures, control, tally);
   TilesInOrder in_order(control.tile_order, tiles.size());
   TileSource& source = control.source != nullptr ? *control.source : in_order;
   render_from(source, control.threads, [&](std::size_t index) {

@@ -3,7 +3,7 @@
 #include "core/run_control.h"
 
 namespace ifov::sensor {
-class ScanCamera;
+class PictureStack;
 }
 
 namespace ifov::render {
@@ -14,7 +14,7 @@ class TileSink;
 
 /// Renders a scanner's image sweep by sweep, each as a picture of its own with random numbers of its own: beside a sweep lies what its own optics
 /// would see there, and a thing that several see is in each. Tiles are those of the image (tile_grid). As render_image(), which calls it.
-Progress render_scans(const RenderJob& job, const sensor::ScanCamera& scans, const RenderControl& control,
-                      TileSink& sink);
+Progress render_scans(const RenderJob& job, const sensor::PictureStack& pictures,
+                      const RenderControl& control, TileSink& sink);
 
 }  // namespace ifov::render

@@ -16,7 +16,8 @@ struct PolarizationFrame;
 namespace ifov::sensor {
 
 struct AlongTrack;
-class ScanCamera;
+class FlyingFrameCamera;
+class PictureStack;
 class ViewListCamera;
 
 /// How a camera stands in the scene while a line of its image is exposed.
@@ -69,9 +70,12 @@ class Camera {
   virtual double gsd_m(math::Point3 position_m) const = 0;
 
   virtual CameraPose pose(double line_px) const = 0;
+  virtual CameraAxes axes_at(const sampling::FocalPoint& point) const { return pose(point.y_px).axes; }
 
   virtual double exposure_s() const { return 0.0; }    ///< of a point; 0 where y alone tells when
   virtual double row_period_s() const { return 0.0; }  ///< from one row's exposure to the next's
+  virtual const FlyingFrameCamera* flying() const { return nullptr; }  ///< itself where it is one
+  bool moves_while_exposed() const { return flying() != nullptr && exposure_s() > 0.0; }
   /// What its pixels are spread over along image y beside the optics; of a camera that stands still nothing.
   virtual AlongTrack along_track() const;
   /// And along image x, by elements that are swept across the track.
@@ -82,8 +86,8 @@ class Camera {
 
   /// Single views side by side, each to be sampled by itself; null: a picture.
   virtual const ViewListCamera* view_list() const { return nullptr; }
-  /// Sweeps one below the other, each a picture of its own; null: the image is one picture.
-  virtual const ScanCamera* scans() const { return nullptr; }
+  /// Pictures one below the other; null: the image is one.
+  virtual const PictureStack* pictures() const { return nullptr; }
 
   /// None where pixels are no squares of one size on the ground.
   virtual std::optional<GroundGrid> ground_grid() const = 0;
@@ -108,11 +112,12 @@ class Camera {
 std::vector<sampling::FocalPoint> grid_over(const Camera& camera, int columns, int rows,
                                             double margin_px = 0.0);
 
-/// What the Stokes vector of light that reaches the focal plane along a ray is about, in a line of the image: x is the image's
+/// What the Stokes vector of light that reaches a point of the focal plane along a ray is about: x is the image's
 /// x (`right`, made perpendicular to the optical axis), carried from the axis to the ray's direction as a rotationally
 /// symmetric lens carries it, so that fields along the radius and across it stay such. y = k cross x is the image's
 /// upward direction on the axis.
-radiometry::PolarizationFrame focal_frame(const Camera& camera, double line_px, const math::Ray& ray);
+radiometry::PolarizationFrame focal_frame(const Camera& camera, const sampling::FocalPoint& point,
+                                          const math::Ray& ray);
 
 /// Angle between the nadir and where a ray looks: 0 straight down, pi/2 level.
 double nadir_angle_rad(const math::Ray& ray);

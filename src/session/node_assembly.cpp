@@ -12,6 +12,7 @@
 #include "session/assembly/atmosphere/imported_assembly.h"
 #include "session/assembly/atmosphere/node_tolerance.h"
 #include "session/assembly/shared/colour_guess.h"
+#include "session/flown_images.h"
 #include "session/loaded/parts.h"
 #include "session/surface_spectra.h"
 #include "transport/spectral_scene.h"
@@ -38,7 +39,9 @@ std::function<void(std::size_t, std::size_t)> atmosphere_progress(const LoadOpti
 
 }  // namespace
 
-void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept) {
+namespace {
+
+void make_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept) {
   const io::Document& document = parts.document;
   const scene::Scene& scene = parts.scene;
   // What surfaces make of polarized light is radiance, too: a pane at Brewster's angle shows half as much again of skylight, or half.
@@ -84,6 +87,13 @@ void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmo
       parts.channels, sun, surfaces, demands, scene.sky.radiance ? &*scene.sky.radiance : nullptr));
   parts.nodes = parts.own_nodes.get();
   parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.nodes, polarized);
+}
+
+}  // namespace
+
+void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept) {
+  make_nodes(parts, log, options, kept);
+  refuse_flown_images(parts);
 }
 
 void warn_of_node_errors(const Parts& parts, LogSink& log) {

@@ -192,7 +192,7 @@ TEST_F(Platforms, MessagesOfPaths) {
       "a.json:4:22: a pushbroom camera moves: expected a 'platform' beside the 'sensor', which says where it flies");
   EXPECT_EQ(
       message(text(kStraight, R"({"orthographic": {"gsd": "1 m", "pixels": [4, 4]}})")),
-      "a.json:4:13: a platform carries a camera that scans: expected a 'pushbroom', 'whiskbroom' or 'conical' camera, or no 'platform'");
+      "a.json:4:13: a platform carries a camera that scans or has a frame: expected a 'pushbroom', 'whiskbroom', 'conical' or 'frame' camera, or no 'platform'");
   EXPECT_EQ(message(text(R"({"table": {"file": "a.csv"}})")),
             "a.json:4:23: 'platform.table' lacks the key 'frame': 'scene', 'geodetic' or 'ecef'");
   EXPECT_EQ(

@@ -135,7 +135,8 @@ StokesVector rendered(double mu, double azimuth_rad, double albedo, bool by_mirr
   const sampling::FocalPoint middle{0.5, 0.5};
   math::Ray ray;
   camera.rays({&middle, 1}, {&ray, 1});
-  return turned(sensor::focal_frame(camera, 0.5, ray), radiometry::meridional_frame(mu, azimuth_rad)) * light;
+  return turned(sensor::focal_frame(camera, {0.5, 0.5}, ray), radiometry::meridional_frame(mu, azimuth_rad)) *
+         light;
 }
 
 struct Row {

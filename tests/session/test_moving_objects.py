@@ -228,9 +228,61 @@ class MovingObjects(unittest.TestCase):
         self.assertGreater(np.median(off[open_ground] / truth[open_ground]), 0.02, "what paths do not meet would matter")
         self.assertGreater(np.mean((off <= half_width.reshape(PIXELS, PIXELS))[open_ground]), 0.99)
 
+    def test_maps_by_texture_coordinates_ride_along(self):
+        for kind in ("frame", "rolling"):
+            with self.subTest(kind):
+                inside, near = mapped_off(kind)
+                self.assertGreater(near, 40)
+                self.assertGreater(inside / near, 0.93)
+
+    def test_a_map_that_is_left_out_is_noticed(self):
+        inside, near = mapped_off("frame", mapped=False, instants=12)
+        self.assertLess(inside / near, 0.6)
+
     def test_an_object_that_stands_still_is_noticed(self):
         _, _, near, of = held("gable_roof", "frame", 1, truth_moves=False)
         self.assertLess(near / of, 0.6)
+
+
+# ---- maps that ride along
+
+MAP_K = [[300 + (37 * row + 61 * column) % 150 for column in range(4)] for row in range(3)]
+
+
+def mapped_car(folder, camera, platform, motion, place=(0.0, 0.0), mapped=True):
+    """A black car whose temperatures are a map on its texture coordinates, which moves, or stands at a place."""
+    (folder / "kelvins.asc").write_text("ncols 4\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n" + "\n".join(
+        " ".join(str(k) for k in row) for row in MAP_K) + "\n")
+    document = car(camera, (0, 0), platform)
+    document["scene"]["materials"]["paint"]["temperature"] = {
+        "map": {"file": "kelvins.asc", "unit": "K", "by": "texture coordinates"}} if mapped else "400 K"
+    document["scene"]["objects"][1] = {"name": "car", "material": "paint", "box": {"low": ["-0.9 m", "-1.2 m", "0 m"], "high": ["0.9 m", "1.2 m", "0.1 mm"]},
+                                       **({"motion": motion} if motion else {"transform": {"translate": [f"{x!r} m" for x in place] + ["0 m"]}})}
+    return document
+
+
+def mapped_off(kind, mapped=True, instants=48):
+    """Of pixels that the car passes: how many intervals at 2 % hold the mean over cars that stand where it is at many instants, and all."""
+    velocity, exposure_s = (20.0, 8.0), 0.01
+    motion = {"straight": {"frame": "scene", "position": ["0.2 m", "-0.1 m", "0 m"], "velocity": [f"{v} m/s" for v in velocity] + ["0 m/s"]}, "attitude": {"from": "north"}}
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        still = lambda t, camera, platform, n: radiance_of(
+            mapped_car(folder, camera, platform, None, (0.2 + velocity[0] * t, -0.1 + velocity[1] * t)), folder, {"grid": {"elements": [n, n]}})
+        shares = (np.arange(instants) + 0.5) / instants - 0.5
+        if kind == "frame":
+            camera, platform = frame(exposure_s), None
+            truth = np.mean([still(share * exposure_s, frame(), None, 17 + k % 5) for k, share in enumerate(shares)], axis=0)
+        else:
+            camera, platform = frame(0.0, exposure_s / 4), None
+            rows = []
+            for row in range(PIXELS):
+                rows.append(still((row + 0.5 - PIXELS / 2) * exposure_s / 4, frame(), None, 97).reshape(PIXELS, PIXELS)[row])
+            truth = np.concatenate(rows)
+        empty = truth.min()
+        near = truth > 1.02 * empty
+        found, half_width = radiance_of(mapped_car(folder, camera, platform, motion, mapped=mapped), folder, {"accuracy": {"error": "2 %"}})
+        return (np.abs(found - truth) <= half_width)[near].sum(), near.sum()
 
 
 BOX = {"name": "car", "box": {"low": ["-1 m", "-1 m", "0 m"], "high": ["1 m", "1 m", "1 m"]}, "material": "paint"}
@@ -249,6 +301,7 @@ def checked(change, exposure="10 ms"):
         "sampling": {"accuracy": {"error": "3 %"}}}
     change(document, document["scene"]["objects"][1])
     with tempfile.TemporaryDirectory() as scratch:
+        (pathlib.Path(scratch) / "k.asc").write_text("ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1\n300 400\n")
         (pathlib.Path(scratch) / "scene.json").write_text(json.dumps(document, indent=1))
         done = subprocess.run([PROGRAM, "check", "scene.json"], cwd=scratch, capture_output=True, text=True, check=False)
     return done.returncode, done.stdout + done.stderr
@@ -282,6 +335,9 @@ class MovingDocuments(unittest.TestCase):
 
         self.refused("a plane has no end", instead({"plane": {"height": "1 m"}}))
         self.refused("nothing can move: all copies of it would", lambda document, car: document["scene"].update(periodic={"size": ["20 m", "20 m"]}))
+        def by_place(document, car):
+            document["scene"]["materials"]["paint"] = {"reflectance": 0, "temperature": {"map": {"file": "k.asc", "unit": "K", "low_left": ["-5 m", "-5 m"], "size": ["10 m", "10 m"]}}}
+        self.refused("it has a map or texture (of classes, temperatures, reflectances) by x and y, which is tied to places of the scene", by_place)
         self.refused("it is smooth", lambda document, car: car.update(material="glass"))
         self.refused("nothing can move yet in a scene with smooth or glossy surfaces",
                      lambda document, car: document["scene"]["objects"].append({"sphere": {"center": ["9 m", "0 m", "1 m"], "radius": "1 m"}, "material": "glass"}))

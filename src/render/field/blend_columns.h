@@ -8,7 +8,7 @@
 namespace ifov::sampling {
 class BoundedError;
 struct TileResult;
-}
+}  // namespace ifov::sampling
 namespace ifov::geometry {
 struct SurfacePoint;
 }

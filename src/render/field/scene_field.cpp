@@ -4,7 +4,6 @@
 
 #include "geometry/world.h"
 #include "materials/bsdf/bsdf.h"
-#include "render/moving/moving_cover.h"
 #include "render/polarized/scene_light.h"
 #include "sensor/camera.h"
 #include "transport/mirror_light.h"
@@ -22,8 +21,10 @@ SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Came
       tracer_(std::make_unique<transport::PathTracer>(scene, transport)),
       light_(std::make_unique<SceneLight>(scene, camera, told)),
       truth_(scene::truth_materials(scene.scene())),
-      moving_(MovingCover::find(scene.scene(), camera)),
-      blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count()), moving_ != nullptr),
+      moving_(find_moving(scene.scene(), camera)),
+      flown_(find_flown(scene.scene(), camera)),
+      blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count()),
+              moving_ != nullptr || flown_ != nullptr),
       unseen_(scene, blends_.first_column() + blends_.count()),
       through_(scene),
       mirror_light_(
@@ -81,6 +82,7 @@ void SceneField::values_and_materials(std::span<const sampling::PathRequest> req
 void SceneField::values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
                         std::span<float> values, LabelDetail detail,
                         std::span<const sampling::Label> expected) {
+  if (flown_ != nullptr) return flown_values(requests, labels, values, detail, expected);
   if (moving_ != nullptr) return moving_values(requests, labels, values, detail);
   if (shared_ != nullptr) return shared_->values(*this, requests, labels, values);
   const std::size_t row_length = static_cast<std::size_t>(stride());
@@ -90,50 +92,6 @@ void SceneField::values(std::span<const sampling::PathRequest> requests, std::sp
     for (std::size_t k = 0; k < count; ++k) write(*this, paths, k, values.data() + (first + k) * row_length);
     label_hits(points_, hits_, detail, labels.subspan(first, count),
                expected.empty() ? expected : expected.subspan(first, count), &paths);
-  }
-}
-
-void SceneField::moving_values(std::span<const sampling::PathRequest> requests,
-                               std::span<sampling::Label> labels, std::span<float> values,
-                               LabelDetail detail) {
-  constexpr std::size_t kTogether = kMostTraced / 2;
-  const std::size_t row_length = static_cast<std::size_t>(stride());
-  std::vector<sampling::PathRequest> asked;
-  std::vector<float> shares(kTogether), row(row_length);
-  std::vector<sampling::Label> met;
-  for (std::size_t first = 0; first < requests.size(); first += kTogether) {
-    const std::span<const sampling::PathRequest> group =
-        requests.subspan(first, std::min(kTogether, requests.size() - first));
-    points_.resize(group.size()), rays_.resize(group.size()), hits_.resize(group.size());
-    for (std::size_t k = 0; k < group.size(); ++k) points_[k] = group[k].point;
-    camera_.rays(points_, rays_);
-    moving_->meet_still(rays_, hits_);
-    counts_.primary += group.size();
-    asked.clear();
-    for (std::size_t k = 0; k < group.size(); ++k) {
-      const MovingCover::Times times = moving_->times(group[k], rays_[k], hits_[k]);
-      shares[k] = static_cast<float>(times.share);
-      for (const bool meeting : {true, false}) {
-        if (shares[k] == (meeting ? 0.0f : 1.0f)) continue;
-        asked.push_back(group[k]);
-        asked.back().point.time_s += meeting ? times.met_s : times.else_s;
-      }
-    }
-    const transport::PathRecord& paths = trace_paths(asked);
-    for (std::size_t k = 0, j = 0; k < group.size(); ++k) {
-      float* const value = values.data() + (first + k) * row_length;
-      write(*this, paths, j++, value);
-      if (shares[k] == 0.0f || shares[k] == 1.0f) continue;
-      write(*this, paths, j++, row.data());
-      for (std::size_t c = 0; c < row_length; ++c)
-        value[c] = shares[k] * value[c] + (1.0f - shares[k]) * row[c];
-    }
-    met.resize(asked.size());
-    label_hits(points_, hits_, detail, met);
-    for (std::size_t k = 0, j = 0; k < group.size(); ++k) {
-      labels[first + k] = met[j];
-      j += shares[k] == 0.0f || shares[k] == 1.0f ? 1 : 2;
-    }
   }
 }
 
@@ -162,7 +120,7 @@ const transport::PathRecord& SceneField::trace(std::span<const sampling::PathReq
 
 void SceneField::write(const SceneField& by, const transport::PathRecord& paths, std::size_t k, float* row) {
   light_->write(paths, k, by.points_[k], by.rays_[k], row);
-  if (by.moving_ != nullptr && by.covered_[k] != 0)
+  if ((by.moving_ != nullptr || by.flown_ != nullptr) && by.covered_[k] != 0)
     blends_.write_shares(by.hits_[k], row, true);
   else if (blends_.count() > 0)
     blends_.write_shares(by.hits_[k], row);

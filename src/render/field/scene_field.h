@@ -29,6 +29,7 @@ struct TransportOptions;
 namespace ifov::render {
 
 class MapDetail;
+class FlownExposure;
 class MovingCover;
 class SceneLight;
 class SceneField;
@@ -77,6 +78,9 @@ class SceneField final : public sampling::Field {
   std::uint32_t object_of(sampling::Label label) const override;
   const BlendColumns& blends() const { return blends_; }
   const UnseenLight& unseen() const { return unseen_; }
+  /// Null where the camera stands still while a point is exposed.
+  FlownExposure* flown() { return flown_.get(); }
+  std::vector<double> instants_s() const;  ///< FlownExposure's; empty without it
   /// As StokesColumns::settle().
   void settle(sampling::TileResult& tile) const;
   sampling::RayCounts counts() const override { return counts_; }
@@ -100,6 +104,14 @@ class SceneField final : public sampling::Field {
               std::span<float> values, LabelDetail detail, std::span<const sampling::Label> expected);
   void moving_values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
                      std::span<float> values, LabelDetail detail);
+  static std::shared_ptr<MovingCover> find_moving(const scene::Scene& scene, const sensor::Camera& camera);
+  static std::shared_ptr<FlownExposure> find_flown(const scene::Scene& scene, const sensor::Camera& camera);
+  /// Rays through points (rays_) and what they meet (hits_).
+  void meet(std::span<const sampling::FocalPoint> points);
+  void flown_values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
+                    std::span<float> values, LabelDetail detail, std::span<const sampling::Label> expected);
+  void flown_labels(std::span<const sampling::FocalPoint> points, LabelDetail detail,
+                    std::span<sampling::Label> labels);
   /// Where what moves may cover the points (covered_), whose rays and hits are known.
   void find_covered(std::span<const sampling::FocalPoint> points);
   /// `expected`: the labels that paths which begin with these hits are taken to show; empty: none.
@@ -113,7 +125,8 @@ class SceneField final : public sampling::Field {
   const std::unique_ptr<transport::PathTracer> tracer_;
   const std::unique_ptr<SceneLight> light_;
   scene::TruthMaterials truth_;
-  const std::unique_ptr<MovingCover> moving_;  // null: all is alike while a point is exposed
+  const std::shared_ptr<MovingCover> moving_;   // null: all is alike while a point is exposed, or
+  const std::shared_ptr<FlownExposure> flown_;  // null: the camera stands still meanwhile
   BlendColumns blends_;
   std::shared_ptr<MapDetail> map_detail_;  // once asked for
   UnseenLight unseen_;
@@ -132,7 +145,7 @@ class SceneField final : public sampling::Field {
   std::vector<transport::PathKey> keys_;
   std::vector<geometry::SurfacePoint> hits_, seen_;
   std::vector<std::uint64_t> passed_;            // by hit: what it is seen through
-  std::vector<std::uint8_t> covered_, blocked_;  // the former by hit, where moving_ is
+  std::vector<std::uint8_t> covered_, blocked_;  // the former by hit, where moving_ or flown_ is
   std::vector<std::uint32_t> owner_;             // of each group of sun rays: index of its hit
 };
 

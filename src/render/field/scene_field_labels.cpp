@@ -26,20 +26,18 @@ bool is_expected(SurfaceLabel label, sampling::Label expected, transport::PathRe
 }  // namespace
 
 void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) {
+  if (flown_ != nullptr) return flown_labels(points, detail_, labels);
+  meet(points);
+  find_covered(points);
+  label_hits(points, hits_, detail_, labels);
+}
+
+void SceneField::meet(std::span<const sampling::FocalPoint> points) {
   rays_.resize(points.size());
   hits_.resize(points.size());
   camera_.rays(points, rays_);
   scene_.scene().world->intersect(rays_, hits_);
   counts_.primary += points.size();
-  find_covered(points);
-  label_hits(points, hits_, detail_, labels);
-}
-
-void SceneField::find_covered(std::span<const sampling::FocalPoint> points) {
-  if (moving_ == nullptr) return;
-  covered_.resize(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k)
-    covered_[k] = moving_->covers(points[k], rays_[k], hits_[k]);
 }
 
 bool SceneField::shows_sunlight(const scene::ResolvedSurface& surface, bool& transmits) const {
@@ -70,9 +68,7 @@ void SceneField::label_hits(std::span<const sampling::FocalPoint> points,
   for (std::size_t k = 0; k < hits.size(); ++k) {
     const geometry::SurfacePoint& hit = hits[k];
     if (moving_ != nullptr && covered_[k] != 0) {
-      // No material of its own, and uneven as penumbras are.
-      labels[k] =
-          SurfaceLabel{SurfaceLabel::kMoving, 0, SurfaceLabel::kBlend, true, SunState::penumbra}.pack();
+      labels[k] = SurfaceLabel::moving();
       continue;
     }
     SurfaceLabel label;

@@ -3,7 +3,6 @@
 
 #include "radiometry/spectral_nodes.h"
 #include "render/field/scene_field.h"
-#include "render/moving/moving_cover.h"
 #include "render/parts/part_columns.h"
 #include "render/polarized/scene_light.h"
 #include "sampling/image/levels.h"
@@ -30,7 +29,8 @@ void variance_to_channels(const radiometry::SpectralNodes& nodes, float* in_node
 
 void SceneField::levels(const sampling::LevelRequests& of, sampling::LevelSums& sums) {
   // Values that weigh unlike by channel are no sums of spectra; those of what moves have times of their own.
-  if (light_->polarized() || !of.importance.empty() || moving_ != nullptr) return Field::levels(of, sums);
+  if (light_->polarized() || !of.importance.empty() || moving_ != nullptr || flown_ != nullptr)
+    return Field::levels(of, sums);
   const radiometry::SpectralNodes& nodes = scene_.nodes();
   const std::size_t row_length = static_cast<std::size_t>(stride()), in_nodes = scene_.stride(),
                     channels = nodes.channel_count(), others = static_cast<std::size_t>(columns()) - channels;

@@ -1,8 +1,8 @@
+#include "geometry/motion/moving_world.h"
 #include "geometry/world.h"
 #include "render/field/scene_field.h"
 #include "render/mapped/map_detail.h"
 #include "render/mapped/surface_maps.h"
-#include "render/moving/moving_cover.h"
 #include "render/polarized/scene_light.h"
 #include "sensor/camera.h"
 #include "transport/spectral_scene.h"
@@ -12,6 +12,7 @@
 namespace ifov::render {
 
 void SceneField::known_detail(const sampling::FieldRect& pixels, sampling::KnownDetail& detail) {
+  if (flown_ != nullptr) return;
   if (map_detail_ == nullptr) map_detail_ = std::make_shared<MapDetail>(scene_.scene(), camera_);
   map_detail_->find(pixels, detail, counts_.primary);
 }
@@ -23,7 +24,7 @@ std::unique_ptr<sampling::MappedSurface> SceneField::mapped_surface(sampling::La
                                                 [this](const geometry::SurfacePoint& at, float* columns) {
                                                   if (blends_.count() > 0) blends_.write_shares(at, columns);
                                                 });
-  if (!maps_->any() || light_->polarized()) return nullptr;
+  if (!maps_->any() || light_->polarized() || flown_ != nullptr) return nullptr;
   // Far enough apart to tell how texture coordinates go on, near enough to meet the same surface.
   constexpr double kApart_px = 0.01;
   points_ = {seen, seen, seen};
@@ -35,6 +36,9 @@ std::unique_ptr<sampling::MappedSurface> SceneField::mapped_surface(sampling::La
   scene_.scene().world->intersect(rays_, hits_);
   counts_.primary += points_.size();
   if (!hits_[0].hit() || !maps_->differs(hits_[0].material)) return nullptr;
+  // Of what moves the rays of other lines are of other times.
+  const geometry::MovingWorld* const moving = scene_.scene().world->moving();
+  if (moving != nullptr && moving->is_moving(hits_[0].instance)) return nullptr;
   sampling::Label met = 0;
   find_covered(points_);
   label_hits(points_, std::span(hits_).first(1), LabelDetail::material, {&met, 1});

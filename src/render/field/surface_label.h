@@ -32,6 +32,11 @@ struct SurfaceLabel {
            static_cast<std::uint64_t>(sun);
   }
 
+  /// What shows several things, one after the other: no material of its own, and uneven as penumbras are.
+  static constexpr sampling::Label moving() {
+    return SurfaceLabel{kMoving, 0, kBlend, true, SunState::penumbra}.pack();
+  }
+
   /// The label of the same hit in a state of MirrorLight, which is folded into the bits of the patch; `uneven` takes
   /// the highest of them.
   static constexpr sampling::Label with_mirrored(sampling::Label label, std::uint64_t state, bool uneven) {

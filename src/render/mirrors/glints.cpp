@@ -131,9 +131,10 @@ std::uint32_t Glints::row_of(const geometry::SurfacePoint& hit, const scene::Res
   const float* sun = scene_.sun_irradiance(hit.position_m.z, work.row(0));
   std::vector<float> columns(stokes_->count());
   if (polarized_)
-    stokes_->write(mirrored_.polarized(surface, hit.position_m.z, seen, sun,
-                                       sensor::focal_frame(camera_, line_px, seen)),
-                   columns.data());
+    stokes_->write(
+        mirrored_.polarized(surface, hit.position_m.z, seen, sun,
+                            sensor::focal_frame(camera_, {0.5 * camera_.width_px(), line_px}, seen)),
+        columns.data());
   else
     stokes_->write_unpolarized(mirrored_.channels(surface, hit.position_m.z, seen, sun), columns.data());
   stokes_->parts().write_one(transport::LightPart::sun, columns.data());

@@ -21,7 +21,9 @@ MovingCover::MovingCover(const scene::Scene& scene, double exposure_s, double be
 
 std::unique_ptr<MovingCover> MovingCover::find(const scene::Scene& scene, const sensor::Camera& camera) {
   const geometry::MovingWorld* moving = scene.world != nullptr ? scene.world->moving() : nullptr;
-  if (moving == nullptr || !(camera.exposure_s() > 0.0 || camera.row_period_s() > 0.0)) return nullptr;
+  if (moving == nullptr || camera.moves_while_exposed() ||
+      !(camera.exposure_s() > 0.0 || camera.row_period_s() > 0.0))
+    return nullptr;
   return std::unique_ptr<MovingCover>(new MovingCover(scene, camera.exposure_s(), camera.row_period_s()));
 }
 
@@ -44,7 +46,14 @@ MovingCover::Times MovingCover::times(const sampling::PathRequest& request, cons
     world_.when_met(ray.onward(still.position_m + still.offset_m * outward, sun), from_s, to_s,
                     scene_.sun->half_angle_rad, met_times);
   }
-  // In order, without overlap, within the exposure.
+  Times times = drawn(met_times, from_s, to_s, request);
+  times.met_s -= ray.time_s, times.else_s -= ray.time_s;
+  return times;
+}
+
+MovingCover::Times MovingCover::drawn(std::vector<geometry::TimeInterval>& met_times, double from_s,
+                                      double to_s, const sampling::PathRequest& request) {
+  // In order, without overlap, within that time.
   std::sort(met_times.begin(), met_times.end(),
             [](const auto& a, const auto& b) { return a.from_s < b.from_s; });
   std::size_t count = 0;
@@ -59,9 +68,9 @@ MovingCover::Times MovingCover::times(const sampling::PathRequest& request, cons
   met_times.resize(count);
   const sampling::Point2 u = sampling::sequence_point(request.sequence, request.index, kTimePair);
   Times times;
-  times.share = std::clamp(met / exposure_s_, 0.0, 1.0);
+  times.share = std::clamp(met / (to_s - from_s), 0.0, 1.0);
   // The time up to which so much of those intervals, or of what is between them, has passed.
-  double met_left = u.x * met, else_left = u.y * (exposure_s_ - met), at_s = from_s;
+  double met_left = u.x * met, else_left = u.y * ((to_s - from_s) - met), at_s = from_s;
   bool met_found = false, else_found = false;
   for (const auto& one : met_times) {
     if (!else_found && else_left <= one.from_s - at_s) times.else_s = at_s + else_left, else_found = true;
@@ -73,7 +82,6 @@ MovingCover::Times MovingCover::times(const sampling::PathRequest& request, cons
   }
   if (!else_found) times.else_s = std::min(at_s + else_left, to_s);
   if (!met_found) times.met_s = at_s;
-  times.met_s -= ray.time_s, times.else_s -= ray.time_s;
   return times;
 }
 

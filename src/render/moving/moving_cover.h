@@ -1,7 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <vector>
 
+#include "geometry/motion/time_interval.h"
 #include "geometry/surface_point.h"
 #include "math/ray.h"
 #include "sampling/field.h"
@@ -21,7 +24,7 @@ namespace ifov::render {
 /// Where what moves may be seen while a point of the focal plane is exposed; elsewhere that shows the same at all times.
 class MovingCover {
  public:
-  /// Null where nothing moves, or light falls on a point at one instant that its place tells (a scanner).
+  /// Null where nothing moves, where the camera does (FlownExposure), or light falls on a point at one instant that its place tells (a scanner).
   static std::unique_ptr<MovingCover> find(const scene::Scene& scene, const sensor::Camera& camera);
 
   /// When paths through a point begin, about the middle of its exposure: times at which something may be met, on the ray or on the way to the
@@ -33,6 +36,9 @@ class MovingCover {
   /// `ray` through the request's point in the middle of the exposure; `still`: what it meets of what stands still.
   Times times(const sampling::PathRequest& request, const math::Ray& ray,
               const geometry::SurfacePoint& still);
+  /// The same of other times at which something may be met, of those from and until: which of them, on one scale with these. Sorts `met`.
+  static Times drawn(std::vector<geometry::TimeInterval>& met, double from_s, double to_s,
+                     const sampling::PathRequest& request);
   void meet_still(std::span<const math::Ray> rays, std::span<geometry::SurfacePoint> hits) const;
   /// Whether something that moves may lie on the ray through a point while that is exposed. `met`: what it meets at its own time.
   bool covers(const sampling::FocalPoint& point, const math::Ray& ray,

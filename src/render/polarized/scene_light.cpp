@@ -180,7 +180,7 @@ void SceneLight::write_parts(const transport::PathRecord& paths, std::size_t k, 
 
 void SceneLight::write_polarized(const transport::PathRecord& paths, std::size_t k,
                                  const sampling::FocalPoint& point, const math::Ray& ray, float* row) {
-  const radiometry::PolarizationFrame frame = sensor::focal_frame(camera_, point.y_px, ray);
+  const radiometry::PolarizationFrame frame = sensor::focal_frame(camera_, point, ray);
   const transport::StokesRows light = polarized_->light.light(paths, k, frame);
   polarized_->air.apply(paths.paths[k], frame, light);
   columns_.write(light, row);
@@ -193,7 +193,7 @@ void SceneLight::write_sunlight(const transport::PathRecord& paths, std::size_t 
                                 const sampling::FocalPoint& point, const math::Ray& ray, float* row) {
   if (polarized_ != nullptr) {
     const transport::StokesRows light =
-        polarized_->light.first_sunlight(paths, k, sensor::focal_frame(camera_, point.y_px, ray));
+        polarized_->light.first_sunlight(paths, k, sensor::focal_frame(camera_, point, ray));
     polarized_->air.see_through(paths.paths[k], light);
     columns_.write(light, row);
     return columns_.parts().write_one(fell_on(paths, k), row);

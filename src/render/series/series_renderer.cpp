@@ -27,7 +27,8 @@ bool wants(const ImageOfTime& image, std::size_t tile) { return !image.wanted.em
 std::string cannot_share_paths(std::span<const RenderJob* const> by_time) {
   const RenderJob& first = *by_time.front();
   if (first.camera.view_list() != nullptr) return "their rays are a list";
-  if (first.camera.scans() != nullptr) return "they are made of sweeps";
+  if (first.camera.pictures() != nullptr) return "they are made of pictures, sweeps or rows";
+  if (first.camera.moves_while_exposed()) return "the camera moves while they are exposed";
   if (first.image_wide) return "the accuracy is that of the image as a whole";
   if (first.polarimetry != nullptr || first.parts) return "more than radiance is told";
   if (!first.scene.scene().mirror_assignments().empty()) return "there are mirrors or panes";

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "sensor/flying/picture_stack.h"
 #include "sensor/scanning/sweep_camera.h"
 
 namespace ifov::sensor {
@@ -10,7 +11,7 @@ namespace ifov::sensor {
 /// second. Neighbouring sweeps may see the same ground, or leave some out, so what lies between them is nothing: each is a
 /// picture of its own, to be sampled by itself through its own camera (sweep()). Asked as a whole, a point belongs to the sweep whose lines
 /// hold it.
-class ScanCamera final : public Camera {
+class ScanCamera final : public Camera, public PictureStack {
  public:
   struct Settings {
     SweepPattern pattern;
@@ -27,7 +28,9 @@ class ScanCamera final : public Camera {
 
   static constexpr double kMost_px = 0.005;
 
-  const ScanCamera* scans() const override { return this; }
+  const PictureStack* pictures() const override { return this; }
+  int lines_of_each() const override { return pattern().elements; }
+  std::unique_ptr<const Camera> picture(int number) const override { return sweep(number); }
   const SweepPattern& pattern() const { return settings_.pattern; }
   std::unique_ptr<const SweepCamera> sweep(int number) const;
 

@@ -9,6 +9,7 @@
 #include "io/document/document.h"
 #include "sensor/along_track.h"
 #include "sensor/camera.h"
+#include "sensor/flying/image_way.h"
 #include "session/loaded/parts.h"
 
 namespace ifov::session {
@@ -61,9 +62,15 @@ std::string title(const Parts& parts, const MovingWorld& world, std::size_t move
 
 std::vector<std::string> motion_lines(const Parts& parts) {
   constexpr std::size_t kMostNamed = 4;
-  const MovingWorld* const world = parts.scene.world->moving();
-  if (world == nullptr) return {};
   std::vector<std::string> lines;
+  if (const auto motion = sensor::frame_motion(*parts.camera, parts.scene.world->heights().low_m))
+    if (parts.camera->exposure_s() > 0.0 || parts.camera->row_period_s() > 0.0)
+      lines.push_back(format(
+          "{:<10} while a pixel is exposed the picture of the ground moves by {:.2g} pixels{}",
+          "flight:", motion->exposure_px,
+          parts.camera->row_period_s() > 0.0 ? format(", from row to row by {:.2g}", motion->row_px) : ""));
+  const MovingWorld* const world = parts.scene.world->moving();
+  if (world == nullptr) return lines;
   for (std::size_t m = 0; m < world->mover_count(); ++m) {
     const char* const heading = m == 0 ? "moving:" : "";
     if (m == kMostNamed) {

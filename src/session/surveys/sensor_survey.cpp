@@ -12,6 +12,7 @@
 #include "sensor/airy_aperture.h"
 #include "sensor/along_track.h"
 #include "sensor/camera.h"
+#include "sensor/flying/image_way.h"
 #include "sensor/mtf.h"
 #include "sensor/psf.h"
 #include "sensor/pupil.h"
@@ -38,6 +39,10 @@ void survey_camera(const sensor::Camera& camera, SensorDescription& told) {
   const auto left = on_ground(camera.ray({0.0, camera.middle_line_px()}));
   const auto right = on_ground(camera.ray({static_cast<double>(camera.width_px()), camera.middle_line_px()}));
   if (left && right) told.swath_m = math::length(*right - *left);
+  if (const auto motion = sensor::frame_motion(camera, 0.0)) {
+    if (camera.exposure_s() > 0.0) told.smear_px = motion->exposure_px;
+    if (camera.row_period_s() > 0.0) told.row_shift_px = motion->row_px;
+  }
 }
 
 std::optional<double> psf_mtf(const io::SensorDocument& sensor, double wavelength_um) {

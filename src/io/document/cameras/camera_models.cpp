@@ -21,7 +21,7 @@ std::shared_ptr<const CameraSettings> CameraSettings::carried_by(
     std::shared_ptr<const PlatformFlight> by) const {
   if (by)
     throw InputError(
-        "a platform carries a camera that scans: expected a 'pushbroom', 'whiskbroom' or 'conical' camera, or no 'platform'");
+        "a platform carries a camera that scans or has a frame: expected a 'pushbroom', 'whiskbroom', 'conical' or 'frame' camera, or no 'platform'");
   return nullptr;
 }
 

@@ -66,8 +66,10 @@ class CameraSettings {
   };
   virtual Exposed exposed() const { return {}; }
 
-  /// Lines of the image that one sweep of a scanner makes; 0: the image is no scanner's.
-  virtual int sweep_lines() const { return 0; }
+  /// Whether sweeps of a mirror or an antenna that turns make the image.
+  virtual bool sweeps() const { return false; }
+  /// What the image is made of where it is pictures below each other, "sweep" or "row"; empty: it is one picture.
+  virtual std::string_view made_of() const { return {}; }
 
   /// What a user should know of the settings, one sentence each.
   virtual std::vector<std::string> remarks() const { return {}; }

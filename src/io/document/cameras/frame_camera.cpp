@@ -3,13 +3,22 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/error.h"
 #include "core/format.h"
 #include "geodesy/sun_position.h"
+#include "io/document/cameras/flight_motion.h"
+#include "io/document/cameras/flight_path.h"
+#include "io/document/platform_document.h"
 #include "io/document/schema/record.h"
+#include "platform/trajectory.h"
+#include "sensor/flying/flying_frame_camera.h"
 #include "sensor/frame_camera.h"
 
 namespace ifov::io {
 namespace {
+
+constexpr const char* kPlaceless =
+    "a frame camera is somewhere or flies: expected its 'position', or a 'platform' beside the 'sensor'";
 
 SchemaType<geodesy::Attitude> attitude_type() {
   Record<geodesy::Attitude> record(
@@ -44,12 +53,39 @@ struct Axes {
 
 struct FrameEntry {
   FrameCamera camera;
+  std::optional<math::Point3> position_m, look_at_m;
+  std::optional<geodesy::Attitude> attitude;
   std::optional<math::Vec3> up;
 };
 
+FrameCamera frame_of(FrameEntry entry) {
+  entry.camera.placed = entry.position_m.has_value();
+  entry.camera.position_m = entry.position_m.value_or(math::Point3{});
+  if (entry.look_at_m)
+    entry.camera.orientation = LookAt{*entry.look_at_m, entry.up};
+  else
+    entry.camera.orientation = entry.attitude.value_or(geodesy::Attitude{});
+  return std::move(entry.camera);
+}
+
+FrameEntry entry_of_frame(const FrameCamera& camera) {
+  FrameEntry entry;
+  entry.camera = camera;
+  if (!camera.placed) return entry;
+  entry.position_m = camera.position_m;
+  if (const auto* look_at = std::get_if<LookAt>(&camera.orientation))
+    entry.look_at_m = look_at->target_m, entry.up = look_at->up;
+  else
+    entry.attitude = std::get<geodesy::Attitude>(camera.orientation);
+  return entry;
+}
+
 SchemaType<std::shared_ptr<const CameraSettings>> frame_type() {
   const SchemaType<double> length = quantity(kLength, Range::above(0.0, "m"));
-  Record<FrameEntry> record("frame camera", "A pinhole with a frame of detector elements behind it.");
+  Record<FrameEntry> record(
+      "frame camera",
+      "A pinhole with a frame of detector elements behind it. It stands at a `position`, or flies on the document's `platform`, looking "
+      "along the body's down with the top of the image at the nose.");
   record
       .required("focal_length", path(&FrameEntry::camera, &FrameCamera::focal_length_m), length,
                 "focal length")
@@ -57,28 +93,20 @@ SchemaType<std::shared_ptr<const CameraSettings>> frame_type() {
                 "distance between detector elements")
       .required("pixels", path(&FrameEntry::camera, &FrameCamera::size), image_size_type(),
                 "columns and rows")
-      .required("position", path(&FrameEntry::camera, &FrameCamera::position_m), point(),
-                "where the camera is")
-      .exactly_one()
-      .one("look_at",
-           via(
-               [](FrameEntry& e, math::Point3 p) {
-                 e.camera.orientation = LookAt{p, {}};
-               },
-               [](const FrameEntry& e) {
-                 const auto* look_at = std::get_if<LookAt>(&e.camera.orientation);
-                 return look_at != nullptr ? &look_at->target_m : nullptr;
-               }),
-           point(), "point at the image's centre")
-      .one("attitude", path(&FrameEntry::camera, &FrameCamera::orientation), attitude_type(),
-           "instead: angles")
+      .optional("position", &FrameEntry::position_m, point(),
+                "where the camera is; if not given the document's `platform` carries it")
+      .optional("look_at", &FrameEntry::look_at_m, point(),
+                "of a camera with a `position`: point at the image's centre")
+      .needs("look_at", "position")
+      .optional("attitude", &FrameEntry::attitude, attitude_type(), "instead of `look_at`: angles")
+      .needs("attitude", "position")
       .optional("up", &FrameEntry::up, direction(),
                 "direction that is up in the image; +z if not given, or north where the camera looks along z")
       .needs("up", "look_at")
       .with_default(
           "exposure", path(&FrameEntry::camera, &FrameCamera::exposure_s),
           quantity(kDuration, Range::at_least(0.0, "s")), "\"0 s\"",
-          "for which a row is exposed; what moves in the scene is blurred by its way in that time. The document's `time` is in its "
+          "for which a row is exposed; what moves in the image is blurred by its way in that time. The document's `time` is in its "
           "middle")
       .with_default(
           "row_period", path(&FrameEntry::camera, &FrameCamera::row_period_s),
@@ -86,22 +114,31 @@ SchemaType<std::shared_ptr<const CameraSettings>> frame_type() {
           "of a rolling shutter: by how much later each row is exposed than that above it, the middle of the image at the "
           "document's `time`; 0 s: all rows at once")
       .check([](const FrameEntry& entry, const DocumentNode& node) {
-        const auto* look_at = std::get_if<LookAt>(&entry.camera.orientation);
-        if (look_at != nullptr && look_at->target_m == entry.camera.position_m) {
+        if (entry.position_m && entry.look_at_m.has_value() == entry.attitude.has_value())
+          (entry.look_at_m ? node.given("attitude") : node.given("position"))
+              .fail("a frame camera with a 'position' needs exactly one of 'look_at' or 'attitude'");
+        if (entry.look_at_m && *entry.look_at_m == *entry.position_m)
           node.given("look_at").fail(
               format("{} is where the camera itself is", node.given("look_at").title()));
-        }
       });
-  return settings_type(converted<FrameCamera>(
-      record.type(),
-      [](FrameEntry entry) {
-        if (auto* look_at = std::get_if<LookAt>(&entry.camera.orientation)) look_at->up = entry.up;
-        return std::move(entry.camera);
-      },
-      [](const FrameCamera& camera) {
-        const auto* look_at = std::get_if<LookAt>(&camera.orientation);
-        return FrameEntry{camera, look_at != nullptr ? look_at->up : std::nullopt};
-      }));
+  return settings_type(converted<FrameCamera>(record.type(), frame_of, entry_of_frame));
+}
+
+std::unique_ptr<sensor::Camera> build_flying(const FrameCamera& camera, const CameraSite& site) {
+  if (!camera.flight) throw InputError(kPlaceless);
+  sensor::FlyingFrameCamera::Settings settings;
+  settings.width_px = camera.size.width_px, settings.height_px = camera.size.height_px;
+  settings.focal_length_m = camera.focal_length_m, settings.pitch_m = camera.pitch_m;
+  settings.exposure_s = camera.exposure_s, settings.row_period_s = camera.row_period_s;
+  const CameraSettings::Exposed exposed = camera.exposed();
+  const double beyond_s = sensor::FlyingFrameCamera::kBeyond_px * camera.row_period_s;
+  const Motions motions =
+      motions_of(*camera.flight, trajectory_of(*camera.flight, site.offset_m, exposed.from_s, exposed.to_s),
+                 exposed.from_s - beyond_s, exposed.to_s + beyond_s);
+  settings.platform = motions.truth, settings.reported = motions.reported;
+  auto built = std::make_unique<sensor::FlyingFrameCamera>(settings);
+  if (flies_about_earth(camera.flight->platform)) check_flatness(*built, camera.flight->origin);
+  return built;
 }
 
 }  // namespace
@@ -109,6 +146,7 @@ SchemaType<std::shared_ptr<const CameraSettings>> frame_type() {
 constinit const CameraModel FrameCamera::kModel{"frame", "a perspective camera", frame_type};
 
 std::unique_ptr<sensor::Camera> FrameCamera::build(const CameraSite& site) const {
+  if (!placed) return build_flying(*this, site);
   sensor::FrameCamera::Settings settings;
   settings.width_px = size.width_px;
   settings.height_px = size.height_px;
@@ -128,10 +166,12 @@ CameraSettings::Exposed FrameCamera::exposed() const {
 std::string FrameCamera::description(math::Vec3 shift_m, std::string_view axes) const {
   constexpr double kDegrees = 180.0 / std::numbers::pi;
   const math::Point3 p = position_m + shift_m;
-  return format("frame, {} x {} pixels, {:.4g} x {:.4g} deg, at {} {:.8g}, {:.8g}, {:.6g} m", size.width_px,
-                size.height_px, 2.0 * std::atan(0.5 * size.width_px * pitch_m / focal_length_m) * kDegrees,
-                2.0 * std::atan(0.5 * size.height_px * pitch_m / focal_length_m) * kDegrees, axes, p.x, p.y,
-                p.z);
+  return format("frame, {} x {} pixels, {:.4g} x {:.4g} deg, {}", size.width_px, size.height_px,
+                2.0 * std::atan(0.5 * size.width_px * pitch_m / focal_length_m) * kDegrees,
+                2.0 * std::atan(0.5 * size.height_px * pitch_m / focal_length_m) * kDegrees,
+                placed   ? format("at {} {:.8g}, {:.8g}, {:.6g} m", axes, p.x, p.y, p.z)
+                : flight ? path_description(flight->platform, shift_m, axes)
+                         : "without a platform");
 }
 
 std::shared_ptr<const CameraSettings> FrameCamera::shrunk(int longest_px) const {
@@ -145,10 +185,31 @@ std::shared_ptr<const CameraSettings> FrameCamera::shrunk(int longest_px) const 
 }
 
 std::shared_ptr<const CameraSettings> FrameCamera::seen_from(double zenith_rad, double azimuth_rad) const {
+  if (!placed)
+    throw InputError(
+        "a frame camera without a 'position' looks where its platform carries it: it cannot be asked to look from elsewhere");
   auto camera = std::make_shared<FrameCamera>(*this);
   const math::Vec3 up = geodesy::direction_enu(azimuth_rad, 0.5 * std::numbers::pi - zenith_rad).v;
   camera->orientation = LookAt{position_m - up, std::nullopt};
   return camera;
+}
+
+std::shared_ptr<const CameraSettings> FrameCamera::carried_by(
+    std::shared_ptr<const PlatformFlight> by) const {
+  if (placed && by)
+    throw InputError(
+        "the frame camera has a 'position' of its own, at which it stands, so that no platform carries it; expected no 'position', 'look_at', "
+        "'attitude' or 'up', or no 'platform'");
+  if (placed) return nullptr;
+  if (!by) throw InputError(kPlaceless);
+  check_flight(*by);
+  auto camera = std::make_shared<FrameCamera>(*this);
+  camera->flight = std::move(by);
+  return camera;
+}
+
+std::vector<std::string> FrameCamera::remarks() const {
+  return flight ? flight_remarks(*flight) : std::vector<std::string>{};
 }
 
 }  // namespace ifov::io

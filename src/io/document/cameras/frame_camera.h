@@ -21,11 +21,14 @@ struct FrameCamera final : CameraSettings {
   double focal_length_m = 0.0;
   double pitch_m = 0.0;  ///< of the detector elements
   ImageSize size;
+  /// Of one that stands still, as is `orientation`.
   math::Point3 position_m;
   /// An attitude is that of the aircraft that the camera hangs below (sensor::axes_from_attitude).
   std::variant<LookAt, geodesy::Attitude> orientation;
+  bool placed = true;         ///< whether these say where it is; otherwise a platform carries it
   double exposure_s = 0.0;    ///< of each row
   double row_period_s = 0.0;  ///< from row to row, of a rolling shutter; 0: all rows at once
+  std::shared_ptr<const PlatformFlight> flight;  ///< of one that is not placed; null before carried_by()
 
   std::unique_ptr<sensor::Camera> build(const CameraSite& site) const override;
   std::string description(math::Vec3 shift_m, std::string_view axes) const override;
@@ -33,6 +36,9 @@ struct FrameCamera final : CameraSettings {
   std::shared_ptr<const CameraSettings> seen_from(double zenith_rad, double azimuth_rad) const override;
   std::optional<Optics> optics() const override { return Optics{focal_length_m, pitch_m}; }
   Exposed exposed() const override;
+  std::string_view made_of() const override { return !placed && row_period_s > 0.0 ? "row" : ""; }
+  std::shared_ptr<const CameraSettings> carried_by(std::shared_ptr<const PlatformFlight> by) const override;
+  std::vector<std::string> remarks() const override;
 };
 
 }  // namespace ifov::io

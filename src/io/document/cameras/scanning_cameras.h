@@ -29,7 +29,8 @@ struct ScanningCamera : CameraSettings {
   std::optional<Optics> optics() const override;
   Exposed exposed() const override;
   std::shared_ptr<const CameraSettings> carried_by(std::shared_ptr<const PlatformFlight> by) const override;
-  int sweep_lines() const override { return elements; }
+  bool sweeps() const override { return true; }
+  std::string_view made_of() const override { return "sweep"; }
   std::vector<std::string> remarks() const override;
 
   /// Pitch over focal length, or the angle that is given instead.

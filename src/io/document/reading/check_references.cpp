@@ -114,26 +114,27 @@ class ReferenceCheck {
 
   /// What a mirror that turns does to polarization is not known; and sweeps are pictures of their own, so that none knows the image's error.
   void check_sweeps(const AccuracySampling* accuracy) const {
-    if (document_.sensor.camera.settings == nullptr || document_.sensor.camera.settings->sweep_lines() == 0)
-      return;
+    const CameraSettings* const camera = document_.sensor.camera.settings.get();
+    if (camera == nullptr) return;
     const auto polarizes = [](const ChannelDocument& channel) {
       return channel.polarizer || channel.retarder;
     };
-    if (document_.sensor.stokes ||
-        std::any_of(document_.sensor.channels.begin(), document_.sensor.channels.end(), polarizes))
+    if (camera->sweeps() &&
+        (document_.sensor.stokes ||
+         std::any_of(document_.sensor.channels.begin(), document_.sensor.channels.end(), polarizes)))
       throw document_error(
           document_.sources, document_.sensor.camera.position,
           format(
               "a {} camera turns its view, and what that does to polarization is not modelled: expected no \"stokes\": true, "
               "polarizers or retarders, or another camera",
               document_.sensor.camera.model));
-    if (accuracy != nullptr && accuracy->of_image())
+    if (accuracy != nullptr && accuracy->of_image() && !camera->made_of().empty())
       throw document_error(
           document_.sources, accuracy->position,
           format(
-              "\"of\": \"image\" takes an image that is one picture, and each sweep of a {} camera is one of its own: "
+              "\"of\": \"image\" takes an image that is one picture, and each {} of a {} camera is one of its own: "
               "ask for errors of pixels (\"of\": \"pixel\")",
-              document_.sensor.camera.model));
+              camera->made_of(), document_.sensor.camera.model));
   }
 
   /// Degrees of polarization are known where Q and U are told.

@@ -1,5 +1,8 @@
 // What must not cover an object that moves.
 
+#include <algorithm>
+
+#include "materials/numbered_map.h"
 #include "scene/scene.h"
 #include "session/assembly/surfaces/assignment_assembly.h"
 
@@ -17,12 +20,27 @@ void AssignmentAssembly::refuse_moving(const std::vector<bool>& covers) const {
   for (std::uint32_t a = 0; a < scene_.assignments.size(); ++a) {
     if (a >= covers.size() || !covers[a]) continue;
     const scene::SurfaceAssignment& cover = scene_.assignments[a];
-    if (cover.classes || !cover.temperatures.empty() || !cover.back_temperatures.empty() ||
-        !cover.patterns.empty() || cover.cut_out)
+    if (cover.cut_out) refuse(cover, "it has holes by a map; expected a shape that has them");
+    if (cover.bends_normals())
+      refuse(cover,
+             "its normals are tilted by a map or a texture, in the scene's axes; expected none of these");
+    const std::vector<const materials::NumberedMap*> maps = cover.maps();
+    const bool unmapped = !cover.classes && cover.temperatures.empty() && cover.back_temperatures.empty() &&
+                          cover.patterns.empty();
+    // What tells no map may go by places all the same.
+    const bool told = std::all_of(cover.patterns.begin(), cover.patterns.end(), [](const auto& pattern) {
+      std::vector<const materials::NumberedMap*> own;
+      pattern->add_maps(own);
+      return !own.empty();
+    });
+    const bool carried = told && std::all_of(maps.begin(), maps.end(), [](const auto* map) {
+                           return map->grid().by == materials::MapBy::texture_coordinates;
+                         });
+    if (!unmapped && !carried)
       refuse(
           cover,
-          "it has a map or texture (of classes, temperatures, reflectances, holes), which is tied to places of the "
-          "scene; expected one material at one temperature for each part");
+          "it has a map or texture (of classes, temperatures, reflectances) by x and y, which is tied to places of the scene; expected one "
+          "by texture coordinates, or one material at one temperature for each part");
     if (a < mirrors.size() && mirrors[a])
       refuse(
           cover,

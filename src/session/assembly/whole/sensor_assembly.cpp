@@ -4,6 +4,7 @@
 
 #include "core/overloaded.h"
 #include "geometry/world.h"
+#include "geometry/world/surface_survey.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/detector_document.h"
 #include "io/document/pupil_document.h"
@@ -16,9 +17,9 @@
 #include "scene/scene.h"
 #include "sensor/airy_aperture.h"
 #include "sensor/camera.h"
+#include "sensor/flying/picture_stack.h"
 #include "sensor/psf.h"
 #include "sensor/pupil.h"
-#include "sensor/scanning/scan_camera.h"
 #include "sensor/view_list.h"
 #include "sensor/view_list_camera.h"
 #include "session/assembly/shared/map_frame.h"
@@ -75,7 +76,16 @@ std::unique_ptr<sensor::Camera> assemble_camera(const io::DocumentSources& sourc
   return with_position(sources, camera.position, [&] {
     io::CameraSite site{origin.offset_m, world.heights().high_m, world.heights().low_m, seed};
     if (const auto period = world.period()) site.period_m = {period->x_m, period->y_m};
-    return camera.settings->build(site);
+    std::unique_ptr<sensor::Camera> built = camera.settings->build(site);
+    // Of flat ones paths find what they throw.
+    const auto curved = [](const geometry::SurfaceSurvey* survey) {
+      return survey != nullptr && !(survey->rounds.empty() && survey->smooths.empty());
+    };
+    if (built->moves_while_exposed() && (curved(world.survey()) || curved(world.lobe_survey())))
+      throw InputError(
+          "what curved smooth and glossy surfaces (mirrors, panes, narrow lobes) throw of light is sought for one place of the camera, and a "
+          "frame camera that flies is exposed from many; expected no 'exposure', with or without a 'row_period', or flat or rough surfaces alone");
+    return built;
   });
 }
 
@@ -189,7 +199,8 @@ render::ImageInfo image_info(const io::OriginDocument& origin, const sensor::Cam
   render::ImageInfo info;
   info.width_px = camera.width_px();
   info.height_px = camera.height_px();
-  if (const sensor::ScanCamera* const scans = camera.scans()) info.sweep_lines = scans->pattern().elements;
+  if (const sensor::PictureStack* const pictures = camera.pictures())
+    info.sweep_lines = pictures->lines_of_each();
   for (const radiometry::Channel& channel : channels)
     info.channels.push_back({channel.name, channel.centre_um, channel.fwhm_um});
   info.materials = scene::truth_materials(scene).names;
