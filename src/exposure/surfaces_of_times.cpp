@@ -25,7 +25,7 @@ struct Pairs {
   std::vector<ClassesOfTimes::Moment> moments;
   std::vector<std::uint8_t> is_free;
   std::vector<float> kelvin, variance;    // by lane
-  std::vector<float> weights;             // by ray and lane
+  std::vector<float> weight_k, weights;   // by bin and lane; by ray and lane
   std::vector<float> bends, lit, hidden;  // by bin and lane; by lane
 };
 
@@ -40,17 +40,25 @@ void add_bends(Pairs& pairs, std::size_t bins, std::size_t lanes, std::size_t li
   pairs.hidden.assign(lanes, 0.0f);
   float *__restrict kelvin = pairs.kelvin.data(), *__restrict before = pairs.lit.data(),
         *__restrict dark = pairs.hidden.data();
+  bool any_lit = false, any_hidden = false;
   for (std::size_t b = 0; b < bins; ++b) {
     const float* __restrict bend = pairs.bends.data() + b * lanes;
     const float* __restrict light = pairs.weights.data() + (2 * b + lit) * lanes;
     const float* __restrict shade = pairs.weights.data() + (2 * b + hidden) * lanes;
-    const float sees = pairs.is_free[2 * b + lit], hides = 1.0f - pairs.is_free[2 * b + hidden];
-    for (std::size_t t = 0; t < lanes; ++t) {
-      const float here_lit = sees * light[t], here_hidden = hides * shade[t];
-      kelvin[t] -= 0.25f * bend[t] * (here_lit * (dark[t] + here_hidden) + here_hidden * before[t]);
-      before[t] += here_lit;
-      dark[t] += here_hidden;
-    }
+    const bool sees = pairs.is_free[2 * b + lit] != 0, hides = pairs.is_free[2 * b + hidden] == 0;
+    if (sees && hides)
+      for (std::size_t t = 0; t < lanes; ++t)
+        kelvin[t] -= 0.25f * bend[t] * (light[t] * (dark[t] + shade[t]) + shade[t] * before[t]);
+    else if (sees && any_hidden)
+      for (std::size_t t = 0; t < lanes; ++t) kelvin[t] -= 0.25f * bend[t] * light[t] * dark[t];
+    else if (hides && any_lit)
+      for (std::size_t t = 0; t < lanes; ++t) kelvin[t] -= 0.25f * bend[t] * shade[t] * before[t];
+    if (sees)
+      for (std::size_t t = 0; t < lanes; ++t) before[t] += light[t];
+    if (hides)
+      for (std::size_t t = 0; t < lanes; ++t) dark[t] += shade[t];
+    any_lit = any_lit || sees;
+    any_hidden = any_hidden || hides;
   }
 }
 
@@ -69,6 +77,37 @@ void see_behind(Pairs& pairs, math::Vec3 normal) {
   };
   for (std::size_t ray = 0; ray < 2 * bins; ++ray)
     if (behind(ray)) pairs.is_free[ray] = nearest(ray / 2);
+}
+
+/// What the Sun is worth where some rays saw it and others did not.
+void add_mixed(Pairs& pairs, std::size_t bins, std::size_t lanes) {
+  pairs.weight_k.resize(bins * lanes);
+  pairs.at.weights(pairs.weight_k);
+  pairs.weights.resize(2 * bins * lanes);
+  for (std::size_t ray = 0; ray < 2 * bins; ++ray)
+    pairs.at.weigh(pairs.moments[ray], {pairs.weights.data() + ray * lanes, lanes});
+  for (std::size_t b = 0; b < bins; ++b) {
+    const bool first = pairs.is_free[2 * b] != 0, second = pairs.is_free[2 * b + 1] != 0;
+    const float* __restrict weight = pairs.weight_k.data() + b * lanes;
+    float* __restrict kelvin = pairs.kelvin.data(), * __restrict variance = pairs.variance.data();
+    if (first == second) {
+      if (first)
+        for (std::size_t t = 0; t < lanes; ++t) kelvin[t] += weight[t];
+      continue;
+    }
+    const float* __restrict of_first = pairs.weights.data() + 2 * b * lanes;
+    const float* __restrict of_second = of_first + lanes;
+    const float sign = first ? 0.5f : -0.5f;
+    for (std::size_t t = 0; t < lanes; ++t) {
+      const float one = of_first[t], other = of_second[t];
+      kelvin[t] += 0.5f * weight[t] + sign * (one - other);
+      variance[t] += 0.25f * (one * one + other * other - weight[t] * weight[t]);
+    }
+  }
+  pairs.bends.resize(bins * lanes);
+  pairs.at.bends(pairs.weight_k, pairs.bends);
+  add_bends(pairs, bins, lanes, 0, 1);
+  add_bends(pairs, bins, lanes, 1, 0);
 }
 
 }  // namespace
@@ -145,37 +184,12 @@ void SurfacesOfTimes::at(std::size_t number, const geometry::SurfacePoint& point
   pairs.variance.resize(lanes);
   for (std::size_t t = 0; t < lanes; ++t)
     pairs.variance[t] = static_cast<float>(sky_variance) * pairs.at.of_sky_k[t] * pairs.at.of_sky_k[t];
-  const auto seen = std::count(pairs.is_free.begin(), pairs.is_free.end(), std::uint8_t{1});
-  const bool mixed = seen > 0 && static_cast<std::size_t>(seen) < 2 * bins;
-  if (mixed) {
-    pairs.weights.resize(2 * bins * lanes);
-    for (std::size_t ray = 0; ray < 2 * bins; ++ray)
-      pairs.at.weigh(pairs.moments[ray], {pairs.weights.data() + ray * lanes, lanes});
-  }
-  for (std::size_t b = 0; b < bins; ++b) {
-    const bool first = pairs.is_free[2 * b] != 0, second = pairs.is_free[2 * b + 1] != 0;
-    const float* __restrict weight = pairs.at.weight_k.data() + b * lanes;
-    float* __restrict kelvin = pairs.kelvin.data(), * __restrict variance = pairs.variance.data();
-    if (first == second) {
-      if (first)
-        for (std::size_t t = 0; t < lanes; ++t) kelvin[t] += weight[t];
-      continue;
-    }
-    const float* __restrict of_first = pairs.weights.data() + 2 * b * lanes;
-    const float* __restrict of_second = of_first + lanes;
-    const float sign = first ? 0.5f : -0.5f;
-    for (std::size_t t = 0; t < lanes; ++t) {
-      const float one = of_first[t], other = of_second[t];
-      kelvin[t] += 0.5f * weight[t] + sign * (one - other);
-      variance[t] += 0.25f * (one * one + other * other - weight[t] * weight[t]);
-    }
-  }
-  if (mixed) {
-    pairs.bends.resize(bins * lanes);
-    pairs.at.bends(pairs.bends);
-    add_bends(pairs, bins, lanes, 0, 1);
-    add_bends(pairs, bins, lanes, 1, 0);
-  }
+  const auto seen =
+      static_cast<std::size_t>(std::count(pairs.is_free.begin(), pairs.is_free.end(), std::uint8_t{1}));
+  if (seen > 0 && seen < 2 * bins)
+    add_mixed(pairs, bins, lanes);
+  else if (seen > 0)
+    for (std::size_t t = 0; t < lanes; ++t) pairs.kelvin[t] += pairs.at.all_k[t];
   for (std::size_t t = 0; t < by_time.size(); ++t)
     by_time[t] = {static_cast<double>(pairs.kelvin[t]),
                   std::sqrt(std::max(0.0, static_cast<double>(pairs.variance[t])))};

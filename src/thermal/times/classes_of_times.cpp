@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 
@@ -17,6 +18,11 @@ constexpr double kOnRow = 1e-6;       // steps that a row may be off
 constexpr double kBinsAlone = 3.0, kMostBins = 64.0;
 constexpr double kEven =
     0.05;  // of what is drawn, by length: what is little worth to the level surface is met, too
+
+std::uint64_t next_id() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
 
 math::Vec3 sun_of_row(const Outdoors& now) {
   const double level = std::cos(now.sun_elevation_rad);
@@ -41,6 +47,7 @@ bool ClassesOfTimes::serves(std::span<const std::shared_ptr<const SurfaceClasses
 ClassesOfTimes::ClassesOfTimes(std::vector<std::shared_ptr<const SurfaceClasses>> by_time)
     : classes_(std::move(by_time)),
       lanes_((classes_.size() + kRegister - 1) / kRegister * kRegister),
+      id_(next_id()),
       places_(classes_.front()->places_.size()) {
   const double step_s = classes_.front()->step_s();
   double begin_s = classes_.front()->series_->begin_s;
