@@ -29,9 +29,24 @@ struct Pairs {
   std::vector<float> bends, lit, hidden;  // by bin and lane; by lane
 };
 
-math::Vec3 unit_of(math::Vec3 vector) { return (1.0 / std::sqrt(math::dot(vector, vector))) * vector; }
-
 std::uint64_t bits_of(double value) { return std::bit_cast<std::uint64_t>(value); }
+
+// Two numbers in [0, 1) of one word: of a time within a step, and of a place on the Sun's disc, 32 bits tell more than enough.
+double upper_half(std::uint64_t word) { return static_cast<double>(word >> 32) * 0x1p-32; }
+double lower_half(std::uint64_t word) { return static_cast<double>(word & 0xffffffffu) * 0x1p-32; }
+
+/// A direction to the Sun's disc, as if that were flat: within 1e-5 of uniform. `sun` has the length 1.
+math::Vec3 within_disc(math::Vec3 sun, double radius_rad, std::uint64_t key) {
+  double x, y;
+  do {
+    key = sampling::extend(key, 0);
+    x = 2.0 * upper_half(key) - 1.0, y = 2.0 * lower_half(key) - 1.0;
+  } while (x * x + y * y > 1.0);
+  const sampling::TangentFrame frame(sun);
+  const math::Vec3 beside = (radius_rad * x) * frame.first + (radius_rad * y) * frame.second;
+  // Across the axis: the length is known, and its root but for 1e-9.
+  return (1.0 - 0.5 * math::dot(beside, beside)) * (sun + beside);
+}
 
 /// By lane what pairs of gains take from each other, of the visibilities of rays `lit` and the hiding of rays `hidden` (0, 1: the
 /// first, the second of each bin), each with w_k at its own time.
@@ -42,21 +57,22 @@ void add_bends(Pairs& pairs, std::size_t bins, std::size_t lanes, std::size_t li
         *__restrict dark = pairs.hidden.data();
   bool any_lit = false, any_hidden = false;
   for (std::size_t b = 0; b < bins; ++b) {
+    const std::size_t first = pairs.at.first_lane(b);
     const float* __restrict bend = pairs.bends.data() + b * lanes;
     const float* __restrict light = pairs.weights.data() + (2 * b + lit) * lanes;
     const float* __restrict shade = pairs.weights.data() + (2 * b + hidden) * lanes;
     const bool sees = pairs.is_free[2 * b + lit] != 0, hides = pairs.is_free[2 * b + hidden] == 0;
     if (sees && hides)
-      for (std::size_t t = 0; t < lanes; ++t)
+      for (std::size_t t = first; t < lanes; ++t)
         kelvin[t] -= 0.25f * bend[t] * (light[t] * (dark[t] + shade[t]) + shade[t] * before[t]);
     else if (sees && any_hidden)
-      for (std::size_t t = 0; t < lanes; ++t) kelvin[t] -= 0.25f * bend[t] * light[t] * dark[t];
+      for (std::size_t t = first; t < lanes; ++t) kelvin[t] -= 0.25f * bend[t] * light[t] * dark[t];
     else if (hides && any_lit)
-      for (std::size_t t = 0; t < lanes; ++t) kelvin[t] -= 0.25f * bend[t] * shade[t] * before[t];
+      for (std::size_t t = first; t < lanes; ++t) kelvin[t] -= 0.25f * bend[t] * shade[t] * before[t];
     if (sees)
-      for (std::size_t t = 0; t < lanes; ++t) before[t] += light[t];
+      for (std::size_t t = first; t < lanes; ++t) before[t] += light[t];
     if (hides)
-      for (std::size_t t = 0; t < lanes; ++t) dark[t] += shade[t];
+      for (std::size_t t = first; t < lanes; ++t) dark[t] += shade[t];
     any_lit = any_lit || sees;
     any_hidden = any_hidden || hides;
   }
@@ -67,6 +83,9 @@ void add_bends(Pairs& pairs, std::size_t bins, std::size_t lanes, std::size_t li
 void see_behind(Pairs& pairs, math::Vec3 normal) {
   const std::size_t bins = pairs.directions.size() / 2;
   const auto behind = [&](std::size_t ray) { return !(math::dot(pairs.directions[ray], normal) > 0.0); };
+  std::size_t ray = 0;
+  while (ray < 2 * bins && !behind(ray)) ++ray;
+  if (ray == 2 * bins) return;
   static thread_local std::vector<std::uint8_t> seen;
   seen = pairs.is_free;
   const auto nearest = [&](std::size_t bin) -> std::uint8_t {
@@ -75,7 +94,7 @@ void see_behind(Pairs& pairs, math::Vec3 normal) {
         if (other < bins && !behind(2 * other)) return seen[2 * other];
     return 1;
   };
-  for (std::size_t ray = 0; ray < 2 * bins; ++ray)
+  for (; ray < 2 * bins; ++ray)
     if (behind(ray)) pairs.is_free[ray] = nearest(ray / 2);
 }
 
@@ -87,18 +106,19 @@ void add_mixed(Pairs& pairs, std::size_t bins, std::size_t lanes) {
   for (std::size_t ray = 0; ray < 2 * bins; ++ray)
     pairs.at.weigh(pairs.moments[ray], {pairs.weights.data() + ray * lanes, lanes});
   for (std::size_t b = 0; b < bins; ++b) {
+    const std::size_t from = pairs.at.first_lane(b);
     const bool first = pairs.is_free[2 * b] != 0, second = pairs.is_free[2 * b + 1] != 0;
     const float* __restrict weight = pairs.weight_k.data() + b * lanes;
     float* __restrict kelvin = pairs.kelvin.data(), * __restrict variance = pairs.variance.data();
     if (first == second) {
       if (first)
-        for (std::size_t t = 0; t < lanes; ++t) kelvin[t] += weight[t];
+        for (std::size_t t = from; t < lanes; ++t) kelvin[t] += weight[t];
       continue;
     }
     const float* __restrict of_first = pairs.weights.data() + 2 * b * lanes;
     const float* __restrict of_second = of_first + lanes;
     const float sign = first ? 0.5f : -0.5f;
-    for (std::size_t t = 0; t < lanes; ++t) {
+    for (std::size_t t = from; t < lanes; ++t) {
       const float one = of_first[t], other = of_second[t];
       kelvin[t] += 0.5f * weight[t] + sign * (one - other);
       variance[t] += 0.25f * (one * one + other * other - weight[t] * weight[t]);
@@ -162,20 +182,11 @@ void SurfacesOfTimes::at(std::size_t number, const geometry::SurfacePoint& point
   classes.at(exposed.pose(), sky, pairs.at);
   pairs.directions.clear();
   pairs.moments.clear();
-  const double sine = std::sin(sun_radius_rad_);
   for (std::size_t k = 0; k < 2 * bins; ++k) {
     const std::uint64_t own = sampling::hash(key, Asked::sun, k);
-    const auto unit = [&](int n) { return sampling::unit_double(sampling::extend(own, n)); };
-    const ClassesOfTimes::Moment moment = classes.draw(k / 2, unit(0), unit(1));
+    const ClassesOfTimes::Moment moment = classes.draw(k / 2, upper_half(own), lower_half(own));
     pairs.moments.push_back(moment);
-    // Of its disc, as if that were flat: within 1e-5 of uniform.
-    double x, y;
-    int n = 2;
-    do x = 2.0 * unit(n++) - 1.0, y = 2.0 * unit(n++) - 1.0;
-    while (x * x + y * y > 1.0);
-    const math::Vec3 sun = classes.towards_sun(moment);
-    const sampling::TangentFrame frame(sun);
-    pairs.directions.push_back(unit_of(sun + (sine * x) * frame.first + (sine * y) * frame.second));
+    pairs.directions.push_back(within_disc(classes.towards_sun(moment), sun_radius_rad_, own));
   }
   pairs.is_free.resize(2 * bins);
   if (bins > 0) exposed.free(pairs.directions, {}, pairs.is_free);

@@ -77,7 +77,8 @@ ClassesOfTimes::ClassesOfTimes(std::vector<std::shared_ptr<const SurfaceClasses>
   sun_[0] = sun_[1];
   for (std::size_t row = 0; row + 1 < rows; ++row)
     if (known[row + 1] && (is_lit_[row] || is_lit_[row + 1]))
-      spans_.push_back({static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(row + 1), 0.0, 0.0});
+      spans_.push_back(
+          {.left = static_cast<std::uint32_t>(row), .right = static_cast<std::uint32_t>(row + 1)});
   make_bins();
 }
 
@@ -133,8 +134,15 @@ void ClassesOfTimes::make_bins() {
       for (const std::uint32_t row : {spans_[k].left, spans_[k].right})
         if (is_lit_[row]) bin.suns.push_back(sun_[row]);
     }
+    // A time that was over when a bin began has nothing of it.
+    const std::uint32_t begins = spans_[bin.first].left;
+    const auto lane =
+        std::find_if(last_row_.begin(), last_row_.end(), [&](std::size_t row) { return row > begins; }) -
+        last_row_.begin();
+    bin.first_lane = static_cast<std::uint32_t>(static_cast<std::size_t>(lane) / kRegister * kRegister);
+    for (std::uint32_t k = bin.first; k < bin.end; ++k) spans_[k].first_lane = bin.first_lane;
     bins_.push_back(bin);
-    bin = {bin.end, bin.end, {}};
+    bin = {bin.end, bin.end, 0, {}};
     in_bin = 0.0;
   }
 }

@@ -43,6 +43,8 @@ class ClassesOfTimes {
    public:
     std::vector<float> shaded_k, of_sky_k;  ///< by lane: T_0, and what a free sky is worth of it
     std::vector<float> all_k;               ///< by lane: the sum of all w_k
+    /// Before it all times are over when a bin begins: whatever is told of the bin is 0.
+    std::size_t first_lane(std::size_t bin) const { return of_->bins_[bin].first_lane; }
     /// By bin and lane: the sum of w_k over it.
     void weights(std::span<float> kelvin) const;
     /// By lane: w_k at a moment over the density that it was drawn with, so that its mean is that of the bin's sum.
@@ -62,8 +64,9 @@ class ClassesOfTimes {
     std::size_t count_ = 0;
     std::array<float, 3> by_sky_{};  ///< (1 - f)^2, f (1 - f), f^2 of the free share f of the sky
     /// To `to`, by lane, three rows by the sky, times `scale`.
-    void add(const float* rows, float scale, float* to) const;
-    void add_row(std::size_t row, double cosine, bool right, double by, float* kelvin) const;
+    void add(const float* rows, float scale, std::size_t first_lane, float* to) const;
+    void add_row(std::size_t row, double cosine, bool right, double by, std::size_t first_lane,
+                 float* kelvin) const;
   };
   /// `at` keeps a reference to this, and is good until the next call of the thread.
   void at(const Pose& pose, double free_sky, At& at) const;
@@ -71,11 +74,13 @@ class ClassesOfTimes {
  private:
   struct Span {
     std::uint32_t left = 0, right = 0;  ///< rows
+    std::uint32_t first_lane = 0;       ///< as of its bin
     double density = 0.0;               ///< share of its bin
     double until = 0.0;                 ///< shares of the bin up to it and with it
   };
   struct Bin {
     std::uint32_t first = 0, end = 0;  ///< spans
+    std::uint32_t first_lane = 0;      ///< a whole number of registers
     std::vector<math::Vec3> suns;      ///< of their rows at which the Sun shone
   };
   struct Place;

@@ -31,16 +31,16 @@ void ClassesOfTimes::at(const Pose& pose, double free_sky, At& at) const {
       at.shaded_k[t] += share * (direction->shaded_k[t] + free * direction->of_sky_k[t]);
       at.of_sky_k[t] += share * direction->of_sky_k[t];
     }
-    at.add(direction->all.data(), share, at.all_k.data());
+    at.add(direction->all.data(), share, 0, at.all_k.data());
   }
 }
 
-void ClassesOfTimes::At::add(const float* rows, float scale, float* to) const {
+void ClassesOfTimes::At::add(const float* rows, float scale, std::size_t first_lane, float* to) const {
   const std::size_t lanes = of_->lanes_;
   const float* __restrict hidden = rows;
   float* __restrict sum = to;
   const float both = scale * by_sky_[0], half = scale * by_sky_[1], none = scale * by_sky_[2];
-  for (std::size_t t = 0; t < lanes; ++t)
+  for (std::size_t t = first_lane; t < lanes; ++t)
     sum[t] += both * hidden[t] + half * hidden[lanes + t] + none * hidden[2 * lanes + t];
 }
 
@@ -49,14 +49,16 @@ void ClassesOfTimes::At::weights(std::span<float> kelvin) const {
   std::fill(kelvin.begin(), kelvin.end(), 0.0f);
   for (std::size_t k = 0; k < count_; ++k)
     for (std::size_t b = 0; b < of_->bins(); ++b)
-      add(levels_[k].direction->weight.data() + 3 * b * lanes, levels_[k].share, kelvin.data() + b * lanes);
+      add(levels_[k].direction->weight.data() + 3 * b * lanes, levels_[k].share, first_lane(b),
+          kelvin.data() + b * lanes);
 }
 
-void ClassesOfTimes::At::add_row(std::size_t row, double cosine, bool right, double by, float* kelvin) const {
+void ClassesOfTimes::At::add_row(std::size_t row, double cosine, bool right, double by,
+                                 std::size_t first_lane, float* kelvin) const {
   if (!(cosine > 0.0)) return;
   for (std::size_t k = 0; k < count_; ++k)
     add(of_->combined_row(*levels_[k].direction, row, right),
-        static_cast<float>(cosine * by) * levels_[k].share, kelvin);
+        static_cast<float>(cosine * by) * levels_[k].share, first_lane, kelvin);
 }
 
 void ClassesOfTimes::At::weigh(const Moment& moment, std::span<float> kelvin) const {
@@ -64,8 +66,9 @@ void ClassesOfTimes::At::weigh(const Moment& moment, std::span<float> kelvin) co
   const double after = static_cast<double>(moment.within);
   std::fill(kelvin.begin(), kelvin.end(), 0.0f);
   add_row(span.left, math::dot(normal_, of_->sun_[span.left]), false, (1.0 - after) / span.density,
+          span.first_lane, kelvin.data());
+  add_row(span.right, math::dot(normal_, of_->sun_[span.right]), true, after / span.density, span.first_lane,
           kelvin.data());
-  add_row(span.right, math::dot(normal_, of_->sun_[span.right]), true, after / span.density, kelvin.data());
 }
 
 void ClassesOfTimes::At::bends(std::span<const float> weight_k, std::span<float> per_pair) const {
@@ -75,24 +78,25 @@ void ClassesOfTimes::At::bends(std::span<const float> weight_k, std::span<float>
   float* __restrict kernel = scratch.data();
   float* __restrict bent = kernel + lanes, * __restrict last = bent + lanes, * __restrict sum = last + lanes, * __restrict here = sum + lanes, * __restrict all = here + lanes;
   for (std::size_t b = 0; b < bins; ++b)
-    for (std::size_t t = 0; t < lanes; ++t) all[t] += weight_k[b * lanes + t];
+    for (std::size_t t = first_lane(b); t < lanes; ++t) all[t] += weight_k[b * lanes + t];
   for (std::size_t t = 0; t < lanes; ++t) here[t] = all[t];
   for (std::size_t k = 0; k < count_; ++k)
     if (levels_[k].direction->kernel.empty()) of_->combine_bends(*levels_[k].direction);
   for (std::size_t b = bins; b-- > 0;) {
+    const std::size_t first = first_lane(b);
     std::fill_n(kernel, 2 * lanes, 0.0f);
     for (std::size_t k = 0; k < count_; ++k) {
       const float share = levels_[k].share;
       const float* __restrict of_kernel = levels_[k].direction->kernel.data() + b * lanes;
       const float* __restrict of_bent = levels_[k].direction->bent.data() + b * lanes;
-      for (std::size_t t = 0; t < lanes; ++t) {
+      for (std::size_t t = first; t < lanes; ++t) {
         kernel[t] += share * of_kernel[t];
         bent[t] += share * of_bent[t];
       }
     }
     const float* __restrict weight = weight_k.data() + b * lanes;
     float* __restrict told = per_pair.data() + b * lanes;
-    for (std::size_t t = 0; t < lanes; ++t) {
+    for (std::size_t t = first; t < lanes; ++t) {
       constexpr float kSmall = 1e-30f;  // of a kernel, in place of 0
       const float found = std::min(1.0f, std::max(-1.0f, bent[t] / std::max(kernel[t], kSmall)));
       const float bend = kernel[t] > 0.0f ? found : last[t];
