@@ -24,6 +24,9 @@ double global_w_m2(const Outdoors& now) {
   return now.diffuse_w_m2 + now.direct_w_m2 * std::max(0.0, std::sin(now.sun_elevation_rad));
 }
 
+/// As steep as keeps a melting surface within some hundredths of a kelvin, and Newton's method in its stride.
+constexpr double kMelting_w_m2_k = 1e4;
+
 double mix(double a, double b, double share) { return a + share * (b - a); }
 
 }  // namespace
@@ -96,6 +99,10 @@ Fluxes SurfaceBalance::complete(const Row& row, double surface_k, double& slope)
   const LatentHeat latent = latent_heat(skin_.wetness, surface_k, row.air, h);
   fluxes.latent = 0.0 - latent.w_m2;
   slope -= latent.slope_w_m2_k;
+  if (surface_k > skin_.melts_k) {
+    fluxes.latent -= kMelting_w_m2_k * (surface_k - skin_.melts_k);
+    slope -= kMelting_w_m2_k;
+  }
   return fluxes;
 }
 
