@@ -24,9 +24,9 @@ struct Pairs {
   std::vector<math::Vec3> directions;
   std::vector<ClassesOfTimes::Moment> moments;
   std::vector<std::uint8_t> is_free;
-  std::vector<float> kelvin, variance;    // by lane
-  std::vector<float> weight_k, weights;   // by bin and lane; by ray and lane
-  std::vector<float> bends, lit, hidden;  // by bin and lane; by lane
+  std::vector<float> kelvin, variance;   // by lane
+  std::vector<float> weight_k, weights;  // by bin and lane; by ray and lane
+  std::vector<float> bends, sums;        // by bin and lane; six by lane
 };
 
 std::uint64_t bits_of(double value) { return std::bit_cast<std::uint64_t>(value); }
@@ -46,36 +46,6 @@ math::Vec3 within_disc(math::Vec3 sun, double radius_rad, std::uint64_t key) {
   const math::Vec3 beside = (radius_rad * x) * frame.first + (radius_rad * y) * frame.second;
   // Across the axis: the length is known, and its root but for 1e-9.
   return (1.0 - 0.5 * math::dot(beside, beside)) * (sun + beside);
-}
-
-/// By lane what pairs of gains take from each other, of the visibilities of rays `lit` and the hiding of rays `hidden` (0, 1: the
-/// first, the second of each bin), each with w_k at its own time.
-void add_bends(Pairs& pairs, std::size_t bins, std::size_t lanes, std::size_t lit, std::size_t hidden) {
-  pairs.lit.assign(lanes, 0.0f);
-  pairs.hidden.assign(lanes, 0.0f);
-  float *__restrict kelvin = pairs.kelvin.data(), *__restrict before = pairs.lit.data(),
-        *__restrict dark = pairs.hidden.data();
-  bool any_lit = false, any_hidden = false;
-  for (std::size_t b = 0; b < bins; ++b) {
-    const std::size_t first = pairs.at.first_lane(b);
-    const float* __restrict bend = pairs.bends.data() + b * lanes;
-    const float* __restrict light = pairs.weights.data() + (2 * b + lit) * lanes;
-    const float* __restrict shade = pairs.weights.data() + (2 * b + hidden) * lanes;
-    const bool sees = pairs.is_free[2 * b + lit] != 0, hides = pairs.is_free[2 * b + hidden] == 0;
-    if (sees && hides)
-      for (std::size_t t = first; t < lanes; ++t)
-        kelvin[t] -= 0.25f * bend[t] * (light[t] * (dark[t] + shade[t]) + shade[t] * before[t]);
-    else if (sees && any_hidden)
-      for (std::size_t t = first; t < lanes; ++t) kelvin[t] -= 0.25f * bend[t] * light[t] * dark[t];
-    else if (hides && any_lit)
-      for (std::size_t t = first; t < lanes; ++t) kelvin[t] -= 0.25f * bend[t] * shade[t] * before[t];
-    if (sees)
-      for (std::size_t t = first; t < lanes; ++t) before[t] += light[t];
-    if (hides)
-      for (std::size_t t = first; t < lanes; ++t) dark[t] += shade[t];
-    any_lit = any_lit || sees;
-    any_hidden = any_hidden || hides;
-  }
 }
 
 /// A Sun behind the surface warms nothing. What is said of it is what is seen in the nearest bin whose Sun stands before it, which this
@@ -98,13 +68,59 @@ void see_behind(Pairs& pairs, math::Vec3 normal) {
     if (behind(ray)) pairs.is_free[ray] = nearest(ray / 2);
 }
 
+/// Of a bin whose rays do not see the same: by lane f of the ray that sees the Sun, and of the other.
+struct Disagreement {
+  std::size_t bin;
+  const float *lit, *dark;
+};
+
+/// By lane what pairs of gains take from each other. Of each bin there are two estimates of what was seen, e_1 = V_2 W + f_1 (V_1 - V_2)
+/// and e_2 the other way round, and of what was hidden; both without bias, and W where the rays see the same. What one estimate says
+/// was seen goes with what the other says was hidden: in other bins it does not depend on it, and in the same one it is f_1 V_1 f_2 (1 - V_2).
+void add_bends(Pairs& pairs, std::span<const Disagreement> disagreements, std::size_t bins,
+               std::size_t lanes) {
+  pairs.sums.assign(6 * lanes, 0.0f);
+  float* __restrict kelvin = pairs.kelvin.data();
+  // Of both estimates together where bins agree, then the first pair's and the second's where they do not.
+  float* __restrict seen = pairs.sums.data(), * __restrict hidden = seen + lanes;
+  float* __restrict seen_1 = hidden + lanes, * __restrict hidden_1 = seen_1 + lanes;
+  float* __restrict seen_2 = hidden_1 + lanes, * __restrict hidden_2 = seen_2 + lanes;
+  auto next = disagreements.begin();
+  for (std::size_t b = 0; b < bins; ++b) {
+    const std::size_t first = pairs.at.first_lane(b);
+    const float* __restrict bend = pairs.bends.data() + b * lanes;
+    const float* __restrict weight = pairs.weight_k.data() + b * lanes;
+    if (next == disagreements.end() || next->bin != b) {
+      const bool sees = pairs.is_free[2 * b] != 0;
+      float* __restrict mine = sees ? seen : hidden, * __restrict both = sees ? hidden : seen, * __restrict one = sees ? hidden_1 : seen_1, * __restrict other = sees ? hidden_2 : seen_2;
+      for (std::size_t t = first; t < lanes; ++t) {
+        kelvin[t] -= 0.25f * bend[t] * weight[t] * (2.0f * both[t] + one[t] + other[t]);
+        mine[t] += weight[t];
+      }
+      continue;
+    }
+    const float* __restrict lit = next->lit, * __restrict dark = next->dark;
+    for (std::size_t t = first; t < lanes; ++t) {
+      const float lit_2 = weight[t] - dark[t], dark_2 = weight[t] - lit[t];
+      const float of_first = lit[t] * (hidden[t] + hidden_1[t] + dark[t]) + dark[t] * (seen[t] + seen_1[t]);
+      const float of_second = lit_2 * (hidden[t] + hidden_2[t]) + dark_2 * (seen[t] + seen_2[t]);
+      kelvin[t] -= 0.25f * bend[t] * (of_first + of_second);
+      seen_1[t] += lit[t];
+      hidden_1[t] += dark[t];
+      seen_2[t] += lit_2;
+      hidden_2[t] += dark_2;
+    }
+    ++next;
+  }
+}
+
 /// What the Sun is worth where some rays saw it and others did not.
 void add_mixed(Pairs& pairs, std::size_t bins, std::size_t lanes) {
   pairs.weight_k.resize(bins * lanes);
   pairs.at.weights(pairs.weight_k);
   pairs.weights.resize(2 * bins * lanes);
-  for (std::size_t ray = 0; ray < 2 * bins; ++ray)
-    pairs.at.weigh(pairs.moments[ray], {pairs.weights.data() + ray * lanes, lanes});
+  static thread_local std::vector<Disagreement> disagreements;
+  disagreements.clear();
   for (std::size_t b = 0; b < bins; ++b) {
     const std::size_t from = pairs.at.first_lane(b);
     const bool first = pairs.is_free[2 * b] != 0, second = pairs.is_free[2 * b + 1] != 0;
@@ -115,19 +131,20 @@ void add_mixed(Pairs& pairs, std::size_t bins, std::size_t lanes) {
         for (std::size_t t = from; t < lanes; ++t) kelvin[t] += weight[t];
       continue;
     }
-    const float* __restrict of_first = pairs.weights.data() + 2 * b * lanes;
-    const float* __restrict of_second = of_first + lanes;
-    const float sign = first ? 0.5f : -0.5f;
+    float* const of_lit = pairs.weights.data() + 2 * b * lanes;
+    float* const of_dark = of_lit + lanes;
+    pairs.at.weigh(pairs.moments[2 * b + (first ? 0 : 1)], {of_lit, lanes});
+    pairs.at.weigh(pairs.moments[2 * b + (first ? 1 : 0)], {of_dark, lanes});
+    disagreements.push_back({b, of_lit, of_dark});
     for (std::size_t t = from; t < lanes; ++t) {
-      const float one = of_first[t], other = of_second[t];
-      kelvin[t] += 0.5f * weight[t] + sign * (one - other);
-      variance[t] += 0.25f * (one * one + other * other - weight[t] * weight[t]);
+      const float lit = of_lit[t], dark = of_dark[t];
+      kelvin[t] += 0.5f * weight[t] + 0.5f * (lit - dark);
+      variance[t] += 0.25f * (lit * lit + dark * dark - weight[t] * weight[t]);
     }
   }
   pairs.bends.resize(bins * lanes);
   pairs.at.bends(pairs.weight_k, pairs.bends);
-  add_bends(pairs, bins, lanes, 0, 1);
-  add_bends(pairs, bins, lanes, 1, 0);
+  add_bends(pairs, disagreements, bins, lanes);
 }
 
 }  // namespace
