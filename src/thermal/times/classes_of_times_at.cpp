@@ -84,8 +84,10 @@ void ClassesOfTimes::At::bends(std::span<const float> weight_k, std::span<float>
     if (levels_[k].direction->kernel.empty()) of_->combine_bends(*levels_[k].direction);
   for (std::size_t b = bins; b-- > 0;) {
     const std::size_t first = first_lane(b);
-    std::fill_n(kernel, 2 * lanes, 0.0f);
-    for (std::size_t k = 0; k < count_; ++k) {
+    const float *of_one = levels_[0].direction->bend.data() + b * lanes,
+                *kernel_of_one = levels_[0].direction->kernel.data() + b * lanes;
+    if (count_ > 1) std::fill_n(kernel, 2 * lanes, 0.0f), of_one = bent, kernel_of_one = kernel;
+    for (std::size_t k = 0; count_ > 1 && k < count_; ++k) {
       const float share = levels_[k].share;
       const float* __restrict of_kernel = levels_[k].direction->kernel.data() + b * lanes;
       const float* __restrict of_bent = levels_[k].direction->bent.data() + b * lanes;
@@ -94,12 +96,13 @@ void ClassesOfTimes::At::bends(std::span<const float> weight_k, std::span<float>
         bent[t] += share * of_bent[t];
       }
     }
+    if (count_ > 1)
+      for (std::size_t t = first; t < lanes; ++t) bent[t] = bend_of(bent[t], kernel[t]);
     const float* __restrict weight = weight_k.data() + b * lanes;
     float* __restrict told = per_pair.data() + b * lanes;
     for (std::size_t t = first; t < lanes; ++t) {
       constexpr float kSmall = 1e-30f;  // of a kernel, in place of 0
-      const float found = std::min(1.0f, std::max(-1.0f, bent[t] / std::max(kernel[t], kSmall)));
-      const float bend = kernel[t] > 0.0f ? found : last[t];
+      const float bend = kernel_of_one[t] > 0.0f ? of_one[t] : last[t];
       const float more = (bend - last[t]) / std::max(here[t], kSmall);
       sum[t] += here[t] > kLeastLeftOf * all[t] ? more : 0.0f;
       last[t] = bend;

@@ -140,6 +140,9 @@ void ClassesOfTimes::combine_bends(DirectionOfTimes& direction) const {
         direction.bent[at] += corner.share * (1.0f + node.twice_shift[t]) * node.difference[at];
       }
   }
+  direction.bend.resize(all);
+  for (std::size_t at = 0; at < all; ++at)
+    direction.bend[at] = bend_of(direction.bent[at], direction.kernel[at]);
 }
 
 }  // namespace ifov::thermal

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -24,9 +25,16 @@ struct DirectionOfTimes {
   std::vector<float> shaded_k, of_sky_k;  ///< T_0 with the sky hidden, and what a free one adds
   std::vector<float> all, weight;         ///< three rows: of all bins; by bin
   std::vector<float> kernel, bent;        ///< by bin; empty until asked for
+  std::vector<float> bend;                ///< their ratio within 1, where no other level is mixed in
   std::vector<float>
       row;  ///< three rows by row and side, those that were asked for; empty until the first is
   std::vector<std::uint8_t> has_row;
 };
+
+/// The ratio that SurfaceClasses::bends() goes by; of no kernel it says nothing.
+inline float bend_of(float bent, float kernel) {
+  constexpr float kSmall = 1e-30f;  // of a kernel, in place of 0
+  return std::min(1.0f, std::max(-1.0f, bent / std::max(kernel, kSmall)));
+}
 
 }  // namespace ifov::thermal
