@@ -90,7 +90,8 @@ class SurfaceBalance : public SurfaceExchange {
   };
   Row row_of(const OutdoorsSeries& series, const Stand& stand, std::size_t index, double visibility,
              double free_sky);
-  Row at(double time_s) const;
+  /// That of a time, which `between` holds where it is no row's.
+  const Row& at(double time_s, Row& between) const;
   /// Adds the rest, and the derivative of the sum.
   Fluxes complete(const Row& row, double surface_k, double& slope) const;
 
