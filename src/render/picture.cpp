@@ -153,11 +153,12 @@ sampling::TileResult Picture::tile(const sampling::PixelRect& tile, std::size_t 
   result.rays = field.counts();
   result.rays += before.rays;
   field.unseen().settle(job_.tolerance, problem.later, result);
-  field.blends().settle(result);
+  field.blends().settle(joint_of(job_.tolerance), result);
   unsampled_.add_to(result);
   widen(job_.nodes, job_.tolerance, result);
   unsampled_.settle(result);
   widen(job_.air, job_.tolerance, result);
+  result.join_bounds(joint_of(job_.tolerance));
   field.settle(result);
   if (job_.image_wide) judge_as_image(sampled, result);
   if (!result.column_errors.empty()) result.column_errors.resize(static_cast<std::size_t>(result.columns));

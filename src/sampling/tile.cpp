@@ -5,6 +5,7 @@
 
 #include "core/format.h"
 #include "sampling/footprint_groups.h"
+#include "sampling/means/bounded_error.h"
 #include "sampling/tile_arrays.h"
 
 namespace ifov::sampling {
@@ -25,6 +26,7 @@ void TileResult::reset(PixelRect tile_pixels, int column_count, bool with_errors
   variance_geometry.assign(error_cells, 0.0f);
   variance_path.assign(error_cells, 0.0f);
   half_width.assign(error_cells, 0.0f);
+  bound.clear();
   samples.assign(pixels, 0);
   label_rays.assign(pixels, 0);
   radiance_evaluations.assign(pixels, 0);
@@ -38,6 +40,22 @@ void TileResult::reset(PixelRect tile_pixels, int column_count, bool with_errors
   halo_samples = pilot_samples = probe_samples = 0;
   rays = {};
   memory.clear();
+}
+
+void TileResult::add_bound(std::size_t at, double more) {
+  if (!(more > 0.0)) return;
+  if (bound.empty()) bound.assign(half_width.size(), 0.0f);
+  bound[at] += static_cast<float>(more);
+}
+
+double TileResult::joined(std::size_t at, const BoundedError& joint) const {
+  const double random = static_cast<double>(half_width[at]);
+  return bound.empty() ? random : joint.half_width(random, static_cast<double>(bound[at]));
+}
+
+void TileResult::join_bounds(const BoundedError& joint) {
+  for (std::size_t at = 0; at < bound.size(); ++at) half_width[at] = static_cast<float>(joined(at, joint));
+  bound.clear();
 }
 
 float TileResult::share_of_borders(std::size_t pixel) const {

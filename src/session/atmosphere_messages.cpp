@@ -91,13 +91,13 @@ void warn_of_atmosphere_errors(const Parts& parts, LogSink& log) {
   for (std::size_t c = 0; c < parts.air.size(); ++c) {
     if (!parts.tolerance->judged(static_cast<int>(c))) continue;
     const double share = parts.tolerance->atmosphere_share(c, parts.air[c].grey_radiance);
-    if (share <= 1.0 - render::AccuracyTolerance::kLeastShare) continue;
+    if (share <= parts.tolerance->most_bounded()) continue;
     if (count++ < kNamed) names += format("{}'{}'", names.empty() ? "" : ", ", parts.channels[c].name);
     worst = std::max(worst, share);
   }
   if (count == 0) return;
   if (count > kNamed) names += format(" and {} more", count - kNamed);
-  const double enough = parts.plan.request->error * worst / (1.0 - render::AccuracyTolerance::kLeastShare);
+  const double enough = parts.plan.request->error * worst / parts.tolerance->most_bounded();
   log.warn(format(
       "the accuracy asked for is finer than the atmosphere is {}: over a grey surface the air's own {} is up to {} in {}; "
       "pixels may miss it there however many rays are traced{}. {} can be reached, or judge other channels",

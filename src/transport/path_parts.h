@@ -52,7 +52,7 @@ struct PathTracer::Path {
   SeparateImages::Mirror mirror = SeparateImages::kNone;  // that it came by straight from the sensor
   bool direct = true;                                     // by mirrors and boundaries alone
   std::uint8_t forks = 0;        // at which it took one side and another path the other
-  float share = 1.0f;            // of light that it brings to the sensor, at most; kept while it is direct
+  float share = 1.0f;            // of light that it brings to the sensor, at most
   std::uint32_t medium = kNone;  // that its ray is in: index into media_
   // Of the sunlight on a lobe that is sought (SunLobes::sought), if that is what it meets: the rest was sought from where it comes from.
   float sunlight = 1.0f;

@@ -188,6 +188,8 @@ class PathTracer {
   /// Direction, side and weight of the continued path, before any roulette; false where it ends.
   bool continue_path(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
                      sampling::Point2 u, Branch branch, SurfaceEvent& event);
+  /// Ends a continued path or lets it weigh more; it keeps `kept` of its light at this surface.
+  static void end_by_chance(const PathKey& key, int depth, double kept, SurfaceEvent& event);
   /// Whether a path takes a share of the open sky at the first surface (TransportOptions::sky_shares); 0: no.
   float open_sky_share(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, const Sides& sides,
                        Branch branch, int depth) const;

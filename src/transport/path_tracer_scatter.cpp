@@ -20,8 +20,12 @@ namespace ifov::transport {
 
 namespace {
 
-/// Surfaces a path scatters at before it may be ended by chance.
-constexpr int kCertainScatterings = 3;
+/// Surfaces a path scatters at before it may be ended by chance, and light of its beginning that it may still bring where that is
+/// worth a try: few far paths that weigh much cost more in variance than they save.
+constexpr int kCertainScatterings = 2;
+constexpr double kWorth = 0.1;
+/// From here on each surface ends as many paths as it absorbs, at least: in a white room none would end before.
+constexpr int kManyScatterings = 8;
 
 /// What the random choice between shapes at a surface is keyed by, beside its path and depth.
 constexpr std::uint64_t kShapeChoice = 0x7368617065ull;
@@ -159,16 +163,12 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
       depth + 1 != options_.maximum_scatterings && (whole_.empty() || whole_[path_index] != 0);
   if (goes_on &&
       continue_path(lobe, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair + 1u),
-                    branch, event) &&
-      depth + 1 >= kCertainScatterings) {
+                    branch, event)) {
     const double highest =
         vertex.continuation_transmitted ? lobe.highest_transmittance : lobe.highest_reflectance;
-    const double probability =
-        std::min(1.0, highest * vertex.continuation_weight * continuation_grey(lobe, vertex));
-    const bool survives =
-        sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth)) < probability;
-    vertex.continuation_weight =
-        survives ? static_cast<float>(vertex.continuation_weight / probability) : 0.0f;
+    const double kept = highest * vertex.continuation_weight * continuation_grey(lobe, vertex);
+    event.next_share = path.share * static_cast<float>(kept);
+    if (depth + 1 >= kCertainScatterings) end_by_chance(path.key, depth, kept, event);
   }
   // Also of paths that end here, because the direction that was drawn from the sky lies below the surface.
   if (const float share = goes_on ? open_sky_share(surface, lobe, sides, branch, depth) : 0.0f;
@@ -191,9 +191,6 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
           path.share * static_cast<float>(lobe.highest_transmittance / std::numbers::pi);
     event.next_direct = path.direct && delta;
     event.next_forks = static_cast<std::uint8_t>(path.forks + (branch == Branch::by_chance ? 0 : 1));
-    event.next_share =
-        path.share * vertex.continuation_weight *
-        static_cast<float>(transmitted ? lobe.highest_transmittance : lobe.highest_reflectance);
     // A pane changes nothing of how emitters were sought straight.
     if (delta && transmitted && lobe.bsdf->passage() == materials::Passage::straight &&
         path.left.round == kNone && (!path.left.unfolded || path.left.by_pane)) {
@@ -219,6 +216,18 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
     note_chain(path, lobe, sides, hit, event);
   take_factors(surface, vertex);
   if (to_lobes && goes_on) send_to_lobes(path, number, surface, lobe, sides, hit, depth, path_index);
+}
+
+void PathTracer::end_by_chance(const PathKey& key, int depth, double kept, SurfaceEvent& event) {
+  const double worth = static_cast<double>(event.next_share) / kWorth;
+  const auto probability =
+      static_cast<float>(std::min(1.0, depth + 1 < kManyScatterings ? worth : std::min(kept, worth)));
+  if (!(sampling::unit_double(sampling::hash(key.sequence, key.index, depth)) < probability)) {
+    event.vertex.continuation_weight = 0.0f;
+    return;
+  }
+  event.vertex.continuation_weight /= probability;
+  event.next_share /= probability;
 }
 
 float PathTracer::open_sky_share(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,

@@ -9,9 +9,12 @@
 #include "io/products/image_region.h"
 #include "io/products/region_means.h"
 #include "io/synthetic_image.h"
+#include "sampling/means/bounded_error.h"
 
 namespace ifov::io::test_region {
 namespace {
+
+const sampling::BoundedError kJoint(0.95);
 
 using test::ScratchFolder;
 using test::SyntheticImage;
@@ -107,7 +110,7 @@ class MeansOfAProduct : public testing::Test {
 TEST_F(MeansOfAProduct, AreThoseOfThePixels) {
   const auto rule = sampling::RegionRule::of_accuracy(1.0);
   const RegionMeans region =
-      region_means(folder_.path() / "demo", ImageRegion::parse("3,2,9,7", image_of(20, 12)), rule);
+      region_means(folder_.path() / "demo", ImageRegion::parse("3,2,9,7", image_of(20, 12)), rule, kJoint);
   std::uint64_t converged = 0;
   sampling::RegionSum sum;
   for (int y = 2; y < 7; ++y)
@@ -120,14 +123,15 @@ TEST_F(MeansOfAProduct, AreThoseOfThePixels) {
   EXPECT_EQ(region.reasons[static_cast<std::size_t>(sampling::Reason::samples)], 30 - converged);
   ASSERT_EQ(region.channels.size(), 3u);
   EXPECT_NEAR(region.channels[1].mean, sum.mean(), 1e-5);
-  EXPECT_NEAR(region.channels[1].half_width, sum.half_width(rule), 1e-6);
+  EXPECT_NEAR(region.channels[1].half_width, sum.half_width(rule, kJoint), 1e-6);
 }
 
 TEST_F(MeansOfAProduct, AMaskMarksItsPixels) {
   // The class raster of the same run serves as one: what is not converged.
   const auto region =
       ImageRegion::parse("mask:" + (folder_.path() / "demo_quality_class.img").string(), image_of(20, 12));
-  const RegionMeans means = region_means(folder_.path() / "demo", region, sampling::RegionRule::all_common());
+  const RegionMeans means =
+      region_means(folder_.path() / "demo", region, sampling::RegionRule::all_common(), kJoint);
   EXPECT_GT(means.pixels, 0u);
   EXPECT_EQ(means.converged, 0u);
   EXPECT_NE(error_of([&] {

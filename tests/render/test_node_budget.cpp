@@ -10,12 +10,15 @@
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/channel_brightness.h"
 #include "render/tolerance/node_budget.h"
+#include "sampling/means/bounded_error.h"
 #include "sampling/tile.h"
 #include "scene/scene.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render::test_node_budget {
 namespace {
+
+const sampling::BoundedError kJoint(0.95);
 
 /// Two channels, judged to `error`, whose nodes are wrong by 1 %.
 class NodeBudget : public testing::Test {
@@ -56,12 +59,12 @@ TEST_F(NodeBudget, IsAShareOfTheRadianceOrOfADarkOne) {
 TEST_F(NodeBudget, LeavesTheRestToTheSampler) {
   std::vector<double> mean{60.0, 60.0}, limit(2);
   tolerance(0.02).limits(mean, limit);
-  EXPECT_DOUBLE_EQ(limit[0], 1.2 - 0.6);
+  EXPECT_NEAR(kJoint.half_width(limit[0], 0.6), 1.2, 1e-12);
   EXPECT_TRUE(std::isinf(limit[1]));
   tolerance(0.2).limits(mean, limit);
   EXPECT_DOUBLE_EQ(limit[0], 12.0);
   tolerance(0.2, 0.1).limits(mean, limit);
-  EXPECT_DOUBLE_EQ(limit[0], 0.9 * 12.0);
+  EXPECT_NEAR(kJoint.half_width(limit[0], 0.1 * 12.0), 12.0, 1e-12);
   EXPECT_TRUE(std::isinf(limit[1]));
 }
 
@@ -73,11 +76,11 @@ TEST_F(NodeBudget, MakesNoRoomForWhatIsGivenUp) {
   EXPECT_DOUBLE_EQ(limit[0], 1.5);  // of 3, all of which is the second material's: rays keep half
   for (NodeHalfWidth& node : nodes_) node.given_up = 4.0;
   tolerance(0.05).limits(mean, limit);
-  EXPECT_DOUBLE_EQ(limit[0], 3.0 - 1.0);
+  EXPECT_NEAR(kJoint.half_width(limit[0], 1.0), 3.0, 1e-12);
   sampling::TileResult result = tile(60.0f, 0.5f);
   result.abundances = {{0, 1, 1.0f, 0.0f}};
   widen(nodes_, nullptr, result);
-  EXPECT_NEAR(result.half_width[0], 5.5, 1e-6);  // the interval holds it as before
+  EXPECT_NEAR(result.bound[0], 5.0, 1e-6);  // the interval holds it as before
 }
 
 // Temperatures that are solved: 1 of a pixel of the first material, 5 of the second, whose are least certain.
@@ -87,7 +90,7 @@ TEST_F(NodeBudget, CountsTheMaterialsThatAPixelHolds) {
     sampling::TileResult result = tile(60.0f, 0.5f);
     result.abundances = std::move(held);
     widen(nodes_, nullptr, result);
-    return result.half_width[0] - 0.5;
+    return result.bound[0];
   };
   EXPECT_NEAR(widened_by({{0, 0, 1.0f, 0.0f}}), 1.0, 1e-6);
   EXPECT_NEAR(widened_by({{0, 1, 1.0f, 0.0f}}), 5.0, 1e-6);
@@ -111,27 +114,28 @@ TEST_F(NodeBudget, PixelsOfATileHaveMaterialsOfTheirOwn) {
   result.reasons = {0, 0, 0};
   result.abundances = {{0, 0, 1.0f, 0.0f}, {2, 0, 0.5f, 0.0f}, {2, 1, 0.5f, 0.0f}};
   widen(nodes_, nullptr, result);
-  EXPECT_NEAR(result.half_width[0], 1.0, 1e-6);
-  EXPECT_NEAR(result.half_width[1], 5.0, 1e-6);
-  EXPECT_NEAR(result.half_width[2], 3.0, 1e-6);
+  EXPECT_NEAR(result.bound[0], 1.0, 1e-6);
+  EXPECT_NEAR(result.bound[1], 5.0, 1e-6);
+  EXPECT_NEAR(result.bound[2], 3.0, 1e-6);
 }
 
 TEST_F(NodeBudget, WidensIntervalsAndSaysWhereNodesAreTooFew) {
   const AccuracyTolerance enough = tolerance(0.02), fine = tolerance(0.005), coarse = tolerance(0.2);
   sampling::TileResult result = tile(60.0f, 0.5f);
   widen(nodes_, &enough, result);
-  EXPECT_FLOAT_EQ(result.half_width[0], 1.1f);
-  EXPECT_FLOAT_EQ(result.half_width[1], 1.1f);  // not judged, and known all the same
+  const double whole = kJoint.half_width(0.5, 0.6);
+  EXPECT_NEAR(result.joined(0, kJoint), whole, 1e-6);
+  EXPECT_NEAR(result.joined(1, kJoint), whole, 1e-6);  // not judged, and known all the same
   EXPECT_TRUE(result.converged(0));
-  EXPECT_FLOAT_EQ(result.worst_ratio[0], 1.1f / 1.2f);
+  EXPECT_NEAR(result.worst_ratio[0], whole / 1.2, 1e-6);
   result = tile(60.0f, 0.14f);
   widen(nodes_, &fine, result);
   EXPECT_EQ(result.reasons[0], sampling::bit(sampling::Reason::nodes));
   result = tile(60.0f, 0.14f);
   widen(nodes_, &coarse, result);
-  EXPECT_FLOAT_EQ(result.half_width[0], 0.14f);
+  EXPECT_EQ(result.bound[0], 0.0f);
   widen(nodes_, nullptr, result);
-  EXPECT_FLOAT_EQ(result.half_width[0], 0.74f);
+  EXPECT_FLOAT_EQ(result.bound[0], 0.6f);
 }
 
 // More products of spectra than 64 nodes keep: the error is known and stated. Surfaces are combs that no few lines follow.

@@ -116,6 +116,7 @@ Edge picture(double q_px, double tolerance, bool with_wings, std::uint64_t seed)
   sampling::AccuracySampler().sample(problem, field, tile);
   if (with_wings)
     add_wings(std::vector<const sensor::PsfWings*>{&wings}, problem, nullptr, nullptr, field, tile);
+  tile.join_bounds(joint_of(nullptr));
   Edge edge;
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
@@ -180,6 +181,7 @@ TEST(WingLight, AnEvenFieldStaysExact) {
   tile.reasons.assign(tile.reasons.size(), 0);
   for (std::uint32_t p = 0; p < 30; ++p) tile.abundances.push_back({p, 0, 1.0f, 0.0f});
   add_wings(std::vector<const sensor::PsfWings*>{&wings}, problem, nullptr, nullptr, field, tile);
+  tile.join_bounds(joint_of(nullptr));
   for (std::size_t p = 0; p < 30; ++p) {
     EXPECT_NEAR(tile.mean[p], 0.3, 1e-6);
     EXPECT_NEAR(tile.half_width[p], 0.0, 1e-6);
@@ -217,11 +219,13 @@ TEST(WingLight, ACutWithoutWingsIsInTheIntervalByTheContrast) {
   tile.mean = {1.0f, 1.0f, 101.0f};
   tile.reasons.assign(3, 0);
   widen_by_cut(std::vector<double>(static_cast<std::size_t>(tile.columns), 1e-3), nullptr, nullptr, tile);
+  tile.join_bounds(joint_of(nullptr));
   EXPECT_NEAR(tile.half_width[0], 0.1, 1e-6);
   EXPECT_NEAR(tile.half_width[2], 0.1, 1e-6);
   tile.mean = {5.0f, 5.0f, 5.0f};
   tile.half_width = {0.0f, 0.0f, 0.0f};
   widen_by_cut(std::vector<double>(static_cast<std::size_t>(tile.columns), 1e-3), nullptr, nullptr, tile);
+  tile.join_bounds(joint_of(nullptr));
   EXPECT_EQ(tile.half_width[1], 0.0f);
 }
 

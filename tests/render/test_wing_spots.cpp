@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "render/tolerance/accuracy_tolerance.h"
 #include "render/wings/wing_light.h"
 #include "render/wings/wing_spots.h"
 #include "sampling/tile.h"
@@ -82,6 +83,7 @@ sampling::TileResult gathered(const sensor::Psf& psf, DiscField field, const Win
   if (spots != nullptr) light.emplace(*spots, seed, nullptr, field);
   add_wings(std::vector<const sensor::PsfWings*>{&wings}, problem, nullptr, light ? &*light : nullptr, field,
             tile);
+  tile.join_bounds(joint_of(nullptr));
   return tile;
 }
 

@@ -5,15 +5,18 @@
 #include <numbers>
 #include <vector>
 
+#include "sampling/means/bounded_error.h"
 #include "sampling/means/region_interval.h"
 #include "sampling/pixel_footprint.h"
 
 namespace ifov::sampling::test_region_interval {
 namespace {
 
+const BoundedError kJoint(0.95);
+
 RegionSum sum_of(int pixels, double border_share, double air = 0.0) {
   RegionSum sum;
-  for (int k = 0; k < pixels; ++k) sum.add(10.0 + k % 2, 0.1 + air, border_share, air);
+  for (int k = 0; k < pixels; ++k) sum.add(10.0 + k % 2, 0.1, border_share, air);
   return sum;
 }
 
@@ -21,27 +24,29 @@ TEST(RegionInterval, OnePixelKeepsItsOwn) {
   const RegionSum sum = sum_of(1, 1.0, 0.02);
   EXPECT_EQ(sum.pixels(), 1u);
   EXPECT_DOUBLE_EQ(sum.mean(), 10.0);
-  EXPECT_NEAR(sum.half_width(RegionRule::of_accuracy(1.0)), 0.12, 1e-15);
+  EXPECT_NEAR(sum.half_width(RegionRule::of_accuracy(1.0), kJoint), kJoint.half_width(0.1, 0.02), 1e-15);
 }
 
 TEST(RegionInterval, ManyPixelsKeepWhatIsCommonToThem) {
   const int n = 1 << 20;
   const RegionRule rule = RegionRule::of_accuracy(1.0);
-  EXPECT_NEAR(sum_of(n, 1.0).half_width(rule), 0.1 * rule.common_borders, 2e-4);
-  EXPECT_NEAR(sum_of(n, 0.0).half_width(rule), 0.1 * rule.common_paths, 2e-4);
-  EXPECT_NEAR(sum_of(n, 0.0, 0.02).half_width(rule), 0.1 * rule.common_paths + 0.02, 2e-4);
+  EXPECT_NEAR(sum_of(n, 1.0).half_width(rule, kJoint), 0.1 * rule.common_borders, 2e-4);
+  EXPECT_NEAR(sum_of(n, 0.0).half_width(rule, kJoint), 0.1 * rule.common_paths, 2e-4);
+  EXPECT_NEAR(sum_of(n, 0.0, 0.02).half_width(rule, kJoint), kJoint.half_width(0.1 * rule.common_paths, 0.02),
+              2e-4);
   EXPECT_NEAR(sum_of(n, 0.0).mean(), 10.5, 1e-9);
 }
 
 TEST(RegionInterval, IndependentErrorsFallAsTheRoot) {
-  EXPECT_NEAR(sum_of(400, 0.5).half_width({1.0, 0.0, 0.0}), 0.1 / 20.0, 1e-12);
-  EXPECT_NEAR(sum_of(400, 0.5).half_width({4.0, 0.0, 0.0}), 0.1 / 10.0, 1e-12);
+  EXPECT_NEAR(sum_of(400, 0.5).half_width({1.0, 0.0, 0.0}, kJoint), 0.1 / 20.0, 1e-12);
+  EXPECT_NEAR(sum_of(400, 0.5).half_width({4.0, 0.0, 0.0}, kJoint), 0.1 / 10.0, 1e-12);
 }
 
 TEST(RegionInterval, IsNeverWiderThanThePixelsAreAndNothingIsLearnedWhereAllIsCommon) {
   for (const int n : {1, 2, 3, 10, 1000}) {
-    EXPECT_LE(sum_of(n, 1.0).half_width(RegionRule::of_accuracy(30.0)), 0.1 + 1e-12);
-    EXPECT_NEAR(sum_of(n, 1.0, 0.3).half_width(RegionRule::all_common()), 0.4, 1e-12);
+    EXPECT_LE(sum_of(n, 1.0).half_width(RegionRule::of_accuracy(30.0), kJoint), 0.1 + 1e-12);
+    EXPECT_NEAR(sum_of(n, 1.0, 0.3).half_width(RegionRule::all_common(), kJoint), kJoint.half_width(0.1, 0.3),
+                1e-12);
   }
 }
 
@@ -50,9 +55,9 @@ TEST(RegionInterval, PixelsWithoutAValueAreLeftAwayAndUnknownErrorsStayUnknown) 
   RegionSum sum = sum_of(3, 1.0);
   sum.add(kNone, kNone, 1.0);
   EXPECT_EQ(sum.pixels(), 3u);
-  EXPECT_TRUE(std::isfinite(sum.half_width(RegionRule::of_accuracy(1.0))));
+  EXPECT_TRUE(std::isfinite(sum.half_width(RegionRule::of_accuracy(1.0), kJoint)));
   sum.add(10.0, kNone, 1.0);
-  EXPECT_TRUE(std::isnan(sum.half_width(RegionRule::of_accuracy(1.0))));
+  EXPECT_TRUE(std::isnan(sum.half_width(RegionRule::of_accuracy(1.0), kJoint)));
   EXPECT_TRUE(std::isnan(RegionSum().mean()));
 }
 

@@ -19,6 +19,7 @@
 #include "render/field/scene_field.h"
 #include "render/image_renderer.h"
 #include "render/tile_sink.h"
+#include "sampling/means/bounded_error.h"
 #include "sampling/means/region_interval.h"
 #include "sampling/tile.h"
 #include "session/loaded/parts.h"
@@ -26,6 +27,8 @@
 
 namespace ifov::session::test_region_coverage {
 namespace {
+
+const sampling::BoundedError kJoint(0.95);
 
 using sampling::RegionRule;
 using Point = std::array<double, 2>;
@@ -206,7 +209,7 @@ Judged judge(const Trials& trials, const RegionRule& rule, int size, bool whole_
           sum.add(r.mean[p], r.half_width[p], all > 0.0f ? geometry / all : 0.0f);
           truth += trials.truth[p] / (size * size);
         }
-      const double error = std::abs(sum.mean() - truth), width = sum.half_width(rule);
+      const double error = std::abs(sum.mean() - truth), width = sum.half_width(rule, kJoint);
       held += error <= width + 1e-6 * truth ? 1.0 : 0.0;
       widths += width;
       squares += error * error;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "sampling/means/bounded_error.h"
+
 namespace ifov::io {
 namespace {
 
@@ -24,13 +26,13 @@ bool all_finite(std::span<const float> values) {
 }
 
 std::optional<HalfWidthParts> parts_of(const std::optional<render::AtmosphereHalfWidth>& air,
-                                       const ChannelStatistics& s) {
+                                       const ChannelStatistics& s, const sampling::BoundedError& joint) {
   if (!air || !std::isfinite(s.mean) || !std::isfinite(s.mean_half_width)) return std::nullopt;
   HalfWidthParts parts;
   parts.nodes = air->of_nodes(s.mean);
   parts.air = air->of(s.mean) - parts.nodes;
   parts.model = air->in_interval(s.mean);
-  parts.sampling = std::max(0.0, s.mean_half_width - air->of(s.mean) - parts.model);
+  parts.sampling = joint.random(s.mean_half_width, air->all_of(s.mean));
   return parts;
 }
 
@@ -102,8 +104,9 @@ void CubeScan::take(const std::byte* line, std::size_t stride_bytes) {
 }
 
 std::vector<ChannelStatistics> channel_statistics(const render::ImageInfo& image, const CubeScan& radiance,
-                                                  const CubeScan* half_width) {
+                                                  const CubeScan* half_width, double confidence) {
   std::vector<ChannelStatistics> result;
+  const sampling::BoundedError joint(confidence);
   for (std::size_t band = 0; band < radiance.figures().size(); ++band) {
     const BandFigures& values = radiance.figures()[band];
     const BandFigures widths = half_width != nullptr ? half_width->figures()[band] : BandFigures{};
@@ -115,7 +118,7 @@ std::vector<ChannelStatistics> channel_statistics(const render::ImageInfo& image
     s.mean_half_width = widths.mean();
     s.largest_half_width = widths.maximum();
     s.not_finite = values.not_finite();
-    s.parts = parts_of(image.channels[band].air, s);
+    s.parts = parts_of(image.channels[band].air, s, joint);
     result.push_back(s);
   }
   return result;

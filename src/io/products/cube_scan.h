@@ -59,8 +59,8 @@ class CubeScan {
   std::vector<BandFigures> figures_;
 };
 
-/// `half_width` may be null: its figures are then not a number.
+/// `half_width`, of intervals of this confidence, may be null: its figures are then not a number.
 std::vector<ChannelStatistics> channel_statistics(const render::ImageInfo& image, const CubeScan& radiance,
-                                                  const CubeScan* half_width);
+                                                  const CubeScan* half_width, double confidence);
 
 }  // namespace ifov::io

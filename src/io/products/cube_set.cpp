@@ -144,9 +144,9 @@ void CubeSet::complete(RunRecord& record) {
     raster.finish_scan();
   });
   Cube* const half_width = cube(quantities::kHalfWidth);
-  record.statistics.channels =
-      channel_statistics(info_, cube(quantities::kRadiance)->raster.scan(),
-                         half_width != nullptr ? &half_width->raster.scan() : nullptr);
+  record.statistics.channels = channel_statistics(
+      info_, cube(quantities::kRadiance)->raster.scan(),
+      half_width != nullptr ? &half_width->raster.scan() : nullptr, record.identity.confidence);
   for (const auto& cube : cubes_) {
     BilCube& raster = cube->raster;
     const char* parts = !cube->quantity.is_spectral() ? (raster.bands() == 1 ? "band" : "bands")

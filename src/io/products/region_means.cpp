@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "sampling/means/bounded_error.h"
 
 namespace ifov::io {
 namespace {
@@ -24,7 +25,7 @@ std::optional<EnviReader> open_if_there(const std::filesystem::path& path) {
 }  // namespace
 
 RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& region,
-                         const sampling::RegionRule& rule,
+                         const sampling::RegionRule& rule, const sampling::BoundedError& joint,
                          const std::vector<std::optional<render::AtmosphereHalfWidth>>& air) {
   for (const char* needed : {"_reasons.img", "_quality.img"})
     if (!std::filesystem::exists(cube(stem, needed)))
@@ -60,18 +61,18 @@ RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& r
       radiance.read(line, band, value);
       if (half_width) half_width->read(line, band, widths);
       if (const auto b = static_cast<std::size_t>(band); b < air.size() && air[b])
-        std::transform(value.begin(), value.end(), of_air.begin(), [&](float mean) {
-          return static_cast<float>(air[b]->of(mean) + air[b]->in_interval(mean));
-        });
+        std::transform(value.begin(), value.end(), of_air.begin(),
+                       [&](float mean) { return static_cast<float>(air[b]->all_of(mean)); });
       else
         std::fill(of_air.begin(), of_air.end(), 0.0f);
       for (std::size_t x = 0; x < width; ++x)
         if (inside[x] != 0)
-          sums[static_cast<std::size_t>(band)].add(value[x], widths[x], share[x], of_air[x]);
+          sums[static_cast<std::size_t>(band)].add(value[x], joint.random(widths[x], of_air[x]), share[x],
+                                                   std::min(of_air[x], widths[x]));
     }
   }
   for (const sampling::RegionSum& sum : sums)
-    result.channels.push_back({sum.pixels(), sum.mean(), sum.half_width(rule)});
+    result.channels.push_back({sum.pixels(), sum.mean(), sum.half_width(rule, joint)});
   return result;
 }
 

@@ -25,9 +25,9 @@ struct RegionMeans {
 };
 
 /// From the cubes <stem>_radiance.img and so on. Errors as of EnviReader.
-/// `air` by channel, where the atmosphere knew its error; may be empty.
+/// `joint` is of the confidence of the run's intervals; `air` by channel, where the atmosphere knew its error; may be empty.
 RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& region,
-                         const sampling::RegionRule& rule,
+                         const sampling::RegionRule& rule, const sampling::BoundedError& joint,
                          const std::vector<std::optional<render::AtmosphereHalfWidth>>& air = {});
 
 }  // namespace ifov::io

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "geometry/surface_point.h"
+#include "sampling/means/bounded_error.h"
 #include "sampling/tile.h"
 #include "scene/scene.h"
 
@@ -52,7 +53,7 @@ void BlendColumns::write_shares(const geometry::SurfacePoint& hit, float* column
     shares[column_of_material_[c.material]] += static_cast<float>(c.weight);
 }
 
-void BlendColumns::settle(sampling::TileResult& tile) const {
+void BlendColumns::settle(const sampling::BoundedError& joint, sampling::TileResult& tile) const {
   if (tile.columns == channels_) return;
   const auto pixels = static_cast<std::uint32_t>(tile.tile.count());
   const auto columns = static_cast<std::size_t>(tile.columns), channels = static_cast<std::size_t>(channels_);
@@ -67,8 +68,8 @@ void BlendColumns::settle(sampling::TileResult& tile) const {
     for (std::size_t k = 0; k < materials_.size(); ++k) {
       const std::size_t at = pixel * columns + channels + k;
       const float share = tile.mean[at];
-      const float half_width =
-          tile.has_errors() && !std::isnan(tile.half_width[at]) ? tile.half_width[at] : 1.0f;
+      const auto whole = tile.has_errors() ? static_cast<float>(tile.joined(at, joint)) : 1.0f;
+      const float half_width = std::isnan(whole) ? 1.0f : whole;
       if (share <= 0.0f) continue;
       const auto [entry, is_new] =
           of_pixel.try_emplace(materials_[k], sampling::Abundance{pixel, materials_[k], share, half_width});
@@ -88,7 +89,7 @@ void BlendColumns::settle(sampling::TileResult& tile) const {
     values.resize(pixels * channels);
   };
   for (std::vector<float>* values :
-       {&tile.mean, &tile.variance_geometry, &tile.variance_path, &tile.half_width})
+       {&tile.mean, &tile.variance_geometry, &tile.variance_path, &tile.half_width, &tile.bound})
     keep_channels(*values);
   tile.columns = channels_;
 }

@@ -6,6 +6,7 @@
 #include "sampling/field.h"
 
 namespace ifov::sampling {
+class BoundedError;
 struct TileResult;
 }
 namespace ifov::geometry {
@@ -34,10 +35,10 @@ class BlendColumns {
   /// Into the columns of one sample; `all` of what may be seen beside other things, whatever covers it.
   void write_shares(const geometry::SurfacePoint& hit, float* columns, bool all = false) const;
 
-  /// Turns the columns of a tile into abundances, beside those of labels, and leaves the channels alone: whatever
+  /// Turns the columns of a tile, their bounds joined by `joint`, into abundances, beside those of labels, and leaves the channels alone: whatever
   /// stands behind the columns goes. Where a
   /// material stands in a pixel both by label and in a mixture, the half-widths add as independent ones do.
-  void settle(sampling::TileResult& tile) const;
+  void settle(const sampling::BoundedError& joint, sampling::TileResult& tile) const;
 
  private:
   const scene::Scene& scene_;

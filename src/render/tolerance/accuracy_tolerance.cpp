@@ -44,6 +44,8 @@ AccuracyTolerance::AccuracyTolerance(AccuracyRequest request, const ChannelBrigh
         static_cast<double>(std::count(judged_.begin(), judged_.end(), 1)) * static_cast<double>(pixel_count);
     confidence_ = std::pow(request_.confidence, 1.0 / statements);  // Sidak 1967
   }
+  joint_ = sampling::BoundedError(confidence_);
+  most_bounded_ = joint_.bound(1.0, kLeastShare);
 }
 
 void AccuracyTolerance::ask_degree(std::size_t channel, std::span<const double> mean,
@@ -80,7 +82,7 @@ void AccuracyTolerance::limits(std::span<const double> mean, std::span<double> l
     if (!nodes_.empty())
       other += nodes_[channel].counted(std::abs(mean[channel]), limit[c], nodes_[channel].given_up);
     const double of_rays = of_air > limit[c] ? kShareOfAir * of_air : 0.0;
-    if (other > 0.0) limit[c] = std::max({limit[c] - other, kLeastShare * limit[c], of_rays});
+    if (other > 0.0) limit[c] = std::max({joint_.random(limit[c], other), kLeastShare * limit[c], of_rays});
   }
 }
 
@@ -120,6 +122,11 @@ void AccuracyTolerance::asked(std::span<const double> mean, std::span<double> li
     for (std::size_t c = white_.size(); c < judged_columns(mean.size()); ++c)
       limit[c] = limit[c % white_.size()];
   }
+}
+
+const sampling::BoundedError& joint_of(const AccuracyTolerance* tolerance) {
+  static const sampling::BoundedError usual(0.95);
+  return tolerance != nullptr ? tolerance->joint() : usual;
 }
 
 }  // namespace ifov::render

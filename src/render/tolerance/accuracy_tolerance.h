@@ -9,6 +9,7 @@
 #include "render/tolerance/accuracy_request.h"
 #include "render/tolerance/atmosphere_half_width.h"
 #include "render/tolerance/node_half_width.h"
+#include "sampling/means/bounded_error.h"
 #include "sampling/tolerance.h"
 
 namespace ifov::render {
@@ -50,16 +51,19 @@ class AccuracyTolerance final : public sampling::Tolerance {
   }
   bool with_stokes() const { return stokes_; }
 
-  /// What is left for paths and edges: what is asked for less what the air, the nodes and a cut may be wrong by, but
-  /// never less than kLeastShare of it, because no number of rays makes up for those. Where the air alone is wrong by more
+  /// What is left for paths and edges: what makes what is asked for with what the air, the nodes and a cut may be wrong by
+  /// (sampling::BoundedError), but never less than kLeastShare of it, because no number of rays makes up for those. Where the air alone is wrong by more
   /// than what is asked for, nor less than kShareOfAir of that: what rays add is then little beside it.
   void limits(std::span<const double> mean, std::span<double> limit) const override;
   /// What is asked for.
   void asked(std::span<const double> mean, std::span<double> limit) const;
   static constexpr double kLeastShare = 0.5, kShareOfAir = 1.0 / 3.0;
-  /// What the air may be wrong by over what is asked for, in a judged channel: up to 1 - kLeastShare it can be reached.
+  /// What the air may be wrong by over what is asked for, in a judged channel: up to most_bounded() it can be reached.
   double atmosphere_share(std::size_t channel, double radiance) const;
   double confidence() const override { return confidence_; }
+  /// Of what is asked for, the largest part that bounds may take so that it can be reached.
+  double most_bounded() const { return most_bounded_; }
+  const sampling::BoundedError& joint() const { return joint_; }
 
   bool judged(int channel) const { return judged_[static_cast<std::size_t>(channel)] != 0; }
   double floor_w_m2_sr_um(int channel) const { return floor_[static_cast<std::size_t>(channel)]; }
@@ -82,6 +86,11 @@ class AccuracyTolerance final : public sampling::Tolerance {
   std::vector<double> floor_;
   std::vector<char> judged_;
   double confidence_ = 0.95;
+  sampling::BoundedError joint_{confidence_};
+  double most_bounded_ = 0.0;
 };
+
+/// At the confidence of a tolerance, or without one at the usual.
+const sampling::BoundedError& joint_of(const AccuracyTolerance* tolerance);
 
 }  // namespace ifov::render

@@ -97,7 +97,6 @@ void widen(std::span<const AtmosphereHalfWidth> air, const AccuracyTolerance* to
   const bool optics = kinds == 2 || kinds == 5;
   const std::size_t told = columns - (optics ? channels : 0);
   for (std::size_t p = 0; p < tile.samples.size(); ++p) {
-    float* half_width = tile.half_width.data() + p * columns;
     for (std::size_t c = 0; c < columns; ++c) {
       mean[c] = tile.mean[p * columns + c];
       const std::size_t channel = c % channels;
@@ -105,15 +104,15 @@ void widen(std::span<const AtmosphereHalfWidth> air, const AccuracyTolerance* to
       if (c < told)
         more[c] = c < channels ? air[c].all_of(mean[c], before)
                                : air[channel].of_polarization(mean[channel], before);
-      half_width[c] += static_cast<float>(more[c]);
+      tile.add_bound(p * columns + c, more[c]);
     }
     if (tolerance == nullptr) continue;
     tolerance->asked(mean, limit);
     double worst = 0.0;
     bool no_room = false;
     for (std::size_t c = 0; c < columns; ++c) {
-      no_room = no_room || more[c] > (1.0 - AccuracyTolerance::kLeastShare) * limit[c];
-      const double ratio = half_width[c] / limit[c];
+      no_room = no_room || more[c] > tolerance->most_bounded() * limit[c];
+      const double ratio = tile.joined(p * columns + c, tolerance->joint()) / limit[c];
       worst = std::max(worst, std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio);
     }
     tile.worst_ratio[p] = static_cast<float>(worst);

@@ -27,9 +27,8 @@ std::vector<AtmosphereHalfWidth> atmosphere_half_widths(const transport::Spectra
 /// Tells them what stands before the channels.
 void pass_optics(const Polarimetry& polarimetry, std::span<AtmosphereHalfWidth> air);
 
-/// Widens a tile's intervals by what the air may be wrong by, and judges its pixels anew by what was asked
-/// for. An error that is the same in all pixels and for all rays neither averages out nor is independent of
-/// anything: the interval holds the true value for sure only if it grows by the whole of it on both sides.
+/// Adds what the air may be wrong by to a tile's bounds, and judges its pixels anew by what was asked for. Such an error is
+/// the same in all pixels and for all rays: it neither averages out nor is it independent of anything.
 /// `tolerance` may be null.
 void widen(std::span<const AtmosphereHalfWidth> air, const AccuracyTolerance* tolerance,
            sampling::TileResult& tile);

@@ -62,6 +62,7 @@ void widen(std::span<const NodeHalfWidth> nodes, const AccuracyTolerance* tolera
   std::vector<double> mean(columns), limit(columns, 0.0);
   const std::size_t channels = nodes.size();  // behind them Q, U and V, which err as I does
   HeldMaterials materials(tile);
+  const sampling::BoundedError& joint = joint_of(tolerance);
   for (std::size_t p = 0; p < tile.samples.size(); ++p) {
     const std::span<const sampling::Abundance> held = materials.of(p);
     for (std::size_t c = 0; c < columns; ++c) mean[c] = tile.mean[p * columns + c];
@@ -69,13 +70,12 @@ void widen(std::span<const NodeHalfWidth> nodes, const AccuracyTolerance* tolera
     double worst = 0.0;
     bool wider = false;
     for (std::size_t c = 0; c < columns; ++c) {
-      float& half_width = tile.half_width[p * columns + c];
       const std::size_t channel = c % channels;
       const double more =
           nodes[channel].counted(std::abs(mean[channel]), std::isinf(limit[c]) ? 0.0 : limit[c],
                                  nodes[channel].emitted - emitted_by(nodes[channel], held));
-      half_width += static_cast<float>(more);
-      const double ratio = half_width / limit[c];
+      tile.add_bound(p * columns + c, more);
+      const double ratio = tile.joined(p * columns + c, joint) / limit[c];
       worst = std::max(worst, std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio);
       wider = wider || more > 0.0;
     }

@@ -17,9 +17,9 @@ void UnseenWidening::widen(std::size_t pixel, std::span<const double> more, samp
     if (!(more[c] > negligible_ * limit_[c])) continue;
     // That light may be polarized in any way: behind the radiance Q, U and V are as uncertain.
     for (std::size_t component = 0; component < components_; ++component) {
-      float& half_width = tile.half_width[first + component * mean_.size() + c];
-      half_width += static_cast<float>(more[c]);
-      const auto ratio = static_cast<float>(static_cast<double>(half_width) / limit_[c]);
+      const std::size_t at = first + component * mean_.size() + c;
+      tile.add_bound(at, more[c]);
+      const auto ratio = static_cast<float>(tile.joined(at, tolerance_.joint()) / limit_[c]);
       tile.worst_ratio[pixel] = std::max(tile.worst_ratio[pixel], ratio);
       if (ratio > 1.0f + kRounding) tile.set(pixel, sampling::Reason::unseen_light);
     }

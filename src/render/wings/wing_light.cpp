@@ -219,7 +219,7 @@ void judge(const AccuracyTolerance& tolerance, const sampling::LaterLight* later
   tolerance.asked(mean, limit);
   double worst = 0.0;
   for (std::size_t c = 0; c < columns; ++c) {
-    const double ratio = tile.half_width[p * columns + c] / limit[c];
+    const double ratio = tile.joined(p * columns + c, tolerance.joint()) / limit[c];
     worst = std::max(worst, std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio);
   }
   tile.worst_ratio[p] = static_cast<float>(worst);
@@ -283,8 +283,8 @@ void add_wings(std::span<const PsfWings* const> wings, const sampling::TileProbl
       tile.variance_geometry[at] *= static_cast<float>(core * core);
       tile.variance_path[at] = static_cast<float>(core * core * tile.variance_path[at] + variance);
       tile.half_width[at] =
-          static_cast<float>(std::hypot(core * tile.half_width[at], normal * std::sqrt(variance)) +
-                             scale * (rest * around_tile.spread(c) + found.unsure[c]));
+          static_cast<float>(std::hypot(core * tile.half_width[at], normal * std::sqrt(variance)));
+      tile.add_bound(at, scale * (rest * around_tile.spread(c) + found.unsure[c]));
     }
     if (tile.has_errors() && tolerance != nullptr) judge(*tolerance, problem.later, p, mean, limit, tile);
     const std::size_t first = next;
@@ -314,9 +314,8 @@ void widen_by_cut(std::span<const double> left_out, const sampling::LaterLight* 
   for (std::size_t p = 0; p < pixels; ++p) {
     for (std::size_t c = 0; c < columns; ++c) {
       const std::size_t at = p * columns + c;
-      tile.half_width[at] +=
-          static_cast<float>(left_out[c] * std::max(brightest[c] - tile.mean[at],
-                                                    static_cast<double>(tile.mean[at]) - darkest[c]));
+      tile.add_bound(at, left_out[c] * std::max(brightest[c] - tile.mean[at],
+                                                static_cast<double>(tile.mean[at]) - darkest[c]));
     }
     if (tolerance != nullptr) judge(*tolerance, later, p, mean, limit, tile);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sampling/means/bounded_error.h"
 #include "sampling/pixel_footprint.h"
 
 namespace ifov::sampling {
@@ -43,27 +44,27 @@ double response_area_px(const PixelFootprint& footprint) {
   return std::max(1.0, sum * sum * step * step / squares);
 }
 
-void RegionSum::add(double value, double half_width, double border_share, double air) {
+void RegionSum::add(double value, double half_width, double border_share, double bound) {
   if (!std::isfinite(value)) return;
   ++pixels_;
   values_ += value;
-  const double own = std::max(0.0, half_width - air);
-  widths_ += std::isnan(half_width) ? half_width : own;
-  squares_ += own * own;
-  borders_ += own * std::sqrt(border_share);
-  paths_ += own * std::sqrt(std::max(0.0, 1.0 - border_share));
-  air_ += std::min(air, half_width);
+  widths_ += half_width;
+  squares_ += half_width * half_width;
+  borders_ += half_width * std::sqrt(border_share);
+  paths_ += half_width * std::sqrt(std::max(0.0, 1.0 - border_share));
+  bounds_ += bound;
 }
 
 double RegionSum::mean() const {
   return pixels_ > 0 ? values_ / static_cast<double>(pixels_) : std::numeric_limits<double>::quiet_NaN();
 }
 
-double RegionSum::half_width(const RegionRule& rule) const {
+double RegionSum::half_width(const RegionRule& rule, const BoundedError& joint) const {
   if (pixels_ == 0 || std::isnan(widths_)) return std::numeric_limits<double>::quiet_NaN();
   const double own = std::min(widths_, std::sqrt(rule.shared * squares_) + rule.common_borders * borders_ +
                                            rule.common_paths * paths_);
-  return (own + air_) / static_cast<double>(pixels_);
+  const double pixels = static_cast<double>(pixels_);
+  return joint.half_width(own / pixels, bounds_ / pixels);
 }
 
 }  // namespace ifov::sampling

@@ -4,6 +4,7 @@
 
 namespace ifov::sampling {
 
+class BoundedError;
 class PixelFootprint;
 
 /// What is needed beside pixels' intervals to know that of a mean over pixels (docs/theory/accuracy_sampler.md, "Means
@@ -27,19 +28,19 @@ double response_area_px(const PixelFootprint& footprint);
 /// The mean of one channel over a region and its interval, from those of the pixels.
 class RegionSum {
  public:
-  /// `half_width` is the pixel's in full, `border_share` the borders' share of its variance, `air` what of it is the same in
-  /// all pixels for sure (the air's own error). A pixel without a finite value is left away.
-  void add(double value, double half_width, double border_share, double air = 0.0);
+  /// `half_width` is the pixel's without `bound`, which is the same in all pixels for sure (the air's own error), `border_share`
+  /// the borders' share of its variance. A pixel without a finite value is left away.
+  void add(double value, double half_width, double border_share, double bound = 0.0);
 
   std::uint64_t pixels() const { return pixels_; }
   double mean() const;
   /// At the confidence of the pixels' intervals; that of the pixel for one pixel, and never more than the mean of all. Not a
-  /// number where a pixel has none.
-  double half_width(const RegionRule& rule) const;
+  /// number where a pixel has none. `joint` is of that confidence.
+  double half_width(const RegionRule& rule, const BoundedError& joint) const;
 
  private:
   std::uint64_t pixels_ = 0;
-  double values_ = 0.0, widths_ = 0.0, squares_ = 0.0, borders_ = 0.0, paths_ = 0.0, air_ = 0.0;
+  double values_ = 0.0, widths_ = 0.0, squares_ = 0.0, borders_ = 0.0, paths_ = 0.0, bounds_ = 0.0;
 };
 
 }  // namespace ifov::sampling

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "ifov/products.h"
 #include "io/product_parts/map_info.h"
+#include "sampling/means/bounded_error.h"
 #include "session/runs/run_record_file.h"
 
 namespace ifov {
@@ -91,10 +92,12 @@ std::vector<RegionMean> region_means(const std::filesystem::path& products,
   const io::ImageRegion::Image image = image_of(run["image"]);
   const sampling::RegionRule rule = rule_of(run);
   const auto air = air_of(run);
+  const Record confidence = run["accuracy"]["confidence"];
+  const sampling::BoundedError joint(confidence.is_number() ? confidence.number() : 0.95);
   std::vector<RegionMean> means;
   for (const std::string& region : regions)
-    means.push_back(
-        mean_of(region, io::region_means(stem, io::ImageRegion::parse(region, image), rule, air), run));
+    means.push_back(mean_of(
+        region, io::region_means(stem, io::ImageRegion::parse(region, image), rule, joint, air), run));
   return means;
 }
 
