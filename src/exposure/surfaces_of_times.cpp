@@ -24,34 +24,28 @@ struct Pairs {
   std::vector<math::Vec3> directions;
   std::vector<ClassesOfTimes::Moment> moments;
   std::vector<std::uint8_t> is_free;
-  std::vector<float> kelvin, variance;    // by lane
-  std::vector<float> weights;             // by ray and lane
-  std::vector<float> bends, lit, hidden;  // by bin and lane; by lane
+  std::vector<float> kelvin, variance;   // by lane
+  std::vector<float> weight_k, weights;  // by bin and lane; by ray and lane
+  std::vector<float> bends, sums;        // by bin and lane; six by lane
 };
-
-math::Vec3 unit_of(math::Vec3 vector) { return (1.0 / std::sqrt(math::dot(vector, vector))) * vector; }
 
 std::uint64_t bits_of(double value) { return std::bit_cast<std::uint64_t>(value); }
 
-/// By lane what pairs of gains take from each other, of the visibilities of rays `lit` and the hiding of rays `hidden` (0, 1: the
-/// first, the second of each bin), each with w_k at its own time.
-void add_bends(Pairs& pairs, std::size_t bins, std::size_t lanes, std::size_t lit, std::size_t hidden) {
-  pairs.lit.assign(lanes, 0.0f);
-  pairs.hidden.assign(lanes, 0.0f);
-  float *__restrict kelvin = pairs.kelvin.data(), *__restrict before = pairs.lit.data(),
-        *__restrict dark = pairs.hidden.data();
-  for (std::size_t b = 0; b < bins; ++b) {
-    const float* __restrict bend = pairs.bends.data() + b * lanes;
-    const float* __restrict light = pairs.weights.data() + (2 * b + lit) * lanes;
-    const float* __restrict shade = pairs.weights.data() + (2 * b + hidden) * lanes;
-    const float sees = pairs.is_free[2 * b + lit], hides = 1.0f - pairs.is_free[2 * b + hidden];
-    for (std::size_t t = 0; t < lanes; ++t) {
-      const float here_lit = sees * light[t], here_hidden = hides * shade[t];
-      kelvin[t] -= 0.25f * bend[t] * (here_lit * (dark[t] + here_hidden) + here_hidden * before[t]);
-      before[t] += here_lit;
-      dark[t] += here_hidden;
-    }
-  }
+// Two numbers in [0, 1) of one word: of a time within a step, and of a place on the Sun's disc, 32 bits tell more than enough.
+double upper_half(std::uint64_t word) { return static_cast<double>(word >> 32) * 0x1p-32; }
+double lower_half(std::uint64_t word) { return static_cast<double>(word & 0xffffffffu) * 0x1p-32; }
+
+/// A direction to the Sun's disc, as if that were flat: within 1e-5 of uniform. `sun` has the length 1.
+math::Vec3 within_disc(math::Vec3 sun, double radius_rad, std::uint64_t key) {
+  double x, y;
+  do {
+    key = sampling::extend(key, 0);
+    x = 2.0 * upper_half(key) - 1.0, y = 2.0 * lower_half(key) - 1.0;
+  } while (x * x + y * y > 1.0);
+  const sampling::TangentFrame frame(sun);
+  const math::Vec3 beside = (radius_rad * x) * frame.first + (radius_rad * y) * frame.second;
+  // Across the axis: the length is known, and its root but for 1e-9.
+  return (1.0 - 0.5 * math::dot(beside, beside)) * (sun + beside);
 }
 
 /// A Sun behind the surface warms nothing. What is said of it is what is seen in the nearest bin whose Sun stands before it, which this
@@ -59,6 +53,9 @@ void add_bends(Pairs& pairs, std::size_t bins, std::size_t lanes, std::size_t li
 void see_behind(Pairs& pairs, math::Vec3 normal) {
   const std::size_t bins = pairs.directions.size() / 2;
   const auto behind = [&](std::size_t ray) { return !(math::dot(pairs.directions[ray], normal) > 0.0); };
+  std::size_t ray = 0;
+  while (ray < 2 * bins && !behind(ray)) ++ray;
+  if (ray == 2 * bins) return;
   static thread_local std::vector<std::uint8_t> seen;
   seen = pairs.is_free;
   const auto nearest = [&](std::size_t bin) -> std::uint8_t {
@@ -67,8 +64,87 @@ void see_behind(Pairs& pairs, math::Vec3 normal) {
         if (other < bins && !behind(2 * other)) return seen[2 * other];
     return 1;
   };
-  for (std::size_t ray = 0; ray < 2 * bins; ++ray)
+  for (; ray < 2 * bins; ++ray)
     if (behind(ray)) pairs.is_free[ray] = nearest(ray / 2);
+}
+
+/// Of a bin whose rays do not see the same: by lane f of the ray that sees the Sun, and of the other.
+struct Disagreement {
+  std::size_t bin;
+  const float *lit, *dark;
+};
+
+/// By lane what pairs of gains take from each other. Of each bin there are two estimates of what was seen, e_1 = V_2 W + f_1 (V_1 - V_2)
+/// and e_2 the other way round, and of what was hidden; both without bias, and W where the rays see the same. What one estimate says
+/// was seen goes with what the other says was hidden: in other bins it does not depend on it, and in the same one it is f_1 V_1 f_2 (1 - V_2).
+void add_bends(Pairs& pairs, std::span<const Disagreement> disagreements, std::size_t bins,
+               std::size_t lanes) {
+  pairs.sums.assign(6 * lanes, 0.0f);
+  float* __restrict kelvin = pairs.kelvin.data();
+  // Of both estimates together where bins agree, then the first pair's and the second's where they do not.
+  float* __restrict seen = pairs.sums.data(), * __restrict hidden = seen + lanes;
+  float* __restrict seen_1 = hidden + lanes, * __restrict hidden_1 = seen_1 + lanes;
+  float* __restrict seen_2 = hidden_1 + lanes, * __restrict hidden_2 = seen_2 + lanes;
+  auto next = disagreements.begin();
+  for (std::size_t b = 0; b < bins; ++b) {
+    const std::size_t first = pairs.at.first_lane(b);
+    const float* __restrict bend = pairs.bends.data() + b * lanes;
+    const float* __restrict weight = pairs.weight_k.data() + b * lanes;
+    if (next == disagreements.end() || next->bin != b) {
+      const bool sees = pairs.is_free[2 * b] != 0;
+      float* __restrict mine = sees ? seen : hidden, * __restrict both = sees ? hidden : seen, * __restrict one = sees ? hidden_1 : seen_1, * __restrict other = sees ? hidden_2 : seen_2;
+      for (std::size_t t = first; t < lanes; ++t) {
+        kelvin[t] -= 0.25f * bend[t] * weight[t] * (2.0f * both[t] + one[t] + other[t]);
+        mine[t] += weight[t];
+      }
+      continue;
+    }
+    const float* __restrict lit = next->lit, * __restrict dark = next->dark;
+    for (std::size_t t = first; t < lanes; ++t) {
+      const float lit_2 = weight[t] - dark[t], dark_2 = weight[t] - lit[t];
+      const float of_first = lit[t] * (hidden[t] + hidden_1[t] + dark[t]) + dark[t] * (seen[t] + seen_1[t]);
+      const float of_second = lit_2 * (hidden[t] + hidden_2[t]) + dark_2 * (seen[t] + seen_2[t]);
+      kelvin[t] -= 0.25f * bend[t] * (of_first + of_second);
+      seen_1[t] += lit[t];
+      hidden_1[t] += dark[t];
+      seen_2[t] += lit_2;
+      hidden_2[t] += dark_2;
+    }
+    ++next;
+  }
+}
+
+/// What the Sun is worth where some rays saw it and others did not.
+void add_mixed(Pairs& pairs, std::size_t bins, std::size_t lanes) {
+  pairs.weight_k.resize(bins * lanes);
+  pairs.at.weights(pairs.weight_k);
+  pairs.weights.resize(2 * bins * lanes);
+  static thread_local std::vector<Disagreement> disagreements;
+  disagreements.clear();
+  for (std::size_t b = 0; b < bins; ++b) {
+    const std::size_t from = pairs.at.first_lane(b);
+    const bool first = pairs.is_free[2 * b] != 0, second = pairs.is_free[2 * b + 1] != 0;
+    const float* __restrict weight = pairs.weight_k.data() + b * lanes;
+    float* __restrict kelvin = pairs.kelvin.data(), * __restrict variance = pairs.variance.data();
+    if (first == second) {
+      if (first)
+        for (std::size_t t = from; t < lanes; ++t) kelvin[t] += weight[t];
+      continue;
+    }
+    float* const of_lit = pairs.weights.data() + 2 * b * lanes;
+    float* const of_dark = of_lit + lanes;
+    pairs.at.weigh(pairs.moments[2 * b + (first ? 0 : 1)], {of_lit, lanes});
+    pairs.at.weigh(pairs.moments[2 * b + (first ? 1 : 0)], {of_dark, lanes});
+    disagreements.push_back({b, of_lit, of_dark});
+    for (std::size_t t = from; t < lanes; ++t) {
+      const float lit = of_lit[t], dark = of_dark[t];
+      kelvin[t] += 0.5f * weight[t] + 0.5f * (lit - dark);
+      variance[t] += 0.25f * (lit * lit + dark * dark - weight[t] * weight[t]);
+    }
+  }
+  pairs.bends.resize(bins * lanes);
+  pairs.at.bends(pairs.weight_k, pairs.bends);
+  add_bends(pairs, disagreements, bins, lanes);
 }
 
 }  // namespace
@@ -123,20 +199,11 @@ void SurfacesOfTimes::at(std::size_t number, const geometry::SurfacePoint& point
   classes.at(exposed.pose(), sky, pairs.at);
   pairs.directions.clear();
   pairs.moments.clear();
-  const double sine = std::sin(sun_radius_rad_);
   for (std::size_t k = 0; k < 2 * bins; ++k) {
     const std::uint64_t own = sampling::hash(key, Asked::sun, k);
-    const auto unit = [&](int n) { return sampling::unit_double(sampling::extend(own, n)); };
-    const ClassesOfTimes::Moment moment = classes.draw(k / 2, unit(0), unit(1));
+    const ClassesOfTimes::Moment moment = classes.draw(k / 2, upper_half(own), lower_half(own));
     pairs.moments.push_back(moment);
-    // Of its disc, as if that were flat: within 1e-5 of uniform.
-    double x, y;
-    int n = 2;
-    do x = 2.0 * unit(n++) - 1.0, y = 2.0 * unit(n++) - 1.0;
-    while (x * x + y * y > 1.0);
-    const math::Vec3 sun = classes.towards_sun(moment);
-    const sampling::TangentFrame frame(sun);
-    pairs.directions.push_back(unit_of(sun + (sine * x) * frame.first + (sine * y) * frame.second));
+    pairs.directions.push_back(within_disc(classes.towards_sun(moment), sun_radius_rad_, own));
   }
   pairs.is_free.resize(2 * bins);
   if (bins > 0) exposed.free(pairs.directions, {}, pairs.is_free);
@@ -145,37 +212,12 @@ void SurfacesOfTimes::at(std::size_t number, const geometry::SurfacePoint& point
   pairs.variance.resize(lanes);
   for (std::size_t t = 0; t < lanes; ++t)
     pairs.variance[t] = static_cast<float>(sky_variance) * pairs.at.of_sky_k[t] * pairs.at.of_sky_k[t];
-  const auto seen = std::count(pairs.is_free.begin(), pairs.is_free.end(), std::uint8_t{1});
-  const bool mixed = seen > 0 && static_cast<std::size_t>(seen) < 2 * bins;
-  if (mixed) {
-    pairs.weights.resize(2 * bins * lanes);
-    for (std::size_t ray = 0; ray < 2 * bins; ++ray)
-      pairs.at.weigh(pairs.moments[ray], {pairs.weights.data() + ray * lanes, lanes});
-  }
-  for (std::size_t b = 0; b < bins; ++b) {
-    const bool first = pairs.is_free[2 * b] != 0, second = pairs.is_free[2 * b + 1] != 0;
-    const float* __restrict weight = pairs.at.weight_k.data() + b * lanes;
-    float* __restrict kelvin = pairs.kelvin.data(), * __restrict variance = pairs.variance.data();
-    if (first == second) {
-      if (first)
-        for (std::size_t t = 0; t < lanes; ++t) kelvin[t] += weight[t];
-      continue;
-    }
-    const float* __restrict of_first = pairs.weights.data() + 2 * b * lanes;
-    const float* __restrict of_second = of_first + lanes;
-    const float sign = first ? 0.5f : -0.5f;
-    for (std::size_t t = 0; t < lanes; ++t) {
-      const float one = of_first[t], other = of_second[t];
-      kelvin[t] += 0.5f * weight[t] + sign * (one - other);
-      variance[t] += 0.25f * (one * one + other * other - weight[t] * weight[t]);
-    }
-  }
-  if (mixed) {
-    pairs.bends.resize(bins * lanes);
-    pairs.at.bends(pairs.bends);
-    add_bends(pairs, bins, lanes, 0, 1);
-    add_bends(pairs, bins, lanes, 1, 0);
-  }
+  const auto seen =
+      static_cast<std::size_t>(std::count(pairs.is_free.begin(), pairs.is_free.end(), std::uint8_t{1}));
+  if (seen > 0 && seen < 2 * bins)
+    add_mixed(pairs, bins, lanes);
+  else if (seen > 0)
+    for (std::size_t t = 0; t < lanes; ++t) pairs.kelvin[t] += pairs.at.all_k[t];
   for (std::size_t t = 0; t < by_time.size(); ++t)
     by_time[t] = {static_cast<double>(pairs.kelvin[t]),
                   std::sqrt(std::max(0.0, static_cast<double>(pairs.variance[t])))};

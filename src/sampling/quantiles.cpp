@@ -1,8 +1,13 @@
 #include "sampling/quantiles.h"
 
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <utility>
+
+#include "sampling/hash.h"
 
 namespace ifov::sampling {
 
@@ -44,9 +49,7 @@ double incomplete_beta(double a, double b, double x) {
   return front * h;
 }
 
-}  // namespace
-
-double two_sided_student(double confidence, double degrees_of_freedom) {
+double sought_student(double confidence, double degrees_of_freedom) {
   const double nu = degrees_of_freedom;
   const auto outside = [nu](double x) { return incomplete_beta(0.5 * nu, 0.5, nu / (nu + x * x)); };
   double low = two_sided_normal(confidence), high = 2.0 * low;
@@ -57,6 +60,22 @@ double two_sided_student(double confidence, double degrees_of_freedom) {
     (outside(middle) > 1.0 - confidence ? low : high) = middle;
   }
   return 0.5 * (low + high);
+}
+
+}  // namespace
+
+double two_sided_student(double confidence, double degrees_of_freedom) {
+  // Each tile asks for the same some hundred, which take some fifty continued fractions to seek.
+  struct Known {
+    double confidence = 0.0, degrees_of_freedom = 0.0, quantile = 0.0;
+  };
+  static thread_local std::array<Known, 2048> known;
+  Known& one =
+      known[hash(std::bit_cast<std::uint64_t>(confidence), std::bit_cast<std::uint64_t>(degrees_of_freedom)) %
+            known.size()];
+  if (one.confidence != confidence || one.degrees_of_freedom != degrees_of_freedom)
+    one = {confidence, degrees_of_freedom, sought_student(confidence, degrees_of_freedom)};
+  return one.quantile;
 }
 
 }  // namespace ifov::sampling

@@ -50,7 +50,7 @@ double forced_convection(double wind_m_s, double windward) {
 Coefficient convection(double warmer_k, double cos_tilt, double forced, Roughness roughness) {
   const Coefficient natural = natural_convection(warmer_k, cos_tilt);
   const double factor = roughness_factor(roughness);
-  const double both = std::hypot(natural.h_w_m2_k, forced);
+  const double both = std::sqrt(natural.h_w_m2_k * natural.h_w_m2_k + forced * forced);
   const double by_natural = both > 0.0 ? 1.0 + factor * (natural.h_w_m2_k / both - 1.0) : 1.0;
   return {natural.h_w_m2_k + factor * (both - natural.h_w_m2_k), natural.slope_w_m2_k2 * by_natural};
 }

@@ -24,6 +24,9 @@ double global_w_m2(const Outdoors& now) {
   return now.diffuse_w_m2 + now.direct_w_m2 * std::max(0.0, std::sin(now.sun_elevation_rad));
 }
 
+/// As steep as keeps a melting surface within some hundredths of a kelvin, and Newton's method in its stride.
+constexpr double kMelting_w_m2_k = 1e4;
+
 double mix(double a, double b, double share) { return a + share * (b - a); }
 
 }  // namespace
@@ -63,7 +66,7 @@ double SurfaceBalance::of_free_sky_w_m2(const Outdoors& now, const Skin& skin, d
          skin.emissivity * (now.longwave_w_m2 - black_w_m2(now.air.temperature_k));
 }
 
-SurfaceBalance::Row SurfaceBalance::at(double time_s) const {
+const SurfaceBalance::Row& SurfaceBalance::at(double time_s, Row& between) const {
   const double last = static_cast<double>(rows_.size() - 1);
   const double place = std::clamp((time_s - begin_s_) / step_s_, 0.0, last);
   const auto i = static_cast<std::size_t>(std::min(std::floor(place), std::max(0.0, last - 1.0)));
@@ -71,7 +74,7 @@ SurfaceBalance::Row SurfaceBalance::at(double time_s) const {
   if (share == 0.0) return rows_[i];
   const Row &a = rows_[i], &b = rows_[i + 1];
   if (share == 1.0) return b;
-  Row row = a;
+  Row& row = between = a;
   row.given.sun = mix(a.given.sun, b.given.sun, share);
   row.given.sky = mix(a.given.sky, b.given.sky, share);
   row.given.reflected = mix(a.given.reflected, b.given.reflected, share);
@@ -96,18 +99,24 @@ Fluxes SurfaceBalance::complete(const Row& row, double surface_k, double& slope)
   const LatentHeat latent = latent_heat(skin_.wetness, surface_k, row.air, h);
   fluxes.latent = 0.0 - latent.w_m2;
   slope -= latent.slope_w_m2_k;
+  if (surface_k > skin_.melts_k) {
+    fluxes.latent -= kMelting_w_m2_k * (surface_k - skin_.melts_k);
+    slope -= kMelting_w_m2_k;
+  }
   return fluxes;
 }
 
 SurfaceGain SurfaceBalance::gain(double time_s, double surface_k) const {
   double slope = 0.0;
-  const Fluxes fluxes = complete(at(time_s), surface_k, slope);
+  Row between;
+  const Fluxes fluxes = complete(at(time_s, between), surface_k, slope);
   return {fluxes.sum(), slope};
 }
 
 Fluxes SurfaceBalance::fluxes(double time_s, double surface_k) const {
   double slope = 0.0;
-  return complete(at(time_s), surface_k, slope);
+  Row between;
+  return complete(at(time_s, between), surface_k, slope);
 }
 
 }  // namespace ifov::thermal

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "thermal/convection.h"
@@ -35,6 +36,8 @@ struct Skin {
   Wetness wetness;
   double power_w_m2 = 0.0;        ///< from inside, given off at the surface
   double convecting_faces = 1.0;  ///< areas that the air reaches, over that of one face
+  /// Above it the surface melts: what it gains beyond goes away with the water, and none of it freezes again.
+  double melts_k = std::numeric_limits<double>::infinity();
 };
 
 /// How a surface stands. The ground about a tilted one is taken to be as warm as the air and to reflect `ground_reflectance`.
@@ -52,7 +55,8 @@ struct Stand {
 struct Fluxes {
   double sun = 0.0, sky = 0.0, reflected = 0.0;  ///< absorbed sunlight: direct, of the sky, from the ground
   double sky_longwave = 0.0, ground_longwave = 0.0, emitted = 0.0;
-  double convection = 0.0, latent = 0.0, power = 0.0;
+  double convection = 0.0, latent = 0.0,
+         power = 0.0;  ///< latent: of water that evaporates, and of ice that melts
 
   double sum() const {
     return sun + sky + reflected + sky_longwave + ground_longwave + emitted + convection + latent + power;
@@ -86,7 +90,8 @@ class SurfaceBalance : public SurfaceExchange {
   };
   Row row_of(const OutdoorsSeries& series, const Stand& stand, std::size_t index, double visibility,
              double free_sky);
-  Row at(double time_s) const;
+  /// That of a time, which `between` holds where it is no row's.
+  const Row& at(double time_s, Row& between) const;
   /// Adds the rest, and the derivative of the sum.
   Fluxes complete(const Row& row, double surface_k, double& slope) const;
 

@@ -160,35 +160,55 @@ const SurfaceClasses::Node& SurfaceClasses::node_at(std::size_t number) const {
   return place.node;
 }
 
-SurfaceClasses::Corners SurfaceClasses::corners(const Pose& pose) const {
-  const math::Vec3& normal = pose.normal;
+SurfaceClasses::Turn SurfaceClasses::turn_of(math::Vec3 normal) {
   const double tilt = std::acos(std::clamp(normal.z, -1.0, 1.0)) / kTiltStep_rad;
-  const int low = std::clamp(static_cast<int>(tilt), 0, kTilts - 1);
+  Turn found;
+  found.ring = std::clamp(static_cast<int>(tilt), 0, kTilts - 1);
   double turn = std::atan2(normal.x, normal.y) / kAzimuthStep_rad;
   if (turn < 0.0) turn += kAzimuths;
-  const int west = std::clamp(static_cast<int>(turn), 0, kAzimuths - 1);
-  const double up = std::clamp(tilt - low, 0.0, 1.0), east = std::clamp(turn - west, 0.0, 1.0);
-  Corners found;
+  found.azimuth = std::clamp(static_cast<int>(turn), 0, kAzimuths - 1);
+  found.up = std::clamp(tilt - found.ring, 0.0, 1.0);
+  found.east = std::clamp(turn - found.azimuth, 0.0, 1.0);
+  return found;
+}
+
+SurfaceClasses::AboveLevel SurfaceClasses::level_of(double height_m) const {
+  const double wind = top_level_ > 0 ? levels_.place(height_m) : 0.0;
+  const int level = std::clamp(static_cast<int>(wind), 0, std::max(0, top_level_ - 1));
+  return {level, std::clamp(wind - level, 0.0, 1.0)};
+}
+
+std::array<SurfaceClasses::Corner, 4> SurfaceClasses::corners_at(const Turn& turn, int level, double share) {
+  std::array<Corner, 4> found;
+  std::size_t count = 0;
   constexpr double kRounding = 1e-9;  // a wall is not solved for what leans by less
-  const auto add = [&](int level, int ring, double share) {
+  const auto add = [&](int ring, double of_level) {
     const auto one = [&](int azimuth, double of_ring) {
-      if (!(share * of_ring > kRounding)) return;
-      const std::size_t place = place_of(level, ring, azimuth);
-      found.all[found.count++] = {&node_at(place), share * of_ring, place};
+      if (of_level * of_ring > kRounding)
+        found[count++] = {nullptr, of_level * of_ring, place_of(level, ring, azimuth)};
     };
     if (ring % kTilts == 0) return one(0, 1.0);
-    one(west, 1.0 - east);
-    one((west + 1) % kAzimuths, east);
+    one(turn.azimuth, 1.0 - turn.east);
+    one((turn.azimuth + 1) % kAzimuths, turn.east);
   };
-  const double wind = top_level_ > 0 ? levels_.place(pose.height_m) : 0.0;
-  const int level = std::clamp(static_cast<int>(wind), 0, std::max(0, top_level_ - 1));
-  const double stronger = std::clamp(wind - level, 0.0, 1.0);
-  add(level, low, (1.0 - stronger) * (1.0 - up));
-  add(level, low + 1, (1.0 - stronger) * up);
-  if (stronger > 0.0) {
-    add(level + 1, low, stronger * (1.0 - up));
-    add(level + 1, low + 1, stronger * up);
-  }
+  add(turn.ring, share * (1.0 - turn.up));
+  add(turn.ring + 1, share * turn.up);
+  return found;
+}
+
+SurfaceClasses::Corners SurfaceClasses::corners(const Pose& pose) const {
+  const Turn turn = turn_of(pose.normal);
+  const AboveLevel above = level_of(pose.height_m);
+  Corners found;
+  const auto add = [&](int level, double share) {
+    for (const Corner& corner : corners_at(turn, level, share)) {
+      if (!(corner.share > 0.0)) break;
+      found.all[found.count] = corner;
+      found.all[found.count++].node = &node_at(corner.place);
+    }
+  };
+  add(above.level, 1.0 - above.stronger);
+  if (above.stronger > 0.0) add(above.level + 1, above.stronger);
   return found;
 }
 
@@ -197,7 +217,7 @@ void SurfaceClasses::bends(const Pose& pose, std::span<const double> sum_k,
   static thread_local std::vector<double> kernel, bent;
   kernel.assign(rows_.size(), 0.0);
   bent.assign(rows_.size(), 0.0);
-  for (const Corners::Corner& corner : corners(pose)) {
+  for (const Corner& corner : corners(pose)) {
     const Node& node = *corner.node;
     const double shift = 0.5 * (node.shift[0] + node.shift[1]), factor = corner.share * (1.0 + 2.0 * shift);
     for (std::size_t k = 0; k < rows_.size(); ++k) {
@@ -218,7 +238,7 @@ SurfaceClasses::Shade SurfaceClasses::shaded(const Pose& pose, double free_sky,
                                              std::span<double> weight_k) const {
   Shade shade;
   std::fill(weight_k.begin(), weight_k.end(), 0.0);
-  for (const Corners::Corner& corner : corners(pose)) {
+  for (const Corner& corner : corners(pose)) {
     const Node& node = *corner.node;
     shade.kelvin += corner.share * std::lerp(node.shaded_k[0], node.shaded_k[1], free_sky);
     shade.of_sky_k += corner.share * (node.shaded_k[1] - node.shaded_k[0]);
@@ -235,7 +255,7 @@ void SurfaceClasses::past_sky(const Pose& pose, std::span<double> weight_k, std:
   const double open = 0.5 * (1.0 + pose.normal.z);
   std::fill(weight_k.begin(), weight_k.end(), 0.0);
   std::fill(bend_k.begin(), bend_k.end(), 0.0);
-  for (const Corners::Corner& corner : corners(pose))
+  for (const Corner& corner : corners(pose))
     for (std::size_t row = 0; row < weight_k.size(); ++row) {
       const double difference = static_cast<double>(corner.node->past_difference[row]);
       weight_k[row] += corner.share * (static_cast<double>(corner.node->past_kernel[row]) - 0.5 * difference);

@@ -113,13 +113,13 @@ class SurfaceClasses {
       return std::max(0.0, static_cast<double>(kernel[row]) + between * static_cast<double>(difference[row]));
     }
   };
+  struct Corner {
+    const Node* node = nullptr;
+    double share = 0.0;
+    std::size_t place = 0;  ///< of the node
+  };
   /// Of directions and levels, those of a share above 0.
   struct Corners {
-    struct Corner {
-      const Node* node = nullptr;
-      double share = 0.0;
-      std::size_t place = 0;  ///< of the node
-    };
     std::array<Corner, 8> all;
     std::size_t count = 0;
     const Corner* begin() const { return all.data(); }
@@ -130,6 +130,20 @@ class SurfaceClasses {
     std::atomic<bool> solved = false;
     Node node;
   };
+  /// Where among the grid's directions a normal lies: past a ring and an azimuth by shares of a step.
+  struct Turn {
+    int ring = 0, azimuth = 0;
+    double up = 0.0, east = 0.0;
+  };
+  static Turn turn_of(math::Vec3 normal);
+  /// Where among the levels: above one, by a share of the way to the next.
+  struct AboveLevel {
+    int level = 0;
+    double stronger = 0.0;
+  };
+  AboveLevel level_of(double height_m) const;
+  /// The corners of a turn at a level, which has `share` of all; nodes are still to be asked for. Behind the last the share is 0.
+  static std::array<Corner, 4> corners_at(const Turn& turn, int level, double share);
   Corners corners(const Pose& pose) const;
   static std::size_t place_of(int level, int ring, int azimuth);
   const Node& node_at(std::size_t place) const;

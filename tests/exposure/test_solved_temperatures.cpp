@@ -318,5 +318,26 @@ TEST(SolvedTemperatures, RefuseAnAccuracyThatTheyDoNotHave) {
       "an accuracy of 0.01 K is asked for, and temperatures that are solved may themselves be off by");
 }
 
+// What is known better than that makes the image worth rendering: the rest is named, and rays make no room for it.
+TEST(SolvedTemperatures, TellWhatAnAccuracyCannotBeKeptIn) {
+  const ClearDays weather("solved", 2.5);
+  const Session coarse = load(text_of(weather, "15:00", kPole, "6 K"));
+  const TemperatureErrors& errors = *coarse.parts().temperature_errors;
+  const double worst_k = errors.half_width_k();
+  double best_k = worst_k;
+  for (const auto& [material, error] : errors.by_material) best_k = std::min(best_k, error.half_width_k());
+  ASSERT_LT(best_k, 0.8 * worst_k);
+  EXPECT_EQ(coarse.parts().node_errors[0].given_up, 0.0);
+  const std::string asked = format("{:.4f} K", 0.9 * worst_k);
+  const Session fine = load(text_of(weather, "15:00", kPole, asked.c_str()));
+  const auto& node = fine.parts().node_errors[0];
+  EXPECT_GT(node.given_up, 0.1 * node.emitted);
+  EXPECT_LT(node.given_up, node.emitted);
+  const std::vector<std::string>& told = fine.warnings();
+  EXPECT_TRUE(std::any_of(told.begin(), told.end(), [&](const std::string& line) {
+    return line.find(format("may themselves be off by more in '{}'", errors.material)) != std::string::npos;
+  }));
+}
+
 }  // namespace
 }  // namespace ifov::session::test_solved_temperatures

@@ -53,6 +53,13 @@ TEST(ThermalLibrary, InertiasAsOthersHaveThem) {
   EXPECT_NEAR(inertia("steel"), 13868.0, 700.0);
 }
 
+TEST(ThermalLibrary, SnowAndIceMelt) {
+  for (const char* name : {"snow, melting", "ice"})
+    EXPECT_EQ(thermal_library().surface(name)->melts_k, 273.15) << name;
+  EXPECT_EQ(thermal_library().solid("fresh snow").melts_k, 273.15);
+  EXPECT_TRUE(std::isinf(thermal_library().surface("grass, lawn")->melts_k));
+}
+
 TEST(ThermalLibrary, NamesNearMisses) {
   try {
     thermal_library().solid("asfalt");

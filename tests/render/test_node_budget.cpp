@@ -68,6 +68,21 @@ TEST_F(NodeBudget, LeavesTheRestToTheSampler) {
   EXPECT_TRUE(std::isinf(limit[1]));
 }
 
+// Materials that are less certain than is asked for take no rays from the others.
+TEST_F(NodeBudget, MakesNoRoomForWhatIsGivenUp) {
+  std::vector<double> mean{60.0, 60.0}, limit(2);
+  nodes_ = {{0.0, 0.0, 5.0, {1.0, 5.0}}, {0.0, 0.0, 5.0, {1.0, 5.0}}};
+  tolerance(0.05).limits(mean, limit);
+  EXPECT_DOUBLE_EQ(limit[0], 1.5);  // of 3, all of which is the second material's: rays keep half
+  for (NodeHalfWidth& node : nodes_) node.given_up = 4.0;
+  tolerance(0.05).limits(mean, limit);
+  EXPECT_NEAR(kJoint.half_width(limit[0], 1.0), 3.0, 1e-12);
+  sampling::TileResult result = tile(60.0f, 0.5f);
+  result.abundances = {{0, 1, 1.0f, 0.0f}};
+  widen(nodes_, nullptr, result);
+  EXPECT_NEAR(result.bound[0], 5.0, 1e-6);  // the interval holds it as before
+}
+
 // Temperatures that are solved: 1 of a pixel of the first material, 5 of the second, whose are least certain.
 TEST_F(NodeBudget, CountsTheMaterialsThatAPixelHolds) {
   nodes_ = {{0.0, 0.0, 5.0, {1.0, 5.0}}, {0.0, 0.0, 5.0, {1.0, 5.0}}};

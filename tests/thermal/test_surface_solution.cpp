@@ -48,6 +48,40 @@ TEST(SurfaceBalance, FluxesOfATiltedSurface) {
               1e-4);
 }
 
+/// Snow under a warm June day: no warmer than 0 degrees, and what it gains there goes into melting, worked out by hand. What does not melt
+/// gets warmer than that.
+TEST(SurfaceSolution, MeltingSnowStaysAtItsMeltingPoint) {
+  const OutdoorsSeries series = june(4.0);
+  const Solid snow{{{0.3, 1.7, 800.0, 2090.0}}, Insulated{}};
+  Skin skin;
+  skin.solar_absorptance = 0.3;
+  const auto hottest_k = [&](const SurfaceSolution& solution) {
+    double most_k = 0.0;
+    for (const SurfaceNode& node : solution.history.nodes) most_k = std::max(most_k, node.surface_k);
+    return most_k;
+  };
+  EXPECT_GT(hottest_k(solve_surface(snow, skin, {}, series)), 290.0);
+  skin.melts_k = 273.15;
+  const SurfaceSolution solution = solve_surface(snow, skin, {}, series);
+  EXPECT_LT(hottest_k(solution), 273.15 + 0.08);
+  const std::size_t noon = series.rows.size() - 1 - 144;
+  const double surface_k = solution.surface_k(noon);
+  EXPECT_GT(surface_k, 273.15);
+  const Fluxes fluxes =
+      solution.balance.fluxes(series.begin_s + 300.0 * static_cast<double>(noon), surface_k);
+  const Outdoors& now = series.rows[noon];
+  const double taken = 0.3 * (now.direct_w_m2 * std::sin(now.sun_elevation_rad) + now.diffuse_w_m2) +
+                       0.95 * (now.longwave_w_m2 - kStefanBoltzmann_w_m2_k4 * std::pow(surface_k, 4)) +
+                       fluxes.convection;
+  EXPECT_GT(taken, 200.0);
+  // All of it melts: snow that is at 0 degrees throughout takes nothing.
+  EXPECT_NEAR(-fluxes.latent, taken, 0.01 * taken);
+  const History& history = solution.history;
+  const double all_s = history.nodes.back().time_s - history.nodes.front().time_s;
+  EXPECT_NEAR(solution.mean.sum() * all_s, history.out_of_back_j_m2 + history.stored_j_m2,
+              1e-6 * solution.mean.sun * all_s);
+}
+
 /// A wall at 100 degrees from a wind of 4 m/s is half of the time to windward: 3.26 * 4^0.89 and 3.55 * 4^0.617, W m-2 K-1; glass
 /// as warm as the air but for a hair.
 TEST(SurfaceBalance, WindOfAWallAtItsEdge) {

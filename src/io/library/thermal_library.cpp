@@ -50,6 +50,8 @@ class ThermalTable {
     } else if (key == "values") {
       const std::vector<double> numbers = positive(value, 3, true);
       solid().values = {0.0, numbers[0], numbers[1], numbers[2]};
+    } else if (key == "melts") {
+      solid().melts_k = positive(value, 1, true)[0];
     } else if (key == "surface") {
       current_.clear();
       for (const Field& name : split(value, ';'))
@@ -67,7 +69,10 @@ class ThermalTable {
     if (current_.empty()) fail(format("found the key '{}' and no 'surface' above", key));
     read = surfaces.find(current_.front())->second;
     if (key == "layers") {
-      for (const Field& layer : split(value, ';')) read.layers.push_back(layer_of(layer.text));
+      for (const Field& layer : split(value, ';')) {
+        if (read.layers.empty()) read.melts_k = solid_of(layer.text).melts_k;
+        read.layers.push_back(layer_of(layer.text));
+      }
     } else if (key == "back") {
       using Back = LibrarySurface::Back;
       read.back = value == "ground"      ? Back::ground
@@ -87,15 +92,18 @@ class ThermalTable {
   }
 
   thermal::SolidLayer layer_of(std::string_view text) const {
+    const std::optional<double> thickness = number_in(text.substr(0, text.find(' ')));
+    if (!thickness) fail("expected a thickness and a solid");
+    thermal::SolidLayer layer = solid_of(text).values;
+    layer.thickness_m = *thickness;
+    return layer;
+  }
+
+  const LibrarySolid& solid_of(std::string_view text) const {
     const std::size_t space = text.find(' ');
-    const std::optional<double> thickness = number_in(text.substr(0, space));
-    if (space == std::string_view::npos || !thickness) fail("expected a thickness and a solid");
+    if (space == std::string_view::npos) fail("expected a thickness and a solid");
     for (const LibrarySolid& solid : solids)
-      if (solid.name == text.substr(space + 1)) {
-        thermal::SolidLayer layer = solid.values;
-        layer.thickness_m = *thickness;
-        return layer;
-      }
+      if (solid.name == text.substr(space + 1)) return solid;
     fail(format("no solid is called '{}'", text.substr(space + 1)));
   }
 

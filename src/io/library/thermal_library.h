@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@ class TextFile;
 struct LibrarySolid {
   std::string name, about, source;
   thermal::SolidLayer values;
+  double melts_k = std::numeric_limits<double>::infinity();
 };
 
 /// What a surface of the spectral library stands on.
@@ -25,6 +27,7 @@ struct LibrarySurface {
   Back back = Back::insulated;
   thermal::Roughness roughness = thermal::Roughness::rough;
   double wet_share = 0.0, resistance_s_m = 0.0;
+  double melts_k = std::numeric_limits<double>::infinity();  ///< of the first layer
 };
 
 /// Thermal materials by name. Immutable.

@@ -14,12 +14,19 @@ scene::EstimatedTemperature TemperaturesByTime::at(std::size_t number, const geo
   const std::uint64_t key = sampling::hash(number, draw, bits(point.position_m.x), bits(point.position_m.y),
                                            bits(point.position_m.z), bits(normal.x), bits(normal.y),
                                            bits(normal.z), point.instance, point.front);
-  const auto [found, is_new] = number_.try_emplace(key, known_.size());
-  if (is_new) {
-    known_.resize(known_.size() + times_);
-    of_.at(number, point, draw, {known_.data() + found->second, times_});
+  // Times ask in the same order, as a rule.
+  std::size_t one = next_[time];
+  if (one >= key_.size() || key_[one] != key) {
+    const auto [found, is_new] = number_.try_emplace(key, key_.size());
+    one = found->second;
+    if (is_new) {
+      key_.push_back(key);
+      known_.resize(known_.size() + times_);
+      of_.at(number, point, draw, {known_.data() + one * times_, times_});
+    }
   }
-  return known_[found->second + time];
+  next_[time] = one + 1;
+  return known_[one * times_ + time];
 }
 
 }  // namespace ifov::render

@@ -11,7 +11,8 @@ namespace ifov::render {
 /// Temperatures of points that each time of a series asks for itself: found at all times when the first asks, and kept. One thread.
 class TemperaturesByTime {
  public:
-  explicit TemperaturesByTime(const scene::TemperaturesOfTimes& of) : of_(of), times_(of.times()) {}
+  explicit TemperaturesByTime(const scene::TemperaturesOfTimes& of)
+      : of_(of), times_(of.times()), next_(of.times(), 0) {}
 
   /// Answers as of a time.
   class Scope final : public scene::TemperatureScope {
@@ -34,6 +35,8 @@ class TemperaturesByTime {
   const scene::TemperaturesOfTimes& of_;
   std::size_t times_;
   std::unordered_map<std::uint64_t, std::size_t> number_;  ///< by a hash of all that is asked
+  std::vector<std::uint64_t> key_;                         ///< by number
+  std::vector<std::size_t> next_;  ///< by time the number that is asked for next, if as before
   std::vector<scene::EstimatedTemperature> known_;
 };
 

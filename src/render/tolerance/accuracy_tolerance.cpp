@@ -79,7 +79,8 @@ void AccuracyTolerance::limits(std::span<const double> mean, std::span<double> l
     if (!air_.empty())
       of_air = c == channel ? air_[c].all_of(mean[c]) : air_[channel].of_polarization(mean[channel]);
     other += of_air;
-    if (!nodes_.empty()) other += nodes_[channel].counted(std::abs(mean[channel]), limit[c]);
+    if (!nodes_.empty())
+      other += nodes_[channel].counted(std::abs(mean[channel]), limit[c], nodes_[channel].given_up);
     const double of_rays = of_air > limit[c] ? kShareOfAir * of_air : 0.0;
     if (other > 0.0) limit[c] = std::max({joint_.random(limit[c], other), kLeastShare * limit[c], of_rays});
   }

@@ -16,6 +16,8 @@ struct NodeHalfWidth {
       0.0;  ///< likewise: by what surfaces emit at temperatures that were solved, of the least certain material
   std::vector<double>
       emitted_of{};  ///< of pixels of one alone, by number in scene::TruthMaterials; empty: alike
+  double given_up =
+      0.0;  ///< of `emitted`, what rays make no room for: of materials that are less certain than is asked for
 
   double of(double radiance) const { return relative * std::max(radiance, dark) + emitted; }
   /// The same, `less` of it, or 0 where it is negligible beside `asked`.

@@ -17,6 +17,7 @@ struct TemperatureErrors {
     /// Of what two standard deviations hold, 95.45 %: Student's t of as many points times the root mean square, and twice the steps'.
     /// What the ground makes uncertain comes on top, as it is no matter of chance.
     double half_width_k() const;
+    int seen = 0;  ///< of the points, those that the camera sees
   };
   int points = 0, made_up = 0;
   double rms_k = 0.0, bias_k = 0.0;  ///< root mean square and mean, of the material that is off most

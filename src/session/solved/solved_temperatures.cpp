@@ -200,6 +200,7 @@ void measure(TemperatureErrors& errors, const io::Document& document, const ByMa
       errors.worst_k = std::max(errors.worst_k, std::abs(point.off_k));
       ++(point.made_up ? errors.made_up : errors.points);
       if (point.made_up) continue;
+      ++errors.by_material[material].seen;
       errors.lowest_m = errors.points == 1 ? point.height_m : std::min(errors.lowest_m, point.height_m);
       errors.highest_m = std::max(errors.highest_m, point.height_m);
       if (!point.ground_k) continue;

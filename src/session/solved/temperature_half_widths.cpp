@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "core/error.h"
@@ -15,10 +16,6 @@ namespace ifov::session {
 namespace {
 
 constexpr double kWarm_um = 3.0;  // surfaces emit beyond it
-
-}  // namespace
-
-namespace {
 
 /// By truth material, of what the worst of them may be off by: the material's own, and what it shows of others, which may be the
 /// worst. Nothing where pixels hold light of materials that their abundances do not tell.
@@ -40,18 +37,66 @@ std::vector<double> shares_of_worst(const Parts& parts) {
   return shares;
 }
 
+/// What an accuracy in kelvins can be had of, by materials that are solved, each with what it shows of others.
+struct Reach {
+  double least_k = 0.0,
+         kept_k =
+             0.0;  ///< of what the camera sees the most certain; the least certain of those that can be kept
+  std::string most_certain, beyond;  ///< names; of those beyond with what they may be off by
+};
+
+Reach reach_of(const Parts& parts, const std::vector<double>& shares, double asked_k) {
+  const TemperatureErrors& errors = *parts.temperature_errors;
+  const scene::TruthMaterials truth = scene::truth_materials(parts.scene);
+  Reach reach;
+  for (const auto& [material, error] : errors.by_material) {
+    const std::uint32_t number = truth.of_material[material];
+    const double off_k = errors.half_width_k() * (shares.empty() ? 1.0 : shares[number]);
+    if (off_k <= asked_k)
+      reach.kept_k = std::max(reach.kept_k, off_k);
+    else
+      reach.beyond +=
+          format("{}'{}' ({:.2f} K)", reach.beyond.empty() ? "" : ", ", truth.names[number], off_k);
+    if (error.seen == 0 || (!reach.most_certain.empty() && off_k >= reach.least_k)) continue;
+    reach.least_k = off_k;
+    reach.most_certain = truth.names[number];
+  }
+  return reach;
+}
+
+/// Nothing in the image can be had as accurately as that: an error. Some of it: that is told.
+void refuse_or_tell(const Parts& parts, const Reach& reach, double asked_k, LogSink& log) {
+  const double half_width_k = parts.temperature_errors->half_width_k();
+  const double enough_k = std::ceil(20.0 * half_width_k) / 10.0;
+  if (reach.least_k > asked_k || reach.most_certain.empty())
+    throw InputError(format(
+        "an accuracy of {:g} K is asked for, and temperatures that are solved may themselves be off by {:.2f} K{}: "
+        "{}. Ask for {:.1f} K or more",
+        asked_k, half_width_k,
+        reach.least_k > 0.0 && reach.least_k < half_width_k
+            ? format(", those of '{}', which is known best of what the camera sees, by {:.2f} K",
+                     reach.most_certain, reach.least_k)
+            : "",
+        parts.temperature_errors->statement(), enough_k));
+  log.warn(format(
+      "an accuracy of {:g} K is asked for, and temperatures that are solved may themselves be off by more in {}: pixels of these "
+      "will not be converged, and get the rays of those that can be. {:.1f} K or more can be kept in all",
+      asked_k, reach.beyond, enough_k));
+}
+
 }  // namespace
 
 void count_temperature_errors(Parts& parts, LogSink& log) {
   if (!parts.temperature_errors) return;
   const double half_width_k = parts.temperature_errors->half_width_k();
   const render::AccuracyRequest* request = parts.plan.request ? &*parts.plan.request : nullptr;
-  if (request != nullptr && request->unit == render::ErrorUnit::kelvin && request->error < half_width_k)
-    throw InputError(format(
-        "an accuracy of {:g} K is asked for, and temperatures that are solved may themselves be off by {:.2f} K: "
-        "{}. Ask for {:.1f} K or more",
-        request->error, half_width_k, parts.temperature_errors->statement(),
-        std::ceil(20.0 * half_width_k) / 10.0));
+  const std::vector<double> shares = shares_of_worst(parts);
+  double given_up = 0.0;  // of the half-width
+  if (request != nullptr && request->unit == render::ErrorUnit::kelvin && request->error < half_width_k) {
+    const Reach reach = reach_of(parts, shares, request->error);
+    refuse_or_tell(parts, reach, request->error, log);
+    given_up = 1.0 - reach.kept_k / half_width_k;
+  }
   const std::size_t channels = parts.nodes->channel_count();
   std::vector<double> cooler(channels), warmer(channels);
   const scene::TemperatureRange range = *parts.scene.mapped_temperatures();
@@ -59,11 +104,11 @@ void count_temperature_errors(Parts& parts, LogSink& log) {
   parts.nodes->planck_channels(middle_k - 0.5, cooler);
   parts.nodes->planck_channels(middle_k + 0.5, warmer);
   parts.node_errors.resize(channels);
-  const std::vector<double> shares = shares_of_worst(parts);
   bool too_fine = false;
   for (std::size_t c = 0; c < channels; ++c) {
     const double emitted = half_width_k * (warmer[c] - cooler[c]);
     parts.node_errors[c].emitted = emitted;
+    parts.node_errors[c].given_up = given_up * emitted;
     parts.node_errors[c].emitted_of = shares;
     for (double& of_material : parts.node_errors[c].emitted_of) of_material *= emitted;
     too_fine = too_fine || (request != nullptr && request->unit == render::ErrorUnit::percent &&

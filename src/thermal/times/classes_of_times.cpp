@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 
@@ -17,6 +18,11 @@ constexpr double kOnRow = 1e-6;       // steps that a row may be off
 constexpr double kBinsAlone = 3.0, kMostBins = 64.0;
 constexpr double kEven =
     0.05;  // of what is drawn, by length: what is little worth to the level surface is met, too
+
+std::uint64_t next_id() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
 
 math::Vec3 sun_of_row(const Outdoors& now) {
   const double level = std::cos(now.sun_elevation_rad);
@@ -41,6 +47,7 @@ bool ClassesOfTimes::serves(std::span<const std::shared_ptr<const SurfaceClasses
 ClassesOfTimes::ClassesOfTimes(std::vector<std::shared_ptr<const SurfaceClasses>> by_time)
     : classes_(std::move(by_time)),
       lanes_((classes_.size() + kRegister - 1) / kRegister * kRegister),
+      id_(next_id()),
       places_(classes_.front()->places_.size()) {
   const double step_s = classes_.front()->step_s();
   double begin_s = classes_.front()->series_->begin_s;
@@ -70,7 +77,8 @@ ClassesOfTimes::ClassesOfTimes(std::vector<std::shared_ptr<const SurfaceClasses>
   sun_[0] = sun_[1];
   for (std::size_t row = 0; row + 1 < rows; ++row)
     if (known[row + 1] && (is_lit_[row] || is_lit_[row + 1]))
-      spans_.push_back({static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(row + 1), 0.0, 0.0});
+      spans_.push_back(
+          {.left = static_cast<std::uint32_t>(row), .right = static_cast<std::uint32_t>(row + 1)});
   make_bins();
 }
 
@@ -126,8 +134,15 @@ void ClassesOfTimes::make_bins() {
       for (const std::uint32_t row : {spans_[k].left, spans_[k].right})
         if (is_lit_[row]) bin.suns.push_back(sun_[row]);
     }
+    // A time that was over when a bin began has nothing of it.
+    const std::uint32_t begins = spans_[bin.first].left;
+    const auto lane =
+        std::find_if(last_row_.begin(), last_row_.end(), [&](std::size_t row) { return row > begins; }) -
+        last_row_.begin();
+    bin.first_lane = static_cast<std::uint32_t>(static_cast<std::size_t>(lane) / kRegister * kRegister);
+    for (std::uint32_t k = bin.first; k < bin.end; ++k) spans_[k].first_lane = bin.first_lane;
     bins_.push_back(bin);
-    bin = {bin.end, bin.end, {}};
+    bin = {bin.end, bin.end, 0, {}};
     in_bin = 0.0;
   }
 }

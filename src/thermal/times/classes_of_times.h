@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -11,6 +12,7 @@
 
 namespace ifov::thermal {
 
+struct DirectionOfTimes;
 struct NodeOfTimes;
 
 /// The classes of one material at several times, asked together: what the past of a point has in common at all of them. The past is
@@ -40,37 +42,45 @@ class ClassesOfTimes {
   class At {
    public:
     std::vector<float> shaded_k, of_sky_k;  ///< by lane: T_0, and what a free sky is worth of it
-    std::vector<float> weight_k;            ///< by bin and lane: the sum of w_k over it
+    std::vector<float> all_k;               ///< by lane: the sum of all w_k
+    /// Before it all times are over when a bin begins: whatever is told of the bin is 0.
+    std::size_t first_lane(std::size_t bin) const { return of_->bins_[bin].first_lane; }
+    /// By bin and lane: the sum of w_k over it.
+    void weights(std::span<float> kelvin) const;
     /// By lane: w_k at a moment over the density that it was drawn with, so that its mean is that of the bin's sum.
     void weigh(const Moment& moment, std::span<float> kelvin) const;
-    /// q by bin and lane, per kelvin (SurfaceClasses::bends).
-    void bends(std::span<float> per_pair) const;
+    /// q by bin and lane, per kelvin (SurfaceClasses::bends), of such weights.
+    void bends(std::span<const float> weight_k, std::span<float> per_pair) const;
 
    private:
     friend class ClassesOfTimes;
-    struct Corner {
-      const NodeOfTimes* node = nullptr;
-      float share = 0.0f;
-    };
     const ClassesOfTimes* of_ = nullptr;
     math::Vec3 normal_;
-    std::vector<Corner> corners_;
-    std::vector<float> hidden_,
-        free_;  ///< by corner and lane: r of a hidden sky and of a free one, times their shares
-    std::vector<float> bent_;  ///< 1 + 2 c, times the share
-    void add_row(std::size_t row, double cosine, bool right, double by, float* kelvin) const;
+    struct Level {
+      DirectionOfTimes* direction = nullptr;
+      float share = 0.0f;
+    };
+    std::array<Level, 2> levels_;
+    std::size_t count_ = 0;
+    std::array<float, 3> by_sky_{};  ///< (1 - f)^2, f (1 - f), f^2 of the free share f of the sky
+    /// To `to`, by lane, three rows by the sky, times `scale`.
+    void add(const float* rows, float scale, std::size_t first_lane, float* to) const;
+    void add_row(std::size_t row, double cosine, bool right, double by, std::size_t first_lane,
+                 float* kelvin) const;
   };
-  /// `at` keeps a reference to this.
+  /// `at` keeps a reference to this, and is good until the next call of the thread.
   void at(const Pose& pose, double free_sky, At& at) const;
 
  private:
   struct Span {
     std::uint32_t left = 0, right = 0;  ///< rows
+    std::uint32_t first_lane = 0;       ///< as of its bin
     double density = 0.0;               ///< share of its bin
     double until = 0.0;                 ///< shares of the bin up to it and with it
   };
   struct Bin {
     std::uint32_t first = 0, end = 0;  ///< spans
+    std::uint32_t first_lane = 0;      ///< a whole number of registers
     std::vector<math::Vec3> suns;      ///< of their rows at which the Sun shone
   };
   struct Place;
@@ -78,12 +88,18 @@ class ClassesOfTimes {
   void fill(NodeOfTimes& node, std::size_t place) const;
   void add_to_bin(NodeOfTimes& node, std::size_t place, std::size_t bin, std::size_t row, bool right) const;
   void make_bins();
+  /// Of a normal at a level of wind; kept by each thread for those that it met last.
+  DirectionOfTimes& direction(math::Vec3 normal, int level) const;
+  void combine(DirectionOfTimes& direction, math::Vec3 normal) const;
+  void combine_bends(DirectionOfTimes& direction) const;
+  const float* combined_row(DirectionOfTimes& direction, std::size_t row, bool right) const;
   const float* row_of(const std::vector<float>& values, std::size_t row) const {
     return values.data() + row * lanes_;
   }
 
   std::vector<std::shared_ptr<const SurfaceClasses>> classes_;
   std::size_t lanes_;
+  std::uint64_t id_;             ///< no two have the same
   std::vector<math::Vec3> sun_;  ///< by row, oldest first
   std::vector<bool> is_lit_;
   std::vector<std::vector<std::int32_t>>

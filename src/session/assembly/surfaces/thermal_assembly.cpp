@@ -86,7 +86,9 @@ void take_layers(const io::ThermalDocument& source, ThermalMaterial& result) {
     thermal::SolidLayer solid{layer.thickness_m, layer.conductivity_w_m_k, layer.density_kg_m3,
                               layer.specific_heat_j_kg_k};
     if (!layer.library.empty()) {
-      solid = io::thermal_library().solid(layer.library).values;
+      const io::LibrarySolid& known = io::thermal_library().solid(layer.library);
+      solid = known.values;
+      if (result.solid.layers.empty()) result.skin.melts_k = known.melts_k;
       solid.thickness_m = layer.thickness_m;
     }
     result.solid.layers.push_back(solid);
@@ -124,6 +126,7 @@ ThermalMaterial from_library(const io::LibrarySurface& surface, const std::strin
   if (surface.back == Back::room) result.solid.back = thermal::RoomAir{kRoom_k, kRoom_w_m2_k};
   result.skin.roughness = surface.roughness;
   result.skin.wetness = {surface.wet_share, surface.resistance_s_m};
+  result.skin.melts_k = surface.melts_k;
   return result;
 }
 
@@ -150,6 +153,10 @@ void take_optics(const io::DocumentSources& sources, const io::MaterialDocument&
   };
   const std::optional<double> absorptance = source.thermal ? source.thermal->solar_absorptance : std::nullopt,
                               emissivity = source.thermal ? source.thermal->emissivity : std::nullopt;
+  if (std::isfinite(result.skin.melts_k))
+    result.description.push_back(
+        format("melts at {:g} degC and gets no warmer; what melts is not taken away, and none freezes again",
+               result.skin.melts_k - 273.15));
   take(absorptance, solar_absorptance(optics), 0.8, "absorptance of sunlight", "solar_absorptance",
        result.skin.solar_absorptance);
   take(emissivity, longwave_emissivity(optics), 0.3, "long-wave emissivity", "emissivity",
