@@ -11,8 +11,8 @@
 #include "render/unseen/unseen_images.h"
 #include "render/unseen/unseen_lobes.h"
 #include "sampling/footprint_groups.h"
+#include "sampling/intervals/quantiles.h"
 #include "sampling/pixel_limits.h"
-#include "sampling/quantiles.h"
 #include "sampling/tile.h"
 #include "sensor/psf_wings.h"
 

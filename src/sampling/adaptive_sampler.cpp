@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "sampling/footprint_groups.h"
+#include "sampling/intervals/quantiles.h"
 #include "sampling/pixel_writer.h"
-#include "sampling/quantiles.h"
 #include "sampling/refined_lattice.h"
 #include "sampling/value_batch.h"
 

@@ -8,8 +8,8 @@
 
 #include "sampling/footprint_groups.h"
 #include "sampling/hash.h"
+#include "sampling/intervals/quantiles.h"
 #include "sampling/pixel_accumulator.h"
-#include "sampling/quantiles.h"
 #include "sampling/sub_element_lattice.h"
 #include "sampling/value_batch.h"
 

@@ -5,7 +5,7 @@
 
 #include "core/format.h"
 #include "sampling/footprint_groups.h"
-#include "sampling/means/bounded_error.h"
+#include "sampling/intervals/bounded_error.h"
 #include "sampling/tile_arrays.h"
 
 namespace ifov::sampling {

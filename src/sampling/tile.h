@@ -96,9 +96,7 @@ struct TileResult {
   std::vector<float> border_share;
   /// Of the interval at the tolerance's confidence (0.95 without one).
   std::vector<float> half_width;
-  /// While a tile is finished: by how much its means may be off beside what `half_width` says, of what is bounded alone and no
-  /// sample lowers. Empty: by nothing. join_bounds() makes one interval of both.
-  std::vector<float> bound;
+  std::vector<float> bound;  ///< while a tile is finished: how far means may be off besides; empty: not
   /// Per pixel: all points queried (labels and values); of which label queries; of which value queries.
   std::vector<std::uint32_t> samples, label_rays, radiance_evaluations;
   /// Why the pixel is not converged; 0 where it is: every judged half-width is within its limit and nothing else
@@ -122,9 +120,8 @@ struct TileResult {
   /// Largest over the columns; 1 where nothing is known.
   float share_of_borders(std::size_t pixel) const;
   bool has_errors() const { return !half_width.empty(); }
-  /// Cell `at` may be off by so much more.
   void add_bound(std::size_t at, double more);
-  /// The half-width of cell `at` with its bound.
+  /// The half-width of a cell with its bound; of all cells, for good.
   double joined(std::size_t at, const BoundedError& joint) const;
   void join_bounds(const BoundedError& joint);
   bool converged(std::size_t pixel) const { return reasons[pixel] == 0; }

@@ -68,7 +68,6 @@ class Camera {
 
   /// Ground sample distance at a scene point, metres per pixel.
   virtual double gsd_m(math::Point3 position_m) const = 0;
-
   virtual CameraPose pose(double line_px) const = 0;
   virtual CameraAxes axes_at(const sampling::FocalPoint& point) const { return pose(point.y_px).axes; }
 
@@ -76,17 +75,15 @@ class Camera {
   virtual double row_period_s() const { return 0.0; }  ///< from one row's exposure to the next's
   virtual const FlyingFrameCamera* flying() const { return nullptr; }  ///< itself where it is one
   bool moves_while_exposed() const { return flying() != nullptr && exposure_s() > 0.0; }
-  /// What its pixels are spread over along image y beside the optics; of a camera that stands still nothing.
+  /// What its pixels are spread over beside the optics, along image y by its motion and along x by elements that are swept.
   virtual AlongTrack along_track() const;
-  /// And along image x, by elements that are swept across the track.
   virtual AlongTrack along_line() const;
 
   /// The camera where its platform reports it to be, by which places of its pixels are told; itself where its pose is known.
   virtual const Camera& reported() const { return *this; }
 
-  /// Single views side by side, each to be sampled by itself; null: a picture.
+  /// Single views side by side, each to be sampled by itself, or pictures one below the other; null: it is one picture.
   virtual const ViewListCamera* view_list() const { return nullptr; }
-  /// Pictures one below the other; null: the image is one.
   virtual const PictureStack* pictures() const { return nullptr; }
 
   /// None where pixels are no squares of one size on the ground.

@@ -9,7 +9,7 @@
 #include "io/products/image_region.h"
 #include "io/products/region_means.h"
 #include "io/synthetic_image.h"
-#include "sampling/means/bounded_error.h"
+#include "sampling/intervals/bounded_error.h"
 
 namespace ifov::io::test_region {
 namespace {

@@ -10,8 +10,8 @@
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/atmosphere_budget.h"
 #include "render/tolerance/channel_brightness.h"
-#include "sampling/means/bounded_error.h"
-#include "sampling/quantiles.h"
+#include "sampling/intervals/bounded_error.h"
+#include "sampling/intervals/quantiles.h"
 #include "sampling/tile.h"
 
 namespace ifov::render::test_atmosphere_budget {

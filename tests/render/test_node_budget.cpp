@@ -10,7 +10,7 @@
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/channel_brightness.h"
 #include "render/tolerance/node_budget.h"
-#include "sampling/means/bounded_error.h"
+#include "sampling/intervals/bounded_error.h"
 #include "sampling/tile.h"
 #include "scene/scene.h"
 #include "transport/spectral_scene.h"

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "sampling/means/bounded_error.h"
-#include "sampling/quantiles.h"
+#include "sampling/intervals/bounded_error.h"
+#include "sampling/intervals/quantiles.h"
 
 namespace ifov::sampling::test_bounded_error {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sampling/quantiles.h"
+#include "sampling/intervals/quantiles.h"
 
 namespace ifov::sampling::test_quantiles {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "sampling/means/bounded_error.h"
+#include "sampling/intervals/bounded_error.h"
 #include "sampling/means/region_interval.h"
 #include "sampling/pixel_footprint.h"
 

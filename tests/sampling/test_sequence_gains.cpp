@@ -7,7 +7,7 @@
 #include "sampling/accuracy/basis/stopping.h"
 #include "sampling/accuracy/radiance/sequence_gains.h"
 #include "sampling/hash.h"
-#include "sampling/quantiles.h"
+#include "sampling/intervals/quantiles.h"
 #include "sampling/random.h"
 
 // Variances as Smyth (2004) has them: of output o sigma^2 = s0^2 d0 / chi^2_d0, and its own estimate sigma^2 chi^2_d / d.

@@ -19,7 +19,7 @@
 #include "render/field/scene_field.h"
 #include "render/image_renderer.h"
 #include "render/tile_sink.h"
-#include "sampling/means/bounded_error.h"
+#include "sampling/intervals/bounded_error.h"
 #include "sampling/means/region_interval.h"
 #include "sampling/tile.h"
 #include "session/loaded/parts.h"

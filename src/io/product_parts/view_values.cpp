@@ -10,7 +10,7 @@
 #include "io/quantities/radiance_quantities.h"
 #include "io/quantities/sunlight_quantities.h"
 #include "io/tables/text_table.h"
-#include "sampling/quantiles.h"
+#include "sampling/intervals/quantiles.h"
 #include "sensor/view_list.h"
 
 namespace ifov::io {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "sampling/means/bounded_error.h"
+#include "sampling/intervals/bounded_error.h"
 
 namespace ifov::io {
 namespace {

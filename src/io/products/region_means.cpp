@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/error.h"
-#include "sampling/means/bounded_error.h"
+#include "sampling/intervals/bounded_error.h"
 
 namespace ifov::io {
 namespace {

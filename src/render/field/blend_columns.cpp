@@ -6,7 +6,7 @@
 #include <set>
 
 #include "geometry/surface_point.h"
-#include "sampling/means/bounded_error.h"
+#include "sampling/intervals/bounded_error.h"
 #include "sampling/tile.h"
 #include "scene/scene.h"
 

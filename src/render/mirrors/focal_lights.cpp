@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "sampling/footprint_groups.h"
-#include "sampling/quantiles.h"
+#include "sampling/intervals/quantiles.h"
 #include "sampling/tile.h"
 #include "sampling/tolerance.h"
 

@@ -7,6 +7,7 @@
 
 #include "render/tolerance/channel_brightness.h"
 #include "render/tolerance/degree_limits.h"
+#include "sampling/intervals/bounded_error.h"
 
 namespace ifov::render {
 namespace {
@@ -44,8 +45,22 @@ AccuracyTolerance::AccuracyTolerance(AccuracyRequest request, const ChannelBrigh
         static_cast<double>(std::count(judged_.begin(), judged_.end(), 1)) * static_cast<double>(pixel_count);
     confidence_ = std::pow(request_.confidence, 1.0 / statements);  // Sidak 1967
   }
-  joint_ = sampling::BoundedError(confidence_);
-  most_bounded_ = joint_.bound(1.0, kLeastShare);
+  joint_ = std::make_shared<const sampling::BoundedError>(confidence_);
+  most_bounded_ = joint_->bound(1.0, kLeastShare);
+}
+
+void AccuracyTolerance::leave_room(std::vector<NodeHalfWidth> nodes, double cut_share) {
+  nodes_ = std::move(nodes);
+  cut_share_ = cut_share;
+}
+
+void AccuracyTolerance::judge_stokes(bool stokes, std::vector<double> passed) {
+  stokes_ = stokes;
+  passed_ = std::move(passed);
+}
+
+std::size_t AccuracyTolerance::judged_columns(std::size_t columns) const {
+  return std::min(columns, stokes_ ? 4 * white_.size() : white_.size());
 }
 
 void AccuracyTolerance::ask_degree(std::size_t channel, std::span<const double> mean,
@@ -82,7 +97,7 @@ void AccuracyTolerance::limits(std::span<const double> mean, std::span<double> l
     if (!nodes_.empty())
       other += nodes_[channel].counted(std::abs(mean[channel]), limit[c], nodes_[channel].given_up);
     const double of_rays = of_air > limit[c] ? kShareOfAir * of_air : 0.0;
-    if (other > 0.0) limit[c] = std::max({joint_.random(limit[c], other), kLeastShare * limit[c], of_rays});
+    if (other > 0.0) limit[c] = std::max({joint_->random(limit[c], other), kLeastShare * limit[c], of_rays});
   }
 }
 

@@ -1,16 +1,18 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "render/tolerance/accuracy_request.h"
 #include "render/tolerance/atmosphere_half_width.h"
 #include "render/tolerance/node_half_width.h"
-#include "sampling/means/bounded_error.h"
 #include "sampling/tolerance.h"
+
+namespace ifov::sampling {
+class BoundedError;
+}
 
 namespace ifov::render {
 
@@ -37,18 +39,12 @@ class AccuracyTolerance final : public sampling::Tolerance {
 
   /// What nodes may be wrong by, by channel, and the share of what is asked for that is kept for what a PSF's cut leaves
   /// out. Before the first tile.
-  void leave_room(std::vector<NodeHalfWidth> nodes, double cut_share) {
-    nodes_ = std::move(nodes);
-    cut_share_ = cut_share;
-  }
+  void leave_room(std::vector<NodeHalfWidth> nodes, double cut_share);
 
   /// Behind the channels stand Q, U and V of all of them (Polarimetry), which are judged by their channel's radiance: each has the
   /// limit of I. Before the first tile. `passed`: by channel, what polarizers leave of unpolarized light (empty: all); the
   /// brightness temperature is that of the light before them.
-  void judge_stokes(bool stokes, std::vector<double> passed = {}) {
-    stokes_ = stokes;
-    passed_ = std::move(passed);
-  }
+  void judge_stokes(bool stokes, std::vector<double> passed = {});
   bool with_stokes() const { return stokes_; }
 
   /// What is left for paths and edges: what makes what is asked for with what the air, the nodes and a cut may be wrong by
@@ -63,15 +59,13 @@ class AccuracyTolerance final : public sampling::Tolerance {
   double confidence() const override { return confidence_; }
   /// Of what is asked for, the largest part that bounds may take so that it can be reached.
   double most_bounded() const { return most_bounded_; }
-  const sampling::BoundedError& joint() const { return joint_; }
+  const sampling::BoundedError& joint() const { return *joint_; }
 
   bool judged(int channel) const { return judged_[static_cast<std::size_t>(channel)] != 0; }
   double floor_w_m2_sr_um(int channel) const { return floor_[static_cast<std::size_t>(channel)]; }
 
  private:
-  std::size_t judged_columns(std::size_t columns) const {
-    return std::min(columns, stokes_ ? 4 * white_.size() : white_.size());
-  }
+  std::size_t judged_columns(std::size_t columns) const;
   void ask_degree(std::size_t channel, std::span<const double> mean, std::span<double> limit) const;
   void leave_hidden_channels(const std::vector<double>& path_radiance);
 
@@ -86,7 +80,7 @@ class AccuracyTolerance final : public sampling::Tolerance {
   std::vector<double> floor_;
   std::vector<char> judged_;
   double confidence_ = 0.95;
-  sampling::BoundedError joint_{confidence_};
+  std::shared_ptr<const sampling::BoundedError> joint_;
   double most_bounded_ = 0.0;
 };
 

@@ -1,8 +1,33 @@
 #include "render/tolerance/atmosphere_half_width.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ifov::render {
+
+double AtmosphereHalfWidth::sum(double of_path, double of_surface, double of_sky, double radiance) const {
+  const double from_surface = std::max(0.0, radiance - path_radiance);
+  return of_path + of_surface * from_surface + of_sky * std::min(from_surface, white_in_sky);
+}
+
+double AtmosphereHalfWidth::of(double radiance, double before) const {
+  if (!(passed > 0.0)) return sum(path, surface, sky, radiance);
+  const double all = std::max(radiance / passed, before);  // at least what would leave so much, unpolarized
+  return passed * (sum(path, surface, sky, all) + of_polarization_alone(all));
+}
+
+double AtmosphereHalfWidth::of_nodes(double radiance) const {
+  if (!(passed > 0.0)) return sum(nodes_path, nodes_surface, nodes_sky, radiance);
+  return passed * sum(nodes_path, nodes_surface, nodes_sky, radiance / passed);
+}
+
+double AtmosphereHalfWidth::of_polarization(double radiance, double before) const {
+  return passed > 0.0 ? of(radiance, before) : of(radiance) + of_polarization_alone(radiance);
+}
+
+double AtmosphereHalfWidth::of_polarization_alone(double radiance) const {
+  return sum(polarization_path * path_radiance, 0.0, polarization_sky, radiance);
+}
 
 double AtmosphereHalfWidth::of_model(double radiance, double before) const {
   if (!(passed > 0.0)) return model_sum(radiance);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 namespace ifov::render {
 
 /// How far a channel's radiance may be off because of how the air was computed: the same for every path and
@@ -22,18 +20,12 @@ struct AtmosphereHalfWidth {
   double polarization_path = 0.0, polarization_sky = 0.0;
 
   /// Of Q, U or V of light of this radiance; `before` as below.
-  double of_polarization(double radiance, double before = 0.0) const {
-    return passed > 0.0 ? of(radiance, before) : of(radiance) + of_polarization_alone(radiance);
-  }
+  double of_polarization(double radiance, double before = 0.0) const;
   /// What polarizers leave of unpolarized light; all else here is of light before them. 0: there are none.
   double passed = 0.0;
 
   /// Of radiance as the channel has it; behind polarizers with what Q and U err by, of all light `before` them (0: not known).
-  double of(double radiance, double before = 0.0) const {
-    if (!(passed > 0.0)) return sum(path, surface, sky, radiance);
-    const double all = std::max(radiance / passed, before);  // at least what would leave so much, unpolarized
-    return passed * (sum(path, surface, sky, all) + of_polarization_alone(all));
-  }
+  double of(double radiance, double before = 0.0) const;
   /// By the model's own error (docs/theory/atmosphere_model_error.md); model_counted 1: intervals hold it.
   double model_surface = 0.0, model_sunlight = 0.0, model_path = 0.0, model_emission = 0.0, model_sky = 0.0,
          model_counted = 0.0;
@@ -44,20 +36,12 @@ struct AtmosphereHalfWidth {
     return of(radiance, before) + in_interval(radiance, before);
   }
   /// The nodes' part of it.
-  double of_nodes(double radiance) const {
-    if (!(passed > 0.0)) return sum(nodes_path, nodes_surface, nodes_sky, radiance);
-    return passed * sum(nodes_path, nodes_surface, nodes_sky, radiance / passed);
-  }
+  double of_nodes(double radiance) const;
 
  private:
-  double of_polarization_alone(double radiance) const {
-    return sum(polarization_path * path_radiance, 0.0, polarization_sky, radiance);
-  }
+  double of_polarization_alone(double radiance) const;
   double model_sum(double radiance) const;
-  double sum(double of_path, double of_surface, double of_sky, double radiance) const {
-    const double from_surface = std::max(0.0, radiance - path_radiance);
-    return of_path + of_surface * from_surface + of_sky * std::min(from_surface, white_in_sky);
-  }
+  double sum(double of_path, double of_surface, double of_sky, double radiance) const;
 };
 
 }  // namespace ifov::render

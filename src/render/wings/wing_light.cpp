@@ -11,8 +11,8 @@
 #include "render/wings/wing_cells.h"
 #include "render/wings/wing_spots.h"
 #include "sampling/footprint_groups.h"
+#include "sampling/intervals/quantiles.h"
 #include "sampling/pixel_limits.h"
-#include "sampling/quantiles.h"
 #include "sensor/psf_wings.h"
 
 namespace ifov::render {

@@ -8,8 +8,8 @@
 #include "sampling/image/image_plan.h"
 #include "sampling/image/levels.h"
 #include "sampling/image/spread_places.h"
+#include "sampling/intervals/quantiles.h"
 #include "sampling/pixel_writer.h"
-#include "sampling/quantiles.h"
 
 namespace ifov::sampling {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sampling/means/bounded_error.h"
+#include "sampling/intervals/bounded_error.h"
 #include "sampling/pixel_footprint.h"
 
 namespace ifov::sampling {

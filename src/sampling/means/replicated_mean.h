@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sampling/hash.h"
-#include "sampling/quantiles.h"
+#include "sampling/intervals/quantiles.h"
 #include "sampling/random.h"
 #include "sampling/sequence.h"
 

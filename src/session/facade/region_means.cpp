@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "ifov/products.h"
 #include "io/product_parts/map_info.h"
-#include "sampling/means/bounded_error.h"
+#include "sampling/intervals/bounded_error.h"
 #include "session/runs/run_record_file.h"
 
 namespace ifov {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/format.h"
-#include "sampling/quantiles.h"
+#include "sampling/intervals/quantiles.h"
 
 namespace ifov::session {
 

@@ -6,7 +6,7 @@
 #include "analysis/spectral_projection.h"
 #include "core/error.h"
 #include "io/json/json_writer.h"
-#include "sampling/quantiles.h"
+#include "sampling/intervals/quantiles.h"
 #include "viewer/answers/answers.h"
 #include "viewer/sources/open_run.h"
 

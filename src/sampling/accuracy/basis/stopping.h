@@ -4,14 +4,15 @@
 #include <cmath>
 #include <vector>
 
-#include "sampling/quantiles.h"
+#include "sampling/intervals/quantiles.h"
 
 namespace ifov::sampling {
 
 /// Quantiles for intervals that are tested more than once. A test may end the sampling, and does so the sooner the
 /// smaller its estimate of the variance happens to be. As rounds are planned to reach the limit from test to
-/// test, hardly more than two of them are ever in doubt, and each may spend 0.4 of the probability of error; the first two
-/// (the lattice alone, a pilot) see little and may spend less. That intervals then hold, wherever the sampling ends, is
+/// test, hardly more than two of them are ever in doubt, and each may spend 0.4 of the probability of error, 0.75 where so many degrees of
+/// freedom tell the variance that its estimate hardly chooses the test; the first two (the lattice alone, a pilot) see little and may spend
+/// less. That intervals then hold, wherever the sampling ends, is
 /// shown by simulation (tests/sampling/test_stopping.cpp).
 class Stopping {
  public:
@@ -28,7 +29,9 @@ class Stopping {
     if (cache_.empty()) cache_.assign(3 * 201, 0.0);
     const int row = std::clamp(test, 0, 2);
     double& quantile = cache_[row * 201 + freedom];
-    if (quantile == 0.0) quantile = two_sided_student(1.0 - (1.0 - confidence_) * (row < 2 ? kShare[row] : share(freedom)), freedom);
+    if (quantile == 0.0)
+      quantile =
+          two_sided_student(1.0 - (1.0 - confidence_) * (row < 2 ? kShare[row] : share(freedom)), freedom);
     return quantile;
   }
 

@@ -1,5 +1,7 @@
 #include "sampling/accuracy/weights/block_sums.h"
 
+#include <algorithm>
+
 namespace ifov::sampling {
 
 void BlockSums::add_block(std::span<const float* const> rows) {
@@ -42,6 +44,23 @@ void BlockSums::add_block(std::span<const float* const> rows) {
     alone[c] += 0.5 * difference * difference;
   }
   alone_ += 1.0;
+}
+
+double BlockSums::spread(int column) const {
+  if (count_ == 0.0) return 0.0;
+  const double m = mean(column);
+  return std::max(0.0, sums_[stride_ + column] / count_ - m * m);
+}
+
+double BlockSums::rare(int column) const {
+  const double square = squares(column);
+  if (!(square > 0.0)) return 0.0;
+  return std::max(0.0, 4.0 * sums_[3 * stride_ + column] / square - 12.0 * square / blocks_);
+}
+
+double BlockSums::freedom(int column) const {
+  const double fourth = count_ > 0.0 ? sums_[3 * stride_ + column] : 0.0, square = squares(column);
+  return fourth > 0.0 ? std::min(blocks_, 3.0 * square * square / fourth) : blocks_;
 }
 
 void BlockSums::add_alone(const float* row) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -23,21 +22,13 @@ class BlockSums {
   double blocks() const { return blocks_; }  ///< of two values and more: degrees of freedom at most
   double mean(int column) const { return count_ > 0.0 ? sums_[column] / count_ : 0.0; }
   /// Variance of the values about their mean, wherever they stand.
-  double spread(int column) const {
-    if (count_ == 0.0) return 0.0;
-    const double m = mean(column);
-    return std::max(0.0, sums_[stride_ + column] / count_ - m * m);
-  }
+  double spread(int column) const;
   /// Sum over the blocks of their estimates of the variance of a value.
   double squares(int column) const { return count_ > 0.0 ? sums_[2 * stride_ + column] : 0.0; }
 
   /// Square of how far rare values are from the others, as the blocks tell: 4 E[s^2]/E[s] of squares s with mean E[s], less the
   /// 12 E[s] that normal values would give; 0 where none is rare.
-  double rare(int column) const {
-    const double square = squares(column);
-    if (!(square > 0.0)) return 0.0;
-    return std::max(0.0, 4.0 * sums_[3 * stride_ + column] / square - 12.0 * square / blocks_);
-  }
+  double rare(int column) const;
 
   /// Values that stand in no block, and the sum of what each tells of the variance of a value.
   double alone() const { return alone_; }
@@ -45,10 +36,7 @@ class BlockSums {
 
   /// Degrees of freedom behind the squares. Where a few blocks hold most of the variance, few are: a square with one
   /// degree of freedom has a third of its own square's expectation as its squared expectation.
-  double freedom(int column) const {
-    const double fourth = count_ > 0.0 ? sums_[3 * stride_ + column] : 0.0, square = squares(column);
-    return fourth > 0.0 ? std::min(blocks_, 3.0 * square * square / fourth) : blocks_;
-  }
+  double freedom(int column) const;
 
   /// Writes the first `columns` of the sums to an archive, or reads them from it.
   template <class Sums, class Archive>

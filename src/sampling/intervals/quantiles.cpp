@@ -1,13 +1,10 @@
-#include "sampling/quantiles.h"
+#include "sampling/intervals/quantiles.h"
 
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
+#include <functional>
 #include <numbers>
 #include <utility>
-
-#include "sampling/hash.h"
 
 namespace ifov::sampling {
 
@@ -70,9 +67,8 @@ double two_sided_student(double confidence, double degrees_of_freedom) {
     double confidence = 0.0, degrees_of_freedom = 0.0, quantile = 0.0;
   };
   static thread_local std::array<Known, 2048> known;
-  Known& one =
-      known[hash(std::bit_cast<std::uint64_t>(confidence), std::bit_cast<std::uint64_t>(degrees_of_freedom)) %
-            known.size()];
+  const std::hash<double> hash;
+  Known& one = known[(hash(confidence) * 0x9e3779b97f4a7c15u + hash(degrees_of_freedom)) % known.size()];
   if (one.confidence != confidence || one.degrees_of_freedom != degrees_of_freedom)
     one = {confidence, degrees_of_freedom, sought_student(confidence, degrees_of_freedom)};
   return one.quantile;

@@ -1,11 +1,11 @@
-#include "sampling/means/bounded_error.h"
+#include "sampling/intervals/bounded_error.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 
-#include "sampling/quantiles.h"
+#include "sampling/intervals/quantiles.h"
 
 namespace ifov::sampling {
 namespace {
