@@ -17,7 +17,7 @@ ABOUT = """\
 # Aerosols by what they consist of: spheres of lognormal sizes, mixed side by side.
 # @component NAME DEVIATION INDEX: relative humidity %, median radius um by number, least and largest radius um.
 # @index NAME: wavelength um, n, k (dry). @mixture TYPE COMPONENT NUMBER ...: numbers in any unit.
-# OPAC: M. Hess, P. Koepke and I. Schult, Bull. Amer. Meteor. Soc. 79 (1998) 831-844; published figures, free to use with citation.
+# OPAC: M. Hess, P. Koepke and I. Schult, Bull. Amer. Meteor. Soc. 79 (1998) 831-844; published figures. Free to use with citation.
 # Smoke: O. Dubovik et al., J. Atmos. Sci. 59 (2002) 590-608, table 1, forest of Amazonia and savanna of Zambia at a depth of 1 at
 # 440 nm; beyond 1.02 um, which they did not see, the index goes over to that of OPAC's water-soluble component at 2 um.
 # Made by tools/make_aerosol_components.py; format in docs/formats/data.md.

@@ -18,6 +18,7 @@
 #include "io/quantities/quality_quantities.h"
 #include "io/quantities/temperature_quantity.h"
 #include "io/written_image.h"
+#include "sampling/intervals/bounded_error.h"
 #include "truth/location.h"
 #include "truth/view_angles.h"
 
@@ -153,7 +154,8 @@ TEST(ProductWriter, HalfWidthsAreSaidByWhatMakesThem) {
   ASSERT_TRUE(s.parts);
   EXPECT_NEAR(s.parts->nodes, 0.04 + 0.001 * (s.mean - 2.0), 1e-12);
   EXPECT_NEAR(s.parts->air, 0.06 + 0.001 * (s.mean - 2.0), 1e-12);
-  EXPECT_NEAR(s.parts->sampling + s.parts->air + s.parts->nodes, s.mean_half_width, 1e-12);
+  const sampling::BoundedError joint(image.identity().confidence);
+  EXPECT_NEAR(joint.half_width(s.parts->sampling, s.parts->air + s.parts->nodes), s.mean_half_width, 1e-9);
   EXPECT_GT(s.parts->sampling, 0.0);
   const std::string page = test::read_all(folder.path() / "demo_report.html");
   EXPECT_NE(page.find("<th>Mean by sampling</th><th>by the air</th><th>by nodes</th>"), std::string::npos);

@@ -230,7 +230,7 @@ class ChannelFootprints(unittest.TestCase):
         expected = {covered: numpy.array([share(x, 12, covered) for x in columns]) for covered in (0.0, 0.35)}
         for covered, other in ((0.0, 0.35), (0.35, 0.0)):
             target = polygon(*((at[0] - 48 + i * side, 12 - at[1] + j * side) for i, j in ((-.5, -.5), (.5, -.5), (.5, .5), (-.5, .5))))
-            described = document([target], channels(1.0), {"accuracy": {"error": "1 %"}, "tile": 32}, (96, 24),
+            described = document([target], channels(1.0), {"accuracy": {"error": "0.9 %"}, "tile": 32}, (96, 24),
                                  psf={"airy": {"aperture": "10 mm", **({"obscuration": covered} if covered else {})}})
             for material in (described["scene"]["materials"]["dark"], described["light"]["surroundings"]):
                 material["temperature"] = "900 K"

@@ -208,7 +208,7 @@ class Page {
                escape_html(shown_unit(record_.image.radiance_unit)),
                split
                    ? " More rays narrow the part of sampling alone; that of the air, of how it was computed, and that of "
-                     "the nodes, few wavelengths that stand for a channel, are of the mean radiance; so is that of the model of the "
+                     "the nodes, few wavelengths that stand for a channel, are of the mean radiance, and are bounds, so that the whole is less than the sum; so is that of the model of the "
                      "air, 0 where intervals are of the numbers alone."
                    : "");
   }
