@@ -227,7 +227,7 @@ class Errors(unittest.TestCase):
         self.refused('"optical_depth": 0.3', "'optical_depth' needs 'angstrom'", "0.3")
         self.refused('"optical_depth": 0.3, "angstrom": 1', "'optical_depth' needs 'single_scattering_albedo'", "0.3")
         self.refused(OWN, "'optical_depth' needs 'asymmetry', 'phase_function', 'mie' or 'kind'", "0.3")
-        self.refused(OWN + ', "asymmetry": 0.6, "type": "rural"', "'type' is of the tables' haze", '"type"')
+        self.refused(OWN + ', "asymmetry": 0.6, "type": "rural"', "'type' is of the tables' haze, and 'optical_depth' of haze of one's own: leave one out, or name the type by 'kind'", '"type"')
         self.refused('"asymmetry": 0.6', "'asymmetry' needs the key 'optical_depth' beside it", '{"asymmetry"')
 
     def test_spheres(self):

@@ -183,11 +183,12 @@ void check_own(const AerosolDocument& aerosol, const DocumentNode& node) {
     if (const DocumentNode* other = node.find(key); other != nullptr && (depth || file || mixed))
       other->fail_at_key(
           format("'{}' is of the tables' haze, and '{}' of haze of one's own: leave "
-                 "one out",
+                 "one out{}",
                  key,
                  depth  ? kDepth
                  : file ? "aeronet"
-                        : "mixture"));
+                        : "mixture",
+                 depth && std::string_view(key) == "type" ? ", or name the type by 'kind'" : ""));
   for (const char* key : kHeightKeys)
     if (const DocumentNode* other = node.find(key); other != nullptr && !depth && !file)
       other->fail_at_key(
