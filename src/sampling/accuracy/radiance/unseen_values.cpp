@@ -112,6 +112,8 @@ double UnseenValues::known_farther(const SourcePixel& pixel, int column) const {
 
 double UnseenValues::rare_beside(const SourcePixel& pixel, const Stratum& stratum, int column,
                                  double count) const {
+  // Rests of what maps foretell are no values like those of pixels where nothing is foretold.
+  if (stratum.foretold()) return 0.0;
   double farthest = 0.0, own = 0.0, blocks = 0.0;
   const auto look = [&](const BlockSums& round) {
     if (round.blocks() >= kManyValues) farthest = std::max(farthest, round.rare(column));
