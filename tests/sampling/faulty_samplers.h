@@ -32,6 +32,19 @@ class SamplerOf final : public sampling::AccuracySampler {
   Parts parts_;
 };
 
+/// All as it is but what values have not met.
+template <class Unseen>
+class PartsOfUnseen : public sampling::AccuracyParts {
+ public:
+  std::unique_ptr<sampling::UnseenValues> unseen(const sampling::LabelSpread& spread,
+                                                 const sampling::Prober& prober,
+                                                 const sampling::StandoutValues& standouts,
+                                                 const sampling::LabelTable& table,
+                                                 const sampling::Field& field) const override {
+    return std::make_unique<Unseen>(spread, prober, standouts, table, field);
+  }
+};
+
 /// What values of the pixels around have met is not looked at. It shows many a fault of a pixel's own, and is left out where one is planted.
 struct EachPixelAlone : sampling::UnseenValues {
   using UnseenValues::UnseenValues;
@@ -39,16 +52,7 @@ struct EachPixelAlone : sampling::UnseenValues {
     return 0.0;
   }
 };
-class NothingBesideTells : public sampling::AccuracyParts {
- public:
-  std::unique_ptr<sampling::UnseenValues> unseen(const sampling::LabelSpread& spread,
-                                                 const sampling::Prober& prober,
-                                                 const sampling::StandoutValues& standouts,
-                                                 const sampling::LabelTable& table,
-                                                 const sampling::Field& field) const override {
-    return std::make_unique<EachPixelAlone>(spread, prober, standouts, table, field);
-  }
-};
+using NothingBesideTells = PartsOfUnseen<EachPixelAlone>;
 
 /// All grids of brackets begin alike, so that their errors agree on aligned scenes.
 class Undithered final : public sampling::AccuracyParts {
@@ -145,32 +149,14 @@ struct MeansAreFarthest final : EachPixelAlone {
     return (mean_of(label, column) - mean) * (mean_of(label, column) - mean);
   }
 };
-class PenumbraeAreMeans final : public sampling::AccuracyParts {
- public:
-  std::unique_ptr<sampling::UnseenValues> unseen(const sampling::LabelSpread& spread,
-                                                 const sampling::Prober& prober,
-                                                 const sampling::StandoutValues& standouts,
-                                                 const sampling::LabelTable& table,
-                                                 const sampling::Field& field) const override {
-    return std::make_unique<MeansAreFarthest>(spread, prober, standouts, table, field);
-  }
-};
+using PenumbraeAreMeans = PartsOfUnseen<MeansAreFarthest>;
 
 /// What rays and strays have met in a cluttered pixel is forgotten where no value has met it.
 struct NothingKnownFarther final : EachPixelAlone {
   using EachPixelAlone::EachPixelAlone;
   double known_farther(const sampling::SourcePixel&, int) const override { return 0.0; }
 };
-class Forgetful final : public sampling::AccuracyParts {
- public:
-  std::unique_ptr<sampling::UnseenValues> unseen(const sampling::LabelSpread& spread,
-                                                 const sampling::Prober& prober,
-                                                 const sampling::StandoutValues& standouts,
-                                                 const sampling::LabelTable& table,
-                                                 const sampling::Field& field) const override {
-    return std::make_unique<NothingKnownFarther>(spread, prober, standouts, table, field);
-  }
-};
+using Forgetful = PartsOfUnseen<NothingKnownFarther>;
 
 /// What all labels tell of a label of few values is taken for its own.
 struct ToldByOthers final : sampling::LabelSpread {

@@ -67,7 +67,7 @@ double coverage(const Quantile& quantile, int replicates, double needed, Growth 
 TEST(Stopping, IntervalsHoldWhereverTheSamplingEnds) {
   const Stopping stopping(0.95);
   const Quantile quantile = [&](int test, double freedom) { return stopping.student(test, freedom); };
-  for (int replicates : {5, 12, 24, 48})
+  for (int replicates : {5, 12, 24, 48, 100, 200})
     for (double needed : {60.0, 100.0, 300.0}) {
       const double held = coverage(quantile, replicates, needed);
       EXPECT_GE(held, 0.945) << replicates << " replicates, " << needed << " values";
@@ -78,7 +78,7 @@ TEST(Stopping, IntervalsHoldWhereverTheSamplingEnds) {
 TEST(Stopping, IntervalsHoldWhereRoundsReachTheLimitAndDoNotPassIt) {
   const Stopping stopping(0.95);
   const Quantile quantile = [&](int test, double freedom) { return stopping.student(test, freedom); };
-  for (int replicates : {5, 12, 24, 48})
+  for (int replicates : {5, 12, 24, 48, 100, 200})
     for (double needed : {60.0, 100.0, 300.0}) {
       const double held = coverage(quantile, replicates, needed, Growth::kPlanned);
       EXPECT_GE(held, 0.945) << replicates << " replicates, " << needed << " values";

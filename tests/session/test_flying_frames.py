@@ -5,39 +5,14 @@ The full measure: test_flying_frames.py --full, of seven scenes and 12 seeds."""
 
 import json
 import math
-import os
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 import unittest
 
-try:
-    import numpy as np
-except ImportError:
-    np = None
+from images import FULL_SCENES, SCENES, image_of, np, run
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-PROGRAM = os.environ.get("IFOV_PROGRAM", str(ROOT / "build" / "ifov"))
-SCENES = ROOT / "benchmarks" / "honesty" / "scenes"
-FULL_SCENES = ("panel_boxes", "gable_roof", "wall_foot", "penumbra", "slab_gaps", "alley", "street_canyon")
-
-
-def run(document, folder, *more, command="render"):
-    (folder / "scene.json").write_text(json.dumps(document, indent=1))
-    more = ("-o", "out", "--no-state", *more) if command == "render" else more
-    return subprocess.run([PROGRAM, command, "scene.json", *more], cwd=folder, capture_output=True, text=True, check=False)
-
-
-def image_of(document, folder, sampling, seed=1):
-    """Radiance, and half-widths where an accuracy is asked for."""
-    wanted = ["radiance", "half_width"] if "accuracy" in sampling else ["radiance"]
-    done = run({**document, "seed": seed, "sampling": sampling, "output": {"products": wanted}}, folder)
-    if done.returncode not in (0, 5, 6):
-        raise RuntimeError(done.stderr)
-    read = [np.fromfile(folder / f"out/image_{what}.img", "f4").astype(float) for what in wanted]
-    return read if len(read) > 1 else read[0]
 
 
 # ---- edges: a hot plate on the cold ground, black both, so that a pixel is what it covers of it

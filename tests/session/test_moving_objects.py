@@ -5,7 +5,6 @@ The full measure: test_moving_objects.py --full, of seven scenes and 12 seeds.""
 
 import json
 import math
-import os
 import pathlib
 import re
 import subprocess
@@ -13,34 +12,12 @@ import sys
 import tempfile
 import unittest
 
-try:
-    import numpy as np
-except ImportError:
-    np = None
+from images import FULL_SCENES, PROGRAM, SCENES, image_of, np, run
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-PROGRAM = os.environ.get("IFOV_PROGRAM", str(ROOT / "build" / "ifov"))
-SCENES = ROOT / "benchmarks" / "honesty" / "scenes"
 KINDS = ("frame", "rolling", "scanned")
-FULL_SCENES = ("panel_boxes", "gable_roof", "wall_foot", "penumbra", "slab_gaps", "alley", "street_canyon")
 EXPOSURE_S, LINE_S, HEIGHT_M = 0.01, 0.01, 200.0
 # Cells of grids along a pixel's side; of one grid the error at an edge along its cells is half of one.
 GRIDS, FULL_GRIDS = (83, 97), (149, 171)
-
-
-def run(document, folder, *more):
-    (folder / "scene.json").write_text(json.dumps(document))
-    return subprocess.run([PROGRAM, "render", "scene.json", "-o", "out", "--no-state", *more], cwd=folder, capture_output=True, text=True, check=False)
-
-
-def radiance_of(document, folder, sampling, seed=1, *more):
-    errors = "accuracy" in sampling
-    document = {**document, "seed": seed, "sampling": sampling, "output": {"products": ["radiance", "half_width"] if errors else ["radiance"]}}
-    done = run(document, folder, *more)
-    if done.returncode not in (0, 5, 6):
-        raise RuntimeError(done.stderr)
-    read = lambda quantity: np.fromfile(folder / f"out/image_{quantity}.img", "f4").astype(float)
-    return (read("radiance"), read("half_width")) if errors else read("radiance")
 
 
 # ---- edges
@@ -103,7 +80,7 @@ def furthest(camera, platform, velocity_m_s, covered, moves=True):
     """How far a pixel's part of the car is from where it should be, and the sum along a row or column, that is where two edges are."""
     with tempfile.TemporaryDirectory() as scratch:
         document = car(camera, velocity_m_s if moves else (0, 0), platform)
-        radiance, _ = radiance_of(document, pathlib.Path(scratch), document["sampling"])
+        radiance, _ = image_of(document, pathlib.Path(scratch), document["sampling"])
     radiance = radiance.reshape(PIXELS, PIXELS)
     part = (radiance - radiance.min()) / (radiance.max() - radiance.min())
     return max(np.abs(part - covered).max(), np.abs((part - covered).sum(axis=0)).max(), np.abs((part - covered).sum(axis=1)).max())
@@ -160,12 +137,12 @@ def held(name, kind, seeds, grids=GRIDS, truth_moves=True, narrower=1.0):
     """Of so many images at 3 %: intervals that hold the mean of the grids, and all; then the same of pixels that show that it moves."""
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
-        grid = lambda scene: np.mean([radiance_of(scene, folder, {"grid": {"elements": [cells, cells]}}, 990 + cells) for cells in grids], axis=0)
+        grid = lambda scene: np.mean([image_of(scene, folder, {"grid": {"elements": [cells, cells]}}, 990 + cells) for cells in grids], axis=0)
         truth, still = grid(moving(name, kind)), grid(moving(name, kind, False))
         near = np.abs(truth - still) > 0.02 * truth
         counts = np.zeros(4, int)
         for seed in range(1, seeds + 1):
-            found, half_width = radiance_of(moving(name, kind, truth_moves), folder, {"accuracy": {"error": "3 %"}}, seed)
+            found, half_width = image_of(moving(name, kind, truth_moves), folder, {"accuracy": {"error": "3 %"}}, seed)
             inside = np.abs(found - truth) <= narrower * half_width
             counts += inside.sum(), inside.size, inside[near].sum(), near.sum()
         return counts
@@ -214,7 +191,7 @@ class MovingObjects(unittest.TestCase):
             "light": {"sky": {"none": {}}},
             "sensor": {"camera": {"frame": {**FRAME, "exposure": f"{exposure} s"}}, "channels": [{"name": "mid", "gaussian": {"center": "3.95 um", "fwhm": "0.02 um"}}]}}
         with tempfile.TemporaryDirectory() as folder:
-            radiance, half_width = radiance_of(document, pathlib.Path(folder), {"accuracy": {"error": "2 %"}})
+            radiance, half_width = image_of(document, pathlib.Path(folder), {"accuracy": {"error": "2 %"}})
         x = (np.arange(PIXELS) + 0.5 - PIXELS / 2) * GSD_M
         y = -x[:, None]
         truth = (1 - rho) * planck(300.0) + 0 * x + 0 * y
@@ -267,7 +244,7 @@ def mapped_off(kind, mapped=True, instants=48):
     motion = {"straight": {"frame": "scene", "position": ["0.2 m", "-0.1 m", "0 m"], "velocity": [f"{v} m/s" for v in velocity] + ["0 m/s"]}, "attitude": {"from": "north"}}
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
-        still = lambda t, camera, platform, n: radiance_of(
+        still = lambda t, camera, platform, n: image_of(
             mapped_car(folder, camera, platform, None, (0.2 + velocity[0] * t, -0.1 + velocity[1] * t)), folder, {"grid": {"elements": [n, n]}})
         shares = (np.arange(instants) + 0.5) / instants - 0.5
         if kind == "frame":
@@ -281,7 +258,7 @@ def mapped_off(kind, mapped=True, instants=48):
             truth = np.concatenate(rows)
         empty = truth.min()
         near = truth > 1.02 * empty
-        found, half_width = radiance_of(mapped_car(folder, camera, platform, motion, mapped=mapped), folder, {"accuracy": {"error": "2 %"}})
+        found, half_width = image_of(mapped_car(folder, camera, platform, motion, mapped=mapped), folder, {"accuracy": {"error": "2 %"}})
         return (np.abs(found - truth) <= half_width)[near].sum(), near.sum()
 
 

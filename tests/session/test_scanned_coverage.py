@@ -4,22 +4,14 @@ The scenes are those of benchmarks/honesty. The full measure: test_scanned_cover
 
 import json
 import math
-import os
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 import unittest
 
-try:
-    import numpy as np
-except ImportError:
-    np = None
+from images import SCENES, image_of, np
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-PROGRAM = os.environ.get("IFOV_PROGRAM", str(ROOT / "build" / "ifov"))
-SCENES = ROOT / "benchmarks" / "honesty" / "scenes"
 KINDS = ("scanned", "shaken", "swept")
 HEIGHT_M, LINE_S, ELEMENTS = 200.0, 0.01, 4
 # Cells of grids along a pixel's side; of one grid the error at an edge along its cells is half of one.
@@ -61,26 +53,15 @@ def document(name, kind, folder):
     return scene
 
 
-def radiance_of(scene, folder, sampling, seed):
-    errors = "accuracy" in sampling
-    scene.update(seed=seed, sampling=sampling, output={"products": ["radiance", "half_width"] if errors else ["radiance"]})
-    (folder / "scene.json").write_text(json.dumps(scene))
-    done = subprocess.run([PROGRAM, "render", "scene.json", "-o", "out", "--no-state"], cwd=folder, capture_output=True, text=True, check=False)
-    if done.returncode not in (0, 5, 6):
-        raise RuntimeError(done.stderr)
-    read = lambda quantity: np.fromfile(folder / f"out/image_{quantity}.img", "f4").astype(float)
-    return (read("radiance"), read("half_width")) if errors else read("radiance")
-
-
 def held(name, kind, seeds, grids=GRIDS, narrower=1.0):
     """Of so many images at 3 %: intervals that hold the mean of the grids, and all."""
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         scene = document(name, kind, folder)
-        truth = np.mean([radiance_of(scene, folder, {"grid": {"elements": [cells, cells]}}, 990 + cells) for cells in grids], axis=0)
+        truth = np.mean([image_of(scene, folder, {"grid": {"elements": [cells, cells]}}, 990 + cells) for cells in grids], axis=0)
         count = inside = 0
         for seed in range(1, seeds + 1):
-            found, half_width = radiance_of(scene, folder, {"accuracy": {"error": "3 %"}}, seed)
+            found, half_width = image_of(scene, folder, {"accuracy": {"error": "3 %"}}, seed)
             inside += (np.abs(found - truth) <= narrower * half_width).sum()
             count += truth.size
         return inside, count

@@ -151,12 +151,12 @@ void SceneField::flown_values(std::span<const sampling::PathRequest> requests,
     }
     if (!unsure.empty()) {
       // Their rays are others; those of the paths are kept.
-      const auto own_points = std::move(points_);
-      const auto own_rays = std::move(rays_);
-      const auto own_hits = std::move(hits_);
+      auto own_points = std::move(points_);
+      auto own_rays = std::move(rays_);
+      auto own_hits = std::move(hits_);
       found.resize(points.size());
       flown_labels(points, detail, found);
-      points_ = own_points, rays_ = own_rays, hits_ = own_hits;
+      points_ = std::move(own_points), rays_ = std::move(own_rays), hits_ = std::move(own_hits);
       for (std::size_t j = 0; j < unsure.size(); ++j) {
         const std::size_t k = unsure[j];
         if (found[j] == SurfaceLabel::moving()) continue;

@@ -47,7 +47,9 @@ struct Passage {
 
 FlownExposure::FlownExposure(const scene::Scene& scene, const sensor::Camera& camera)
     : scene_(scene), camera_(camera), exposure_s_(camera.exposure_s()) {
-  const double parts = std::clamp(std::ceil(longest_way_px() / kApart_px), 2.0, kMostInstants);
+  const double way_px = longest_way_px(),
+               parts = std::clamp(std::ceil(way_px / kApart_px), 2.0, kMostInstants);
+  apart_px_ = std::max(kApart_px, way_px / parts);
   for (int k = 0; k <= static_cast<int>(parts); ++k) instants_s_.push_back(exposure_s_ * (k / parts - 0.5));
 }
 
@@ -77,7 +79,7 @@ void FlownExposure::follow(std::vector<Dot> dots) {
   PixelBox all;
   for (Dot& dot : dots_) {
     // Ways are straight to a small part of a pixel; a dot alone holds where it is until half way to the next instant.
-    dot.radius_px = dot.next ? 1.1 * dot.radius_px + 0.002 : dot.radius_px + 0.5 * kApart_px;
+    dot.radius_px = dot.next ? 1.1 * dot.radius_px + 0.002 : dot.radius_px + 0.5 * apart_px_;
     all = all.with(box_of(dot));
   }
   first_x_ = all.x0, first_y_ = all.y0;

@@ -48,7 +48,7 @@ class FlownExposure {
 
   const scene::Scene& scene_;
   const sensor::Camera& camera_;
-  double exposure_s_;
+  double exposure_s_, apart_px_;  // from one instant to the next, at most
   std::vector<double> instants_s_;
   std::vector<geometry::TimeInterval> crossed_;  // of the point that was asked last
   std::vector<Dot> dots_;

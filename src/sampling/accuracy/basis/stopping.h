@@ -30,18 +30,17 @@ class Stopping {
     const int row = std::clamp(test, 0, 2);
     double& quantile = cache_[row * 201 + freedom];
     if (quantile == 0.0)
-      quantile =
-          two_sided_student(1.0 - (1.0 - confidence_) * (row < 2 ? kShare[row] : share(freedom)), freedom);
+      quantile = two_sided_student(1.0 - (1.0 - confidence_) * share(test, freedom), freedom);
     return quantile;
   }
 
  private:
-  static double share(double freedom) {
-    const double many = std::clamp(std::log(freedom / 16.0) / std::log(100.0 / 16.0), 0.0, 1.0);
-    return 0.4 + 0.35 * many;
+  /// Of the probability of error, that a test may spend.
+  static double share(int test, double freedom) {
+    constexpr double kFew = 16.0, kMany = 100.0;
+    if (test < 2) return test < 1 ? 0.05 : 0.1;
+    return 0.4 + 0.35 * std::clamp(std::log(freedom / kFew) / std::log(kMany / kFew), 0.0, 1.0);
   }
-  static constexpr double kShare[3] = {0.05, 0.1,
-                                       0.4};  // of the probability of error, from the third test on the last
   double confidence_, normal_;
   mutable std::vector<double> cache_;
 };

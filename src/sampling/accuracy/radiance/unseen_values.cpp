@@ -24,8 +24,8 @@ constexpr double kRareValues = 1.3, kManyValues = 8.0;
 /// A far value that one of the vertices in a pixel and those around it has met makes the square of what they differ by at least this
 /// part of its own.
 constexpr double kThereabouts = 256.0;
-/// What is known to be there, and farther from the mean than any of n values: its 95 % interval is that of the 3 / n at which n
-/// values meet none.
+/// What is known to be there, and farther from the mean than any of n values: its 95 % interval is that of the 3.4 / n at which n
+/// values meet none in one of thirty cases.
 constexpr double kKnownFar = 1.72;
 /// Of labels that are uneven, values as rare as one of so many are known.
 constexpr double kRarest = 16.0;
@@ -115,8 +115,8 @@ double UnseenValues::rare_beside(const SourcePixel& pixel, const Stratum& stratu
   // Rests of what maps foretell are no values like those of pixels where nothing is foretold.
   if (stratum.foretold()) return 0.0;
   double farthest = 0.0, own = 0.0, blocks = 0.0;
-  const auto look = [&](const BlockSums& round) {
-    if (round.blocks() >= kManyValues) farthest = std::max(farthest, round.rare(column));
+  const auto rare_in = [&](const BlockSums& round) {
+    return round.blocks() >= kManyValues ? round.rare(column) : 0.0;
   };
   const auto add = [&](const BlockSums& round) { own += round.squares(column), blocks += round.blocks(); };
   for (const SourcePixel* other : pixel.beside) {
@@ -124,11 +124,12 @@ double UnseenValues::rare_beside(const SourcePixel& pixel, const Stratum& stratu
     for (const Stratum& like : other->strata)
       if (like.strays > 0.0) farthest = std::max(farthest, like.stray_squares[column] / like.strays);
     if (other->cluttered != pixel.cluttered) continue;
-    if (pixel.cluttered && is_of(*other, pixel))
-      for (const ClutterRound& round : other->rounds) look(round.sums());
+    double found = 0.0;
+    for (const ClutterRound& round : other->rounds) found = std::max(found, rare_in(round.sums()));
     for (const Stratum& like : other->strata)
       if (!pixel.cluttered && like.label == stratum.label)
-        for (const BlockSums& round : like.rounds) look(round);
+        for (const BlockSums& round : like.rounds) found = std::max(found, rare_in(round));
+    if (found > farthest && (!pixel.cluttered || is_of(*other, pixel))) farthest = found;
   }
   for (const BlockSums& round : stratum.rounds) add(round);
   for (const ClutterRound& round : pixel.rounds) add(round.sums());
