@@ -9,7 +9,6 @@
 #include "exposure/solved_surface.h"
 #include "geometry/surface_point.h"
 #include "sampling/random.h"
-#include "sampling/warp.h"
 #include "scene/scene.h"
 
 namespace ifov::exposure {
@@ -22,7 +21,7 @@ enum class Asked { sky, sun };
 struct Pairs {
   ClassesOfTimes::At at;
   std::vector<math::Vec3> directions;
-  std::vector<ClassesOfTimes::Moment> moments;
+  std::array<PastSuns::Set, 2> suns;  // their first and second rays
   std::vector<std::uint8_t> is_free;
   std::vector<float> kelvin, variance;   // by lane
   std::vector<float> weight_k, weights;  // by bin and lane; by ray and lane
@@ -30,23 +29,6 @@ struct Pairs {
 };
 
 std::uint64_t bits_of(double value) { return std::bit_cast<std::uint64_t>(value); }
-
-// Two numbers in [0, 1) of one word: of a time within a step, and of a place on the Sun's disc, 32 bits tell more than enough.
-double upper_half(std::uint64_t word) { return static_cast<double>(word >> 32) * 0x1p-32; }
-double lower_half(std::uint64_t word) { return static_cast<double>(word & 0xffffffffu) * 0x1p-32; }
-
-/// A direction to the Sun's disc, as if that were flat: within 1e-5 of uniform. `sun` has the length 1.
-math::Vec3 within_disc(math::Vec3 sun, double radius_rad, std::uint64_t key) {
-  double x, y;
-  do {
-    key = sampling::extend(key, 0);
-    x = 2.0 * upper_half(key) - 1.0, y = 2.0 * lower_half(key) - 1.0;
-  } while (x * x + y * y > 1.0);
-  const sampling::TangentFrame frame(sun);
-  const math::Vec3 beside = (radius_rad * x) * frame.first + (radius_rad * y) * frame.second;
-  // Across the axis: the length is known, and its root but for 1e-9.
-  return (1.0 - 0.5 * math::dot(beside, beside)) * (sun + beside);
-}
 
 /// A Sun behind the surface warms nothing. What is said of it is what is seen in the nearest bin whose Sun stands before it, which this
 /// bin's rays do not depend on: where all are alike, nothing is uncertain.
@@ -133,8 +115,8 @@ void add_mixed(Pairs& pairs, std::size_t bins, std::size_t lanes) {
     }
     float* const of_lit = pairs.weights.data() + 2 * b * lanes;
     float* const of_dark = of_lit + lanes;
-    pairs.at.weigh(pairs.moments[2 * b + (first ? 0 : 1)], {of_lit, lanes});
-    pairs.at.weigh(pairs.moments[2 * b + (first ? 1 : 0)], {of_dark, lanes});
+    pairs.at.weigh(pairs.suns[first ? 0 : 1][b].moment, {of_lit, lanes});
+    pairs.at.weigh(pairs.suns[first ? 1 : 0][b].moment, {of_dark, lanes});
     disagreements.push_back({b, of_lit, of_dark});
     for (std::size_t t = from; t < lanes; ++t) {
       const float lit = of_lit[t], dark = of_dark[t];
@@ -151,10 +133,13 @@ void add_mixed(Pairs& pairs, std::size_t bins, std::size_t lanes) {
 
 SurfacesOfTimes::SurfacesOfTimes(const std::map<std::size_t, ByTime>& by_number, PastScene scene,
                                  double sun_radius_rad)
-    : scene_(std::move(scene)), sun_radius_rad_(sun_radius_rad), times_(by_number.begin()->second.size()) {
+    : scene_(std::move(scene)), times_(by_number.begin()->second.size()) {
   classes_.resize(by_number.rbegin()->first + 1);
-  for (const auto& [number, by_time] : by_number)
+  suns_.resize(classes_.size());
+  for (const auto& [number, by_time] : by_number) {
     classes_[number] = std::make_unique<const ClassesOfTimes>(by_time);
+    suns_[number] = std::make_unique<const PastSuns>(*classes_[number], sun_radius_rad);
+  }
 }
 
 std::unique_ptr<const SurfacesOfTimes> SurfacesOfTimes::of(std::span<const scene::Scene* const> by_time) {
@@ -198,13 +183,9 @@ void SurfacesOfTimes::at(std::size_t number, const geometry::SurfacePoint& point
   }
   classes.at(exposed.pose(), sky, pairs.at);
   pairs.directions.clear();
-  pairs.moments.clear();
-  for (std::size_t k = 0; k < 2 * bins; ++k) {
-    const std::uint64_t own = sampling::hash(key, Asked::sun, k);
-    const ClassesOfTimes::Moment moment = classes.draw(k / 2, upper_half(own), lower_half(own));
-    pairs.moments.push_back(moment);
-    pairs.directions.push_back(within_disc(classes.towards_sun(moment), sun_radius_rad_, own));
-  }
+  pairs.suns = suns_[number]->draw(sampling::hash(key, Asked::sun));
+  for (std::size_t b = 0; b < bins; ++b)
+    for (const PastSuns::Set& set : pairs.suns) pairs.directions.push_back(set[b].direction());
   pairs.is_free.resize(2 * bins);
   if (bins > 0) exposed.free(pairs.directions, {}, pairs.is_free);
   see_behind(pairs, exposed.normal());

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exposure/past_scene.h"
+#include "exposure/past_suns.h"
 #include "scene/temperature_scope.h"
 #include "thermal/times/classes_of_times.h"
 
@@ -16,7 +17,7 @@ struct Scene;
 namespace ifov::exposure {
 
 /// The temperatures of points at several times of one scene in which nothing came or went. Rays to where the Sun stood are asked
-/// once for all: two to each bin of the past (thermal/times/classes_of_times.h), at a time that is drawn within it. Where both see the same
+/// once for all: two to each bin of the past (thermal/times/classes_of_times.h), at a time that is drawn within it (PastSuns). Where both see the same
 /// of the Sun the bin's whole w_k counts by it; where they do not, each tells how far w_k at its time is off the bin's mean,
 ///
 ///   sum of w_k V over the bin = (V_1 + V_2) / 2 W + (f_1 - f_2) (V_1 - V_2) / 2,   variance (V_1 - V_2)^2 ((f_1^2 + f_2^2) - W^2) / 4,
@@ -41,8 +42,8 @@ class SurfacesOfTimes final : public scene::TemperaturesOfTimes {
 
  private:
   std::vector<std::unique_ptr<const thermal::ClassesOfTimes>> classes_;  ///< null: not solved
+  std::vector<std::unique_ptr<const PastSuns>> suns_;                    ///< of each of them
   PastScene scene_;
-  double sun_radius_rad_;
   std::size_t times_;
 };
 

@@ -79,7 +79,7 @@ TEST(SurfacesOfTimes, MeansAreThoseOfExactSums) {
     math::Vec3 along;
   };
   const math::Vec3 down{0.0, 0.0, -1.0};
-  constexpr int kDraws = 3000;
+  constexpr int kDraws = 20000;
   double farthest_k = 0.0, misplaced_k = 0.0;
   for (const Place& place :
        {Place{"open", 0, {-9.0, -7.0, 9.0}, down}, Place{"north", 0, {0.0, 1.8, 9.0}, down},

@@ -70,7 +70,7 @@ bool EmbreeWorld::load(RayPacket& packet, std::span<const Ray> rays, double* shi
     enter[k] = first, leave[k] = last;
   }
   // The ray starts a little before the scene's box and before t_min, in double; then it becomes float.
-  const double before = std::ldexp(window_m_, -5);
+  const double before = 0x1p-5 * window_m_;
   int any = 0;
   for (std::size_t k = 0; k < kLanes; ++k) {
     const bool meets = enter[k] <= leave[k] && scene_;

@@ -147,11 +147,13 @@ void ClassesOfTimes::make_bins() {
   }
 }
 
-ClassesOfTimes::Moment ClassesOfTimes::draw(std::size_t bin, double u, double within) const {
+ClassesOfTimes::Moment ClassesOfTimes::draw(std::size_t bin, double u) const {
   const auto first = spans_.begin() + bins_[bin].first, last = spans_.begin() + bins_[bin].end - 1;
   const auto found =
       std::upper_bound(first, last, u, [](double x, const Span& span) { return x < span.until; });
-  return {static_cast<std::uint32_t>(found - spans_.begin()), static_cast<float>(within)};
+  const double before = found == first ? 0.0 : (found - 1)->until;
+  return {static_cast<std::uint32_t>(found - spans_.begin()),
+          static_cast<float>(std::clamp((u - before) / found->density, 0.0, 1.0))};
 }
 
 math::Vec3 ClassesOfTimes::towards_sun(const Moment& moment) const {

@@ -30,12 +30,13 @@ class ClassesOfTimes {
   std::size_t lanes() const { return lanes_; }  ///< times, and up to a whole number of registers
   std::size_t bins() const { return bins_.size(); }
 
-  /// A time of the past within a bin, by chance: span, and where in it (0 to 1).
+  /// A time of the past within a bin: span, and where in it (0 to 1).
   struct Moment {
     std::uint32_t span = 0;
     float within = 0.0f;
   };
-  Moment draw(std::size_t bin, double u, double within) const;
+  /// The time up to which the share `u` of a bin's density lies: uniform within spans.
+  Moment draw(std::size_t bin, double u) const;
   math::Vec3 towards_sun(const Moment& moment) const;  ///< unit
 
   /// What a point's classes are, at all times.
