@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,13 +19,25 @@ struct TemperatureQuestion {
   double height_m = 0.0;     ///< above ground, for the wind
 };
 
+/// A point of a document's scene: the first surface that is met from a place in a direction.
+struct PointQuestion {
+  /// Where from, in metres of the scene; a height of infinity: above everything.
+  double x_m = 0.0, y_m = 0.0, z_m = std::numeric_limits<double>::infinity();
+  double along_x = 0.0, along_y = 0.0, along_z = -1.0;  ///< of any length but 0; down
+  /// What is met must be of the document's object of this name, and others are passed by; empty: all are met.
+  std::string object = {};
+  bool above_object = false;  ///< from above the middle of the object, in place of x and y
+};
+
 /// How warm materials were over the 24 hours before the document's time, in the Sun and out of it.
 class IFOV_API TemperatureReport {
  public:
   struct Material {
     std::string name;
     std::vector<double> sunlit_k, shaded_k;  ///< at each of time_s
-    double unaccounted = 0.0;                ///< heat that is lost in the sunlit solution, over what came in
+    double unaccounted =
+        0.0;  ///< heat that is lost in the sunlit solution (a point's own), over what came in
+    std::vector<double> here_k;  ///< of a point: as the Sun and the sky reached it; else empty
   };
   /// When one sunlit surface becomes warmer than another.
   struct Crossover {
@@ -58,5 +71,10 @@ class IFOV_API TemperatureReport {
 /// from.
 IFOV_API TemperatureReport survey_temperatures(const Document& document,
                                                const TemperatureQuestion& question = {});
+
+/// Of a point of its scene, which is loaded: solved in full by itself, under what rays say of the Sun and the sky there and then; one
+/// material, beside what it would be always in the Sun and never. Throws InputError as Simulation::load, and where nothing is met
+/// or what is met has no solved temperature.
+IFOV_API TemperatureReport point_temperature(const Document& document, const PointQuestion& question);
 
 }  // namespace ifov

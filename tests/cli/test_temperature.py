@@ -28,6 +28,9 @@ def soil(weather):
 """
 
 
+AFTERNOON = re.search(r"`afternoon.json`.*?```json\n(.*?)```", GUIDE, re.DOTALL).group(1)
+
+
 def rows_of(path):
     lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
     return list(csv.DictReader(lines))
@@ -176,6 +179,65 @@ class MeasuredDay(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, r"its noon 4[12]\d minutes before the Sun")
         self.assertIn("times 7.0 h later would make noon noon", done.stderr)
+
+
+
+class Point(unittest.TestCase):
+    """The guide's pillar on a road, 52 N, 4.4 E: the Sun stands in the south at 11:44 UTC, 61.4 degrees high."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls._folder = Folder(afternoon=AFTERNOON)
+        cls.folder = pathlib.Path(cls._folder.__enter__())
+        (cls.folder / "june.csv").write_text(JUNE)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls._folder.__exit__(None, None, None)
+
+    def point(self, *arguments):
+        done = run("temperature", "afternoon.json", *arguments, "--csv", "point.csv", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = rows_of(self.folder / "point.csv")
+        return {light: {row["time"][11:16]: row for row in rows if row["light"] == light} for light in ("here", "sunlit", "shaded")}
+
+    def refused(self, *arguments):
+        done = run("temperature", "afternoon.json", *arguments, cwd=self.folder)
+        self.assertEqual(done.returncode, 1, done.stdout)
+        return done.stderr
+
+    def test_the_shadow_is_there_when_the_sun_stands_behind_the_pillar(self):
+        day = self.point("--at", "0", "2")
+        self.assertEqual(float(day["here"]["11:45"]["sun_w_m2"]), 0.0)
+        self.assertGreater(float(day["here"]["08:00"]["sun_w_m2"]), 100.0)
+        self.assertAlmostEqual(float(day["here"]["08:00"]["sun_w_m2"]), float(day["sunlit"]["08:00"]["sun_w_m2"]), delta=0.1)
+        for row in list(day["here"].values())[::23]:
+            fluxes = [float(value) for key, value in row.items() if key.endswith("_w_m2")]
+            self.assertAlmostEqual(sum(fluxes), 0.0, delta=0.01)
+        # Beyond the shadow's length, 8 m / tan 61.4 deg = 4.4 m from the pillar's north side.
+        self.assertGreater(float(self.point("--at", "0", "5.1")["here"]["11:45"]["sun_w_m2"]), 100.0)
+
+    def test_far_away_it_is_the_open_surface(self):
+        day = self.point("--at", "-300", "0")
+        for time in ("03:00", "11:00", "15:00"):
+            self.assertAlmostEqual(float(day["here"][time]["surface_k"]), float(day["sunlit"][time]["surface_k"]), delta=0.02)
+
+    def test_walls_and_objects(self):
+        done = run("temperature", "afternoon.json", "--at", "0", "-20", "1.5", "--along", "0", "1", "0", cwd=self.folder)
+        self.assertIn("slopes by 90.0 deg and faces 180 deg from north, in the wind of 2 m or lower above open terrain", done.stdout)
+        named = run("temperature", "afternoon.json", "--set", "scene.objects[1].name=pillar", "--object", "pillar", cwd=self.folder)
+        self.assertIn("the point (0.00, 0.00, 8.00) m of 'pillar'", named.stdout)
+        self.assertRegex(named.stdout, r"images, which know it by its class, have [\d.]+ degC, and state \+-[\d.]+ K")
+
+    def test_what_is_not_there(self):
+        self.assertIn("no surface is met from (0.00, 0.00, -5.00) m along (0, 0, -1)", self.refused("--at", "0", "0", "-5"))
+        self.assertIn("no object is named 'tower'", self.refused("--object", "tower"))
+        self.assertIn("--along wants to know from where", self.refused("--at", "0", "0", "--along", "0", "1", "0"))
+        self.assertIn("not of both", self.refused("--at", "0", "0", "--materials"))
+        self.assertIn(
+            "has no temperature that is solved",
+            self.refused("--at", "9", "9", "--set", 'scene.materials.road={"reflectance": 0.1, "temperature": "20 degC"}'),
+        )
 
 
 if __name__ == "__main__":

@@ -38,6 +38,8 @@ TEST_F(Facade, TemperaturesOfMaterials) {
   EXPECT_NE(report.csv().find("\n\"ball\",shaded,"), std::string::npos);
   EXPECT_THROW(ifov::survey_temperatures(document, {.materials = {"ground"}}), ifov::InputError);
   EXPECT_THROW(ifov::survey_temperatures(scene()), ifov::InputError);
+  // The scene's points are of materials with temperatures of their own, unless these are solved.
+  EXPECT_THROW(ifov::point_temperature(document, {}), ifov::InputError);
   if (draws_figures()) {
     EXPECT_EQ(report.figure().substr(1, 3), "PNG");
   }

@@ -26,6 +26,7 @@ Axis degrees_axis(const TemperatureReport& report) {
   for (const TemperatureReport::Material& material : report.materials) {
     add(material.sunlit.surface_k);
     add(material.shaded.surface_k);
+    if (material.here) add(material.here->day.surface_k);
   }
   const double margin = std::max(1.0, 0.04 * (high - low));
   return {std::floor(low - margin), std::ceil(high + margin), false};
@@ -57,6 +58,7 @@ std::string temperature_figure(const TemperatureReport& report) {
 
   const double begin_s = std::floor(report.time_s.front() / 86400.0) * 86400.0;
   const std::string date = geodesy::format_utc({2440587.5, begin_s / 86400.0}).substr(0, 10);
+  const bool is_point = !report.materials.empty() && report.materials.front().here.has_value();
   const Plot plot{
       .x = kLeftEdge,
       .y = top,
@@ -65,7 +67,8 @@ std::string temperature_figure(const TemperatureReport& report) {
       .across = {(report.time_s.front() - begin_s) / 3600.0, (report.time_s.back() - begin_s) / 3600.0},
       .up = degrees_axis(report),
       .label = "Surface temperature (\u00b0C)",
-      .label_across = format("Hours of UTC after 0 h on {}; solid: in the Sun, dashed: in the shade", date)};
+      .label_across = format("Hours of UTC after 0 h on {}; {}solid: in the Sun, dashed: in the shade", date,
+                             is_point ? "thick: the point; thin " : "")};
   std::vector<double> ticks;
   for (double hour = std::ceil(plot.across.first / 3.0) * 3.0; hour <= plot.across.last + 1e-9; hour += 3.0)
     ticks.push_back(hour);
@@ -73,7 +76,10 @@ std::string temperature_figure(const TemperatureReport& report) {
   std::vector<Curve> curves{curve_over_day(report, report.air_k, kGreyInk, false, 1.0)};
   for (std::size_t k = 0; k < report.materials.size(); ++k) {
     curves.push_back(curve_over_day(report, report.materials[k].shaded.surface_k, curve_ink(k), true, 1.2));
-    curves.push_back(curve_over_day(report, report.materials[k].sunlit.surface_k, curve_ink(k), false, 1.8));
+    const auto& here = report.materials[k].here;
+    curves.push_back(
+        curve_over_day(report, report.materials[k].sunlit.surface_k, curve_ink(k), false, here ? 1.2 : 1.8));
+    if (here) curves.push_back(curve_over_day(report, here->day.surface_k, kBlackInk, false, 2.4));
   }
   draw_lines(canvas, plot, curves);
   for (std::size_t k = 0; k <= report.materials.size(); ++k) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,7 +8,7 @@
 
 namespace ifov::io {
 
-/// How warm materials were over a day: what `ifov temperature --materials` tells.
+/// How warm materials were over a day, or one point of a scene: what `ifov temperature` tells.
 struct TemperatureReport {
   std::string document;  ///< its name
   std::vector<std::string>
@@ -25,7 +26,15 @@ struct TemperatureReport {
     std::string name;
     std::vector<std::string> description;  ///< what it is made of, a line each
     Day sunlit, shaded;
-    double unaccounted = 0.0;  ///< heat that is lost in the sunlit solution, over what came in
+    double unaccounted =
+        0.0;  ///< heat that is lost in the sunlit solution (a point's own), over what came in
+    /// Of a point of a scene: its own, in the Sun when that reached it.
+    struct Here {
+      Day day;
+      std::vector<double> sun_seen,
+          free_sky;  ///< at each row: shares of the Sun's disc, and of the sky above its horizon
+    };
+    std::optional<Here> here;
   };
   std::vector<Material> materials;
 

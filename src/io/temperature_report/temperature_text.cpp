@@ -19,10 +19,33 @@ double longwave(const thermal::Fluxes& fluxes) {
   return fluxes.sky_longwave + fluxes.ground_longwave + fluxes.emitted;
 }
 
+std::string point_rows(const TemperatureReport& report, const TemperatureReport::Material& material) {
+  std::string text =
+      "            air    here  sunlit  shaded |    Sun   sky | W m-2 here: direct    sky  reflected | long-wave: sky  around  emitted | "
+      "convection  latent  into the solid\n"
+      "   UTC     degC    degC    degC    degC | % seen    %\n";
+  double next_s = report.time_s.front();
+  for (std::size_t i = 0; i < report.time_s.size(); ++i) {
+    if (report.time_s[i] < next_s - 1.0) continue;
+    next_s = report.time_s[i] + kHour_s;
+    const thermal::Fluxes& f = material.here->day.fluxes[i];
+    text += format(
+        "  {}   {:6.2f}  {:6.2f}  {:6.2f}  {:6.2f} | {:6.0f}  {:4.0f} |{:19.1f} {:6.1f}  {:9.1f} |{:15.1f}  {:6.1f}  {:7.1f} | "
+        "{:10.1f}  {:6.1f}  {:14.1f}\n",
+        minute_text(report.time_s[i]), report.air_k[i] - kFreezing_k,
+        material.here->day.surface_k[i] - kFreezing_k, material.sunlit.surface_k[i] - kFreezing_k,
+        material.shaded.surface_k[i] - kFreezing_k, 100.0 * material.here->sun_seen[i],
+        100.0 * material.here->free_sky[i], f.sun, f.sky, f.reflected, f.sky_longwave, f.ground_longwave,
+        f.emitted, f.convection, f.latent, f.sum());
+  }
+  return text;
+}
+
 std::string material_table(const TemperatureReport& report, const TemperatureReport::Material& material) {
   std::string text = format("\n{}\n", material.name);
   for (const std::string& line : material.description) text += "  " + line + "\n";
   text += format("  heat that is not accounted for: {:.1e} of what came in\n", material.unaccounted);
+  if (material.here) return text + point_rows(report, material);
   text +=
       "            air  sunlit  shaded | W m-2 in the Sun: sunlight  long-wave  convection  latent  into the solid\n"
       "   UTC     degC    degC    degC\n";
@@ -109,6 +132,7 @@ std::string temperature_csv(const TemperatureReport& report) {
       "material,light,time,air_k,surface_k,sun_w_m2,sky_w_m2,reflected_w_m2,sky_longwave_w_m2,ground_longwave_w_m2,"
       "emitted_w_m2,convection_w_m2,latent_w_m2,power_w_m2,conduction_w_m2\n";
   for (const TemperatureReport::Material& material : report.materials) {
+    if (material.here) add_rows(text, report, material.name, "here", material.here->day);
     add_rows(text, report, material.name, "sunlit", material.sunlit);
     add_rows(text, report, material.name, "shaded", material.shaded);
   }

@@ -10,11 +10,11 @@
 #include "io/document/thermal_document.h"
 #include "materials/material.h"
 #include "math/angle.h"
-#include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/surfaces/thermal_assembly.h"
 #include "session/one_material.h"
 #include "session/solved/document_outdoors.h"
+#include "session/temperatures/reported_day.h"
 #include "thermal/outdoors_series.h"
 
 namespace ifov::session {
@@ -57,25 +57,6 @@ std::vector<Named> materials_of(const io::Document& document, const std::vector<
   return found;
 }
 
-io::TemperatureReport::Day day_of(const thermal::SurfaceSolution& solution, std::size_t first,
-                                  const thermal::OutdoorsSeries& series) {
-  io::TemperatureReport::Day day;
-  for (std::size_t row = first; row < series.rows.size(); ++row) {
-    day.surface_k.push_back(solution.surface_k(row));
-    day.fluxes.push_back(solution.balance.fluxes(series.begin_s + static_cast<double>(row) * series.step_s,
-                                                 day.surface_k.back()));
-  }
-  return day;
-}
-
-/// What came in over all the time and neither left nor was stored, over what came in.
-double unaccounted_of(const thermal::SurfaceSolution& solution) {
-  const thermal::Fluxes& mean = solution.mean;
-  const double all_s = solution.history.nodes.back().time_s - solution.history.nodes.front().time_s;
-  const double in = mean.sun + mean.sky + mean.reflected + mean.sky_longwave + mean.ground_longwave;
-  return (mean.sum() - (solution.history.out_of_back_j_m2 + solution.history.stored_j_m2) / all_s) / in;
-}
-
 std::string stand_text(const TemperatureQuestion& question, const thermal::Stand& stand) {
   std::string text =
       question.slope_rad > 0.0
@@ -91,39 +72,18 @@ std::string stand_text(const TemperatureQuestion& question, const thermal::Stand
 }  // namespace
 
 io::TemperatureReport survey_temperatures(const io::Document& document, const TemperatureQuestion& question) {
-  const std::string& file = document.sources.file_name;
-  if (!document.time)
-    throw InputError(
-        format("{}: surface temperatures need a \"time\": the 24 hours before it are shown", file));
-  if (!document.weather)
-    throw InputError(format(
-        "{}: surface temperatures need \"weather\": a file with air temperature, wind and sunlight, such as "
-        "\"weather\": {{\"file\": \"amsterdam.epw\"}}",
-        file));
-  const auto weather = assemble_weather(document.sources, *document.weather, document.time);
-  const DocumentOutdoors about = outdoors_of_document(document, *weather);
-  const thermal::OutdoorsOfWeather& outdoors = about.outdoors;
-  const thermal::OutdoorsSeries& series = outdoors.series;
-
+  const DocumentOutdoors about = outdoors_of_survey(document);
+  const thermal::OutdoorsSeries& series = about.outdoors.series;
   thermal::Stand stand;
   stand.tilt_rad = question.slope_rad;
   stand.azimuth_rad = question.azimuth_rad;
   stand.height_m = question.height_m;
   stand.terrain = about.terrain;
-  io::TemperatureReport report;
-  report.document = file;
-  report.notes.push_back(about.statement);
-  report.notes.insert(report.notes.end(), outdoors.notes.begin(), outdoors.notes.end());
+  io::TemperatureReport report = report_about(document, about);
   report.notes.push_back(stand_text(question, stand));
 
   const std::vector<Named> materials =
       materials_of(document, question.materials, about.mean_air_k, report.notes);
-  const auto a_day = static_cast<std::size_t>(std::round(thermal::kShownDay_s / series.step_s));
-  const std::size_t first = series.rows.size() - 1 - a_day;
-  for (std::size_t row = first; row < series.rows.size(); ++row) {
-    report.time_s.push_back(series.begin_s + static_cast<double>(row) * series.step_s);
-    report.air_k.push_back(series.rows[row].air.temperature_k);
-  }
   report.materials.resize(materials.size());
   parallel_for(static_cast<std::int64_t>(materials.size()), 0, [&](std::int64_t index) {
     const Named& source = materials[static_cast<std::size_t>(index)];
@@ -133,9 +93,12 @@ io::TemperatureReport survey_temperatures(const io::Document& document, const Te
                                     std::vector<double>(series.rows.size(), visibility));
     };
     const thermal::SurfaceSolution sunlit = solve(1.0);
-    report.materials[static_cast<std::size_t>(index)] = {
-        source.name, thermal.description, day_of(sunlit, first, series), day_of(solve(0.0), first, series),
-        unaccounted_of(sunlit)};
+    report.materials[static_cast<std::size_t>(index)] = {source.name,
+                                                         thermal.description,
+                                                         day_of(sunlit, about),
+                                                         day_of(solve(0.0), about),
+                                                         unaccounted_of(sunlit),
+                                                         {}};
   });
   report.crossovers = io::crossovers_of(report);
   return report;
