@@ -5,6 +5,7 @@
 
 #include "thermal/convection.h"
 #include "thermal/evaporation.h"
+#include "thermal/fluxes.h"
 #include "thermal/surface_exchange.h"
 #include "thermal/wind_profile.h"
 
@@ -49,18 +50,6 @@ struct Stand {
   double ground_reflectance = 0.2;
   /// Of the sky above the surface's horizon, weighed as the surface sees it, 0 to 1; what hides the rest is taken to be as the ground.
   double free_sky = 1.0;
-};
-
-/// Where the heat comes from and goes, W m-2, positive where the surface gains it.
-struct Fluxes {
-  double sun = 0.0, sky = 0.0, reflected = 0.0;  ///< absorbed sunlight: direct, of the sky, from the ground
-  double sky_longwave = 0.0, ground_longwave = 0.0, emitted = 0.0;
-  double convection = 0.0, latent = 0.0,
-         power = 0.0;  ///< latent: of water that evaporates, and of ice that melts
-
-  double sum() const {
-    return sun + sky + reflected + sky_longwave + ground_longwave + emitted + convection + latent + power;
-  }
 };
 
 /// The balance of a surface outdoors,

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "thermal/surface_balance.h"
+#include "thermal/fluxes.h"
 
 namespace ifov::io {
 

@@ -1,11 +1,9 @@
 #include "ifov/temperature.h"
 
 #include "core/call_scope.h"
-#include "io/files/inputs.h"
 #include "io/temperature_report/temperature_report.h"
 #include "session/facade/access.h"
 #include "session/facade/document_inside.h"
-#include "session/temperatures/point_temperature.h"
 #include "session/temperatures/temperature_survey.h"
 
 namespace ifov {

@@ -1,19 +1,18 @@
-#include "session/temperatures/point_temperature.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
 #include "core/names.h"
 #include "exposure/solved_surface.h"
-#include "geometry/world.h"
 #include "io/document/document.h"
 #include "math/angle.h"
+#include "session/assembly/geometry/placed_objects.h"
 #include "session/assembly/surfaces/thermal_assembly.h"
-#include "session/loaded/parts.h"
 #include "session/session.h"
 #include "session/solved/document_outdoors.h"
+#include "session/temperatures/looked_for_point.h"
 #include "session/temperatures/reported_day.h"
+#include "session/temperatures/temperature_survey.h"
 
 namespace ifov::session {
 namespace {
@@ -21,8 +20,6 @@ namespace {
 using Exposure = exposure::SolvedSurface::Exposure;
 
 constexpr int kSkyPairs = 512, kSunRays = 64;
-constexpr double kAbove_m = 1.0;
-constexpr int kMostPassed = 4096;
 
 std::size_t object_of(const io::Document& document, const std::string& name) {
   std::vector<std::string> names;
@@ -32,34 +29,6 @@ std::size_t object_of(const io::Document& document, const std::string& name) {
   }
   throw InputError(
       format("{}: no object is named '{}'{}", document.sources.file_name, name, did_you_mean(name, names)));
-}
-
-math::Ray ray_of(const geometry::World& world, const Parts& parts, std::optional<std::size_t> object,
-                 const PointQuestion& question) {
-  math::Ray ray{{question.x_m, question.y_m, question.z_m},
-                {question.along_x, question.along_y, question.along_z}};
-  const double length = math::length(ray.direction);
-  if (!(length > 0.0) || !std::isfinite(length))
-    throw InputError("the direction in which a surface is looked for has no length");
-  ray.direction = (1.0 / length) * ray.direction;
-  if (question.above_object && object) {
-    const geometry::World::PlacedObject placed = world.object(parts.placed.first(*object));
-    ray.origin_m.x = placed.pilot_point_m.x;
-    ray.origin_m.y = placed.pilot_point_m.y;
-  }
-  if (!std::isfinite(ray.origin_m.z)) ray.origin_m.z = world.heights().high_m + kAbove_m;
-  return ray;
-}
-
-/// The first surface on the way, of one object or of any.
-geometry::SurfacePoint met_by(const Parts& parts, math::Ray ray, std::optional<std::size_t> object) {
-  geometry::SurfacePoint met;
-  for (int k = 0; k < kMostPassed; ++k) {
-    parts.scene.world->intersect({&ray, 1}, {&met, 1});
-    if (!met.hit() || !object || parts.placed.of(met.instance) == *object) return met;
-    ray.t_min_m = met.distance_m + met.offset_m;
-  }
-  return {};
 }
 
 /// At each row of the series.
@@ -86,23 +55,20 @@ std::string place_text(const geometry::SurfacePoint& met) {
   return format("({:.2f}, {:.2f}, {:.2f}) m", met.position_m.x, met.position_m.y, met.position_m.z);
 }
 
-/// The classes of the surface that was met, and the material that it is of. InputError where it has none.
-std::pair<const exposure::SolvedSurface*, std::uint32_t> solved_at(const Parts& parts,
-                                                                   const io::Document& document,
-                                                                   const geometry::SurfacePoint& met) {
-  const scene::ResolvedSurface resolved = parts.scene.resolve_without_temperature(met);
-  const scene::SurfaceState& state = parts.scene.states[resolved.constituents[0].state];
-  const auto* surface =
-      state.solved > 0
-          ? dynamic_cast<const exposure::SolvedSurface*>(parts.scene.solved[state.solved - 1].get())
-          : nullptr;
-  if (surface == nullptr)
-    throw InputError(
-        format("{}: the surface at {}, of {}, has no temperature that is solved: give it, or its material, "
-               "\"temperature\": \"solved\"",
-               document.sources.file_name, place_text(met),
-               title_of(document.scene.objects, parts.placed.of(met.instance))));
-  return {surface, state.solved - 1};
+/// InputError where nothing was met, or what has no solved temperature.
+void require_solved(const io::Document& document, const LookedForPoint& point,
+                    const PointQuestion& question) {
+  const std::string& file = document.sources.file_name;
+  const math::Ray& ray = point.along;
+  if (!point.met.hit())
+    throw InputError(format(
+        "{}: no surface{} is met from ({:.2f}, {:.2f}, {:.2f}) m along ({:g}, {:g}, {:g}) at the document's time",
+        file, question.object.empty() ? std::string() : " of '" + question.object + "'", ray.origin_m.x,
+        ray.origin_m.y, ray.origin_m.z, ray.direction.x, ray.direction.y, ray.direction.z));
+  if (point.surface == nullptr)
+    throw InputError(format(
+        "{}: the surface at {}, of {}, has no temperature that is solved: give it, or its material, \"temperature\": \"solved\"",
+        file, place_text(point.met), title_of(document.scene.objects, point.object)));
 }
 
 }  // namespace
@@ -113,21 +79,12 @@ io::TemperatureReport point_temperature(const io::Document& document, const Poin
   std::optional<std::size_t> object;
   if (!question.object.empty()) object = object_of(document, question.object);
   const Session session = Session::load(document, nullptr);
-  const Parts& parts = session.parts();
-  if (object && parts.placed.count(*object) == 0)
-    throw InputError(
-        format("{}: '{}' is not there at the document's time", document.sources.file_name, question.object));
-  const math::Ray ray = ray_of(*parts.scene.world, parts, object, question);
-  const geometry::SurfacePoint met = met_by(parts, ray, object);
-  if (!met.hit())
-    throw InputError(format(
-        "{}: no surface{} is met from ({:.2f}, {:.2f}, {:.2f}) m along ({:g}, {:g}, {:g})",
-        document.sources.file_name, object ? " of '" + question.object + "'" : std::string(), ray.origin_m.x,
-        ray.origin_m.y, ray.origin_m.z, ray.direction.x, ray.direction.y, ray.direction.z));
-  const auto [surface, number] = solved_at(parts, document, met);
-  const io::MaterialDocument& source = document.scene.materials[number];
-  const auto thermal =
-      assemble_thermal(document.sources, source, parts.scene.materials[number], about.mean_air_k);
+  const LookedForPoint point = look_for(session.parts(), object, question);
+  require_solved(document, point, question);
+  const auto* const surface = dynamic_cast<const exposure::SolvedSurface*>(point.surface);
+  const geometry::SurfacePoint& met = point.met;
+  const auto thermal = assemble_thermal(document.sources, document.scene.materials[point.material],
+                                        *point.optics, about.mean_air_k);
   const Exposure exposure = surface->exposure(met, 0, kSkyPairs, kSunRays);
   const math::Vec3 normal = surface->normal_at(met);
 
@@ -140,7 +97,7 @@ io::TemperatureReport point_temperature(const io::Document& document, const Poin
     return thermal::solve_surface(thermal->solid, thermal->skin, stand, series, thermal->start,
                                   std::move(visibility), std::move(free_sky));
   };
-  io::TemperatureReport report = report_about(document, about);
+  io::TemperatureReport report = report_about(document.sources.file_name, about);
   const thermal::SurfaceSolution sunlit = solve(std::vector<double>(series.rows.size(), 1.0), {});
   const thermal::SurfaceSolution shaded = solve(std::vector<double>(series.rows.size(), 0.0), {});
   const std::vector<double> seen = sun_seen(*surface, exposure);
@@ -153,17 +110,15 @@ io::TemperatureReport point_temperature(const io::Document& document, const Poin
   report.notes.push_back(format(
       "the point {} of {}: it slopes by {:.1f} deg{}, {}; {} rays to the sky and {} to the Sun at each step, from as many "
       "places of its disc",
-      place_text(met), title_of(document.scene.objects, parts.placed.of(met.instance)),
-      stand.tilt_rad / math::kDegree,
+      place_text(met), title_of(document.scene.objects, point.object), stand.tilt_rad / math::kDegree,
       stand.tilt_rad > 0.5 * math::kDegree ? format(" and faces {:.0f} deg from north", azimuth_deg) : "",
       wind_text(stand), 2 * kSkyPairs, kSunRays));
   const double own_k = here.surface_k(series.rows.size() - 1);
   report.notes.push_back(format(
       "at the document's time: {:.2f} degC; images, which know it by its class, have {:.2f} degC, and state +-{:.2f} K for its material",
-      own_k - 273.15, surface->temperature_k(met, exposure) - 273.15,
-      parts.temperature_errors ? parts.temperature_errors->by_material.at(number).half_width_k() : 0.0));
+      own_k - 273.15, surface->temperature_k(met, exposure) - 273.15, point.half_width_k));
   const std::size_t shown = report.time_s.size();
-  report.materials.push_back({source.name,
+  report.materials.push_back({document.scene.materials[point.material].name,
                               thermal->description,
                               day_of(sunlit, about),
                               day_of(shaded, about),

@@ -2,10 +2,6 @@
 
 #include <cmath>
 
-#include "atmosphere/weather_series.h"
-#include "core/error.h"
-#include "io/document/document.h"
-#include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/solved/document_outdoors.h"
 #include "thermal/outdoors_series.h"
 #include "thermal/surface_solution.h"
@@ -23,24 +19,10 @@ double time_of_s(const thermal::OutdoorsSeries& series, std::size_t row) {
 
 }  // namespace
 
-DocumentOutdoors outdoors_of_survey(const io::Document& document) {
-  const std::string& file = document.sources.file_name;
-  if (!document.time)
-    throw InputError(
-        format("{}: surface temperatures need a \"time\": the 24 hours before it are shown", file));
-  if (!document.weather)
-    throw InputError(format(
-        "{}: surface temperatures need \"weather\": a file with air temperature, wind and sunlight, such as "
-        "\"weather\": {{\"file\": \"amsterdam.epw\"}}",
-        file));
-  return outdoors_of_document(document,
-                              *assemble_weather(document.sources, *document.weather, document.time));
-}
-
-io::TemperatureReport report_about(const io::Document& document, const DocumentOutdoors& about) {
+io::TemperatureReport report_about(const std::string& document, const DocumentOutdoors& about) {
   const thermal::OutdoorsSeries& series = about.outdoors.series;
   io::TemperatureReport report;
-  report.document = document.sources.file_name;
+  report.document = document;
   report.notes.push_back(about.statement);
   report.notes.insert(report.notes.end(), about.outdoors.notes.begin(), about.outdoors.notes.end());
   for (std::size_t row = first_shown(series); row < series.rows.size(); ++row) {

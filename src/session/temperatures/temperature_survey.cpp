@@ -10,6 +10,7 @@
 #include "io/document/thermal_document.h"
 #include "materials/material.h"
 #include "math/angle.h"
+#include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/surfaces/thermal_assembly.h"
 #include "session/one_material.h"
@@ -71,6 +72,20 @@ std::string stand_text(const TemperatureQuestion& question, const thermal::Stand
 
 }  // namespace
 
+DocumentOutdoors outdoors_of_survey(const io::Document& document) {
+  const std::string& file = document.sources.file_name;
+  if (!document.time)
+    throw InputError(
+        format("{}: surface temperatures need a \"time\": the 24 hours before it are shown", file));
+  if (!document.weather)
+    throw InputError(format(
+        "{}: surface temperatures need \"weather\": a file with air temperature, wind and sunlight, such as "
+        "\"weather\": {{\"file\": \"amsterdam.epw\"}}",
+        file));
+  return outdoors_of_document(document,
+                              *assemble_weather(document.sources, *document.weather, document.time));
+}
+
 io::TemperatureReport survey_temperatures(const io::Document& document, const TemperatureQuestion& question) {
   const DocumentOutdoors about = outdoors_of_survey(document);
   const thermal::OutdoorsSeries& series = about.outdoors.series;
@@ -79,7 +94,7 @@ io::TemperatureReport survey_temperatures(const io::Document& document, const Te
   stand.azimuth_rad = question.azimuth_rad;
   stand.height_m = question.height_m;
   stand.terrain = about.terrain;
-  io::TemperatureReport report = report_about(document, about);
+  io::TemperatureReport report = report_about(document.sources.file_name, about);
   report.notes.push_back(stand_text(question, stand));
 
   const std::vector<Named> materials =
