@@ -144,9 +144,13 @@ SolvedSurface::PastSky SolvedSurface::past_sky(const ExposedPoint& exposed, cons
   PastSky past;
   const double pairs = 0.5 * static_cast<double>(count);
   const auto change_k = [&](std::size_t k) { return signs[k] * sums_k.back() * (was_free[k] - is_free[k]); };
+  // What was free of the sky and is hidden now had the Sun that the point had; what was hidden, mostly from the Sun too, had half of it.
+  const auto bent_k = [&](std::size_t k) {
+    return (was_free[k] > is_free[k] ? 2.0 : 1.0) * bends[k] * change_k(k);
+  };
   for (std::size_t k = 0; k + 1 < count; k += 2) {
     past.in_shade_k += 0.5 * (change_k(k) + change_k(k + 1)) / pairs;
-    past.of_sun_k += 0.5 * (change_k(k) * bends[k] + change_k(k + 1) * bends[k + 1]) / pairs;
+    past.of_sun_k += 0.5 * (bent_k(k) + bent_k(k + 1)) / pairs;
     const double apart_k = of_sky_k * (is_free[k] - is_free[k + 1]) + change_k(k) - change_k(k + 1);
     past.variance_k2 += 0.25 * apart_k * apart_k / (pairs * pairs);
   }
@@ -235,8 +239,9 @@ double SolvedSurface::temperature_k(const geometry::SurfacePoint& point, const E
     std::vector<double> sky_k(exposure.past_free_sky.size()), sky_bend_k(sky_k.size());
     classes_->past_sky(pose, sky_k, sky_bend_k);
     for (std::size_t row = 0; row < sky_k.size(); ++row)
-      past_k +=
-          (sky_k[row] + 0.5 * of_sun * sky_bend_k[row]) * (exposure.past_free_sky[row] - exposure.free_sky);
+      past_k += (sky_k[row] +
+                 (exposure.past_free_sky[row] > exposure.free_sky ? 1.0 : 0.5) * of_sun * sky_bend_k[row]) *
+                (exposure.past_free_sky[row] - exposure.free_sky);
   }
   return shaded_k + past_k + lit_k + bent_k;
 }

@@ -40,6 +40,12 @@ class SolvedSurface final : public scene::SolvedTemperature {
   /// With `sky_pairs` pairs of rays to the sky and `sun_rays` to each of the Sun's places.
   Exposure exposure(const geometry::SurfacePoint& point, std::uint64_t key, int sky_pairs,
                     int sun_rays) const;
+  /// How little a point's past is like that of a surface always in the Sun or never, by a look at some of the Sun's places: what the rise
+  /// in the Sun is worth, times V (1 - V). And how much of it, and of the sky, is otherwise for what came or went. Kelvins.
+  struct Unsettled {
+    double mixed_k = 0.0, changed_k = 0.0;
+  };
+  Unsettled unsettled(const geometry::SurfacePoint& point) const;
   /// Outwards, from the side that was met.
   math::Vec3 normal_at(const geometry::SurfacePoint& point) const;
   /// The same sum as at(), of all of it.
@@ -59,7 +65,8 @@ class SolvedSurface final : public scene::SolvedTemperature {
   /// What the sky was to a point at other times than now, beyond what it is: an estimate by the same directions, and the pairs'
   /// variance of both together. `is_free`: which are now; `of_sky_k`: what all of them are worth.
   struct PastSky {
-    double in_shade_k = 0.0, of_sun_k = 0.0;  ///< without the Sun, and by what it changes with half of u
+    /// Without the Sun, and by what it changes with half of u; where the sky was freer than now, twice that.
+    double in_shade_k = 0.0, of_sun_k = 0.0;
     double variance_k2 = 0.0;
   };
   PastSky past_sky(const ExposedPoint& exposed, const thermal::Pose& pose, std::uint64_t key,

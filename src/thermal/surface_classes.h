@@ -58,7 +58,8 @@ struct Pose {
 ///
 ///   s_k (f(t_k) - f),   s_k = (K_0 + u / 2 (K_1 - K_0)) F g(t_k):
 ///
-/// what hides the sky mostly hides the Sun, so that half of u is what came after.
+/// what hides the sky mostly hides the Sun, so that half of u is what came after. Where the sky was freer than now the Sun was there, too, and all of
+/// u counts.
 ///
 /// A direction at a level is solved when first asked for; any number of threads may ask, and what they are told does not depend on it.
 class SurfaceClasses {

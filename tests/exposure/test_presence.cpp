@@ -127,7 +127,7 @@ TEST(Presence, ACarThatJustCameDidNotShadeBefore) {
   for (const auto& [x, y] : {std::pair{0.5, 1.1}, {2.4, 0.5}}) {  // in its shadow of now
     const geometry::SurfacePoint point = below(session.parts().scene, x, y);
     const double expected_k = alone_k(minutes, x, y, 30.0, -1.0);
-    EXPECT_NEAR(mean_k(*session.parts().scene.solved.at(0), point, 8000), expected_k, 0.2) << x << " " << y;
+    EXPECT_NEAR(mean_k(*session.parts().scene.solved.at(0), point, 8000), expected_k, 0.12) << x << " " << y;
     EXPECT_GT(std::abs(mean_k(*minutes.parts().scene.solved.at(0), point, 200) - expected_k), 0.5) << x;
   }
   // The car itself is in the picture.

@@ -11,8 +11,9 @@ namespace ifov::session {
 
 double TemperatureErrors::OfMaterial::half_width_k() const {
   static const double kConfidence = std::erf(std::numbers::sqrt2);
-  return std::hypot(sampling::two_sided_student(kConfidence, std::max(points, 1.0)) * rms_k, 2.0 * step_k) +
-         ground_k;
+  const double of_all_k = sampling::two_sided_student(kConfidence, std::max(points, 1.0)) * rms_k,
+               of_chosen_k = 2.0 * unsettled_k;
+  return std::hypot(std::max(of_all_k, of_chosen_k), 2.0 * step_k) + ground_k;
 }
 
 double TemperatureErrors::half_width_k() const {
@@ -24,11 +25,16 @@ double TemperatureErrors::half_width_k() const {
 std::string TemperatureErrors::statement() const {
   return format(
       "solved temperatures: at {} points that the camera sees, each solved in full by itself{}, off by {:.2f} K "
-      "(root mean square, of '{}', the material that is off most), {:.2f} K at worst, {:+.3f} K on average; steps of time {:.3f} K{}{}; what "
+      "(root mean square, of '{}', the material that is off most), {:.2f} K at worst, {:+.3f} K on average{}; steps of time {:.3f} K{}{}; what "
       "hides the sky counts as level ground at the air's temperature",
       points, made_up > 0 ? format(", and {} more of materials that it hardly sees", made_up) : "", rms_k,
-      material, worst_k, bias_k, step_k,
-      points > 0 ? format("; wind of {:.0f} to {:.0f} m above ground", lowest_m, highest_m) : "",
+      material, worst_k, bias_k,
+      unsettled > 0
+          ? format(
+                "; {:.2f} K at its own of {} that the Sun came to and left, or about which things came and went",
+                unsettled_k, unsettled)
+          : "",
+      step_k, points > 0 ? format("; wind of {:.0f} to {:.0f} m above ground", lowest_m, highest_m) : "",
       on_nothing > 0
           ? format(
                 "; below {} of them nothing faces up, and the ground beside lies lower: by the wind of their height, up to {:.2f} K",
