@@ -30,7 +30,7 @@ namespace {
 /// The error that the nodes of a channel may leave, and how many they are at most: every node is a column that all paths
 /// carry, so that sensors of few channels can afford more of them and be nearer to what is asked for.
 constexpr double kNodeTolerance = 5e-3, kFinest = 5e-4;
-constexpr std::size_t kMostColumns = 256, kUsualNodes = 8, kMostNodes = 32;
+constexpr std::size_t kMostColumns = 256, kUsualNodes = 8, kMostNodes = 64;
 
 double sensor_altitude_km(const io::ModelledAtmosphere& air, const sensor::Camera& camera, double line_px,
                           double ground_km) {

@@ -11,7 +11,7 @@
 namespace ifov::session {
 namespace {
 
-constexpr double kShare = 0.1, kLeastTolerance = 2e-5;
+constexpr double kShare = 1.0 / 30.0, kLeastTolerance = 2e-5;
 constexpr double kWarm_k = 300.0;
 
 /// What is asked for as a share of a radiance, in one channel.
