@@ -23,6 +23,13 @@ constexpr std::size_t kMostWavelengths = 6;
 constexpr double kLeastShare = 1e-5;
 constexpr double kDark = 1e-300;
 
+/// Logarithm of all light over light scattered once. What is scattered more often is added to it: that may come out below 0 by a little
+/// where it is next to nothing.
+double over_single(const PathLight& path) {
+  constexpr double kLeast = 0.5;
+  return path.single.i > 0.0 ? std::log(std::max(kLeast, path.radiance().i / path.single.i)) : 0.0;
+}
+
 }  // namespace
 
 double ChannelScattering::log_ratio(double a, double b) {
@@ -151,8 +158,7 @@ void ChannelScattering::solve_lines_of_sight(const ColumnSolution& solved,
     if (points_.is_under_cloud(line.sensor_km))
       node.line_of_sight_path.push_back(log_ratio(path.radiance().i, base.value().sun[0]));
     else
-      node.line_of_sight_path.push_back(path.single.i > 0.0 ? log_ratio(path.radiance().i, path.single.i)
-                                                            : 0.0);
+      node.line_of_sight_path.push_back(over_single(path));
     node.line_of_sight_diffuse.push_back(
         log_ratio(solved.diffuse_transmittance(mu, line.sensor_km, surface_km).i,
                   base ? base->line_of_sight_view[s][0] : path.transmittance));
@@ -169,8 +175,8 @@ void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
   const double albedo = solved.spherical_albedo();
   std::optional<ChannelPoints::Beams> base;
   if (points_.has_base()) base = points_.base_of(node.optics);
-  node.path =
-      log_ratio(path.radiance().i, points_.is_under_cloud(sensor_km) ? base.value().sun[0] : path.single.i);
+  node.path = points_.is_under_cloud(sensor_km) ? log_ratio(path.radiance().i, base.value().sun[0])
+                                                : over_single(path);
   node.sky_irradiance = log_ratio(sky_irradiance, base ? base->sun[0] : solved.sun_transmittance(ground_km));
   node.diffuse_transmittance = log_ratio(solved.diffuse_transmittance(towards_sensor().mu, sensor_km).i,
                                          base ? base->view[0] : path.transmittance);
