@@ -17,6 +17,7 @@ constexpr double kDegree = std::numbers::pi / 180.0, kPi = std::numbers::pi;
 class LinesOfSight : public testing::Test {
  protected:
   LinesOfSight() {
+    scattering_.nodes_per_hemisphere = 6;
     geometry_.sun_zenith_rad = 40.0 * kDegree;
     geometry_.sensor_altitude_km = 6.0;
     for (const double um : {0.45, 0.86, 0.762})
@@ -29,7 +30,7 @@ class LinesOfSight : public testing::Test {
     inputs.channels = channels_;
     inputs.solar_irradiance = radiometry::solar_irradiance_1au();
     inputs.geometry = geometry;
-    inputs.scattering.nodes_per_hemisphere = 6;
+    inputs.scattering = scattering_;
     inputs.lines_of_sight = std::move(lines_of_sight);
     inputs.demands.tolerance = 1e-3;
     inputs.demands.most_nodes = 8;
@@ -58,6 +59,7 @@ class LinesOfSight : public testing::Test {
 
   AtmosphereColumn column_{AtmosphereDescription{}};
   SensorGeometry geometry_;
+  ScatteringOptions scattering_;
   std::vector<radiometry::Channel> channels_;
   SensorAltitudes altitudes_{6.0, 6.0};
   LineOfSightRange range_{-0.55, 0.5, 0.0, 0.45, 0.0};
@@ -135,6 +137,23 @@ TEST_F(LinesOfSight, AboveTheGround) {
       EXPECT_NEAR(beam / (sun * solved.sun_transmittance(line.height_km)), 1.0, 2e-3);
       EXPECT_NEAR(sky / (sun * solved.sunlit().fluxes().at(line.height_km).diffuse_down), 1.0, 6e-3);
     }
+  }
+}
+
+// Straight down under any Sun but a low one a round Earth is a flat one, in every channel.
+TEST_F(LinesOfSight, PathsUnderHighSunsAreThoseOfFlatLayers) {
+  channels_.clear();
+  for (const double um : {0.45, 0.86, 1.65, 2.2, 3.85})
+    channels_.push_back(radiometry::Channel::monochromatic("", um));
+  geometry_.sensor_altitude_km = kTopOfAtmosphereKm;
+  for (const double sun : {0.0, 20.0, 24.0, 60.0}) {
+    geometry_.sun_zenith_rad = sun * kDegree;
+    scattering_.spherical_earth = false;
+    const SensorAtmosphere flat = build({}, geometry_);
+    scattering_.spherical_earth = true;
+    const SensorAtmosphere round = build({}, geometry_);
+    for (std::size_t c = 0; c < channels_.size(); ++c)
+      EXPECT_NEAR(seen(round, c, {1.0}).added / seen(flat, c, {1.0}).added, 1.0, 0.01) << sun << " " << c;
   }
 }
 
