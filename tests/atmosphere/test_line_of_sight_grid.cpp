@@ -157,6 +157,27 @@ TEST_F(LinesOfSight, PathsUnderHighSunsAreThoseOfFlatLayers) {
   }
 }
 
+// An aeroplane at dusk: the air below it lies in the Earth's shadow, or is lit through so much oxygen that hardly any light is left to be
+// scattered once, by which the rest was told. It darkens with the Sun, and is darker than all of the air.
+TEST_F(LinesOfSight, PathsAtDuskDarken) {
+  channels_ = {radiometry::Channel::gaussian("", 0.762, 0.004), radiometry::Channel::monochromatic("", 0.55)};
+  std::vector<double> last(channels_.size(), 1e300);
+  for (const double sun : {86.0, 89.0, 91.0, 92.0, 93.5, 95.0}) {
+    geometry_.sun_zenith_rad = sun * kDegree;
+    geometry_.sensor_altitude_km = 10.0;
+    const SensorAtmosphere air = build({}, geometry_);
+    geometry_.sensor_altitude_km = kTopOfAtmosphereKm;
+    const SensorAtmosphere whole = build({}, geometry_);
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      const double path = seen(air, c, {1.0}).added;
+      EXPECT_GT(path, 0.0) << sun << " " << c;
+      EXPECT_LT(path, 0.95 * last[c]) << sun << " " << c;
+      EXPECT_LT(path, seen(whole, c, {1.0}).added) << sun << " " << c;
+      last[c] = path;
+    }
+  }
+}
+
 // The lowest 13 m of haze are a quarter percent of what a roof sends: more than an image needs that is asked for 1 %.
 // Planted: roofs seen through all of the air that is over the ground.
 TEST_F(LinesOfSight, RoofsHaveTheirOwn) {

@@ -108,17 +108,25 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
   result.emission_share = result.share;
   const std::vector<double>& levels_km = column_.levels().altitude_km;
   const std::vector<double> falling_km(levels_km.rbegin(), levels_km.rend());
-  std::vector<ShellLineOfSight> sights;
-  for (const LineOfSight& line : lines())
-    sights.emplace_back(falling_km, options_.spherical_earth, std::cos(geometry_.any_sun_zenith_rad()),
-                        Propagation{std::cos(line.zenith_rad), line.azimuth_rad - std::numbers::pi},
-                        ShellLineOfSight::Ends{levels_km.front() + line.height_km, line.sensor_km});
+  std::vector<ShellLineOfSight> sights, to_space;
+  for (const LineOfSight& line : lines()) {
+    const auto add = [&](std::vector<ShellLineOfSight>& all, double sensor_km) {
+      all.emplace_back(falling_km, options_.spherical_earth, std::cos(geometry_.any_sun_zenith_rad()),
+                       Propagation{std::cos(line.zenith_rad), line.azimuth_rad - std::numbers::pi},
+                       ShellLineOfSight::Ends{levels_km.front() + line.height_km, sensor_km});
+    };
+    add(sights, line.sensor_km);
+    if (low_sun()) add(to_space, levels_km.back());
+  }
   for (std::size_t p = 0; p < count; ++p) {
     const ChannelPoints::Point& point = points_.points[p];
     const ScatteringColumn column(column_.levels(), point.layers(), geometry_.any_sun_zenith_rad(), options_);
     const auto once = [&](const ShellLineOfSight& line) {
       if (!sunlit_) return StokesVector{};
       return points_.irradiance[p] * single_scattering(column, options_.aerosol_polarization, line).single;
+    };
+    const auto base_of = [&](std::size_t sight, const StokesVector& single) {
+      return path_base(single.i, to_space.empty() ? 0.0 : once(to_space[sight]).i);
     };
     const std::vector<Part> parts = parts_at(p);
     for (const Part& part : parts) {
@@ -138,19 +146,18 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
     const StokesVector own = once(sights.front());
     result.once[p] = own.i;
     const double sun_base = sunlit_ ? points_.sun_base()[p] : 0.0;
-    result.path[p] = (points_.is_under_cloud(geometry_.sensor_altitude_km) ? sun_base : own.i) *
-                     path_ratio([](const Node& n) { return n.path; });
+    const double own_base = points_.is_under_cloud(geometry_.sensor_altitude_km) ? sun_base : base_of(0, own);
+    result.path[p] = own_base * path_ratio([](const Node& n) { return n.path; });
     result.sky_irradiance[p] = sun_base * ratio([](const Node& n) { return n.sky_irradiance; });
     result.diffuse_transmittance[p] =
         points_.view_base()[p] * ratio([](const Node& n) { return n.diffuse_transmittance; });
     result.spherical_albedo[p] = ratio([](const Node& n) { return n.spherical_albedo; });
-    if (geometry_.level_fluxes)
-      add_fluxes(p, parts, points_.is_under_cloud(geometry_.sensor_altitude_km) ? sun_base : own.i, result);
+    if (geometry_.level_fluxes) add_fluxes(p, parts, own_base, result);
     if (polarized_) polarize(0, p, parts, own, result.path[p], result.diffuse_transmittance[p], result);
     for (std::size_t s = 0; s < lines_of_sight; ++s) {
       const StokesVector along = once(sights[1 + s]);
       result.line_of_sight_path[s][p] =
-          (points_.is_under_cloud(geometry_.lines_of_sight[s].sensor_km) ? sun_base : along.i) *
+          (points_.is_under_cloud(geometry_.lines_of_sight[s].sensor_km) ? sun_base : base_of(1 + s, along)) *
           path_ratio([s](const Node& n) { return n.line_of_sight_path[s]; });
       result.line_of_sight_diffuse[s][p] =
           points_.line_of_sight_base(s)[p] * ratio([s](const Node& n) { return n.line_of_sight_diffuse[s]; });
@@ -179,14 +186,14 @@ double ChannelScattering::depth_to_sensor(const LayerOptics& layers) const {
   return depth;
 }
 
-void ChannelScattering::solve_fluxes(const ColumnSolution& solved, double once, Node& node) const {
+void ChannelScattering::solve_fluxes(const ColumnSolution& solved, double base, Node& node) const {
   const ColumnSolution::GroundFlux ground = solved.ground_flux(geometry_.sensor_altitude_km);
-  node.level_up = log_ratio(solved.sunlit().fluxes().at(geometry_.sensor_altitude_km).up, once);
+  node.level_up = log_ratio(solved.sunlit().fluxes().at(geometry_.sensor_altitude_km).up, base);
   node.ground_up = log_ratio(ground.up, straight_flux(depth_to_sensor(node.optics)));
   node.ground_down = log_ratio(ground.down, 1.0);
 }
 
-void ChannelScattering::add_fluxes(std::size_t point, const std::vector<Part>& parts, double once,
+void ChannelScattering::add_fluxes(std::size_t point, const std::vector<Part>& parts, double base,
                                    AtPoints& at) const {
   double level_up = 0.0, ground_up = 0.0, ground_down = 0.0;
   for (const Part& part : parts) {
@@ -194,7 +201,7 @@ void ChannelScattering::add_fluxes(std::size_t point, const std::vector<Part>& p
     ground_up += part.plain * part.node->ground_up;
     ground_down += part.plain * part.node->ground_down;
   }
-  at.level_up.push_back(sunlit_ ? once * std::exp(level_up) : 0.0);
+  at.level_up.push_back(sunlit_ ? base * std::exp(level_up) : 0.0);
   at.ground_up.push_back(straight_flux(depth_to_sensor(points_.points[point].layers())) *
                          std::exp(ground_up));
   at.ground_down.push_back(std::exp(ground_down));
