@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 
 #include "atmosphere/scattering/shell_line_of_sight.h"
 #include "atmosphere/scattering/single_scattering.h"
@@ -88,6 +89,40 @@ std::vector<ChannelScattering::Part> ChannelScattering::parts_at(std::size_t p) 
   return parts;
 }
 
+double ChannelScattering::gas_between(const LayerOptics& layers, double low_km, double high_km) const {
+  const std::vector<double>& at_km = column_.levels().altitude_km;
+  double depth = 0.0;
+  for (std::size_t i = 0; i < layers.layers() && at_km[i] < high_km; ++i) {
+    const double within = std::min(high_km, at_km[i + 1]) - std::max(low_km, at_km[i]);
+    depth += layers.gas_absorption[i] * std::max(0.0, within) / (at_km[i + 1] - at_km[i]);
+  }
+  return depth;
+}
+
+/// Gas above a sensor, ozone in the stratosphere, dims nothing that the ground sends there. A point that has much of it is as a
+/// solution of little gas, if there is little below.
+std::vector<ChannelScattering::Part> ChannelScattering::parts_between(std::size_t p, std::vector<Part> parts,
+                                                                      double low_km, double high_km) const {
+  const std::size_t columns = depth_.size();
+  if (columns < 2) return parts;
+  const double here = gas_between(points_.points[p].layers(), low_km, high_km);
+  for (std::size_t first = 0; first < parts.size(); first += columns) {
+    const double across = std::accumulate(parts.begin() + static_cast<std::ptrdiff_t>(first),
+                                          parts.begin() + static_cast<std::ptrdiff_t>(first + columns), 0.0,
+                                          [](double sum, const Part& part) { return sum + part.plain; });
+    const auto gas = [&](std::size_t d) {
+      return gas_between(parts[first + d].node->optics, low_km, high_km);
+    };
+    std::size_t low = 0;
+    double below = gas(0), above = gas(1);
+    for (; low + 2 < columns && here >= above; ++low) below = above, above = gas(low + 2);
+    const double share = above > below ? std::clamp((here - below) / (above - below), 0.0, 1.0) : 0.0;
+    for (std::size_t d = 0; d < columns; ++d)
+      parts[first + d].plain = across * (d == low ? 1.0 - share : d == low + 1 ? share : 0.0);
+  }
+  return parts;
+}
+
 ChannelScattering::AtPoints ChannelScattering::at_points() const {
   const std::size_t count = points_.size(), lines_of_sight = geometry_.lines_of_sight.size(),
                     heights = geometry_.heights_km.size();
@@ -133,10 +168,16 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
       result.share[part.solution][p] = part.plain;
       result.emission_share[part.solution][p] = part.emitted;
     }
-    const auto ratio = [&](const auto& of) {
+    const auto mean = [](const std::vector<Part>& over, const auto& of) {
       double sum = 0.0;
-      for (const Part& part : parts) sum += part.plain * of(*part.node);
+      for (const Part& part : over) sum += part.plain * of(*part.node);
       return std::exp(sum);
+    };
+    const auto ratio = [&](const auto& of) { return mean(parts, of); };
+    const auto ratio_below = [&](const LineOfSight& line, const auto& of) {
+      const double low_km = levels_km.front() + line.height_km;
+      return line.sensor_km < levels_km.back() ? mean(parts_between(p, parts, low_km, line.sensor_km), of)
+                                               : ratio(of);
     };
     const auto path_ratio = [&](const auto& of) {
       double sum = 0.0;
@@ -150,7 +191,8 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
     result.path[p] = own_base * path_ratio([](const Node& n) { return n.path; });
     result.sky_irradiance[p] = sun_base * ratio([](const Node& n) { return n.sky_irradiance; });
     result.diffuse_transmittance[p] =
-        points_.view_base()[p] * ratio([](const Node& n) { return n.diffuse_transmittance; });
+        points_.view_base()[p] *
+        ratio_below(geometry_.own_sight(), [](const Node& n) { return n.diffuse_transmittance; });
     result.spherical_albedo[p] = ratio([](const Node& n) { return n.spherical_albedo; });
     if (geometry_.level_fluxes) add_fluxes(p, parts, own_base, result);
     if (polarized_) polarize(0, p, parts, own, result.path[p], result.diffuse_transmittance[p], result);
@@ -160,7 +202,8 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
           (points_.is_under_cloud(geometry_.lines_of_sight[s].sensor_km) ? sun_base : base_of(1 + s, along)) *
           path_ratio([s](const Node& n) { return n.line_of_sight_path[s]; });
       result.line_of_sight_diffuse[s][p] =
-          points_.line_of_sight_base(s)[p] * ratio([s](const Node& n) { return n.line_of_sight_diffuse[s]; });
+          points_.line_of_sight_base(s)[p] *
+          ratio_below(geometry_.lines_of_sight[s], [s](const Node& n) { return n.line_of_sight_diffuse[s]; });
       if (polarized_)
         polarize(1 + s, p, parts, along, result.line_of_sight_path[s][p], result.line_of_sight_diffuse[s][p],
                  result);
@@ -198,9 +241,11 @@ void ChannelScattering::add_fluxes(std::size_t point, const std::vector<Part>& p
   double level_up = 0.0, ground_up = 0.0, ground_down = 0.0;
   for (const Part& part : parts) {
     level_up += part.scaled * part.node->level_up;
-    ground_up += part.plain * part.node->ground_up;
     ground_down += part.plain * part.node->ground_down;
   }
+  for (const Part& part :
+       parts_between(point, parts, column_.levels().altitude_km.front(), geometry_.sensor_altitude_km))
+    ground_up += part.plain * part.node->ground_up;
   at.level_up.push_back(sunlit_ ? base * std::exp(level_up) : 0.0);
   at.ground_up.push_back(straight_flux(depth_to_sensor(points_.points[point].layers())) *
                          std::exp(ground_up));

@@ -126,6 +126,10 @@ class ChannelScattering {
     double plain, scaled, emitted;
   };
   std::vector<Part> parts_at(std::size_t point) const;
+  /// The same, whose `plain` goes by the gas between two altitudes (above mean sea level) in place of the whole column's.
+  std::vector<Part> parts_between(std::size_t point, std::vector<Part> parts, double low_km,
+                                  double high_km) const;
+  double gas_between(const LayerOptics& layers, double low_km, double high_km) const;
   void solve(const ColumnSolver& solver, Node& node) const;
   std::vector<double> question(const ColumnSolver& solver, const Node& node) const;
   void choose_nodes();
