@@ -158,6 +158,7 @@ sampling::TileResult Picture::tile(const sampling::PixelRect& tile, std::size_t 
   problem.survey = survey_.get();
   problem.pilot_points = pilot_rays.points;
   problem.pilot_objects = pilot_rays.objects;
+  problem.thin_shadows = pilot_rays.thin_shadows;
   sampling::TileResult before;
   if (job_.earlier != nullptr && job_.earlier->read(number, before)) problem.before = &before;
 
