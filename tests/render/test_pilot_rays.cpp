@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "geometry/world/world_builder.h"
 #include "render/pilot_rays.h"
 #include "sampling/random.h"
 #include "sensor/orthographic_camera.h"
+#include "transport/mirrors/sun_disc.h"
 
 namespace ifov::test_pilot_rays {
 namespace {
@@ -112,6 +115,35 @@ TEST(PilotRays, ShadowsOfSmallThingsAreSought) {
     EXPECT_EQ(pilot_rays_in_shadow(shape, false), 0u);
   }
   EXPECT_EQ(pilot_rays_in_shadow(geometry::Sphere{{}, 0.05}, true), 1u);
+}
+
+// A rod of 5 cm at 400 m hides a sixtieth of the Sun at most, at places all over its blurred shadow; what is near the ground, or
+// thick, has no such places.
+TEST(PilotRays, PlacesInThinShadowsAreTold) {
+  constexpr double kHalfAngle = 0.00465;
+  const auto places = [&](double half_m, double height_m) {
+    geometry::WorldBuilder builder;
+    place(builder, geometry::Box{{-4.0, -half_m, -half_m}, {4.0, half_m, half_m}}, {0.0, 0.0, height_m});
+    place(builder, geometry::Plane{}, {});
+    const auto world = builder.build(1);
+    const std::vector<math::Vec3> rim = transport::fixed_disc_points({0.0, 0.0, 1.0}, kHalfAngle);
+    return render::PilotRays(*world, 1, camera(), rim, {}, 1.5).near({0, 0, kSide, kSide}, 1.5).thin_shadows;
+  };
+  const std::vector<sampling::ThinShadow> found = places(0.025, 400.0);
+  ASSERT_GT(found.size(), 100u);
+  double least = INFINITY, most = -INFINITY;
+  for (const sampling::ThinShadow& shadow : found) {
+    // It may look as wide as its two sides together.
+    const double share = 0.05 / (0.5 * std::numbers::pi * kHalfAngle * 400.0);
+    EXPECT_GE(static_cast<double>(shadow.share), 0.98 * share);
+    EXPECT_LE(static_cast<double>(shadow.share), 2.05 * share);
+    least = std::min(least, 0.5 * kSide - shadow.point.y_px);
+    most = std::max(most, 0.5 * kSide - shadow.point.y_px);
+  }
+  EXPECT_NEAR(least, -kHalfAngle * 400.0, 0.1);
+  EXPECT_NEAR(most, kHalfAngle * 400.0, 0.1);
+  EXPECT_TRUE(places(0.025, 1.0).empty());
+  EXPECT_TRUE(places(0.5, 400.0).empty());
 }
 
 // A thin rod over the image meets some pixels in their corners alone: each that it passes through for more than a hundredth of a pixel
