@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "geometry/world.h"
 #include "render/field/scene_field.h"
+#include "render/field/seen_through.h"
 #include "render/image_renderer.h"
 #include "render/open_sky.h"
 #include "render/polarized/steering.h"
@@ -38,10 +39,10 @@ void judge_as_image(const std::vector<sampling::Reasons>& sampled, sampling::Til
 
 /// Directions in which a sensor would see the Sun, by way of flat mirrors too.
 std::vector<math::Vec3> sun_and_its_images(const transport::SpectralScene& scene) {
-  constexpr int kReflections = 2;  // as labels follow them (SeenThrough)
   std::vector<math::Vec3> directions = {scene.scene().sun->direction};
   if (scene.sun_mirrors() != nullptr) {
-    const transport::SunImages images(*scene.sun_mirrors(), directions[0], kReflections);
+    const transport::SunImages images(*scene.sun_mirrors(), directions[0], SeenThrough::kMostReflectionsOfSun,
+                                      transport::SunImages::kMost);
     for (const transport::SunImages::Image& image : images.images()) directions.push_back(image.direction);
   }
   return directions;
