@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "geometry/world/world_builder.h"
 #include "render/pilot_rays.h"
+#include "render/small_pieces.h"
 #include "sampling/random.h"
 #include "sensor/orthographic_camera.h"
 #include "transport/mirrors/sun_disc.h"
@@ -203,6 +205,36 @@ TEST(PilotRays, SmallPartsOfCopiesAreSought) {
   };
   EXPECT_EQ(found({}), 2);
   EXPECT_EQ(found({false, true}), 2);
+}
+
+// The same among a million triangles of copies of something else, beyond the picture: materials of few pieces are looked for.
+TEST(PilotRays, SmallPartsOfRareMaterialsAreSoughtAmongMillions) {
+  constexpr std::uint32_t kStrips = 1100;
+  geometry::TriangleMesh meadow;
+  for (std::uint32_t k = 0; k < kStrips; ++k) {
+    const double x = 1e-3 * k;
+    for (const auto& [dx, dy] : {std::pair{0.0, 0.0}, {5e-4, 0.0}, {0.0, 1.0}})
+      meadow.vertices_m.push_back({x + dx, dy, 0.0});
+    meadow.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+  }
+  geometry::WorldBuilder builder;
+  const geometry::ShapeId grass = builder.add_shape(std::move(meadow)),
+                          crown = builder.add_shape(geometry::Sphere{{}, 2.0}),
+                          spark = builder.add_shape(geometry::Sphere{{0.5, 0.7, 2.0}, 0.01});
+  const std::vector<geometry::Part> of_tuft{{grass, {}, {0}}}, of_tree{{crown, {}, {0}}, {spark, {}, {1}}};
+  const geometry::ShapeId tuft = builder.add_prototype(of_tuft), tree = builder.add_prototype(of_tree);
+  builder.place(tree, math::Transform::translation({6.2, 1.1, 0.0}), std::vector<std::uint32_t>{0, 1});
+  for (int k = 0; k < 1000; ++k)
+    builder.place(tuft, math::Transform::translation({100.0 + 2.0 * k, 0.0, 0.0}),
+                  std::vector<std::uint32_t>{0});
+  const auto world = builder.build(2);
+  ASSERT_GT(world->triangle_count(), std::size_t{1} << 20);
+  EXPECT_EQ(render::rare_materials(*world, 2), (geometry::WantedMaterials{false, true}));
+  const render::PilotRays::Near near =
+      render::PilotRays(*world, 2, camera(), {}, {}, 1.5).near({0, 0, kSide, kSide}, 1.5);
+  EXPECT_TRUE(std::any_of(near.points.begin(), near.points.end(), [](const sampling::FocalPoint& p) {
+    return std::hypot(p.x_px - (0.5 * kSide + 6.7), p.y_px - (0.5 * kSide - 1.8)) < 0.01;
+  }));
 }
 
 // One face of 5 cm in a level sheet of triangles, of the sheet's smooth patch: sought where it outshines the scene.
