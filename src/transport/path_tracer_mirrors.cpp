@@ -188,8 +188,7 @@ void PathTracer::note_chain(const Path& path, const SurfaceLobe& lobe, const Sid
                      (path.way.reflections > 0 || path.way.passed);
   const double most = again ? std::max(highest, std::min(2.0 * highest, 1.0 / lobe.probability)) : highest;
   record_.paths[event.number].brightest *=
-      static_cast<float>(most * continuation_grey(lobe, event.vertex)) *
-      event.vertex.continuation_weight;
+      static_cast<float>(most * continuation_grey(lobe, event.vertex)) * event.vertex.continuation_weight;
 }
 
 void PathTracer::send_to_unseen(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
