@@ -69,7 +69,6 @@ NodeRule::NodeRule(const ChannelGrid& grid, std::span<const ChannelPart> parts)
   double weights = 0.0;
   for (const Node& node : nodes_) weights += node.weight;
   for (Node& node : nodes_) node.weight /= weights;
-  choose_planck_points();
 }
 
 void NodeRule::add_part(const ChannelGrid& grid, const ChannelPart& part) {

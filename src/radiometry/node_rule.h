@@ -21,8 +21,10 @@ struct ChannelPart {
 /// nodes (docs/theory/radiometry.md, equations 6 to 10).
 class NodeRule {
  public:
-  /// The parts hold every point of the grid once.
+  /// The parts hold every point of the grid once; of fewer points it is a rule for these, whose weights add up to 1.
   NodeRule(const ChannelGrid& grid, std::span<const ChannelPart> parts);
+  /// Before project_planck: rules that are tried and dropped do without.
+  void choose_planck_points();
 
   std::size_t node_count() const { return nodes_.size(); }
   /// Mean wavelength of what the node stands for.
@@ -56,7 +58,6 @@ class NodeRule {
     std::size_t first_node, last_node;
   };
   void add_part(const ChannelGrid& grid, const ChannelPart& part);
-  void choose_planck_points();
   void keep_positive(const Part& part, std::span<double> at_nodes) const;
 
   std::vector<double> grid_um_;

@@ -52,63 +52,89 @@ NodeRule rule_of(const ChannelGrid& grid, const std::vector<TrialPart>& parts) {
   return NodeRule(grid, plain);
 }
 
+/// A part with what its node makes of every product.
+struct JudgedPart {
+  TrialPart part;
+  std::vector<double> sums;
+};
+
 /// A part with what it can be divided into, worked out once.
 struct DividedPart {
-  TrialPart part;
-  std::optional<std::vector<std::pair<TrialPart, TrialPart>>> halves;
-
-  const std::vector<std::pair<TrialPart, TrialPart>>& all_halves(const NodeShapes& shapes) {
-    if (!halves) {
-      halves.emplace();
-      // Many surfaces outvote the air in the first component of all shapes.
-      for (const std::vector<double>& variable : shapes.ways_to_divide(part))
-        if (auto both = divided(part, variable, shapes)) halves->push_back(std::move(*both));
-    }
-    return *halves;
-  }
+  JudgedPart part;
+  std::optional<std::vector<std::pair<JudgedPart, JudgedPart>>> halves;
 };
 
 /// Behind lines of absorption the measure varies by orders of magnitude, which no line follows: there the parts have one
-/// node each, and the best of all that can be divided is.
-FoundRule rule_of_single_nodes(const ChannelGrid& grid, const NodeTrial& trial, const NodeShapes& shapes,
-                               std::vector<std::uint32_t> points, const NodeDemands& demands) {
-  std::vector<DividedPart> parts{{shapes.analysed(std::move(points)), {}}};
-  const auto plain = [&] {
-    std::vector<ChannelPart> all;
-    for (const DividedPart& part : parts) all.push_back(part.part.part);
-    return all;
-  };
-  NodeRule rule(grid, plain());
-  NodeTrial::Errors errors = trial.errors(rule);
-  std::size_t judged = trial.radiance_count();
-  const double tolerance = trial.tolerance(demands);
-  while (errors.worst > tolerance && rule.node_count() < demands.most_nodes) {
-    const std::pair<TrialPart, TrialPart>* best = nullptr;
-    std::size_t of_part = 0;
-    std::vector<ChannelPart> finer = plain();
-    finer.emplace_back();
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      for (const std::pair<TrialPart, TrialPart>& both : parts[k].all_halves(shapes)) {
-        finer[k] = both.first.part;
-        finer.back() = both.second.part;
-        NodeRule finer_rule(grid, finer);
-        const NodeTrial::Errors finer_errors = trial.errors(finer_rule);
-        judged += trial.radiance_count();
-        if (best != nullptr && finer_errors.mean >= errors.mean) continue;
-        best = &both;
-        of_part = k;
-        rule = std::move(finer_rule);
-        errors = finer_errors;
-      }
-      finer[k] = parts[k].part.part;
+/// node each, and the best of all that can be divided is. Nodes of one part do not know of the others: what a division makes of
+/// every product is worked out once.
+class SingleNodes {
+ public:
+  SingleNodes(const ChannelGrid& grid, const NodeTrial& trial, const NodeShapes& shapes)
+      : grid_(grid), trial_(trial), shapes_(shapes) {}
+
+  FoundRule found(std::vector<std::uint32_t> points, const NodeDemands& demands) {
+    parts_.push_back({judged(shapes_.analysed(std::move(points))), {}});
+    std::vector<double> sums = parts_.front().part.sums;
+    NodeTrial::Errors errors = trial_.errors(sums);
+    std::size_t judged_radiances = trial_.radiance_count();
+    const double tolerance = trial_.tolerance(demands);
+    while (errors.worst > tolerance && parts_.size() < demands.most_nodes) {
+      const std::pair<JudgedPart, JudgedPart>* best = nullptr;
+      std::size_t of_part = 0;
+      for (std::size_t k = 0; k < parts_.size(); ++k)
+        for (const std::pair<JudgedPart, JudgedPart>& both : halves(parts_[k])) {
+          const NodeTrial::Errors finer = trial_.errors(exchanged(sums, parts_[k].part, both));
+          judged_radiances += trial_.radiance_count();
+          if (best != nullptr && finer.mean >= errors.mean) continue;
+          best = &both;
+          of_part = k;
+          errors = finer;
+        }
+      if (best == nullptr) break;
+      std::pair<JudgedPart, JudgedPart> both = *best;
+      sums = exchanged(sums, parts_[of_part].part, both);
+      parts_[of_part] = {std::move(both.first), {}};
+      parts_.push_back({std::move(both.second), {}});
     }
-    if (best == nullptr) break;
-    std::pair<TrialPart, TrialPart> both = *best;
-    parts[of_part] = {std::move(both.first), {}};
-    parts.push_back({std::move(both.second), {}});
+    std::vector<TrialPart> all;
+    for (const DividedPart& part : parts_) all.push_back(part.part.part);
+    NodeRule rule = rule_of(grid_, all);
+    const double worst = trial_.errors(rule).worst;
+    return {std::move(rule), worst, judged_radiances};
   }
-  return {std::move(rule), errors.worst, judged};
-}
+
+ private:
+  JudgedPart judged(TrialPart part) const {
+    double share = 0.0, whole = 0.0;
+    for (const std::uint32_t q : part.part.points) share += grid_.response[q];
+    for (const double response : grid_.response) whole += response;
+    std::vector<double> sums = trial_.product_sums(NodeRule(grid_, std::span(&part.part, 1)), share / whole);
+    return {std::move(part), std::move(sums)};
+  }
+
+  const std::vector<std::pair<JudgedPart, JudgedPart>>& halves(DividedPart& part) const {
+    if (!part.halves) {
+      part.halves.emplace();
+      // Many surfaces outvote the air in the first component of all shapes.
+      for (const std::vector<double>& variable : shapes_.ways_to_divide(part.part.part))
+        if (auto both = divided(part.part.part, variable, shapes_))
+          part.halves->emplace_back(judged(std::move(both->first)), judged(std::move(both->second)));
+    }
+    return *part.halves;
+  }
+
+  static std::vector<double> exchanged(std::vector<double> sums, const JudgedPart& part,
+                                       const std::pair<JudgedPart, JudgedPart>& both) {
+    for (std::size_t p = 0; p < sums.size(); ++p)
+      sums[p] += both.first.sums[p] + both.second.sums[p] - part.sums[p];
+    return sums;
+  }
+
+  const ChannelGrid& grid_;
+  const NodeTrial& trial_;
+  const NodeShapes& shapes_;
+  std::vector<DividedPart> parts_;
+};
 
 FoundRule rule_of_pairs(const ChannelGrid& grid, const NodeTrial& trial, const NodeShapes& shapes,
                         std::vector<std::uint32_t> points, const NodeDemands& demands) {
@@ -132,7 +158,7 @@ FoundRule rule_judged_by(const ChannelGrid& grid, const NodeTrial& trial, const 
   std::vector<std::uint32_t> all(grid.size());
   std::iota(all.begin(), all.end(), 0u);
   return grid.seen.empty() ? rule_of_pairs(grid, trial, shapes, std::move(all), demands)
-                           : rule_of_single_nodes(grid, trial, shapes, std::move(all), demands);
+                           : SingleNodes(grid, trial, shapes).found(std::move(all), demands);
 }
 
 /// As kMostJudgedTogether says. The rule is judged by all surfaces before it is taken.
@@ -165,10 +191,8 @@ FoundRule rule_of_many(const ChannelGrid& grid, const NodeTrial& all, const Surf
   }
 }
 
-}  // namespace
-
-FoundRule find_rule(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces,
-                    const NodeDemands& demands) {
+FoundRule searched(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces,
+                   const NodeDemands& demands) {
   if (grid.size() == 1 || (surfaces.empty() && grid.seen.empty())) {
     std::vector<std::uint32_t> all(grid.size());
     std::iota(all.begin(), all.end(), 0u);
@@ -179,6 +203,15 @@ FoundRule find_rule(const ChannelGrid& grid, std::span<const std::vector<double>
   const NodeTrial trial(grid, all, demands);
   return surfaces.size() <= kMostJudgedTogether ? rule_judged_by(grid, trial, all, demands)
                                                 : rule_of_many(grid, trial, all, demands);
+}
+
+}  // namespace
+
+FoundRule find_rule(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces,
+                    const NodeDemands& demands) {
+  FoundRule found = searched(grid, surfaces, demands);
+  found.rule.choose_planck_points();
+  return found;
 }
 
 }  // namespace ifov::radiometry

@@ -81,7 +81,7 @@ double NodeTrial::tolerance(const NodeDemands& demands) const {
   return glows ? kOfGlow * demands.tolerance : demands.tolerance;
 }
 
-std::vector<double> NodeTrial::radiance_errors(const NodeRule& rule) const {
+std::vector<double> NodeTrial::product_sums(const NodeRule& rule, double share) const {
   const std::size_t nodes = rule.node_count();
   const std::vector<double> none(nodes, 1.0);
   std::vector<double> factors(surfaces_.size() * nodes), lit(sources_.size() * nodes), seen(nodes, 1.0);
@@ -91,9 +91,9 @@ std::vector<double> NodeTrial::radiance_errors(const NodeRule& rule) const {
   for (std::size_t s = 0; s < sources_.size(); ++s) {
     const std::span<double> source = std::span(lit).subspan(s * nodes, nodes);
     rule.project_source(sources_[s], source);
-    for (std::size_t i = 0; i < nodes; ++i) source[i] = rule.weight(i) * source[i] * seen[i];
+    for (std::size_t i = 0; i < nodes; ++i) source[i] = share * rule.weight(i) * source[i] * seen[i];
   }
-  std::vector<double> difference(products_.size());
+  std::vector<double> sums(products_.size());
   for (std::size_t p = 0; p < products_.size(); ++p) {
     const double* met[3];
     for (std::size_t k = 0; k < 3; ++k)
@@ -103,22 +103,28 @@ std::vector<double> NodeTrial::radiance_errors(const NodeRule& rule) const {
     const double* source = lit.data() + products_[p].source * nodes;
     double sum = 0.0;
     for (std::size_t i = 0; i < nodes; ++i) sum += source[i] * met[0][i] * met[1][i] * met[2][i];
-    difference[p] = sum - expected_[p];
+    sums[p] = sum;
   }
+  return sums;
+}
+
+std::vector<double> NodeTrial::radiance_errors(std::span<const double> sums) const {
   std::vector<double> errors;
   errors.reserve(radiances_.size());
   for (const Radiance& radiance : radiances_) {
     double off = 0.0;
     for (std::size_t t = radiance.first_term; t < radiance.first_term + radiance.terms; ++t)
-      off += terms_[t].factor * difference[terms_[t].product];
+      off += terms_[t].factor * (sums[terms_[t].product] - expected_[terms_[t].product]);
     errors.push_back(std::abs(off) / radiance.scale);
   }
   return errors;
 }
 
-NodeTrial::Errors NodeTrial::errors(const NodeRule& rule) const {
+NodeTrial::Errors NodeTrial::errors(const NodeRule& rule) const { return errors(product_sums(rule, 1.0)); }
+
+NodeTrial::Errors NodeTrial::errors(std::span<const double> sums) const {
   Errors result;
-  for (const double error : radiance_errors(rule)) {
+  for (const double error : radiance_errors(sums)) {
     result.worst = std::max(result.worst, error);
     const double square = error * error;
     result.mean += square * square / static_cast<double>(radiances_.size());
@@ -128,7 +134,7 @@ NodeTrial::Errors NodeTrial::errors(const NodeRule& rule) const {
 
 std::vector<std::size_t> NodeTrial::worst_surfaces(const NodeRule& rule, std::size_t most) const {
   std::vector<double> worst(surfaces_.size(), 0.0);
-  const std::vector<double> errors = radiance_errors(rule);
+  const std::vector<double> errors = radiance_errors(product_sums(rule, 1.0));
   for (std::size_t r = 0; r < radiances_.size(); ++r)
     for (std::size_t t = 0; t < radiances_[r].terms; ++t)
       for (const int surface : products_[terms_[radiances_[r].first_term + t].product].surfaces)

@@ -39,6 +39,10 @@ class NodeTrial {
     double mean = 0.0;
   };
   Errors errors(const NodeRule& rule) const;
+  /// The same by parts of a rule: of every product the sum over the nodes of a part that stands for this share of the channel,
+  /// and what all of them together are off by.
+  std::vector<double> product_sums(const NodeRule& part, double share) const;
+  Errors errors(std::span<const double> product_sums) const;
   /// Surfaces of the radiances that a rule keeps least, each once, at most `most`.
   std::vector<std::size_t> worst_surfaces(const NodeRule& rule, std::size_t most) const;
   /// Surfaces from that which varies most downwards.
@@ -66,7 +70,7 @@ class NodeTrial {
   void integrate_products(const ChannelGrid& grid);
   void judge_by_products();
   void judge_by_whole_radiances();
-  std::vector<double> radiance_errors(const NodeRule& rule) const;
+  std::vector<double> radiance_errors(std::span<const double> product_sums) const;
   bool whole_radiances(const NodeDemands& demands) const;
 
   std::span<const std::span<const double>> surfaces_;

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "geometry/world.h"
 #include "render/field/scene_field.h"
+#include "render/field/seen_through.h"
 #include "render/image_renderer.h"
 #include "render/open_sky.h"
 #include "render/polarized/steering.h"
@@ -38,10 +39,10 @@ void judge_as_image(const std::vector<sampling::Reasons>& sampled, sampling::Til
 
 /// Directions in which a sensor would see the Sun, by way of flat mirrors too.
 std::vector<math::Vec3> sun_and_its_images(const transport::SpectralScene& scene) {
-  constexpr int kReflections = 2;  // as labels follow them (SeenThrough)
   std::vector<math::Vec3> directions = {scene.scene().sun->direction};
   if (scene.sun_mirrors() != nullptr) {
-    const transport::SunImages images(*scene.sun_mirrors(), directions[0], kReflections);
+    const transport::SunImages images(*scene.sun_mirrors(), directions[0], SeenThrough::kMostReflectionsOfSun,
+                                      transport::SunImages::kMost);
     for (const transport::SunImages::Image& image : images.images()) directions.push_back(image.direction);
   }
   return directions;
@@ -158,6 +159,7 @@ sampling::TileResult Picture::tile(const sampling::PixelRect& tile, std::size_t 
   problem.survey = survey_.get();
   problem.pilot_points = pilot_rays.points;
   problem.pilot_objects = pilot_rays.objects;
+  problem.thin_shadows = pilot_rays.thin_shadows;
   sampling::TileResult before;
   if (job_.earlier != nullptr && job_.earlier->read(number, before)) problem.before = &before;
 

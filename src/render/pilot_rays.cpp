@@ -9,6 +9,7 @@
 
 #include "geometry/motion/moving_world.h"
 #include "geometry/world.h"
+#include "render/field/thin_shadow_places.h"
 #include "render/image_renderer.h"
 #include "render/small_pieces.h"
 #include "sampling/pixel_sampler.h"
@@ -167,7 +168,7 @@ void keep_strips(std::vector<ThinFace>& faces, const VisitWide& visit_wide) {
   faces.swap(kept);
 }
 
-/// Points in the middle of a triangle's image, all along it, and where they are in the scene.
+/// Points in the middle of a triangle's image, all along it, where they are in the scene, and how wide it is.
 template <class Add>
 void points_along(const ThinFace& face, const Add& add) {
   const double ux = (face.b.x_px - face.a.x_px) / face.length_px,
@@ -182,7 +183,8 @@ void points_along(const ThinFace& face, const Add& add) {
     const math::Point3 end_m = before ? face.a_m : face.b_m;
     add({face.a.x_px + t * ux - 0.5 * height * uy, face.a.y_px + t * uy + 0.5 * height * ux},
         face.a_m + (0.5 * t / face.length_px) * (face.b_m - face.a_m) +
-            0.5 * ((end_m - face.a_m) + share * (face.c_m - end_m)));
+            0.5 * ((end_m - face.a_m) + share * (face.c_m - end_m)),
+        std::abs(across));
   };
   const auto on_side = [&](double t) {
     return sampling::FocalPoint{face.a.x_px + t * ux, face.a.y_px + t * uy};
@@ -264,7 +266,7 @@ void visit_moving(const geometry::MovingWorld& world, const sensor::Camera& came
       }
 }
 
-/// Calls `at` with points of the image of long thin faces that are strips, and where they are in the scene.
+/// Calls `at` with points of the image of long thin faces that are strips, where they are in the scene, and their width in pixels.
 template <class At>
 void visit_strips(const geometry::World& world, std::size_t materials, const sensor::Camera& camera,
                   const At& at) {
@@ -328,7 +330,7 @@ PilotRays::PilotRays(const geometry::World& world, std::size_t materials, const 
     add_point(point, object, whole ? across_m / camera.gsd_m(position_m) : kSpacing_px);
   };
   visit_small_objects(world, camera, add);
-  visit_strips(world, materials, camera, [&](sampling::FocalPoint point, math::Point3) {
+  visit_strips(world, materials, camera, [&](sampling::FocalPoint point, math::Point3, double) {
     add_point(point, sampling::Field::kNoObject);
   });
   if (world.moving() != nullptr)
@@ -365,21 +367,32 @@ PilotRays::PilotRays(const geometry::World& world, std::size_t materials, const 
   if (!towards_sun.empty())
     if (const auto sun = seen_from_sun(world, camera, towards_sun[0])) {
       std::vector<math::Ray> rays;
-      const auto shade = [&](math::Point3 at_m, double beyond_m) {
+      std::vector<double> widths_m;
+      const auto shade = [&](math::Point3 at_m, double beyond_m, double width_m) {
         if (rays.size() > kMostShadowRays) return;
+        widths_m.push_back(width_m);
         for (const math::Vec3 towards : towards_sun)
           rays.push_back({at_m - (1.01 * beyond_m) * towards, -1.0 * towards});
       };
-      visit_small_objects(world, *sun,
-                          [&](math::Point3 at_m, std::uint32_t, double across_m) { shade(at_m, across_m); });
-      visit_strips(world, materials, *sun, [&](sampling::FocalPoint, math::Point3 at_m) {
-        shade(at_m, 1e-6 * (1.0 + math::length(at_m - math::Point3{})));
+      visit_small_objects(world, *sun, [&](math::Point3 at_m, std::uint32_t, double across_m) {
+        shade(at_m, across_m, 2.0 * across_m);
+      });
+      visit_strips(world, materials, *sun, [&](sampling::FocalPoint, math::Point3 at_m, double width_px) {
+        shade(at_m, 1e-6 * (1.0 + math::length(at_m - math::Point3{})), width_px * sun->gsd_m(at_m));
       });
       if (rays.size() <= kMostShadowRays) {
         std::vector<geometry::SurfacePoint> shaded(rays.size());
         world.intersect(rays, shaded);
         for (const geometry::SurfacePoint& point : shaded)
           if (point.hit()) add(point.position_m, sampling::Field::kNoObject);
+        for (std::size_t k = 0; k < widths_m.size() && towards_sun.size() == kRimPoints; ++k)
+          visit_thin_shadow(std::span(rays).subspan(kRimPoints * k).first<kRimPoints>(),
+                            std::span(shaded).subspan(kRimPoints * k).first<kRimPoints>(), widths_m[k], k,
+                            camera, [&](sampling::FocalPoint point, float share) {
+                              const std::size_t before = points_.size();
+                              add_point(point, sampling::Field::kNoObject);
+                              if (points_.size() > before) points_.back().thin_share = share;
+                            });
       }
     }
 
@@ -406,6 +419,10 @@ PilotRays::Near PilotRays::near(sampling::PixelRect tile, double margin_px) cons
     const sampling::FocalPoint& point = points_[k].point;
     if (point.x_px >= tile.x0 - margin_px && point.x_px < tile.x1 + margin_px &&
         point.y_px >= tile.y0 - margin_px && point.y_px < tile.y1 + margin_px) {
+      if (points_[k].thin_share > 0.0f) {
+        found.thin_shadows.push_back({point, points_[k].thin_share});
+        continue;
+      }
       found.points.push_back(point);
       found.objects.push_back(points_[k].object);
       found.radii_px.push_back(points_[k].radius_px);

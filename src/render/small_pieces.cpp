@@ -19,6 +19,8 @@ namespace ifov::render {
 namespace {
 
 constexpr std::size_t kMostPieces = std::size_t{1} << 20;
+/// Pieces that are gone through for a few: of materials that have few, or that outshine the scene.
+constexpr std::size_t kMostCounted = std::size_t{1} << 24;
 /// What is wider than this meets the detection lattice anyway.
 constexpr double kNarrow_px = 1.0;
 /// Points of a long piece are this far apart.
@@ -98,7 +100,7 @@ void visit_small_pieces(const geometry::World& world, const geometry::WantedMate
       at(point);
   };
   world.visit_surfaces(wanted, [&](const geometry::SurfacePiece& piece) {
-    if (++count > kMostPieces) return;
+    if (++count > kMostCounted) return;
     const UnitShape shape = unit_shape(piece.kind);
     sampling::FocalPoint middle;
     if (!camera.project(piece.scene_from_unit(math::Point3{} + shape.middle), middle)) return;
@@ -191,10 +193,30 @@ void visit_islands(std::vector<SmallPiece> pieces, const std::set<std::uint32_t>
 
 }  // namespace
 
+geometry::WantedMaterials rare_materials(const geometry::World& world, std::size_t materials) {
+  if (world.triangle_count() <= kMostPieces && world.object_count() <= kMostPieces)
+    return geometry::WantedMaterials(materials, true);
+  geometry::WantedMaterials rare(materials, false);
+  if (world.triangle_count() > kMostCounted || world.object_count() > kMostCounted) return rare;
+  std::vector<std::pair<std::size_t, std::size_t>> pieces(materials);  // and of which material
+  for (std::size_t m = 0; m < materials; ++m) pieces[m].second = m;
+  world.visit_surfaces(geometry::WantedMaterials(materials, true),
+                       [&](const geometry::SurfacePiece& piece) { ++pieces[piece.material].first; });
+  std::sort(pieces.begin(), pieces.end());
+  std::size_t sum = 0;
+  for (const auto& [count, material] : pieces) {
+    sum += count;
+    if (sum > kMostPieces) break;
+    rare[material] = true;
+  }
+  return rare;
+}
+
 void visit_small_patches(const geometry::World& world, std::size_t materials,
                          const std::function<bool(std::uint32_t)>& wanted, const sensor::Camera& camera,
                          const std::function<void(sampling::FocalPoint)>& at) {
-  if (world.triangle_count() > kMostPieces || world.object_count() > kMostPieces) return;
+  const geometry::WantedMaterials looked_at = rare_materials(world, materials);
+  if (std::find(looked_at.begin(), looked_at.end(), true) == looked_at.end()) return;
   struct Patch {
     Bounds bounds;
     sampling::FocalPoint middle;
@@ -204,7 +226,7 @@ void visit_small_patches(const geometry::World& world, std::size_t materials,
   std::map<std::uint32_t, std::uint32_t> first_material;  // by object
   std::set<std::uint32_t> painted;                        // objects of several materials
   std::set<std::pair<std::uint32_t, std::uint32_t>> large;
-  world.visit_surfaces(geometry::WantedMaterials(materials, true), [&](const geometry::SurfacePiece& piece) {
+  world.visit_surfaces(looked_at, [&](const geometry::SurfacePiece& piece) {
     if (!wanted(piece.object)) return;
     const UnitShape shape = unit_shape(piece.kind);
     sampling::FocalPoint middle;

@@ -84,6 +84,9 @@ class Field {
   virtual void values_and_materials(std::span<const PathRequest> requests, std::span<Label> labels,
                                     std::span<float> values);
 
+  /// Values as if no sunlight came straight to what the paths meet; false, and none, where the field cannot tell.
+  virtual bool values_in_shadow(std::span<const PathRequest>, std::span<float>) { return false; }
+
   /// Means and spreads of groups of values in two levels (sampling/image/levels.h). Here: of values(), all of it direct.
   virtual void levels(const LevelRequests& requests, LevelSums& sums);
 

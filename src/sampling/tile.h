@@ -28,6 +28,12 @@ class Tolerance;
 struct LaterLight;
 struct TileResult;
 
+/// A place in the shadow of something so thin that it hides a small part of the Sun alone, `share` at most.
+struct ThinShadow {
+  FocalPoint point;
+  float share = 0.0f;
+};
+
 /// All that a sampler may know about the tile it works on. Results depend on this alone.
 struct TileProblem {
   PixelRect tile;   ///< the pixels whose results are wanted
@@ -44,8 +50,9 @@ struct TileProblem {
   std::span<const FocalPoint> pilot_points;
   /// The object of each seed (Field::object_of), where any ray that meets it finds all of it, or kNoObject; empty: of none.
   std::span<const std::uint32_t> pilot_objects;
-  const CancelToken* cancel = nullptr;  ///< throws ifov::Cancelled when set
-  bool keep_memory = false;             ///< fill TileResult::memory
+  std::span<const ThinShadow> thin_shadows;  ///< of tile and halo
+  const CancelToken* cancel = nullptr;       ///< throws ifov::Cancelled when set
+  bool keep_memory = false;                  ///< fill TileResult::memory
   const ImageSurvey* survey = nullptr;  ///< what PixelSampler::survey() found; null where it finds nothing
   /// What an earlier run of the same problem left, with its memory, at a tolerance that is looser by a third at least.
   const TileResult* before = nullptr;

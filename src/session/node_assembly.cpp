@@ -53,7 +53,8 @@ void make_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphe
   const AtmosphereSubject subject{document.sources, scene,   *parts.camera,
                                   parts.channels,   request, told || (polarized && scene.sun.has_value())};
   radiometry::NodeDemands demands;
-  demands.tolerance = node_tolerance(scene, parts.channels, request, demands.tolerance);
+  constexpr double kShare = 0.1;  // less is not spoken of in intervals (NodeHalfWidth)
+  demands.tolerance = node_tolerance(scene, parts.channels, request, kShare, demands.tolerance);
   if (const std::optional<int>& depth = document.sampling.max_depth)
     demands.reflections = std::clamp(*depth, 1, demands.reflections);
   const scene::TemperatureRange emitted = scene.temperatures().value_or(scene::TemperatureRange{});

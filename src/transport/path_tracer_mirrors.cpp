@@ -182,12 +182,13 @@ void PathTracer::note_chain(const Path& path, const SurfaceLobe& lobe, const Sid
       way.unseen = !sought && (way.unseen || way.flat || way.reflections > 1 || way.by_lobe);
     }
   }
-  // What one boundary polarized another may send on up to twice as much of as of unpolarized light.
+  // What one boundary polarized another may send on up to twice as much of as of unpolarized light, but never more than arrives:
+  // in a box of water light is reflected whole many times.
   const bool again = scene_.polarized() && lobe.bsdf->is_delta() && !lobe.bsdf->is_separable() &&
                      (path.way.reflections > 0 || path.way.passed);
+  const double most = again ? std::max(highest, std::min(2.0 * highest, 1.0 / lobe.probability)) : highest;
   record_.paths[event.number].brightest *=
-      static_cast<float>(highest * continuation_grey(lobe, event.vertex) * (again ? 2.0 : 1.0)) *
-      event.vertex.continuation_weight;
+      static_cast<float>(most * continuation_grey(lobe, event.vertex)) * event.vertex.continuation_weight;
 }
 
 void PathTracer::send_to_unseen(const Path& path, const SurfaceLobe& lobe, const Sides& sides,

@@ -17,6 +17,7 @@ constexpr double kDegree = std::numbers::pi / 180.0, kPi = std::numbers::pi;
 class LinesOfSight : public testing::Test {
  protected:
   LinesOfSight() {
+    scattering_.nodes_per_hemisphere = 6;
     geometry_.sun_zenith_rad = 40.0 * kDegree;
     geometry_.sensor_altitude_km = 6.0;
     for (const double um : {0.45, 0.86, 0.762})
@@ -29,11 +30,11 @@ class LinesOfSight : public testing::Test {
     inputs.channels = channels_;
     inputs.solar_irradiance = radiometry::solar_irradiance_1au();
     inputs.geometry = geometry;
-    inputs.scattering.nodes_per_hemisphere = 6;
+    inputs.scattering = scattering_;
     inputs.lines_of_sight = std::move(lines_of_sight);
     inputs.demands.tolerance = 1e-3;
     inputs.demands.most_nodes = 8;
-    inputs.with_errors = true;
+    inputs.with_errors = errors_;
     inputs.ground = radiometry::Spectrum::constant(0.2);
     return SensorAtmosphere(column_, inputs);
   }
@@ -58,6 +59,8 @@ class LinesOfSight : public testing::Test {
 
   AtmosphereColumn column_{AtmosphereDescription{}};
   SensorGeometry geometry_;
+  ScatteringOptions scattering_;
+  bool errors_ = true;
   std::vector<radiometry::Channel> channels_;
   SensorAltitudes altitudes_{6.0, 6.0};
   LineOfSightRange range_{-0.55, 0.5, 0.0, 0.45, 0.0};
@@ -136,6 +139,87 @@ TEST_F(LinesOfSight, AboveTheGround) {
       EXPECT_NEAR(sky / (sun * solved.sunlit().fluxes().at(line.height_km).diffuse_down), 1.0, 6e-3);
     }
   }
+}
+
+// Straight down under any Sun but a low one a round Earth is a flat one, in every channel.
+TEST_F(LinesOfSight, PathsUnderHighSunsAreThoseOfFlatLayers) {
+  errors_ = false;
+  channels_.clear();
+  for (const double um : {0.45, 0.86, 1.65, 2.2, 3.85})
+    channels_.push_back(radiometry::Channel::monochromatic("", um));
+  geometry_.sensor_altitude_km = kTopOfAtmosphereKm;
+  for (const double sun : {0.0, 20.0, 24.0, 60.0}) {
+    geometry_.sun_zenith_rad = sun * kDegree;
+    scattering_.spherical_earth = false;
+    const SensorAtmosphere flat = build({}, geometry_);
+    scattering_.spherical_earth = true;
+    const SensorAtmosphere round = build({}, geometry_);
+    for (std::size_t c = 0; c < channels_.size(); ++c)
+      EXPECT_NEAR(seen(round, c, {1.0}).added / seen(flat, c, {1.0}).added, 1.0, 0.01) << sun << " " << c;
+  }
+}
+
+// An aeroplane at dusk: the air below it lies in the Earth's shadow, or is lit through so much oxygen that hardly any light is left to be
+// scattered once, by which the rest was told. It darkens with the Sun, and is darker than all of the air.
+TEST_F(LinesOfSight, PathsAtDuskDarken) {
+  errors_ = false;
+  channels_ = {radiometry::Channel::gaussian("", 0.762, 0.004), radiometry::Channel::monochromatic("", 0.55)};
+  std::vector<double> last(channels_.size(), 1e300);
+  for (const double sun : {88.0, 90.0, 92.0, 94.0}) {
+    geometry_.sun_zenith_rad = sun * kDegree;
+    geometry_.sensor_altitude_km = 10.0;
+    const SensorAtmosphere air = build({}, geometry_);
+    geometry_.sensor_altitude_km = kTopOfAtmosphereKm;
+    const SensorAtmosphere whole = build({}, geometry_);
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      const double path = seen(air, c, {1.0}).added;
+      EXPECT_GT(path, 0.0) << sun << " " << c;
+      EXPECT_LT(path, 0.95 * last[c]) << sun << " " << c;
+      EXPECT_LT(path, seen(whole, c, {1.0}).added) << sun << " " << c;
+      last[c] = path;
+    }
+  }
+}
+
+// Ozone above a sensor dims nothing of what the ground sends there: told by all gas, scattered light of the ground came out 1e14
+// times what it is.
+TEST_F(LinesOfSight, GasAboveTheSensorDimsNothingBelowIt) {
+  errors_ = false;
+  channels_ = {radiometry::Channel::gaussian("", 9.6, 0.3), radiometry::Channel::gaussian("", 8.5, 0.2)};
+  for (const double view : {0.0, 79.0}) {
+    geometry_.view_zenith_rad = view * kDegree;
+    geometry_.sensor_altitude_km = 4.0;
+    const SensorAtmosphere air = build({}, geometry_);
+    geometry_.sensor_altitude_km = 4.3;
+    const SensorAtmosphere higher = build({}, geometry_);
+    for (std::size_t n = 0; n < air.node_count(); ++n) {
+      EXPECT_LT(air.view_transmittance()[n] + air.diffuse_transmittance()[n], 1.0) << view;
+      EXPECT_GE(air.diffuse_transmittance()[n], 0.0);
+    }
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      const Seen here = seen(air, c, {1.0}), there = seen(higher, c, {1.0});
+      EXPECT_NEAR(there.groundlit / here.groundlit, 1.0, 0.1) << view << " " << c;
+    }
+  }
+}
+
+// The lowest 13 m of haze are a quarter percent of what a roof sends: more than an image needs that is asked for 1 %.
+// Planted: roofs seen through all of the air that is over the ground.
+TEST_F(LinesOfSight, RoofsHaveTheirOwn) {
+  range_ = {0.0, 0.0, 0.0, 0.0, 0.013};
+  const SensorAtmosphere air = build(LineOfSightGrid(range_, column_.levels(), altitudes_), geometry_);
+  const Seen roof = seen(air, 0, air.lines_of_sight().weights(LineOfSight{0.0, 0.0, 0.013})),
+             ground = seen(air, 0, air.lines_of_sight().weights(LineOfSight{}));
+  const LayerOptics layers = column_.at(5.0 * std::round(1e4 / 0.45 / 5.0)).term(0);
+  double below = 0.0;  // in the lowest layer
+  for (const double part : {layers.gas_absorption.front(), layers.rayleigh_scattering.front(),
+                            layers.aerosol_scattering.front(), layers.aerosol_absorption.front()})
+    below += part;
+  const std::vector<double>& levels_km = column_.levels().altitude_km;
+  below *= 0.013 / (levels_km[1] - levels_km[0]);
+  EXPECT_NEAR(roof.through / ground.through, std::exp(below), 3e-4);
+  EXPECT_GT(roof.through / ground.through, 1.001);
+  for (const AtmosphereErrors& errors : air.errors()) EXPECT_LT(errors.lines_of_sight.surface, 3e-4);
 }
 
 TEST_F(LinesOfSight, OfOneDirectionAreTheGeometrysOwn) {

@@ -150,4 +150,29 @@ TEST(RoundEarth, HighSunsAndSteepViewsAreAsInFlatLayers) {
   EXPECT_NEAR(part.transmittance, same.transmittance, 1e-13);
 }
 
+// Haze without molecules below it, as in the shortwave infrared, clear or in gas: seen from above under a high Sun all light is scattered
+// back, and what flat layers make of it is right to a percent.
+TEST(RoundEarth, HazeUnderAHighSunIsAsInFlatLayers) {
+  for (const double asymmetry : {0.6, 0.75, 0.9})
+    for (const double gas : {0.0, 2.0, 20.0}) {
+      Air air;
+      air.rayleigh = 2e-4;
+      air.asymmetry = asymmetry;
+      air.gas = gas;
+      const Column column = air.column();
+      for (const double sun : {0.0, 20.0, 35.0, 55.0}) {
+        const ColumnSolution solution = solved(column, sun);
+        const PathLight path = solution.sunlit().line_of_sight({1.0, 0.7}, 1e4, 0.0),
+                        flat = solution.sunlit().path({1.0, 0.7}, 1e4);
+        EXPECT_NEAR(path.radiance().i / flat.radiance().i, 1.0, 0.01)
+            << asymmetry << " " << gas << " " << sun;
+        if (gas > 2.0) continue;  // the beam itself differs by percents
+        const PathLight sky = solution.sunlit().sky({-0.8, 2.5}, 0.0),
+                        flat_sky = solution.sunlit().path({-0.8, 2.5}, 0.0);
+        EXPECT_NEAR(sky.radiance().i / flat_sky.radiance().i, 1.0, 0.01)
+            << asymmetry << " " << gas << " " << sun;
+      }
+    }
+}
+
 }  // namespace test_round_earth

@@ -133,7 +133,7 @@ TEST(ShellOrders, FlatOnesAreTheColumnsMeanRadiance) {
   const ColumnSolution solution = ColumnSolver(options).solve(column.levels, column.optics, sun);
   const ScatteringColumn& layers = solution.sunlit().solved().column;
   const double suns[] = {sun};
-  const ShellOrders flat(layers, {false, false}, suns, 0, {12, 1, 1e9});
+  const ShellOrders flat(layers, {false, false}, suns, 0, {12, 3, 1e9});
   // The moment l = 0 holds half the sum over both hemispheres times 2.
   const ModeMoments& moments = solution.sunlit().modes().front();
   for (std::size_t z = 0; z < flat.altitude_km().size(); ++z) {

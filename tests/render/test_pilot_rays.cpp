@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 #include "geometry/world/world_builder.h"
 #include "render/pilot_rays.h"
+#include "render/small_pieces.h"
 #include "sampling/random.h"
 #include "sensor/orthographic_camera.h"
+#include "transport/mirrors/sun_disc.h"
 
 namespace ifov::test_pilot_rays {
 namespace {
@@ -114,6 +119,35 @@ TEST(PilotRays, ShadowsOfSmallThingsAreSought) {
   EXPECT_EQ(pilot_rays_in_shadow(geometry::Sphere{{}, 0.05}, true), 1u);
 }
 
+// A rod of 5 cm at 400 m hides a sixtieth of the Sun at most, at places all over its blurred shadow; what is near the ground, or
+// thick, has no such places.
+TEST(PilotRays, PlacesInThinShadowsAreTold) {
+  constexpr double kHalfAngle = 0.00465;
+  const auto places = [&](double half_m, double height_m) {
+    geometry::WorldBuilder builder;
+    place(builder, geometry::Box{{-4.0, -half_m, -half_m}, {4.0, half_m, half_m}}, {0.0, 0.0, height_m});
+    place(builder, geometry::Plane{}, {});
+    const auto world = builder.build(1);
+    const std::vector<math::Vec3> rim = transport::fixed_disc_points({0.0, 0.0, 1.0}, kHalfAngle);
+    return render::PilotRays(*world, 1, camera(), rim, {}, 1.5).near({0, 0, kSide, kSide}, 1.5).thin_shadows;
+  };
+  const std::vector<sampling::ThinShadow> found = places(0.025, 400.0);
+  ASSERT_GT(found.size(), 100u);
+  double least = INFINITY, most = -INFINITY;
+  for (const sampling::ThinShadow& shadow : found) {
+    // It may look as wide as its two sides together.
+    const double share = 0.05 / (0.5 * std::numbers::pi * kHalfAngle * 400.0);
+    EXPECT_GE(static_cast<double>(shadow.share), 0.98 * share);
+    EXPECT_LE(static_cast<double>(shadow.share), 2.05 * share);
+    least = std::min(least, 0.5 * kSide - shadow.point.y_px);
+    most = std::max(most, 0.5 * kSide - shadow.point.y_px);
+  }
+  EXPECT_NEAR(least, -kHalfAngle * 400.0, 0.1);
+  EXPECT_NEAR(most, kHalfAngle * 400.0, 0.1);
+  EXPECT_TRUE(places(0.025, 1.0).empty());
+  EXPECT_TRUE(places(0.5, 400.0).empty());
+}
+
 // A thin rod over the image meets some pixels in their corners alone: each that it passes through for more than a hundredth of a pixel
 // gets a ray.
 TEST(PilotRays, EveryPixelOfAThinRodIsSought) {
@@ -171,6 +205,36 @@ TEST(PilotRays, SmallPartsOfCopiesAreSought) {
   };
   EXPECT_EQ(found({}), 2);
   EXPECT_EQ(found({false, true}), 2);
+}
+
+// The same among a million triangles of copies of something else, beyond the picture: materials of few pieces are looked for.
+TEST(PilotRays, SmallPartsOfRareMaterialsAreSoughtAmongMillions) {
+  constexpr std::uint32_t kStrips = 1100;
+  geometry::TriangleMesh meadow;
+  for (std::uint32_t k = 0; k < kStrips; ++k) {
+    const double x = 1e-3 * k;
+    for (const auto& [dx, dy] : {std::pair{0.0, 0.0}, {5e-4, 0.0}, {0.0, 1.0}})
+      meadow.vertices_m.push_back({x + dx, dy, 0.0});
+    meadow.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+  }
+  geometry::WorldBuilder builder;
+  const geometry::ShapeId grass = builder.add_shape(std::move(meadow)),
+                          crown = builder.add_shape(geometry::Sphere{{}, 2.0}),
+                          spark = builder.add_shape(geometry::Sphere{{0.5, 0.7, 2.0}, 0.01});
+  const std::vector<geometry::Part> of_tuft{{grass, {}, {0}}}, of_tree{{crown, {}, {0}}, {spark, {}, {1}}};
+  const geometry::ShapeId tuft = builder.add_prototype(of_tuft), tree = builder.add_prototype(of_tree);
+  builder.place(tree, math::Transform::translation({6.2, 1.1, 0.0}), std::vector<std::uint32_t>{0, 1});
+  for (int k = 0; k < 1000; ++k)
+    builder.place(tuft, math::Transform::translation({100.0 + 2.0 * k, 0.0, 0.0}),
+                  std::vector<std::uint32_t>{0});
+  const auto world = builder.build(2);
+  ASSERT_GT(world->triangle_count(), std::size_t{1} << 20);
+  EXPECT_EQ(render::rare_materials(*world, 2), (geometry::WantedMaterials{false, true}));
+  const render::PilotRays::Near near =
+      render::PilotRays(*world, 2, camera(), {}, {}, 1.5).near({0, 0, kSide, kSide}, 1.5);
+  EXPECT_TRUE(std::any_of(near.points.begin(), near.points.end(), [](const sampling::FocalPoint& p) {
+    return std::hypot(p.x_px - (0.5 * kSide + 6.7), p.y_px - (0.5 * kSide - 1.8)) < 0.01;
+  }));
 }
 
 // One face of 5 cm in a level sheet of triangles, of the sheet's smooth patch: sought where it outshines the scene.

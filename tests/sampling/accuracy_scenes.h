@@ -206,7 +206,8 @@ class Percent final : public sampling::Tolerance {
 inline sampling::TileResult sampled_at_a_percent(sampling::Field& field, int side, std::uint64_t seed,
                                                  const sampling::PixelSampler& sampler,
                                                  std::span<const sampling::FocalPoint> pilot_points = {},
-                                                 std::span<const std::uint32_t> pilot_objects = {}) {
+                                                 std::span<const std::uint32_t> pilot_objects = {},
+                                                 std::span<const sampling::ThinShadow> thin_shadows = {}) {
   const Percent tolerance;
   const sampling::PixelFootprint box = sampling::PixelFootprint::box(1.0);
   const int steering_channels[] = {0};
@@ -219,6 +220,7 @@ inline sampling::TileResult sampled_at_a_percent(sampling::Field& field, int sid
   problem.steering_channels = steering_channels;
   problem.pilot_points = pilot_points;
   problem.pilot_objects = pilot_objects;
+  problem.thin_shadows = thin_shadows;
   sampling::TileResult result;
   sampler.sample(problem, field, result);
   return result;

@@ -37,6 +37,10 @@ class WireShadow final : public Field {
       values[k * static_cast<std::size_t>(stride())] = hides(r.point, place) ? kDark : kLit;
     }
   }
+  bool values_in_shadow(std::span<const PathRequest> requests, std::span<float> values) override {
+    for (std::size_t k = 0; k < requests.size(); ++k) values[k * static_cast<std::size_t>(stride())] = kDark;
+    return true;
+  }
   std::uint32_t material_of(Label) const override { return 0; }
   bool uneven(Label label) const override { return label == 2; }
   RayCounts counts() const override { return {}; }
@@ -50,6 +54,17 @@ class WireShadow final : public Field {
         if (p.y_px >= 0.0 && p.y_px < side) points.push_back(p);
       }
     return points;
+  }
+  /// Places all over its shadow, and what is hidden there at most.
+  std::vector<ThinShadow> places(int side) const {
+    std::vector<ThinShadow> places;
+    const double share = 4.0 / M_PI * half_px_ / sun_px_;
+    for (double x = 0.1; x < side; x += 0.35)
+      for (double place = -0.95; place < 1.0; place += 0.19) {
+        const FocalPoint p{x, begin_px_ + slope_ * x + place * sun_px_ * std::hypot(1.0, slope_)};
+        if (p.y_px >= 0.0 && p.y_px < side) places.push_back({p, static_cast<float>(share)});
+      }
+    return places;
   }
   /// Mean over pixel (i, j).
   double mean(int i, int j) const {
@@ -122,6 +137,51 @@ TEST(WireShadows, AreRight) {
 TEST(WireShadows, PlantedFaultAPenumbraIsItsMean) {
   const Judged sum = judge(SamplerOf<PenumbraeAreMeans>());
   EXPECT_GT(sum.off, 0.08 * sum.converged);
+  EXPECT_GT(sum.far_off, 0.03 * sum.converged);
+}
+
+/// Of wires that hide 0.3 to 5 parts in a hundred of the Sun, at most; pixels that differ by 0.3 of what was asked for.
+Judged judge_thin(bool told) {
+  constexpr int kSide = 8;
+  Judged sum;
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    const double sun_px = 0.3 + 0.9 * unit_double(hash(seed, 4)),
+                 half_px = sun_px * 0.0025 * std::pow(16.0, unit_double(hash(seed, 3)));
+    WireShadow field(2.0 + 4.0 * unit_double(hash(seed, 1)), -1.0 + 2.0 * unit_double(hash(seed, 2)), half_px,
+                     sun_px);
+    const std::vector<FocalPoint> pilots = field.pilots(kSide);
+    const std::vector<std::uint32_t> objects(pilots.size(), Field::kNoObject);
+    const std::vector<ThinShadow> places = field.places(kSide);
+    const TileResult result =
+        sampled_at_a_percent(field, kSide, seed, AccuracySampler(), pilots, objects,
+                             told ? std::span<const ThinShadow>(places) : std::span<const ThinShadow>());
+    for (int p = 0; p < kSide * kSide; ++p) {
+      const auto at = static_cast<std::size_t>(p);
+      const double truth = field.mean(p % kSide, p / kSide);
+      if (truth > WireShadow::kLit - 0.3) continue;
+      ++sum.pixels;
+      if (!result.converged(at)) continue;
+      ++sum.converged;
+      const double error = std::abs(static_cast<double>(result.mean[at]) - truth),
+                   half = static_cast<double>(result.half_width[at]);
+      sum.off += error > half;
+      sum.far_off += error > 3.0 * half;
+    }
+  }
+  return sum;
+}
+
+TEST(WireShadows, TooThinForTheRimAreRight) {
+  const Judged sum = judge_thin(true);
+  EXPECT_GT(sum.pixels, 1500);
+  EXPECT_GT(sum.converged, 0.98 * sum.pixels);
+  EXPECT_LT(sum.off, 0.055 * sum.converged);
+  EXPECT_LT(sum.far_off, 0.003 * sum.converged);
+}
+
+TEST(WireShadows, PlantedFaultNobodyTellsOfThinOnes) {
+  const Judged sum = judge_thin(false);
+  EXPECT_GT(sum.off, 0.11 * sum.converged);
   EXPECT_GT(sum.far_off, 0.03 * sum.converged);
 }
 

@@ -85,6 +85,19 @@ class SunInView(unittest.TestCase):
     def test_on_still_water(self):
         self.hold([{"plane": {"height": "0.5 m"}, "material": "water"}], (0.33 / 2.33) ** 2, "0 m", 2.0, 5.0)
 
+    def test_in_three_mirrors_in_turn(self):
+        def mirror(centre, one, other):
+            corners = [[c + 1.8 * (a * u + b * v) for c, u, v in zip(centre, one, other)] for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+            return {"polygon": {"vertices": [[f"{x} m" for x in corner] for corner in corners]}, "material": "mirror"}
+
+        h = math.sqrt(0.5)
+        # Down, along x, along y, up.
+        mirrors = [mirror((0, 0, 4), (0, 1, 0), (h, 0, -h)), mirror((6, 0, 4), (0, 0, 1), (h, h, 0)), mirror((6, 6, 4), (1, 0, 0), (0, h, h))]
+        self.hold(mirrors, 0.9**3, "0 m", 2.0, 5.0)
+        disks = [{"disk": {"center": [f"{c} m" for c in centre], "normal": normal, "radius": "1.9 m"}, "material": "mirror"}
+                 for centre, normal in (((0, 0, 4), (1, 0, 1)), ((6, 0, 4), (-1, 1, 0)), ((6, 6, 4), (0, -1, 1)))]
+        self.hold(disks, 0.9**3, "0 m", 2.0, 5.0)
+
     def test_what_stands_before_it_hides_it(self):
         roof = {"disk": {"center": ["0 m", "0 m", "15 m"], "normal": [0, 0, 1], "radius": "3 m"}, "material": "matt"}
         value, half, converged = self.pixel([roof], 1.0, 0.0, "20 m", 5.0)

@@ -314,6 +314,36 @@ TEST(Panes, CausticsOfABallAreToldAsUnseen) {
   EXPECT_GT(unseen, 0.1 * kFloor / pi);
 }
 
+TEST(Panes, LightReflectedWholeManyTimesIsNotToldAsMoreThanArrives) {
+  // From a lit floor paths enter a bar of glass and are reflected in it many times before they leave it for the Sun. What
+  // they are told to bring in the mean over all directions can be no more than what a Sun of pi steradians throws on a white floor.
+  const auto unseen = [](bool polarized) {
+    SmallScene scene;
+    scene.place(geometry::Plane{}, scene.material(kFloor));
+    scene.place(geometry::Box{{-2.0, -2.0, 0.5}, {2.0, 2.0, 0.7}}, scene.material(0.1, 0.0, glass()));
+    scene.sun({0.8, 0.3, 1.0}, kIrradiance, kHalfAngle);
+    const transport::SpectralScene& spectral = polarized ? scene.build_polarized() : scene.build();
+    transport::TransportOptions options;
+    options.sought_only = true;
+    transport::PathTracer tracer(spectral, options);
+    std::vector<math::Ray> rays(4096, {{0.3, 0.1, 0.4}, math::normalized({0.5, 0.2, -1.0})});
+    std::vector<transport::PathKey> keys(rays.size());
+    for (std::uint32_t k = 0; k < keys.size(); ++k) keys[k] = {1, k};
+    std::vector<geometry::SurfacePoint> hits(rays.size());
+    sampling::RayCounts counts;
+    const transport::PathRecord& paths = tracer.trace(rays, keys, hits, counts);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < rays.size(); ++k) sum += static_cast<double>(paths.paths[k].unseen);
+    return sum / static_cast<double>(rays.size());
+  };
+  const double plain = unseen(false), polarized = unseen(true);
+  EXPECT_GT(plain, 1e-4);
+  EXPECT_LT(plain, 1.0 / pi);
+  // What a boundary polarized, the next may send on twice as much of: no less is allowed for, and not again and again.
+  EXPECT_GE(polarized, plain);
+  EXPECT_LT(polarized, 1.0 / pi);
+}
+
 TEST(Panes, FrontAndBackOfASheetAreTwo) {
   constexpr double kFront = 0.8, kBack = 0.1;
   const auto seen = [&](bool front, bool lit_from_front) {

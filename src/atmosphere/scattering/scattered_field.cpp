@@ -91,7 +91,8 @@ class SlantSource::Sum {
   bool add(std::size_t sublayer, double depth, double near_position, double far_position,
            const Varied& near_end, const Varied& far_end) {
     const LinearSource step = LinearSource::over(depth);
-    besides_ += transmission_ * (step.near * near_end.besides + step.far * far_end.besides);
+    besides_ += transmission_ * (step.near * besides(sublayer, near_position, near_end) +
+                                 step.far * besides(sublayer, far_position, far_end));
     // The source at the piece's two ends, weighted, is one weighting of it at the sublayer's two ends.
     const double near = step.near * near_end.factor, far = step.far * far_end.factor;
     const double bottom = transmission_ * (near * near_position + far * far_position);
@@ -109,6 +110,12 @@ class SlantSource::Sum {
   }
 
  private:
+  /// At most half of what the source is: it comes from a simpler problem.
+  double besides(std::size_t sublayer, double position, const Varied& end) const {
+    const double* at = at_azimuth_.data() + 2 * sublayer;
+    const double most = 0.5 * end.factor * std::abs(at[0] + position * (at[1] - at[0]));
+    return std::clamp(end.besides, -most, most);
+  }
   std::size_t ends_;
   std::vector<double> at_azimuth_;  ///< [component][sublayer][top, bottom]
   double transmission_ = 1.0, besides_ = 0.0;

@@ -66,7 +66,7 @@ ShellOrders::ShellOrders(const ScatteringColumn& column, const Geometry& geometr
       if (geometry.sun_turns)
         add_turning(rays[r], mu, fineness.azimuths, before, arriving);
       else
-        add_still(rays[r], mu, before, arriving);
+        add_still(rays[r], mu, fineness.azimuths, before, arriving);
       for (std::size_t k = 0; k < angles; ++k) {
         const std::size_t at = z * angles + k;
         light.mean[at] += weight * arriving.even[k];
@@ -102,18 +102,12 @@ ShellOrders::ShellOrders(const ScatteringColumn& column, const Geometry& geometr
 }
 
 /// Where the Sun is as high all along the ray. `before`: of the order before; none: sunlight.
-void ShellOrders::add_still(const Ray& ray, double mu, const Light* before, Arriving& arriving) const {
+void ShellOrders::add_still(const Ray& ray, double mu, int azimuths, const Light* before,
+                            Arriving& arriving) const {
   const std::size_t angles = angle_rad_.size();
   const double sine = std::sqrt(1.0 - mu * mu);
   for (std::size_t k = 0; k < angles; ++k) {
-    // Rayleigh's phase function and Legendre's polynomials: means over the azimuth (addition theorem), and half of what goes
-    // with its cosine.
-    const double sun = std::cos(angle_rad_[k]), level = std::sin(angle_rad_[k]);
-    const double phase =
-        0.75 * (1.0 + mu * mu * sun * sun + 0.5 * (1.0 - mu * mu) * (1.0 - sun * sun)) / (4.0 * kPi);
-    const double p1 = mu * sun, p2 = 0.25 * (3.0 * mu * mu - 1.0) * (3.0 * sun * sun - 1.0);
-    const double turned_p1 = 0.5 * sine * level, turned_p2 = 3.0 * mu * sun * turned_p1;
-    const double turned_phase = 1.5 * mu * sun * turned_p1 / (4.0 * kPi);
+    const double along_vertical = mu * std::cos(angle_rad_[k]), across = sine * std::sin(angle_rad_[k]);
     const auto at = [&](const End& end, const std::vector<double>& values) {
       const double* low = values.data() + end.low * angles + k;
       return (1.0 - end.high_share) * low[0] + end.high_share * low[angles];
@@ -138,15 +132,17 @@ void ShellOrders::add_still(const Ray& ray, double mu, const Light* before, Arri
       const double mean = transmission * (piece.step.near * near.mean + piece.step.far * far.mean);
       // The light at a boundary is that of the layer entered: layers' ends are shared.
       if (before == nullptr) {
-        even += (piece.molecules * phase + piece.rest * piece.aerosol(p1, p2)) * mean;
-        turned += (piece.molecules * turned_phase +
-                   piece.rest * (piece.first * turned_p1 + piece.second * turned_p2) / (4.0 * kPi)) *
-                  mean;
+        for (int a = 0; a < azimuths; ++a) {
+          const double turn = std::cos((a + 0.5) * kPi / azimuths);
+          const double scattered = piece.scattered(along_vertical + across * turn) * mean / azimuths;
+          even += scattered;
+          turned += turn * scattered;
+        }
       } else {
-        const double pattern = transmission * piece.rest * piece.first;
-        even += (piece.molecules + piece.rest) * mean +
-                pattern * (piece.step.near * near.along + piece.step.far * far.along);
-        turned += pattern * (piece.step.near * near.turned + piece.step.far * far.turned);
+        even += transmission * (piece.step.near * piece.again(near.mean, near.along) +
+                                piece.step.far * piece.again(far.mean, far.along));
+        turned += transmission * 3.0 * piece.asymmetry * piece.rest *
+                  (piece.step.near * near.turned + piece.step.far * far.turned);
       }
       transmission *= piece.step.transmission;
       near = far;
@@ -198,18 +194,15 @@ void ShellOrders::add_turning(const Ray& ray, double mu, int azimuths, const Lig
       };
       const double turn = std::cos((a + 0.5) * kPi / azimuths);
       const double along = mu * std::cos(angle_rad_[k]) + sine * std::sin(angle_rad_[k]) * turn;
-      const double phase = 0.75 * (1.0 + along * along) / (4.0 * kPi), p2 = 1.5 * along * along - 0.5;
       double transmission = 1.0, sum = 0.0;
       Source near = ends == 0 ? Source{} : light(0);
       for (std::size_t p = 0; p < ray.pieces.size(); ++p) {
         const Piece& piece = ray.pieces[p];
         const Source far = light(p + 1);
-        const double scatters = before == nullptr
-                                    ? piece.molecules * phase + piece.rest * piece.aerosol(along, p2)
-                                    : piece.molecules + piece.rest;
-        const double pattern = piece.rest * piece.first;
-        sum += transmission * (piece.step.near * (scatters * near.mean + pattern * near.along) +
-                               piece.step.far * (scatters * far.mean + pattern * far.along));
+        sum += transmission * (before == nullptr ? piece.scattered(along) * (piece.step.near * near.mean +
+                                                                             piece.step.far * far.mean)
+                                                 : piece.step.near * piece.again(near.mean, near.along) +
+                                                       piece.step.far * piece.again(far.mean, far.along));
         transmission *= piece.step.transmission;
         near = far;
       }

@@ -20,7 +20,7 @@ class ShellOrders {
   };
   struct Fineness {
     int nodes = 6;            ///< Gauss nodes of the zenith angle in each hemisphere
-    int azimuths = 3;         ///< on one side of the Sun's plane, where the Sun turns
+    int azimuths = 3;         ///< on one side of the Sun's plane
     double longest_km = 1e9;  ///< pieces of rays
   };
   /// Zenith angles of the Sun rise evenly. Fluxes are told for angle `own`.
@@ -49,7 +49,7 @@ class ShellOrders {
   Ray ray(double altitude_km, double mu, double longest_km) const;
   End end(double altitude_km, std::size_t layer, double length, double start, double mu) const;
   void add_suns(double mu, int azimuths, Ray& ray) const;
-  void add_still(const Ray& ray, double mu, const Light* before, Arriving& arriving) const;
+  void add_still(const Ray& ray, double mu, int azimuths, const Light* before, Arriving& arriving) const;
   void add_turning(const Ray& ray, double mu, int azimuths, const Light* before, Arriving& arriving) const;
 
   const ScatteringColumn& column_;

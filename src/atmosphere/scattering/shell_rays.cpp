@@ -122,8 +122,7 @@ ShellOrders::Ray ShellOrders::ray(double altitude_km, double mu, double longest_
                        : geometry_.spherical
                            ? std::sqrt(start * start + at * (at + 2.0 * start * mu)) - kEarthRadius_km
                            : altitude_km + at * mu;
-      ray.pieces.push_back({mixture.rayleigh, mixture.aerosol * (1.0 - mixture.peak), 3.0 * mixture.first,
-                            5.0 * mixture.second,
+      ray.pieces.push_back({mixture.rayleigh, mixture.aerosol * (1.0 - mixture.peak), mixture.first,
                             LinearSource::over(column_.layer_depth[layer] * (at - walked) / thickness)});
       ray.ends.push_back(end(z, layer, at, start, mu));
       walked = at;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <vector>
 
@@ -18,11 +20,22 @@ struct ShellOrders::End {
 };
 struct ShellOrders::Piece {
   double molecules, rest;  ///< albedos
-  double first, second;    ///< 3 and 5 times the aerosol's moments
+  double asymmetry;        ///< the aerosol's mean cosine
   LinearSource step;
-  /// The aerosol's phase function, of Legendre's P_1 and P_2 of the scattering angle's cosine.
-  double aerosol(double p1, double p2) const {
-    return (1.0 + first * p1 + second * p2) * 0.25 / std::numbers::pi;
+  /// Sunlight scattered, by the cosine of the scattering angle: by molecules, and by aerosol as Henyey and Greenstein have it. Few
+  /// of Legendre's polynomials would do, but for falling below 0, where the Sun is high and all light that goes up is scattered back.
+  double scattered(double cosine) const {
+    const double root = 1.0 + asymmetry * (asymmetry - 2.0 * cosine);
+    return (molecules * 0.75 * (1.0 + cosine * cosine) +
+            rest * (1.0 - asymmetry * asymmetry) / (root * std::sqrt(root))) *
+           0.25 / std::numbers::pi;
+  }
+  /// Scattered light that is scattered again: its mean, and the mean of it times the cosine with the direction it goes on to. Two terms
+  /// tell of a beam more than there is.
+  double again(double mean, double along) const {
+    constexpr double kLeast = 0.1;
+    return std::max(kLeast * (molecules + rest) * mean,
+                    (molecules + rest) * mean + 3.0 * asymmetry * rest * along);
   }
 };
 /// Pieces from the observer on, and their ends.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 
 #include "atmosphere/scattering/shell_line_of_sight.h"
 #include "atmosphere/scattering/single_scattering.h"
@@ -88,6 +89,40 @@ std::vector<ChannelScattering::Part> ChannelScattering::parts_at(std::size_t p) 
   return parts;
 }
 
+double ChannelScattering::gas_between(const LayerOptics& layers, double low_km, double high_km) const {
+  const std::vector<double>& at_km = column_.levels().altitude_km;
+  double depth = 0.0;
+  for (std::size_t i = 0; i < layers.layers() && at_km[i] < high_km; ++i) {
+    const double within = std::min(high_km, at_km[i + 1]) - std::max(low_km, at_km[i]);
+    depth += layers.gas_absorption[i] * std::max(0.0, within) / (at_km[i + 1] - at_km[i]);
+  }
+  return depth;
+}
+
+/// Gas above a sensor, ozone in the stratosphere, dims nothing that the ground sends there. A point that has much of it is as a
+/// solution of little gas, if there is little below.
+std::vector<ChannelScattering::Part> ChannelScattering::parts_between(std::size_t p, std::vector<Part> parts,
+                                                                      double low_km, double high_km) const {
+  const std::size_t columns = depth_.size();
+  if (columns < 2) return parts;
+  const double here = gas_between(points_.points[p].layers(), low_km, high_km);
+  for (std::size_t first = 0; first < parts.size(); first += columns) {
+    const double across = std::accumulate(parts.begin() + static_cast<std::ptrdiff_t>(first),
+                                          parts.begin() + static_cast<std::ptrdiff_t>(first + columns), 0.0,
+                                          [](double sum, const Part& part) { return sum + part.plain; });
+    const auto gas = [&](std::size_t d) {
+      return gas_between(parts[first + d].node->optics, low_km, high_km);
+    };
+    std::size_t low = 0;
+    double below = gas(0), above = gas(1);
+    for (; low + 2 < columns && here >= above; ++low) below = above, above = gas(low + 2);
+    const double share = above > below ? std::clamp((here - below) / (above - below), 0.0, 1.0) : 0.0;
+    for (std::size_t d = 0; d < columns; ++d)
+      parts[first + d].plain = across * (d == low ? 1.0 - share : d == low + 1 ? share : 0.0);
+  }
+  return parts;
+}
+
 ChannelScattering::AtPoints ChannelScattering::at_points() const {
   const std::size_t count = points_.size(), lines_of_sight = geometry_.lines_of_sight.size(),
                     heights = geometry_.heights_km.size();
@@ -108,11 +143,16 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
   result.emission_share = result.share;
   const std::vector<double>& levels_km = column_.levels().altitude_km;
   const std::vector<double> falling_km(levels_km.rbegin(), levels_km.rend());
-  std::vector<ShellLineOfSight> sights;
-  for (const LineOfSight& line : lines())
-    sights.emplace_back(falling_km, options_.spherical_earth, std::cos(geometry_.any_sun_zenith_rad()),
-                        Propagation{std::cos(line.zenith_rad), line.azimuth_rad - std::numbers::pi},
-                        ShellLineOfSight::Ends{levels_km.front() + line.height_km, line.sensor_km});
+  std::vector<ShellLineOfSight> sights, to_space;
+  for (const LineOfSight& line : lines()) {
+    const auto add = [&](std::vector<ShellLineOfSight>& all, double sensor_km) {
+      all.emplace_back(falling_km, options_.spherical_earth, std::cos(geometry_.any_sun_zenith_rad()),
+                       Propagation{std::cos(line.zenith_rad), line.azimuth_rad - std::numbers::pi},
+                       ShellLineOfSight::Ends{levels_km.front() + line.height_km, sensor_km});
+    };
+    add(sights, line.sensor_km);
+    if (low_sun()) add(to_space, levels_km.back());
+  }
   for (std::size_t p = 0; p < count; ++p) {
     const ChannelPoints::Point& point = points_.points[p];
     const ScatteringColumn column(column_.levels(), point.layers(), geometry_.any_sun_zenith_rad(), options_);
@@ -120,15 +160,24 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
       if (!sunlit_) return StokesVector{};
       return points_.irradiance[p] * single_scattering(column, options_.aerosol_polarization, line).single;
     };
+    const auto base_of = [&](std::size_t sight, const StokesVector& single) {
+      return path_base(single.i, to_space.empty() ? 0.0 : once(to_space[sight]).i);
+    };
     const std::vector<Part> parts = parts_at(p);
     for (const Part& part : parts) {
       result.share[part.solution][p] = part.plain;
       result.emission_share[part.solution][p] = part.emitted;
     }
-    const auto ratio = [&](const auto& of) {
+    const auto mean = [](const std::vector<Part>& over, const auto& of) {
       double sum = 0.0;
-      for (const Part& part : parts) sum += part.plain * of(*part.node);
+      for (const Part& part : over) sum += part.plain * of(*part.node);
       return std::exp(sum);
+    };
+    const auto ratio = [&](const auto& of) { return mean(parts, of); };
+    const auto ratio_below = [&](const LineOfSight& line, const auto& of) {
+      const double low_km = levels_km.front() + line.height_km;
+      return line.sensor_km < levels_km.back() ? mean(parts_between(p, parts, low_km, line.sensor_km), of)
+                                               : ratio(of);
     };
     const auto path_ratio = [&](const auto& of) {
       double sum = 0.0;
@@ -138,22 +187,23 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
     const StokesVector own = once(sights.front());
     result.once[p] = own.i;
     const double sun_base = sunlit_ ? points_.sun_base()[p] : 0.0;
-    result.path[p] = (points_.is_under_cloud(geometry_.sensor_altitude_km) ? sun_base : own.i) *
-                     path_ratio([](const Node& n) { return n.path; });
+    const double own_base = points_.is_under_cloud(geometry_.sensor_altitude_km) ? sun_base : base_of(0, own);
+    result.path[p] = own_base * path_ratio([](const Node& n) { return n.path; });
     result.sky_irradiance[p] = sun_base * ratio([](const Node& n) { return n.sky_irradiance; });
     result.diffuse_transmittance[p] =
-        points_.view_base()[p] * ratio([](const Node& n) { return n.diffuse_transmittance; });
+        points_.view_base()[p] *
+        ratio_below(geometry_.own_sight(), [](const Node& n) { return n.diffuse_transmittance; });
     result.spherical_albedo[p] = ratio([](const Node& n) { return n.spherical_albedo; });
-    if (geometry_.level_fluxes)
-      add_fluxes(p, parts, points_.is_under_cloud(geometry_.sensor_altitude_km) ? sun_base : own.i, result);
+    if (geometry_.level_fluxes) add_fluxes(p, parts, own_base, result);
     if (polarized_) polarize(0, p, parts, own, result.path[p], result.diffuse_transmittance[p], result);
     for (std::size_t s = 0; s < lines_of_sight; ++s) {
       const StokesVector along = once(sights[1 + s]);
       result.line_of_sight_path[s][p] =
-          (points_.is_under_cloud(geometry_.lines_of_sight[s].sensor_km) ? sun_base : along.i) *
+          (points_.is_under_cloud(geometry_.lines_of_sight[s].sensor_km) ? sun_base : base_of(1 + s, along)) *
           path_ratio([s](const Node& n) { return n.line_of_sight_path[s]; });
       result.line_of_sight_diffuse[s][p] =
-          points_.line_of_sight_base(s)[p] * ratio([s](const Node& n) { return n.line_of_sight_diffuse[s]; });
+          points_.line_of_sight_base(s)[p] *
+          ratio_below(geometry_.lines_of_sight[s], [s](const Node& n) { return n.line_of_sight_diffuse[s]; });
       if (polarized_)
         polarize(1 + s, p, parts, along, result.line_of_sight_path[s][p], result.line_of_sight_diffuse[s][p],
                  result);
@@ -179,22 +229,24 @@ double ChannelScattering::depth_to_sensor(const LayerOptics& layers) const {
   return depth;
 }
 
-void ChannelScattering::solve_fluxes(const ColumnSolution& solved, double once, Node& node) const {
+void ChannelScattering::solve_fluxes(const ColumnSolution& solved, double base, Node& node) const {
   const ColumnSolution::GroundFlux ground = solved.ground_flux(geometry_.sensor_altitude_km);
-  node.level_up = log_ratio(solved.sunlit().fluxes().at(geometry_.sensor_altitude_km).up, once);
+  node.level_up = log_ratio(solved.sunlit().fluxes().at(geometry_.sensor_altitude_km).up, base);
   node.ground_up = log_ratio(ground.up, straight_flux(depth_to_sensor(node.optics)));
   node.ground_down = log_ratio(ground.down, 1.0);
 }
 
-void ChannelScattering::add_fluxes(std::size_t point, const std::vector<Part>& parts, double once,
+void ChannelScattering::add_fluxes(std::size_t point, const std::vector<Part>& parts, double base,
                                    AtPoints& at) const {
   double level_up = 0.0, ground_up = 0.0, ground_down = 0.0;
   for (const Part& part : parts) {
     level_up += part.scaled * part.node->level_up;
-    ground_up += part.plain * part.node->ground_up;
     ground_down += part.plain * part.node->ground_down;
   }
-  at.level_up.push_back(sunlit_ ? once * std::exp(level_up) : 0.0);
+  for (const Part& part :
+       parts_between(point, parts, column_.levels().altitude_km.front(), geometry_.sensor_altitude_km))
+    ground_up += part.plain * part.node->ground_up;
+  at.level_up.push_back(sunlit_ ? base * std::exp(level_up) : 0.0);
   at.ground_up.push_back(straight_flux(depth_to_sensor(points_.points[point].layers())) *
                          std::exp(ground_up));
   at.ground_down.push_back(std::exp(ground_down));

@@ -10,6 +10,7 @@
 #include "atmosphere/column/light_limits.h"
 #include "atmosphere/scattering/sky_ring.h"
 #include "atmosphere/sensor/directions/sky_directions.h"
+#include "math/angle.h"
 
 namespace ifov::atmosphere {
 namespace {
@@ -27,6 +28,17 @@ constexpr double kDark = 1e-300;
 
 double ChannelScattering::log_ratio(double a, double b) {
   return std::log(std::max(a, kDark) / std::max(b, kDark));
+}
+
+bool ChannelScattering::low_sun() const {
+  return sunlit_ && geometry_.any_sun_zenith_rad() > 75.0 * math::kDegree;
+}
+
+/// Scattered light is added to what is scattered once: it may come out below 0 by a little where it is next to nothing.
+double ChannelScattering::over_base(const PathLight& path, double once_to_space) const {
+  constexpr double kLeast = 0.5;
+  const double base = path_base(path.single.i, once_to_space);
+  return base > 0.0 ? log_ratio(std::max(kLeast * path.single.i, path.radiance().i), base) : 0.0;
 }
 
 double ChannelScattering::scaled_depth(double gas_depth) { return std::log1p(10.0 * gas_depth); }
@@ -130,6 +142,14 @@ Propagation ChannelScattering::towards_sensor() const {
   return {std::cos(geometry_.view_zenith_rad), geometry_.view_azimuth_rad - std::numbers::pi};
 }
 
+double ChannelScattering::once_to_space(const SlantSource& ring, double view_azimuth_rad,
+                                        double surface_km) const {
+  return low_sun() ? ring.line_of_sight(view_azimuth_rad - std::numbers::pi,
+                                        column_.levels().altitude_km.back(), surface_km)
+                         .single.i
+                   : 0.0;
+}
+
 /// Ratios as at the ground and along the sensor's own line of sight.
 void ChannelScattering::solve_lines_of_sight(const ColumnSolution& solved,
                                              const std::optional<ChannelPoints::Beams>& base,
@@ -151,8 +171,7 @@ void ChannelScattering::solve_lines_of_sight(const ColumnSolution& solved,
     if (points_.is_under_cloud(line.sensor_km))
       node.line_of_sight_path.push_back(log_ratio(path.radiance().i, base.value().sun[0]));
     else
-      node.line_of_sight_path.push_back(path.single.i > 0.0 ? log_ratio(path.radiance().i, path.single.i)
-                                                            : 0.0);
+      node.line_of_sight_path.push_back(over_base(path, once_to_space(ring, line.azimuth_rad, surface_km)));
     node.line_of_sight_diffuse.push_back(
         log_ratio(solved.diffuse_transmittance(mu, line.sensor_km, surface_km).i,
                   base ? base->line_of_sight_view[s][0] : path.transmittance));
@@ -169,8 +188,10 @@ void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
   const double albedo = solved.spherical_albedo();
   std::optional<ChannelPoints::Beams> base;
   if (points_.has_base()) base = points_.base_of(node.optics);
-  node.path =
-      log_ratio(path.radiance().i, points_.is_under_cloud(sensor_km) ? base.value().sun[0] : path.single.i);
+  const double to_space =
+      once_to_space({solved.sunlit(), towards_sensor().mu}, geometry_.view_azimuth_rad, ground_km);
+  node.path = points_.is_under_cloud(sensor_km) ? log_ratio(path.radiance().i, base.value().sun[0])
+                                                : over_base(path, to_space);
   node.sky_irradiance = log_ratio(sky_irradiance, base ? base->sun[0] : solved.sun_transmittance(ground_km));
   node.diffuse_transmittance = log_ratio(solved.diffuse_transmittance(towards_sensor().mu, sensor_km).i,
                                          base ? base->view[0] : path.transmittance);
@@ -178,7 +199,9 @@ void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
 
   solve_lines_of_sight(solved, base, node);
   if (geometry_.level_fluxes)
-    solve_fluxes(solved, points_.is_under_cloud(sensor_km) ? base.value().sun[0] : path.single.i, node);
+    solve_fluxes(solved,
+                 points_.is_under_cloud(sensor_km) ? base.value().sun[0] : path_base(path.single.i, to_space),
+                 node);
 
   const std::vector<double> weights = directions_.level_weights();
   const std::size_t zeniths = directions_.zenith_rad.size(), azimuths = directions_.azimuth_rad.size();

@@ -101,7 +101,7 @@ class ChannelScattering {
   struct Node {
     std::size_t wavelength = 0, depth = 0;
     LayerOptics optics;
-    // Logarithms of all light over light scattered once, of the sky's light over the direct beam's, of the
+    // Logarithms of all light over path_base(), of the sky's light over the direct beam's, of the
     // diffuse over the direct transmittance, of the spherical albedo.
     double path = 0.0, sky_irradiance = 0.0, diffuse_transmittance = 0.0, spherical_albedo = 0.0;
     // The same by line of sight and by height.
@@ -126,6 +126,10 @@ class ChannelScattering {
     double plain, scaled, emitted;
   };
   std::vector<Part> parts_at(std::size_t point) const;
+  /// The same, whose `plain` goes by the gas between two altitudes (above mean sea level) in place of the whole column's.
+  std::vector<Part> parts_between(std::size_t point, std::vector<Part> parts, double low_km,
+                                  double high_km) const;
+  double gas_between(const LayerOptics& layers, double low_km, double high_km) const;
   void solve(const ColumnSolver& solver, Node& node) const;
   std::vector<double> question(const ColumnSolver& solver, const Node& node) const;
   void choose_nodes();
@@ -134,9 +138,20 @@ class ChannelScattering {
   void solve_lines_of_sight(const ColumnSolution& solved, const std::optional<ChannelPoints::Beams>& base,
                             Node& node) const;
   /// `once`: sunlight scattered once into the sensor's line of sight.
-  void solve_fluxes(const ColumnSolution& solved, double once, Node& node) const;
+  /// What the light of a path is interpolated over: what is scattered once towards the sensor; under a low Sun, whose light may not
+  /// reach that way or through so much gas that hardly any is left, a little of what is scattered once on the way to space besides.
+  static double path_base(double once, double once_to_space) {
+    constexpr double kOfSpace = 0.03;
+    return once + kOfSpace * once_to_space;
+  }
+  bool low_sun() const;
+  /// 0 unless the Sun is low.
+  double once_to_space(const SlantSource& ring, double view_azimuth_rad, double surface_km) const;
+  /// Logarithm of all light of a path over path_base().
+  double over_base(const PathLight& path, double once_to_space) const;
+  void solve_fluxes(const ColumnSolution& solved, double base, Node& node) const;
   /// Of the points, by what solutions count there.
-  void add_fluxes(std::size_t point, const std::vector<Part>& parts, double once, AtPoints& at) const;
+  void add_fluxes(std::size_t point, const std::vector<Part>& parts, double base, AtPoints& at) const;
   /// Vertical extinction depth between the ground and the sensor.
   double depth_to_sensor(const LayerOptics& layers) const;
   /// `scale` and `groundlit_scale`: of the shapes of the sky.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "atmosphere/sensor/directions/kept_integrals.h"
 #include "math/angle.h"
 #include "radiometry/gauss_legendre.h"
 
@@ -78,6 +79,15 @@ double inclined_error(const SkyDirections& table, std::span<const double> radian
   const auto sun = std::find(table.zenith_rad.begin(), table.zenith_rad.end(), sun_zenith_rad);
   if (sun != table.zenith_rad.end())
     known[2 * static_cast<std::size_t>(sun - table.zenith_rad.begin()) * azimuths] += beyond_at_sun;
+  std::vector<double> kept;
+  for (std::size_t z = 0; z < zeniths; z += 2)
+    for (std::size_t a = 0; a < azimuths; a += 2) kept.push_back(known[z * azimuths + a]);
+  keep_integrals(table, kept);
+  for (std::size_t z = 0; z < zeniths; z += 2)
+    for (std::size_t a = 0; a < azimuths; a += 2)
+      known[z * azimuths + a] = kept[z / 2 * table.azimuth_rad.size() + a / 2];
+  std::vector<double> smooth(radiance.begin(), radiance.end());
+  keep_integrals(finer, smooth);
   for (std::size_t z = 0; z < zeniths; ++z)
     for (std::size_t a = 0; a < azimuths; ++a) {
       const std::size_t up = z - z % 2, down = z + z % 2, left = a - a % 2, right = a + a % 2;
@@ -85,7 +95,7 @@ double inclined_error(const SkyDirections& table, std::span<const double> radian
                                          known[down * azimuths + left] + known[down * azimuths + right]);
     }
   Irradiances right, given;
-  right.add(finer, radiance);
+  right.add(finer, smooth);
   given.add(finer, linear);
   if (!(given.sum.front() > 0.0)) return 0.0;
   const double scale = right.sum.front() / given.sum.front();

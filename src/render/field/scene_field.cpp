@@ -95,6 +95,18 @@ void SceneField::values(std::span<const sampling::PathRequest> requests, std::sp
   }
 }
 
+bool SceneField::values_in_shadow(std::span<const sampling::PathRequest> requests, std::span<float> values) {
+  if (flown_ != nullptr || moving_ != nullptr || shared_ != nullptr) return false;
+  const std::size_t row_length = static_cast<std::size_t>(stride());
+  for (std::size_t first = 0; first < requests.size(); first += kMostTraced) {
+    const std::size_t count = std::min(kMostTraced, requests.size() - first);
+    transport::PathRecord paths = trace_paths(requests.subspan(first, count));
+    for (transport::PathVertex& vertex : paths.vertices) vertex.sun_weight = 0.0f;
+    for (std::size_t k = 0; k < count; ++k) write(*this, paths, k, values.data() + (first + k) * row_length);
+  }
+  return true;
+}
+
 const transport::PathRecord& SceneField::trace_paths(std::span<const sampling::PathRequest> requests) {
   const std::size_t count = requests.size();
   points_.resize(count);

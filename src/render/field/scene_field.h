@@ -64,6 +64,7 @@ class SceneField final : public sampling::Field {
                         std::span<float> values) override;
   void values_and_materials(std::span<const sampling::PathRequest> requests,
                             std::span<sampling::Label> labels, std::span<float> values) override;
+  bool values_in_shadow(std::span<const sampling::PathRequest> requests, std::span<float> values) override;
   void levels(const sampling::LevelRequests& requests, sampling::LevelSums& sums) override;
   void known_detail(const sampling::FieldRect& pixels, sampling::KnownDetail& detail) override;
   std::unique_ptr<sampling::MappedSurface> mapped_surface(sampling::Label label,

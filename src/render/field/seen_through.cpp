@@ -39,6 +39,11 @@ bool SeenThrough::glints(math::Vec3 direction, const geometry::SurfacePoint& hit
   return meets_sun(direction - 2.0 * math::dot(direction, normal) * normal);
 }
 
+bool SeenThrough::shows_sun(Way way, const geometry::SurfacePoint& hit) const {
+  return cosine_of_sun_ <= 1.0 &&
+         (way == Way::flat_mirror || (way == Way::bent_mirror && hit.bend == geometry::Bend::facet));
+}
+
 SeenThrough::Way SeenThrough::turn(math::Ray& ray, const geometry::SurfacePoint& hit,
                                    bool only_straight) const {
   const bool mirrors = !only_straight && !mirrors_.empty() && mirrors_[hit.material];
@@ -88,7 +93,11 @@ void SeenThrough::follow(std::span<math::Ray> rays, std::span<geometry::SurfaceP
     for (const std::uint32_t k : going_) {
       math::Ray onward = rays[k];
       const Way way = turn(onward, hits[k], false);
-      if (way == Way::none || (way != Way::through && reflections_[k]++ >= kMostReflections)) continue;
+      if (way == Way::none) continue;
+      if (way != Way::through && reflections_[k]++ >= kMostReflections) {
+        if (shows_sun(way, hits[k])) beyond_.push_back({k, reflections_[k], onward});
+        continue;
+      }
       next_.push_back(k);
       ways_.push_back(way);
       glints_.push_back(way == Way::through && glints(rays[k].direction, hits[k]));
@@ -102,8 +111,8 @@ void SeenThrough::follow(std::span<math::Ray> rays, std::span<geometry::SurfaceP
       const std::uint32_t k = next_[j];
       if (ways_[j] == Way::bent_mirror) {
         // Glints on what is round or smooth are found by its shape (Glints).
-        const bool sun =
-            !hits_[j].hit() && hits[k].bend == geometry::Bend::facet && meets_sun(rays_[j].direction);
+        const bool sun = !hits_[j].hit() && shows_sun(ways_[j], hits[k]) && meets_sun(rays_[j].direction);
+        if (hits_[j].hit() && shows_sun(ways_[j], hits[k])) beyond_.push_back({k, reflections_[k], rays_[j]});
         states[k] = hits_[j].hit() ? (sampling::hash(states[k], 5u) | kUnevenState) | 1
                                    : (sampling::hash(states[k], sun ? 8u : 4u) & ~kUnevenState) | 1;
         continue;
@@ -122,6 +131,33 @@ void SeenThrough::follow(std::span<math::Ray> rays, std::span<geometry::SurfaceP
       states[k] = (sampling::hash(states[k], met) & ~kUnevenState) | 1;
     }
   }
+  if (!beyond_.empty()) look_for_sun(states, counts);
+}
+
+void SeenThrough::look_for_sun(std::span<std::uint64_t> states, sampling::RayCounts& counts) {
+  for (int passed = 0; passed < kMostPassed && !beyond_.empty(); ++passed) {
+    rays_.clear();
+    for (const Beyond& one : beyond_) rays_.push_back(one.onward);
+    hits_.resize(rays_.size());
+    scene_.scene().world->intersect(rays_, hits_);
+    counts.primary += rays_.size();
+    std::size_t kept = 0;
+    for (std::size_t j = 0; j < rays_.size(); ++j) {
+      Beyond one = beyond_[j];
+      if (!hits_[j].hit()) {
+        if (meets_sun(one.onward.direction))
+          states[one.ray] = (sampling::hash(states[one.ray], 9u) & ~kUnevenState) | 1;
+        continue;
+      }
+      const Way way = turn(one.onward, hits_[j], false);
+      if (way == Way::none) continue;
+      if (way != Way::through && (!shows_sun(way, hits_[j]) || ++one.reflections > kMostReflectionsOfSun))
+        continue;
+      beyond_[kept++] = one;
+    }
+    beyond_.resize(kept);
+  }
+  beyond_.clear();
 }
 
 std::uint64_t SeenThrough::passed(math::Ray ray, sampling::RayCounts& counts) {

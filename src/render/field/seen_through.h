@@ -17,10 +17,13 @@ namespace ifov::render {
 /// What lies behind panes and in media, and what mirrors show, for labels: so that edges which are seen, or throw shadows, through
 /// glass or in a mirror are found like others. Flat mirrors show what stands before them as a window would; of what bends only
 /// whether it shows the sky is told, because it gathers so much in so little that all else would be clutter. Where the Sun's disc is
-/// seen that way is told as well: it may be smaller than a pixel and outshines all else. An object serves one thread.
+/// seen that way, also by more mirrors than are followed for what they show, is told as well: it may be smaller than a pixel and outshines all else. An object serves one thread.
 class SeenThrough {
  public:
   static constexpr std::uint64_t kUnevenState = 2;
+
+  /// Reflections by which the Sun's disc is looked for; what else mirrors show is told by fewer.
+  static constexpr std::uint8_t kMostReflectionsOfSun = 6;
 
   explicit SeenThrough(const transport::SpectralScene& scene);
 
@@ -45,6 +48,11 @@ class SeenThrough {
   /// Whether what a ray was seen to pass shows it the Sun's disc, as still water does.
   bool glints(math::Vec3 direction, const geometry::SurfacePoint& hit) const;
 
+  /// Whether a mirror, flat or of a face of a mesh, may show the whole of the Sun's disc.
+  bool shows_sun(Way way, const geometry::SurfacePoint& hit) const;
+  /// Follows the rays that more mirrors reflect than are followed, to the Sun's disc alone.
+  void look_for_sun(std::span<std::uint64_t> states, sampling::RayCounts& counts);
+
   const transport::SpectralScene& scene_;
   math::Vec3 towards_sun_{};
   double cosine_of_sun_ = 2.0;  ///< of its half-angle; above 1 where no disc is seen
@@ -55,6 +63,12 @@ class SeenThrough {
   std::vector<Way> ways_;
   std::vector<bool> glints_;               // by ray that goes on
   std::vector<std::uint8_t> reflections_;  // by ray
+  struct Beyond {
+    std::uint32_t ray;
+    std::uint8_t reflections;
+    math::Ray onward;
+  };
+  std::vector<Beyond> beyond_;
   std::vector<math::Ray> rays_;
   std::vector<geometry::SurfacePoint> hits_;
 };

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "sampling/random.h"
+#include "sampling/hash.h"
 #include "sampling/value_batch.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"

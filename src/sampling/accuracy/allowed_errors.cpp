@@ -11,7 +11,6 @@
 #include "sampling/accuracy/radiance/lattice_values.h"
 #include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/accuracy/radiance/spread.h"
-#include "sampling/accuracy/radiance/standout_values.h"
 #include "sampling/accuracy/source_grid.h"
 #include "sampling/footprint_groups.h"
 #include "sampling/pixel_footprint.h"
@@ -69,11 +68,12 @@ AllowedErrors::AllowedErrors(const TileProblem& problem, const ColumnFootprints&
       unit_(normal * (problem.keep_memory && problem.before == nullptr ? kForesight : 1.0)),
       energy_(most_energy(footprints)) {}
 
-void AllowedErrors::take_from_lattice(StandoutValues& standouts, const LabelSpread& spread) {
+void AllowedErrors::take_from_lattice() {
   find_lattice_limits();
   cover_lattice();
-  standouts.judge(
-      spread, [this](int source) { return inverse_squares(source); }, steering_);
+}
+
+void AllowedErrors::set_contrasts() {
   const int pixels = lattice_.domain().count();
   contrast_.begin(pixels);
   for (int p = 0; p < pixels; ++p) {

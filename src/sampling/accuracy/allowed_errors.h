@@ -12,7 +12,6 @@ class Lattice;
 class OutputIntervals;
 class SourceGrid;
 class SourcePixels;
-class StandoutValues;
 class SteeringColumns;
 struct LatticeValues;
 struct TileProblem;
@@ -25,8 +24,10 @@ class AllowedErrors {
                 const Lattice& lattice, const LatticeValues& values, double normal, SteeringColumns& steering,
                 Contrast& contrast);
 
-  /// From the means over the lattice, seen through the footprint. Columns that tell neighbours apart, or standouts, steer from here on.
-  void take_from_lattice(StandoutValues& standouts, const LabelSpread& spread);
+  /// From the means over the lattice, seen through the footprint. Columns that tell neighbours apart steer from here on.
+  void take_from_lattice();
+  /// Those of contrasts; no column that comes to steer later counts there.
+  void set_contrasts();
   /// The same of all that is in one pixel, whether the lattice has met it or not; true where columns were added, whose
   /// limits take_from_sums() has to set.
   bool cover(const SourcePixels& traced);

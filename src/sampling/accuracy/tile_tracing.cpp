@@ -144,9 +144,12 @@ void TileTracing::trace_lattice() {
   const PixelRect& d = lattice.domain();
   if (options_.pilot_rays) {
     ledger.field().known_detail({d.x0, d.y0, d.x1, d.y1}, parts_->known);
-    parts_->standouts.ask(parts_->known.standouts, ledger, problem_.seed);
+    parts_->standouts.ask(parts_->known.standouts, problem_.thin_shadows, ledger, problem_.seed);
   }
-  parts_->errors.take_from_lattice(parts_->standouts, spread);
+  parts_->errors.take_from_lattice();
+  parts_->standouts.judge(
+      spread, [this](int p) { return parts_->errors.inverse_squares(p); }, parts_->steering);
+  parts_->errors.set_contrasts();
   if (ControlVariates::affordable(footprints_, lattice.domain().count(), ledger.field().columns()))
     parts_->controls->fit(values, *parts_->spread,
                           [this](int p) { return parts_->errors.inverse_squares(p); });

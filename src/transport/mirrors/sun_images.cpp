@@ -19,7 +19,8 @@ Vec3 mirrored(Vec3 direction, Vec3 normal) { return direction - 2.0 * dot(direct
 
 }  // namespace
 
-SunImages::SunImages(const SunMirrors& mirrors, Vec3 towards_sun, int reflections)
+SunImages::SunImages(const SunMirrors& mirrors, Vec3 towards_sun, int reflections,
+                     std::size_t most_of_long_ways)
     : towards_sun_(towards_sun) {
   for (const SunMirrors::Facing& facing : mirrors.facings()) normals_.push_back(facing.normal);
   struct Way {
@@ -38,7 +39,7 @@ SunImages::SunImages(const SunMirrors& mirrors, Vec3 towards_sun, int reflection
         if (way.first == first && facing.one_plane) continue;
         const Vec3 image = mirrored(way.image, facing.normal);
         const std::uint32_t index = index_of(image, facing.bounds);
-        if (images_.size() > (length > 2 ? kMostOfLongWays : kMost)) {
+        if (images_.size() > (length > 2 ? most_of_long_ways : kMost)) {
           images_ = before;
           return;
         }

@@ -24,7 +24,8 @@ class SunImages {
   static constexpr int kMostReflections = 8;
 
   SunImages() = default;
-  SunImages(const SunMirrors& mirrors, math::Vec3 towards_sun, int reflections);
+  SunImages(const SunMirrors& mirrors, math::Vec3 towards_sun, int reflections,
+            std::size_t most_of_long_ways = kMostOfLongWays);
 
   struct Image {
     math::Vec3 direction;              ///< unit, from the surface

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "atmosphere/sensor/directions/kept_integrals.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "radiometry/polarization_frame.h"
 #include "transport/sky/ground_around.h"
@@ -43,7 +44,10 @@ SkyDome::SkyDome(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towa
     for (std::size_t a = 0; a < azimuth_rad_.size(); ++a)
       for (std::size_t n = 0; n < atmosphere.node_count(); ++n)
         spectra_.row(z * azimuth_rad_.size() + a)[n] = static_cast<float>(ground.sky(atmosphere, z, a, n));
-  if (polarized && atmosphere.polarized()) refine(atmosphere, ground);
+  if (polarized && atmosphere.polarized())
+    refine(atmosphere, ground);
+  else
+    keep_integrals();
   make_sampler(atmosphere.node_count());
   irradiance_ =
       std::make_unique<const SkyIrradiance>(SkyTable{zenith_rad_, azimuth_rad_, spectra_, towards_sun_});
@@ -68,13 +72,30 @@ void SkyDome::refine(const atmosphere::SensorAtmosphere& atmosphere, const Groun
   spectra_ = refined(grid, spectra_, 1.0f);
   q_ = refined(grid, q, 1.0f);
   u_ = refined(grid, u, -1.0f);
-  // The tables are as bright as gives level ground its irradiance, linear between directions.
-  const std::vector<double> now = level_irradiance(finer, spectra_);
+  zenith_rad_ = std::move(finer.zenith_rad), azimuth_rad_ = std::move(finer.azimuth_rad);
+  scale_to(taken);
+}
+
+/// The tables are as bright as gives level ground this irradiance, linear between directions.
+void SkyDome::scale_to(const std::vector<double>& level) {
+  const std::vector<double> now = level_irradiance({zenith_rad_, azimuth_rad_}, spectra_);
   for (radiometry::SpectrumBlock* block : {&spectra_, &q_, &u_})
     for (std::size_t r = 0; r < block->rows(); ++r)
-      for (std::size_t n = 0; n < atmosphere.node_count(); ++n)
-        if (now[n] > 0.0) block->row(r)[n] *= static_cast<float>(taken[n] / now[n]);
-  zenith_rad_ = std::move(finer.zenith_rad), azimuth_rad_ = std::move(finer.azimuth_rad);
+      for (std::size_t n = 0; n < level.size(); ++n)
+        if (now[n] > 0.0) block->row(r)[n] *= static_cast<float>(level[n] / now[n]);
+}
+
+/// Level ground takes what it took.
+void SkyDome::keep_integrals() {
+  const SkyGrid grid{zenith_rad_, azimuth_rad_};
+  const std::vector<double> taken = level_irradiance(grid, spectra_);
+  std::vector<double> sky(spectra_.rows());
+  for (std::size_t n = 0; n < taken.size(); ++n) {
+    for (std::size_t r = 0; r < sky.size(); ++r) sky[r] = static_cast<double>(spectra_.row(r)[n]);
+    atmosphere::keep_integrals({zenith_rad_, azimuth_rad_}, sky);
+    for (std::size_t r = 0; r < sky.size(); ++r) spectra_.row(r)[n] = static_cast<float>(sky[r]);
+  }
+  scale_to(taken);
 }
 
 /// A cell between directions of the table is as bright as the mean of its corners; nodes count by their share of their

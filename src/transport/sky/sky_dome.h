@@ -24,8 +24,8 @@ namespace ifov::transport {
 struct GroundAround;
 
 /// The sky's radiance by direction, in spectral nodes: linear in zenith angle and azimuth between the directions of the
-/// atmosphere's table, symmetric about the Sun's plane; with polarization, of a table with a quarter of its steps
-/// (sky_refinement.h).
+/// atmosphere's table, between which it keeps its integrals (kept_integrals.h), symmetric about the Sun's plane; with
+/// polarization, of a table with a quarter of its steps (sky_refinement.h).
 class SkyDome {
  public:
   /// `ground`: around the scene, whose light the air scatters back. `polarized`: Q and U are kept, where the atmosphere has them.
@@ -65,6 +65,8 @@ class SkyDome {
  private:
   void make_sampler(std::size_t nodes);
   void refine(const atmosphere::SensorAtmosphere& atmosphere, const GroundAround& ground);
+  void keep_integrals();
+  void scale_to(const std::vector<double>& level);
   const float* spectrum(std::size_t zenith, std::size_t azimuth) const {
     return spectra_.row(zenith * azimuth_rad_.size() + azimuth);
   }

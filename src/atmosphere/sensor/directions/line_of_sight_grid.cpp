@@ -17,7 +17,7 @@ constexpr std::size_t kMostWanted = 97;
 /// Images do not reach what is opposite lower Suns.
 constexpr double kSteepestSun_rad = 1.4;
 /// Lower surfaces are taken for ground.
-constexpr double kOneHeight_km = 0.02;
+constexpr double kOneHeight_km = 0.002;
 /// Altitudes of the sensor that differ by less are one.
 constexpr double kOneAltitude_km = 1e-3;
 

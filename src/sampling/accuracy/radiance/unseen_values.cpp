@@ -106,7 +106,8 @@ double UnseenValues::known_farther(const SourcePixel& pixel, int column) const {
   double farthest = stratum.strays > 0.0 ? stratum.stray_squares[column] / stratum.strays : 0.0;
   for (const Prober::Met& ray : prober_.met(pixel.source))
     farthest = std::max(farthest, farthest_of(ray.label, column, mean));
-  farthest = std::max(farthest, standouts_.farthest_square(pixel.source, column, mean));
+  farthest = std::max(
+      farthest, standouts_.farthest_square(pixel.source, column, mean, pixel.clutter_count() / kKnownFar));
   return farthest > met ? farthest : 0.0;
 }
 

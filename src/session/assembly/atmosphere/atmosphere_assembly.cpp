@@ -30,7 +30,9 @@ namespace {
 /// The error that the nodes of a channel may leave, and how many they are at most: every node is a column that all paths
 /// carry, so that sensors of few channels can afford more of them and be nearer to what is asked for.
 constexpr double kNodeTolerance = 5e-3, kFinest = 5e-4;
-constexpr std::size_t kMostColumns = 256, kUsualNodes = 8, kMostNodes = 32;
+/// Of what is asked for: all of it is in the air's error.
+constexpr double kNodeShare = 1.0 / 30.0;
+constexpr std::size_t kMostColumns = 256, kUsualNodes = 8, kMostNodes = 64;
 
 double sensor_altitude_km(const io::ModelledAtmosphere& air, const sensor::Camera& camera, double line_px,
                           double ground_km) {
@@ -211,10 +213,11 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
     inputs.surfaces = surfaces;
     inputs.demands = demands;
     inputs.demands.most_nodes = std::clamp(kMostColumns / subject.channels.size(), kUsualNodes, kMostNodes);
-    inputs.demands.tolerance = inputs.demands.most_nodes > kUsualNodes
-                                   ? std::max(kFinest, node_tolerance(subject.scene, subject.channels,
-                                                                      subject.request, kNodeTolerance))
-                                   : kNodeTolerance;
+    inputs.demands.tolerance =
+        inputs.demands.most_nodes > kUsualNodes
+            ? std::max(kFinest, node_tolerance(subject.scene, subject.channels, subject.request, kNodeShare,
+                                               kNodeTolerance))
+            : kNodeTolerance;
     inputs.geometry = sensor_geometry(subject.sources, modelled, sensor.camera, subject.camera,
                                       subject.scene.sun, ground_km);
     const atmosphere::LineOfSightRange range =

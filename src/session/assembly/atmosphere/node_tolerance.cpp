@@ -11,7 +11,7 @@
 namespace ifov::session {
 namespace {
 
-constexpr double kShare = 0.1, kLeastTolerance = 2e-5;
+constexpr double kLeastTolerance = 2e-5;
 constexpr double kWarm_k = 300.0;
 
 /// What is asked for as a share of a radiance, in one channel.
@@ -37,7 +37,7 @@ double relative(const scene::Scene& scene, const radiometry::Channel& channel,
 }  // namespace
 
 double node_tolerance(const scene::Scene& scene, std::span<const radiometry::Channel> channels,
-                      const render::AccuracyRequest* asked, double usual) {
+                      const render::AccuracyRequest* asked, double share, double usual) {
   if (asked == nullptr) return usual;
   const render::AccuracyRequest& request = *asked;
   double least = usual;
@@ -45,7 +45,7 @@ double node_tolerance(const scene::Scene& scene, std::span<const radiometry::Cha
     const bool judged = request.channels.empty() ||
                         std::find(request.channels.begin(), request.channels.end(), static_cast<int>(c)) !=
                             request.channels.end();
-    if (judged) least = std::min(least, kShare * relative(scene, channels[c], request, c));
+    if (judged) least = std::min(least, share * relative(scene, channels[c], request, c));
   }
   return std::max(least, kLeastTolerance);
 }
