@@ -6,6 +6,7 @@
 #include "geometry/world.h"
 #include "radiometry/polarization_frame.h"
 #include "radiometry/spectrum_block.h"
+#include "render/moving/exposed_points.h"
 #include "render/parts/part_columns.h"
 #include "render/polarized/polarimetry.h"
 #include "render/polarized/stokes_columns.h"
@@ -36,6 +37,7 @@ Glints::Glints(const transport::SpectralScene& scene, const sensor::Camera& came
                std::uint64_t seed, const LightTold& told)
     : scene_(scene),
       camera_(camera),
+      seed_(seed),
       mirrored_(scene),
       polarized_(told.polarimetry != nullptr && told.polarimetry->any()),
       stokes_(std::make_unique<StokesColumns>(told, scene.nodes())),
@@ -69,6 +71,7 @@ Glints::~Glints() = default;
 void Glints::trace(std::vector<GlintPoint>& points) {
   const scene::Scene& scene = scene_.scene();
   const scene::Sun& sun = *scene.sun;
+  spread_over_exposure(scene, camera_, seed_, points);
   std::vector<sampling::FocalPoint> images;
   for (const GlintPoint& point : points) images.push_back(point.image);
   std::vector<math::Ray> rays(points.size());

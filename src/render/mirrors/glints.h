@@ -54,6 +54,7 @@ class Glints {
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
+  std::uint64_t seed_;
   MirroredSpectra mirrored_;
   bool polarized_;  // the sensor tells polarization
   std::unique_ptr<StokesColumns> stokes_;

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "geometry/world/surface_survey.h"
+#include "render/moving/exposed_points.h"
 #include "render/polarized/scene_light.h"
 #include "sampling/random.h"
 #include "scene/scene.h"
@@ -159,6 +160,7 @@ double Highlights::radius_px(const geometry::SurfaceSurvey::Ball& ball) const {
 Highlights::~Highlights() = default;
 
 void Highlights::trace(std::vector<GlintPoint>& points) {
+  spread_over_exposure(scene_.scene(), camera_, seed_, points);
   std::vector<sampling::FocalPoint> images;
   std::vector<transport::PathKey> keys;
   const std::uint64_t sequence = sampling::hash(seed_, kHighlightPaths);

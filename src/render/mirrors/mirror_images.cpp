@@ -11,6 +11,7 @@
 #include "core/parallel.h"
 #include "core/run_control.h"
 #include "geometry/world.h"
+#include "render/moving/exposed_points.h"
 #include "render/polarized/scene_light.h"
 #include "sampling/random.h"
 #include "scene/scene.h"
@@ -45,7 +46,9 @@ std::unique_ptr<const MirrorImages> MirrorImages::find(const transport::Spectral
                                                        const CancelToken* cancel, const LightTold& told) {
   if (scene.scene().world == nullptr || scene.scene().world->survey() == nullptr) return nullptr;
   std::unique_ptr<MirrorImages> images(new MirrorImages(scene, camera, told));
-  if (images->parts_.parts().empty() && images->parts_.complete()) return nullptr;
+  // UnseenImages asks what of the rest shines.
+  const bool moving = scene.scene().world->moving() != nullptr;
+  if (images->parts_.parts().empty() && images->parts_.complete() && !moving) return nullptr;
   images->list_mirrors();
   std::vector<Pair> pairs = images->pairs();
   double work = 0.0;
@@ -213,6 +216,7 @@ MirrorImages::Found MirrorImages::search(const Pair& pair, double margin_px, std
 void MirrorImages::trace(const Mirror& mirror, std::uint32_t part, std::vector<GlintPoint>& points,
                          std::vector<FocalLights::Light>& seen) const {
   const scene::Scene& scene = scene_.scene();
+  spread_over_exposure(scene, camera_, part, points);
   std::vector<sampling::FocalPoint> images;
   for (const GlintPoint& point : points) images.push_back(point.image);
   std::vector<math::Ray> rays(points.size()), onward;
