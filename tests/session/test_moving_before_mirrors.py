@@ -13,7 +13,7 @@ import unittest
 
 from images import SCENES, image_of, np
 
-EXPOSURE_S, AWAY_M, INSTANTS = 0.01, 200.0, 40
+EXPOSURE_S, AWAY_M, INSTANTS = 0.01, 200.0, 24
 
 # By scene, in metres: half the sides of a box, where it is in the middle of the exposure, and its way meanwhile.
 VEHICLES = {
@@ -24,7 +24,7 @@ VEHICLES = {
     "glass_front": ((0.5, 0.3, 0.5), (0.3, -0.9, 0.9), (2.0, 0.0, 0.0)),
     "wet_road": ((0.6, 0.4, 0.4), (-0.5, 0.3, 0.42), (2.2, 0.0, 0.0)),
     "glossy_car": ((0.5, 0.3, 0.1), (0.5, -0.7, 2.2), (1.3, 0.6, 0.0))}
-SHORT = ("chrome_ball", "facade", "wet_road")
+SHORT = ("chrome_ball", "facade")
 
 
 def seen(name, moves=True, share=None):
@@ -91,6 +91,39 @@ class MovingBeforeMirrors(unittest.TestCase):
     def test_what_stands_still_is_noticed(self):
         (_, _, near, of), _ = held("facade", 1, instants=12, moves=False)
         self.assertLess(near / of, 0.6)
+
+    def test_images_of_a_small_hot_thing_are_in_the_interval(self):
+        """Paths seldom meet them in a ball that mirrors: the mean over instants at which they are sought by its shape."""
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch)
+            shares = (np.arange(24) + 0.5) / 24 - 0.5
+            truth = np.mean([image_of(flare(share), folder, {"accuracy": {"error": "1 %"}}, 50)[0] for share in shares], axis=0)
+            without = image_of(flare(0.0, hot=False), folder, {"accuracy": {"error": "1 %"}}, 50)[0]
+            found, half_width = image_of(flare(), folder, {"accuracy": {"error": "3 %"}})
+        shown = np.abs(truth - without) > 0.03 * without
+        self.assertGreater(shown.sum(), 3, "its image matters")
+        self.assertGreater(np.mean(np.abs(found - truth) <= half_width), 0.97)
+        self.assertGreater(np.mean((np.abs(found - truth) <= half_width)[shown]), 0.93)
+        self.assertTrue(np.all((half_width > 0.05 * found)[shown]), "what paths may not have met is told")
+
+
+def flare(share=None, hot=True):
+    """A ball that mirrors, past which something small flies that is 3.3 times as hot; not beneath the camera, whose view it would cross."""
+    kelvins, speed, exposure = 1000.0, 300.0, 0.01
+    small = {"name": "flare", "material": "hot" if hot else "cold", "sphere": {"center": ["0 m", "0 m", "0 m"], "radius": "0.006 m"}}
+    if share is None:
+        small["motion"] = {"straight": {"frame": "scene", "position": ["2.2 m", "-0.4 m", "2.4 m"], "velocity": ["0 m/s", f"{speed} m/s", "0 m/s"]}, "attitude": {"from": "north"}}
+    else:
+        small["transform"] = {"translate": ["2.2 m", f"{-0.4 + share * exposure * speed!r} m", "2.4 m"]}
+    return {
+        "ifov": 1,
+        "scene": {"materials": {"ground": {"reflectance": 0, "temperature": "300 K"}, "hot": {"reflectance": 0, "temperature": f"{kelvins} K"},
+                                "cold": {"reflectance": 0, "temperature": "300 K"}, "ball": {"reflectance": 0.9, "scattering": "mirror", "temperature": "300 K"}},
+                  "objects": [{"plane": {}, "material": "ground"}, {"sphere": {"center": ["0 m", "0 m", "1 m"], "radius": "1 m"}, "material": "ball"}, small]},
+        "light": {"sky": {"temperature": "300 K"}},
+        "sensor": {"camera": {"frame": {"focal_length": "50 mm", "pitch": "50 um", "pixels": [16, 16], "position": ["0 m", "0 m", "200 m"], "attitude": {},
+                                        "exposure": f"{exposure} s" if share is None else "0 s"}},
+                   "channels": [{"name": "mid", "gaussian": {"center": "3.95 um", "fwhm": "0.02 um"}}]}}
 
 
 if __name__ == "__main__":
