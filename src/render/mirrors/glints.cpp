@@ -7,6 +7,7 @@
 #include "radiometry/polarization_frame.h"
 #include "radiometry/spectrum_block.h"
 #include "render/moving/exposed_points.h"
+#include "render/moving/sought_instants.h"
 #include "render/parts/part_columns.h"
 #include "render/polarized/polarimetry.h"
 #include "render/polarized/stokes_columns.h"
@@ -46,22 +47,26 @@ Glints::Glints(const transport::SpectralScene& scene, const sensor::Camera& came
   const scene::Sun& sun = *scene.scene().sun;
   std::size_t surfaces = survey.rounds.size();
   for (const auto& smooth : survey.smooths) surfaces += smooth.triangles.size() > 1000 ? 1 : 0;
-  GlintSearch search(camera, sun.direction, sun.half_angle_rad, margin_px, steps_for(surfaces), seed);
+  const SoughtInstants instants(scene.scene(), camera, seed);
   std::vector<GlintPoint> points;
-  const auto keep = [&](const GlintPoint& point) {
-    points.push_back(point);
-    if (points.size() == kPointsAtOnce) trace(points);
-  };
-  std::uint64_t number = 0;
-  for (const auto& round : survey.rounds) {
-    last_material_ = ~0u;
-    search.search(round, number++, keep);
-    trace(points);
-  }
-  for (const auto& smooth : survey.smooths) {
-    last_material_ = ~0u;
-    search.search(smooth, number++, keep);
-    trace(points);
+  for (std::size_t k = 0; k < instants.size(); ++k) {
+    GlintSearch search(instants.camera(k), sun.direction, sun.half_angle_rad, margin_px, steps_for(surfaces),
+                       instants.seed(k));
+    const auto keep = [&](const GlintPoint& point) {
+      points.push_back(instants.point(k, point));
+      if (points.size() == kPointsAtOnce) trace(points);
+    };
+    std::uint64_t number = 0;
+    for (const auto& round : survey.rounds) {
+      last_material_ = ~0u;
+      search.search(round, number++, keep);
+      trace(points);
+    }
+    for (const auto& smooth : survey.smooths) {
+      last_material_ = ~0u;
+      search.search(smooth, number++, keep);
+      trace(points);
+    }
   }
   lights_.sort();
 }

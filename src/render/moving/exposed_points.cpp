@@ -21,7 +21,9 @@ constexpr std::uint64_t kTimes = 0x74696d6573ull;
 void spread_over_exposure(const scene::Scene& scene, const sensor::Camera& camera, std::uint64_t seed,
                           std::vector<GlintPoint>& points) {
   const double exposure_s = camera.exposure_s();
-  if (points.empty() || scene.world->moving() == nullptr || !(exposure_s > 0.0)) return;
+  if (points.empty() || scene.world->moving() == nullptr || !(exposure_s > 0.0) ||
+      camera.moves_while_exposed())
+    return;
   const std::size_t times = std::clamp(kTogether / points.size(), kFewest, kMost);
   std::vector<GlintPoint> spread;
   spread.reserve(times * points.size());

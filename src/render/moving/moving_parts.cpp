@@ -29,7 +29,9 @@ std::vector<bool> shining_assignments(const scene::Scene& scene, const transport
 
 MovingParts::MovingParts(const scene::Scene& scene, const sensor::Camera& camera,
                          const transport::ShiningParts& shining)
-    : MovingParts(scene, camera, shining_assignments(scene, shining)) {}
+    : MovingParts(scene, camera, shining_assignments(scene, shining)) {
+  if (camera.moves_while_exposed()) exposure_s_ = 0.0;
+}
 
 MovingParts::MovingParts(const scene::Scene& scene, const sensor::Camera& camera,
                          const std::vector<bool>& wanted)

@@ -27,7 +27,7 @@ class MovingParts {
  public:
   /// Keeps references.
   MovingParts(const scene::Scene& scene, const sensor::Camera& camera, const std::vector<bool>& wanted);
-  /// Of those that shine.
+  /// Of those that shine; while a camera flies each ray is asked for its own instant alone (lattice_times_s).
   MovingParts(const scene::Scene& scene, const sensor::Camera& camera,
               const transport::ShiningParts& shining);
 

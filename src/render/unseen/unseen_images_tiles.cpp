@@ -1,6 +1,7 @@
 // What UnseenImages finds in the pixels of a tile.
 #include <algorithm>
 
+#include "render/moving/sought_instants.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/unseen/moving_targets.h"
 #include "render/unseen/widen_unseen.h"
@@ -34,36 +35,41 @@ void UnseenImages::settle(const AccuracyTolerance* tolerance, sampling::TileResu
     for (int i = 0; i < columns; ++i)
       points.push_back(
           {tile.tile.x0 + shift_x_ + (i - 0.5) / kAcross, tile.tile.y0 + shift_y_ + (j - 0.5) / kAcross});
-  std::vector<Lit> lit;
-  MovingTargets moving(*this);
-  std::vector<std::vector<Leaving>> levels = follow(points, lit, tile.rays);
-  for (std::vector<Leaving>& level : levels) find_neighbours(level, columns);
   const std::size_t channels = scene_.nodes().channel_count();
   std::vector<double> unseen(static_cast<std::size_t>(tile.tile.count()) * channels, 0.0);
-  // Rays beyond the last column and row belong to other tiles.
-  for (const Lit& one : lit) {
-    const int i = static_cast<int>(one.ray) % columns / kAcross,
-              j = static_cast<int>(one.ray) / columns / kAcross;
-    if (i < width && j < height)
-      // A bound needs no caution.
-      add_thrown(one, 1.0 / (kAcross * kAcross * kCaution), moving,
-                 &unseen[static_cast<std::size_t>(j * width + i) * channels], tile.rays);
+  MovingTargets moving(*this);
+  const std::vector<double> times_s = lattice_times_s(camera_);
+  const double of_time = 1.0 / static_cast<double>(times_s.size());
+  for (const double time_s : times_s) {
+    for (sampling::FocalPoint& point : points) point.time_s = time_s;
+    std::vector<Lit> lit;
+    std::vector<std::vector<Leaving>> levels = follow(points, lit, tile.rays);
+    for (std::vector<Leaving>& level : levels) find_neighbours(level, columns);
+    // Rays beyond the last column and row belong to other tiles.
+    for (const Lit& one : lit) {
+      const int i = static_cast<int>(one.ray) % columns / kAcross,
+                j = static_cast<int>(one.ray) / columns / kAcross;
+      if (i < width && j < height)
+        // A bound needs no caution.
+        add_thrown(one, of_time / (kAcross * kAcross * kCaution), moving,
+                   &unseen[static_cast<std::size_t>(j * width + i) * channels], tile.rays);
+    }
+    const double cell_px2 = of_time * 0.5 / (kAcross * kAcross);
+    for (const std::vector<Leaving>& level : levels)
+      for (int j = 0; j + 1 < rows; ++j)
+        for (int i = 0; i + 1 < columns; ++i) {
+          const auto at = static_cast<std::size_t>(j * columns + i);
+          const Leaving *a = &level[at], *b = &level[at + 1],
+                        *c = &level[at + static_cast<std::size_t>(columns)], *d = c + 1;
+          if (!a->any && !b->any && !c->any && !d->any) continue;
+          double* here = &unseen[static_cast<std::size_t>((j / kAcross) * width + i / kAcross) * channels];
+          search({a, b, d}, cell_px2, moving, here, tile.rays);
+          search({a, d, c}, cell_px2, moving, here, tile.rays);
+          if (!images_.parts().complete())
+            tile.set(static_cast<std::size_t>((j / kAcross) * width + i / kAcross),
+                     sampling::Reason::unseen_light);
+        }
   }
-  constexpr double kCell_px2 = 0.5 / (kAcross * kAcross);
-  for (const std::vector<Leaving>& level : levels)
-    for (int j = 0; j + 1 < rows; ++j)
-      for (int i = 0; i + 1 < columns; ++i) {
-        const auto at = static_cast<std::size_t>(j * columns + i);
-        const Leaving *a = &level[at], *b = &level[at + 1],
-                      *c = &level[at + static_cast<std::size_t>(columns)], *d = c + 1;
-        if (!a->any && !b->any && !c->any && !d->any) continue;
-        double* here = &unseen[static_cast<std::size_t>((j / kAcross) * width + i / kAcross) * channels];
-        search({a, b, d}, kCell_px2, moving, here, tile.rays);
-        search({a, d, c}, kCell_px2, moving, here, tile.rays);
-        if (!images_.parts().complete())
-          tile.set(static_cast<std::size_t>((j / kAcross) * width + i / kAcross),
-                   sampling::Reason::unseen_light);
-      }
   std::vector<double> more(channels);
   UnseenWidening widening(*tolerance, channels, kNegligible);
   for (int y = 0; y < height; ++y)

@@ -85,6 +85,7 @@ struct UnseenLobes::Grid {
   static constexpr int kAcross = 3;
   sampling::PixelRect tile;
   int width, height;
+  double of_time;  ///< of the exposure that its rays stand for
   int columns() const { return kAcross * width + 1; }
   int rows() const { return kAcross * height + 1; }
   std::size_t place(int i, int j) const { return static_cast<std::size_t>(j * columns() + i); }

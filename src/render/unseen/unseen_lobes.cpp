@@ -6,6 +6,7 @@
 
 #include "geometry/world.h"
 #include "materials/bsdf/narrow_lobes.h"
+#include "render/moving/sought_instants.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/unseen/unseen_lobe_rays.h"
 #include "render/unseen/widen_unseen.h"
@@ -130,11 +131,11 @@ void UnseenLobes::add_highlights(const std::vector<Met>& level, const Grid& grid
         double fills_px2 = 1.0;
         for (const double wide : spread)
           fills_px2 *= std::min(1.0, 2.0 * core / (kLatticeAcross * std::max(wide, 1e-9)));
-        fills_px2 *= target.of_time();
+        fills_px2 *= target.of_time() * grid.of_time;
         if (fills_px2 > kMet_px2 || fills_px2 * told.paths[pixel] > kKnown) continue;
         const double widest = std::min(kNothingKnown, std::max(spread[0], spread[1]));
-        const double share =
-            target.of_time() * here.brightness * shown(here, target, 0.5 * kBeyondLattice * widest);
+        const double share = target.of_time() * grid.of_time * here.brightness *
+                             shown(here, target, 0.5 * kBeyondLattice * widest);
         if (!(share * part.contrast > kLeastShown) || !is_free(here, target, counts)) continue;
         told.add(told.highlights, pixel, share / (kLatticeAcross * kLatticeAcross),
                  parts_.highest(part.assignment));
@@ -179,7 +180,7 @@ void UnseenLobes::add_thrown(const std::vector<Met>& level, std::uint64_t number
         if (!(side > 0.0) && !here.passes) continue;
         const Point3 from = side > 0.0 ? at : at - 2.0 * length(here.at - here.surface_at) * here.outward;
         sent.push_back({grid.pixel(i, j),
-                        here.brightness * here.spread * std::abs(dot(here.normal, direction)) *
+                        grid.of_time * here.brightness * here.spread * std::abs(dot(here.normal, direction)) *
                             cone.solid_angle_sr() * all / views[picked] /
                             (std::numbers::pi * kThrownRays * kLatticeAcross * kLatticeAcross),
                         kFlatSlope * std::sqrt(cone.solid_angle_sr()), here.brightness * here.spread});
@@ -217,26 +218,31 @@ void UnseenLobes::add_thrown(const std::vector<Met>& level, std::uint64_t number
 
 void UnseenLobes::settle(const AccuracyTolerance* tolerance, sampling::TileResult& tile) const {
   if (tolerance == nullptr || !tile.has_errors()) return;
-  Grid grid{tile.tile, tile.tile.width(), tile.tile.height()};
+  Grid grid{tile.tile, tile.tile.width(), tile.tile.height(), 1.0};
   std::vector<sampling::FocalPoint> points;
   for (int j = 0; j < grid.rows(); ++j)
     for (int i = 0; i < grid.columns(); ++i)
       points.push_back({tile.tile.x0 + shift_x_ + (i - 0.5) / kLatticeAcross,
                         tile.tile.y0 + shift_y_ + (j - 0.5) / kLatticeAcross});
-  Rays rays;
-  rays.rays.resize(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) rays.places.push_back(k);
-  camera_.rays(points, rays.rays);
   Told told(static_cast<std::size_t>(tile.tile.count()), scene_.nodes().channel_count());
   for (std::size_t p = 0; p < told.paths.size(); ++p)
     told.paths[p] = static_cast<double>(tile.radiance_evaluations[p]);
   Targets targets(*this);
-  std::vector<Met> level, before;
-  for (std::uint64_t number = 0; number < kMostLevels && !rays.rays.empty(); ++number) {
-    before = std::move(level);
-    level = follow(rays, number > 0 ? &before : nullptr, points.size(), tile.rays);
-    add_highlights(level, grid, targets, told, tile.rays);
-    add_thrown(level, number, grid, targets, told, tile.rays);
+  const std::vector<double> times_s = lattice_times_s(camera_);
+  grid.of_time = 1.0 / static_cast<double>(times_s.size());
+  for (const double time_s : times_s) {
+    for (sampling::FocalPoint& point : points) point.time_s = time_s;
+    Rays rays;
+    rays.rays.resize(points.size());
+    for (std::size_t k = 0; k < points.size(); ++k) rays.places.push_back(k);
+    camera_.rays(points, rays.rays);
+    std::vector<Met> level, before;
+    for (std::uint64_t number = 0; number < kMostLevels && !rays.rays.empty(); ++number) {
+      before = std::move(level);
+      level = follow(rays, number > 0 ? &before : nullptr, points.size(), tile.rays);
+      add_highlights(level, grid, targets, told, tile.rays);
+      add_thrown(level, number, grid, targets, told, tile.rays);
+    }
   }
   std::vector<double> more(told.channels);
   UnseenWidening widening(*tolerance, told.channels, kNegligible);
