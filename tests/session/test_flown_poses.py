@@ -103,6 +103,16 @@ class FlownPoses(unittest.TestCase):
         rows_m = [(row + 0.5 - PIXELS / 2) * 2e-4 * speed * 6371e3 / (6371e3 + height) for row in range(PIXELS)]
         self.assertLess(np.abs(places - seen((0, 0, 1.0 / STEP), heading, rows_m=rows_m)).max(), 0.1)
 
+    def test_mistaken_elements_are_located(self):
+        platform, scene = {"orbit": {"frame": "teme", "file": "elements.tle"}}, {"origin": {"latitude": "70 deg", "longitude": "9 deg"}}
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch)
+            for wrong, line in ((ELEMENTS.replace("0  1836", "0  1837"), 1), (ELEMENTS.replace("140550\n", "140551\n"), 2)):
+                (folder / "elements.tle").write_text(wrong)
+                done = run(document({}, platform, scene=scene, time=TIME), folder, command="check")
+                self.assertEqual(done.returncode, 1)
+                self.assertRegex(done.stderr, rf"^scene\.json:\d+:\d+: elements\.tle:{line}: line {line} of the two-line elements ends with the checksum")
+
     def test_on_a_mount(self):
         mount = {"lever_arm": ["1.5 m", "-0.4 m", "2 m"], "yaw": "5 deg", "pitch": "-3 deg", "roll": "2 deg"}
         platform = {"straight": {"frame": "scene", "position": ["3 m", "1 m", "100 m"], "velocity": ["0 m/s", "40 m/s", "0 m/s"]}, "mount": mount}

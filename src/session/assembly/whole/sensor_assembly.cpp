@@ -28,6 +28,9 @@ namespace ifov::session {
 
 namespace {
 
+/// Of a PSF within its cut.
+constexpr double kFarthestPsf_px = 64.0;
+
 struct BuildChannel {
   const io::DocumentSources& sources;
   const io::ChannelDocument& channel;
@@ -158,7 +161,7 @@ std::unique_ptr<sensor::Psf> assemble_psf(const io::DocumentSources& sources,
                                           const io::SensorDocument& sensor, double wavelength_um) {
   return with_position(sources, sensor.psf_position, [&] {
     using Made = std::unique_ptr<sensor::Psf>;
-    return std::visit(
+    Made made = std::visit(
         Overloaded{[](const io::NoPsf&) -> Made { return nullptr; },
                    [](const io::GaussianPsf& gaussian) -> Made {
                      return sensor::make_gaussian_psf(gaussian.sigma_px);
@@ -180,6 +183,12 @@ std::unique_ptr<sensor::Psf> assemble_psf(const io::DocumentSources& sources,
                                                     kernel.samples_per_pixel);
                    }},
         sensor.psf);
+    if (made != nullptr && made->half_width_px() > kFarthestPsf_px)
+      throw InputError(format(
+          "the PSF reaches {:.4g} pixels from its middle, and images are blurred within {:g}; expected a narrower one, or wider "
+          "pixels",
+          made->half_width_px(), kFarthestPsf_px));
+    return made;
   });
 }
 
