@@ -105,7 +105,7 @@ void Glints::trace(std::vector<GlintPoint>& points) {
       continue;
     const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
     if (!(math::dot(from, outward) > 0.0) || !(from.z > 0.0)) continue;
-    legs.push_back({k, row_of(hit, surface, rays[k], images[k].y_px)});
+    legs.push_back({k, row_of(hit, surface, rays[k], images[k])});
     to_sun.push_back(rays[k].onward(hit.position_m + hit.offset_m * outward, from));
   }
   std::vector<std::uint8_t> blocked(to_sun.size());
@@ -120,7 +120,7 @@ void Glints::trace(std::vector<GlintPoint>& points) {
 }
 
 std::uint32_t Glints::row_of(const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface,
-                             const math::Ray& seen, double line_px) {
+                             const math::Ray& seen, const sampling::FocalPoint& image) {
   // One surface of one material has one row: its glint is small. Where reflection depends on the angle, one for about one angle.
   constexpr double kSameCosine = 5e-4;
   const double cosine = std::abs(math::dot(surface.shading_normal.as_vector(), seen.direction));
@@ -140,8 +140,7 @@ std::uint32_t Glints::row_of(const geometry::SurfacePoint& hit, const scene::Res
   std::vector<float> columns(stokes_->count());
   if (polarized_)
     stokes_->write(
-        mirrored_.polarized(surface, hit.position_m.z, seen, sun,
-                            sensor::focal_frame(camera_, {0.5 * camera_.width_px(), line_px}, seen)),
+        mirrored_.polarized(surface, hit.position_m.z, seen, sun, sensor::focal_frame(camera_, image, seen)),
         columns.data());
   else
     stokes_->write_unpolarized(mirrored_.channels(surface, hit.position_m.z, seen, sun), columns.data());

@@ -50,7 +50,7 @@ class Glints {
  private:
   void trace(std::vector<GlintPoint>& points);
   std::uint32_t row_of(const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface,
-                       const math::Ray& seen, double line_px);
+                       const math::Ray& seen, const sampling::FocalPoint& image);
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
