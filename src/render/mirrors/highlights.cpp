@@ -6,8 +6,8 @@
 #include <map>
 
 #include "geometry/world/surface_survey.h"
-#include "render/moving/exposed_points.h"
-#include "render/moving/sought_instants.h"
+#include "render/mirrors/exposed_points.h"
+#include "render/mirrors/sought_instants.h"
 #include "render/polarized/scene_light.h"
 #include "sampling/random.h"
 #include "scene/scene.h"

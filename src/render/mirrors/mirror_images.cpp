@@ -11,7 +11,7 @@
 #include "core/parallel.h"
 #include "core/run_control.h"
 #include "geometry/world.h"
-#include "render/moving/exposed_points.h"
+#include "render/mirrors/exposed_points.h"
 #include "render/polarized/scene_light.h"
 #include "sampling/random.h"
 #include "scene/scene.h"

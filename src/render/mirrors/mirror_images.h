@@ -8,7 +8,7 @@
 #include "render/mirrors/focal_lights.h"
 #include "render/mirrors/glint_search.h"
 #include "render/mirrors/image_spectra.h"
-#include "render/moving/sought_instants.h"
+#include "render/mirrors/sought_instants.h"
 #include "render/parts/light_told.h"
 #include "transport/separate_images.h"
 #include "transport/shining_parts.h"

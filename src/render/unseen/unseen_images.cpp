@@ -52,11 +52,27 @@ std::unique_ptr<const UnseenImages> UnseenImages::find(const transport::Spectral
   return unseen;
 }
 
+std::span<const UnseenImages::Target> UnseenImages::MovingTargets::at(double time_s) {
+  const std::span<const MovingParts::Place> places = places_.at(time_s);
+  targets_.clear();
+  for (const MovingParts::Place& place : places) {
+    transport::ShiningParts::Part part;
+    part.ball = {place.centre_m, place.part->radius_m};
+    part.fill = place.part->fill();
+    part.assignment = place.part->assignment;
+    part.contrast = HUGE_VAL;  // none of it counts for nothing
+    targets_.push_back({part, place.centre_m, &place});
+  }
+  return targets_;
+}
+
 UnseenImages::UnseenImages(const transport::SpectralScene& scene, const sensor::Camera& camera,
                            const MirrorImages& images, std::uint64_t seed)
     : scene_(scene),
       camera_(camera),
       images_(images),
+      channels_(scene.nodes().channel_count()),
+      complete_(images.parts().complete()),
       moving_(scene.scene(), camera, images.parts()),
       shift_x_(sampling::unit_double(sampling::hash(seed, 0x756e7365656eull)) / kAcross),
       shift_y_(sampling::unit_double(sampling::hash(seed, 0x756e7365656full)) / kAcross) {

@@ -106,6 +106,8 @@ class UnseenImages {
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
   const MirrorImages& images_;
+  std::size_t channels_;
+  bool complete_;                ///< all that shines is known
   std::vector<Target> targets_;  // of what stands still
   MovingParts moving_;
   std::vector<Thrower> throwers_;

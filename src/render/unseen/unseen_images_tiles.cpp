@@ -1,12 +1,11 @@
 // What UnseenImages finds in the pixels of a tile.
 #include <algorithm>
 
-#include "render/moving/sought_instants.h"
+#include "render/mirrors/sought_instants.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/unseen/moving_targets.h"
 #include "render/unseen/widen_unseen.h"
 #include "sampling/tile.h"
-#include "transport/spectral_scene.h"
 
 namespace ifov::render {
 
@@ -35,7 +34,7 @@ void UnseenImages::settle(const AccuracyTolerance* tolerance, sampling::TileResu
     for (int i = 0; i < columns; ++i)
       points.push_back(
           {tile.tile.x0 + shift_x_ + (i - 0.5) / kAcross, tile.tile.y0 + shift_y_ + (j - 0.5) / kAcross});
-  const std::size_t channels = scene_.nodes().channel_count();
+  const std::size_t channels = channels_;
   std::vector<double> unseen(static_cast<std::size_t>(tile.tile.count()) * channels, 0.0);
   MovingTargets moving(*this);
   const std::vector<double> times_s = lattice_times_s(camera_);
@@ -65,7 +64,7 @@ void UnseenImages::settle(const AccuracyTolerance* tolerance, sampling::TileResu
           double* here = &unseen[static_cast<std::size_t>((j / kAcross) * width + i / kAcross) * channels];
           search({a, b, d}, cell_px2, moving, here, tile.rays);
           search({a, d, c}, cell_px2, moving, here, tile.rays);
-          if (!images_.parts().complete())
+          if (!complete_)
             tile.set(static_cast<std::size_t>((j / kAcross) * width + i / kAcross),
                      sampling::Reason::unseen_light);
         }

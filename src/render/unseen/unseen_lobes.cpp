@@ -6,7 +6,7 @@
 
 #include "geometry/world.h"
 #include "materials/bsdf/narrow_lobes.h"
-#include "render/moving/sought_instants.h"
+#include "render/mirrors/sought_instants.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/unseen/unseen_lobe_rays.h"
 #include "render/unseen/widen_unseen.h"

@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <vector>
 
-#include "io/document/cameras/frame_camera.h"
 #include "io/document/document.h"
-#include "io/document/platform_document.h"
 #include "io/document/samplers/error_size.h"
 #include "io/document/shapes/box_primitive.h"
 #include "io/document/shapes/flat_primitives.h"
@@ -26,23 +23,9 @@ constexpr double kRight = std::numbers::pi / 180.0;
 
 io::CameraDocument exposed_frame(int pixels, double height_m, double gsd_m, double exposure_s,
                                  double row_period_s) {
-  io::FrameCamera camera;
-  camera.focal_length_m = 0.05;
-  camera.pitch_m = camera.focal_length_m * gsd_m / height_m;
-  camera.size = {pixels, pixels};
-  camera.position_m = {0.0, 0.0, height_m};
-  camera.orientation = geodesy::Attitude{};
-  camera.exposure_s = exposure_s;
-  camera.row_period_s = row_period_s;
-  return {std::string(io::FrameCamera::kModel.key), std::make_shared<const io::FrameCamera>(camera), {}};
-}
-
-void carry(io::ObjectDocument& object, math::Point3 at_m, math::Vec3 velocity_m_s) {
-  io::PlatformDocument motion;
-  motion.path = io::StraightPath{at_m, {velocity_m_s.x, velocity_m_s.y, velocity_m_s.z}};
-  motion.attitude.emplace().from = io::YawFrom::north;
-  object.name = "car";
-  object.motion = std::make_shared<const io::PlatformDocument>(motion);
+  constexpr double kMovingFocal_m = 0.05;
+  return frame_above(pixels, pixels, height_m, kMovingFocal_m, kMovingFocal_m * gsd_m / height_m, exposure_s,
+                     row_period_s);
 }
 
 double overlap(double low, double high, double from, double to) {

@@ -1,4 +1,4 @@
-#include "render/moving/exposed_points.h"
+#include "render/mirrors/exposed_points.h"
 
 #include <algorithm>
 
@@ -11,10 +11,10 @@
 namespace ifov::render {
 namespace {
 
-constexpr std::size_t kFewest = 4, kMost = 64;
+constexpr std::size_t kFewestTimes = 4, kMostTimes = 64;
 /// About how many are traced together.
-constexpr std::size_t kTogether = 16384;
-constexpr std::uint64_t kTimes = 0x74696d6573ull;
+constexpr std::size_t kSpreadTogether = 16384;
+constexpr std::uint64_t kTimesOfPoints = 0x74696d6573ull;
 
 }  // namespace
 
@@ -24,13 +24,13 @@ void spread_over_exposure(const scene::Scene& scene, const sensor::Camera& camer
   if (points.empty() || scene.world->moving() == nullptr || !(exposure_s > 0.0) ||
       camera.moves_while_exposed())
     return;
-  const std::size_t times = std::clamp(kTogether / points.size(), kFewest, kMost);
+  const std::size_t times = std::clamp(kSpreadTogether / points.size(), kFewestTimes, kMostTimes);
   std::vector<GlintPoint> spread;
   spread.reserve(times * points.size());
   for (std::size_t k = 0; k < points.size(); ++k)
     for (std::size_t t = 0; t < times; ++t) {
       GlintPoint point = points[k];
-      const double u = sampling::unit_double(sampling::hash(seed, kTimes, k, t));
+      const double u = sampling::unit_double(sampling::hash(seed, kTimesOfPoints, k, t));
       point.image.time_s = exposure_s * ((static_cast<double>(t) + u) / static_cast<double>(times) - 0.5);
       point.area /= static_cast<double>(times);
       spread.push_back(point);

@@ -1,13 +1,13 @@
-#include "render/moving/sought_instants.h"
+#include "render/mirrors/sought_instants.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "render/flown_pilots.h"
 #include "render/mirrors/glint_search.h"
 #include "render/moving/flown_exposure.h"
 #include "sampling/random.h"
 #include "sensor/camera.h"
+#include "sensor/flying/flying_frame_camera.h"
 
 namespace ifov::render {
 namespace {
@@ -30,7 +30,7 @@ SoughtInstants::SoughtInstants(const scene::Scene& scene, const sensor::Camera& 
     for (std::uint32_t replicate = 0; replicate < GlintSearch::kReplicates; ++replicate) {
       const double u = sampling::unit_double(sampling::hash(seed, kSoughtInstants, s, replicate));
       times_s_.push_back(camera.exposure_s() * ((s + u) / strata - 0.5));
-      cameras_.push_back(camera_at(camera, times_s_.back()));
+      cameras_.push_back(camera.flying()->at_instant(times_s_.back()));
     }
 }
 
