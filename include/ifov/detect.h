@@ -16,6 +16,7 @@ enum class DetectedQuantity {
   radiance,  ///< W m-2 sr-1 um-1, float: as one who knows the mean response makes it of counts, or of the signal where none are made
   electrons,  ///< float: the signal before it is digitised
   counts,  ///< 16 or 32 bits without a sign; the header's "data gain values" and "data offset values" make radiance of them
+  kelvins,  ///< float: brightness temperatures of that radiance, by the channels' responses; not a number without light
 };
 
 struct DetectOptions {

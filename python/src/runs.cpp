@@ -18,8 +18,9 @@ DetectedQuantity detected_quantity(const std::string& name) {
   if (name == "radiance") return DetectedQuantity::radiance;
   if (name == "electrons") return DetectedQuantity::electrons;
   if (name == "counts") return DetectedQuantity::counts;
+  if (name == "kelvins") return DetectedQuantity::kelvins;
   throw nb::value_error(
-      ("quantities: found '" + name + "', expected 'radiance', 'electrons' or 'counts'").c_str());
+      ("quantities: found '" + name + "', expected 'radiance', 'kelvins', 'electrons' or 'counts'").c_str());
 }
 
 }  // namespace

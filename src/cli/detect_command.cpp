@@ -63,13 +63,15 @@ Command add_detect_command(CLI::App& app) {
                      "A document whose channels tell the noise, in place of the run's own");
   arguments->input.add_to(*parser);
   parser
-      ->add_option("--quantity", arguments->quantities,
-                   "What is written: radiance, electrons, counts, or several with commas between them")
+      ->add_option(
+          "--quantity", arguments->quantities,
+          "What is written: radiance, electrons, counts, kelvins, or several with commas between them")
       ->delimiter(',')
       ->transform(CLI::CheckedTransformer(
           std::vector<std::pair<std::string, DetectedQuantity>>{{"radiance", DetectedQuantity::radiance},
                                                                 {"electrons", DetectedQuantity::electrons},
-                                                                {"counts", DetectedQuantity::counts}}))
+                                                                {"counts", DetectedQuantity::counts},
+                                                                {"kelvins", DetectedQuantity::kelvins}}))
       ->default_str("radiance");
   parser->add_option("-o,--output", arguments->output, "Folder of the cubes, in place of the run's");
   parser->add_option("-j,--threads", arguments->threads, "Threads; 0: all cores")

@@ -35,7 +35,9 @@ void say_channel(const SensorDescription::Channel& channel) {
     line("photons", format("{:.4g}", channel.photons));
     line("electrons", format("{:.4g}, of warm optics {:.4g}, of dark current {:.4g}", channel.electrons,
                              channel.background, channel.dark));
-    if (channel.well_share) line("filled", format("{:.3g} %", 100.0 * *channel.well_share));
+    if (channel.well_share)
+      line("filled",
+           format("{:.3g} %{}", 100.0 * *channel.well_share, *channel.well_share > 1.0 ? ", saturated" : ""));
     if (channel.snr) line("SNR", format("{:.4g}", *channel.snr));
   }
   if (channel.nedl > 0.0) line("NEdL", format("{:.4g} W m-2 sr-1 um-1", channel.nedl));

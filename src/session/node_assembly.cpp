@@ -12,7 +12,6 @@
 #include "session/assembly/atmosphere/imported_assembly.h"
 #include "session/assembly/atmosphere/node_tolerance.h"
 #include "session/assembly/shared/colour_guess.h"
-#include "session/flown_images.h"
 #include "session/loaded/parts.h"
 #include "session/surface_spectra.h"
 #include "transport/spectral_scene.h"
@@ -94,7 +93,6 @@ void make_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphe
 
 void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept) {
   make_nodes(parts, log, options, kept);
-  refuse_flown_images(parts);
 }
 
 void warn_of_node_errors(const Parts& parts, LogSink& log) {

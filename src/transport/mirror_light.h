@@ -26,6 +26,13 @@ class MirrorLight {
 
   /// A surface point that `seen` met, where `outward` is the side that light must come to.
   void ask(std::uint32_t owner, const math::Ray& seen, const geometry::SurfacePoint& hit, math::Vec3 outward);
+  /// That mirrors may throw light on a point at some times alone, told of each that was asked for.
+  template <class Add>
+  void answer_changing(const Add& add) {
+    for (const Asked& point : asked_) add(point.owner, 1, true);
+    ways_.clear();
+    asked_.clear();
+  }
   /// The state of each point that was asked for and that mirrors throw some light on: add(owner, state, uneven), the
   /// same 64 bits for points of the same state; `uneven` where light of one state differs from place to place.
   template <class Add>

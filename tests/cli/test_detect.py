@@ -76,6 +76,16 @@ class Detect(unittest.TestCase):
         self.assertLess(abs(self.spread(self.band("warm.out/image_noisy_7.img", 1)) / 0.002 - 1), tolerance)
         self.assertEqual(self.band("warm.out/image_noisy_7.img", 2), self.band("warm.out/image_radiance.img", 2))
 
+    def test_kelvins_are_those_of_the_radiance(self):
+        done = self.detect("warm.out", "--seed", 3, "--quantity", "kelvins,radiance")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("data units = K", (self.folder / "warm.out/image_kelvins_3.img.hdr").read_text())
+        for band, um in enumerate((10.0, 4.0, 9.0)):
+            radiance, told = (self.band(f"warm.out/image_{what}_3.img", band) for what in ("noisy", "kelvins"))
+            self.assertLess(max(abs(kelvin(um, l) - k) for l, k in zip(radiance, told)), 5e-4)
+            # Planted fault: 0.1 % of radiance.
+            self.assertGreater(max(abs(kelvin(um, 1.001 * l) - k) for l, k in zip(radiance, told)), 5e-3)
+
     def test_another_document_tells_another_noise(self):
         done = self.detect("warm.out/image_run.json", "--document", "other.json", "-o", "other")
         self.assertEqual((done.returncode, done.stderr), (0, ""))

@@ -69,6 +69,19 @@ class Sensor(unittest.TestCase):
         self.assertIn("NEdT         0.1 K at 300 K\n", out)
         self.assertNotIn("electrons", out)
 
+    def test_a_full_well_is_told(self):
+        self.assertIn(" %, saturated\n", self.told(text(), "--set", 'sensor.detector.reference={"radiance": "2000 W m-2 sr-1 um-1"}'))
+        self.assertNotIn("saturated", self.told(text()))
+
+    def test_a_psf_wider_than_images_are_blurred(self):
+        for psf, said in (('{"gaussian": {"sigma": "20 px"}}', "the PSF reaches 88 pixels from its middle"), ('{"gaussian": {"sigma": "12 px"}}', None)):
+            with Folder(scene=text()) as folder:
+                done = run("check", "scene.json", "--set", f"sensor.psf={psf}", cwd=folder)
+            self.assertEqual(done.returncode, 1 if said else 0, done.stderr)
+            if said:
+                self.assertIn(said, done.stderr)
+                self.assertIn("images are blurred within 64; expected a narrower one, or wider pixels", done.stderr)
+
     def test_mistakes_are_located(self):
         with Folder(scene=text(sensor__optics=None)) as folder:
             done = run("sensor", "scene.json", cwd=folder)

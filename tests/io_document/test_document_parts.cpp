@@ -163,8 +163,9 @@ TEST_F(DocumentParts, WrongOverridesAreErrors) {
             "--set sensor.camera.orthographic.gds:1:1: unknown key 'gds' in 'sensor.camera.or");
   EXPECT_EQ(message(kBase, {"scene.objects[2].material=lawn"}),
             "--set scene.objects[2].material: 'scene.objects' has 2 items, counted from 0");
-  EXPECT_EQ(message(kBase, {"scene.objects.material=lawn"}),
-            "--set scene.objects.material: 'scene.objects' is a list of 2, not an object");
+  EXPECT_EQ(
+      message(kBase, {"scene.objects.material=lawn"}),
+      "--set scene.objects.material: 'scene.objects' is a list of 2, not an object; its first item is scene.objects[0]");
   const std::string how =
       "; expected a key and its value, such as sensor.camera.orthographic.gsd=\"2 m\" or scene.objects[0].material=lawn";
   EXPECT_EQ(message(kBase, {"seed"}), "--set seed: there is no '='" + how);

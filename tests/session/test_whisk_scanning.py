@@ -267,6 +267,27 @@ class WhiskScanning(unittest.TestCase):
         for quantity in ("radiance", "half_width"):
             self.assertEqual((whole / f"image_{quantity}.img").read_bytes(), (self.folder / "merged" / f"image_{quantity}.img").read_bytes())
 
+    def test_polarization_is_about_the_sweep(self):
+        """Glass under an even sky shows light polarized across the plane of incidence, by Fresnel: that of a whiskbroom's turn, and across that of a cone's."""
+        def fresnel(angle):
+            t = np.arcsin(np.sin(angle) / 1.5)
+            s, p = (np.sin(angle - t) / np.sin(angle + t))**2, (np.tan(angle - t) / np.tan(angle + t))**2
+            return (s - p) / (s + p)
+
+        turn = (np.arange(SAMPLES) + 0.5 - SAMPLES / 2) / SAMPLES * math.radians(60.0)
+        for camera, keys, roll, expected_q in (("whiskbroom", {"sweep_angle": "60 deg"}, None, -fresnel(np.abs(turn))),
+                                               ("conical", {"sweep_angle": "60 deg", "cone": "50 deg", "looks": "ahead"}, None, np.full(SAMPLES, fresnel(CONE)))):
+            glass = document([], camera, roll, ("radiance", "stokes"), **keys)
+            glass["scene"]["materials"] = {"dark": {"scattering": {"smooth": {"n": 1.5, "k": 0, "over": "absorber"}}}}
+            glass["sensor"]["stokes"] = True
+            glass["sampling"] = {"grid": {"elements": [3, 3]}}
+            stokes = self.cube(self.render(glass, camera), "stokes", bands=4)
+            middle = slice(ELEMENTS // 2, None, ELEMENTS)
+            q, u = (stokes[k, middle] / stokes[0, middle] for k in (1, 2))
+            self.assertLess(np.abs(q - expected_q).max(), 2e-3, camera)
+            self.assertLess(np.abs(u).max(), 4e-3, camera)
+            self.assertGreater(np.abs(q + expected_q).max(), 0.1, "turned by a right angle")
+
     def test_what_is_refused(self):
         def with_keys(**keys):
             return document(DISKS, **keys)
@@ -283,8 +304,8 @@ class WhiskScanning(unittest.TestCase):
         del still["platform"]
         self.assertRegex(self.refused(still), r"bad\.json:\d+:\d+: a whiskbroom camera moves: expected a 'platform' beside the 'sensor'")
         polarized = document(DISKS)
-        polarized["sensor"]["stokes"] = True
-        self.assertRegex(self.refused(polarized), r"bad\.json:\d+:\d+: a whiskbroom camera turns its view, and what that does to polarization is not modelled")
+        polarized["sensor"]["channels"][0]["polarizer"] = {"angle": "0 deg"}
+        self.assertRegex(self.refused(polarized), r"bad\.json:\d+:\d+: a whiskbroom camera turns its view, and what that does to the polarization of light on its way")
         whole = document(DISKS)
         whole["sampling"]["accuracy"]["of"] = "image"
         self.assertRegex(self.refused(whole), r"bad\.json:\d+:\d+: \"of\": \"image\" takes an image that is one picture, and each sweep of a whiskbroom")

@@ -7,6 +7,7 @@
 
 #include "studies/sensor/channel_scenes.h"
 #include "studies/sensor/modulation_scenes.h"
+#include "studies/sensor/moving_scenes.h"
 #include "studies/sensor/scanning_images.h"
 #include "studies/sensor/sensor_checks.h"
 #include "studies/sensor/sensor_sections.h"
@@ -102,6 +103,31 @@ TEST(SensorStudy, ScannedDiscsAreWhereGeometryPutsThem) {
   EXPECT_GE(held_shares(image, discs_by_geometry(flight, 60)).edges, 0.93);
   flight.roll_rad = 1.02e-3;
   EXPECT_LT(held_shares(image, discs_by_geometry(flight, 60)).edges, 0.85);
+}
+
+TEST(SensorStudy, WhatMovesIsWhereKinematicsPutsIt) {
+  const StudyOptions options = in_a_folder("ifov_test_sensor_moving");
+  for (const MovingCar& car : {MovingCar{}, MovingCar{0.0, 0.003, 20.0, 5.0}}) {
+    EXPECT_LT(moving_car_off_px(car, options), 0.02);
+    EXPECT_GT(moving_car_off_px(car, options, true), 0.2);
+  }
+}
+
+TEST(SensorStudy, IntervalsHoldWhatMovesBeforeAMirror) {
+  const StudyOptions options = in_a_folder("ifov_test_sensor_yard");
+  for (const bool rolling : {false, true}) {
+    const MovingHeld held = moving_held({rolling, true, 2, 16}, options);
+    EXPECT_GT(held.share(), 0.93);
+    EXPECT_GT(held.moving, 30u);
+    EXPECT_GT(held.moving_share(), 0.93);
+  }
+  EXPECT_LT(moving_held({false, true, 1, 16}, options, true).moving_share(), 0.6);
+}
+
+TEST(SensorStudy, WavefrontsAreThePupilsIntegral) {
+  for (const int noll : {4, 8, 11}) EXPECT_LT(pupil_points_off(noll, 1.0), 0.01) << noll;
+  EXPECT_GT(pupil_points_off(8, -1.0), 0.05);
+  EXPECT_LT(memory_of_cube_gib(128, 30, in_a_folder("ifov_test_sensor_memory")), 2.0);
 }
 
 TEST(SensorStudy, NoiseAndPartsAreAsTheyWereToldToBe) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/motion/motion.h"
+#include "geometry/world/surface_survey.h"
 
 namespace ifov::geometry {
 
@@ -76,6 +77,16 @@ MovingWorld::MovingWorld(std::unique_ptr<World> still, std::vector<Mover> movers
   std::vector<Bounds> hulls;
   for (const Moving& mover : movers_) hulls.push_back(mover.swept->hull());
   tree_ = std::make_unique<const BoxTree>(hulls);
+  survey_ = numbered(still_->survey());
+  lobe_survey_ = numbered(still_->lobe_survey());
+}
+
+std::unique_ptr<const SurfaceSurvey> MovingWorld::numbered(const SurfaceSurvey* of_still) const {
+  if (of_still == nullptr) return nullptr;
+  auto numbered = std::make_unique<SurfaceSurvey>(*of_still);
+  for (SurfaceSurvey::Round& round : numbered->rounds) round.object = number_of_still(round.object);
+  for (SurfaceSurvey::Smooth& smooth : numbered->smooths) smooth.object = number_of_still(smooth.object);
+  return numbered;
 }
 
 template <class At>

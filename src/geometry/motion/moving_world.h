@@ -67,8 +67,9 @@ class MovingWorld final : public World {
   std::span<const Presence> presences() const override { return still_->presences(); }
   const Presence* presence(std::uint32_t object) const override;
   std::size_t triangle_count() const override;
-  const SurfaceSurvey* survey() const override { return still_->survey(); }
-  const SurfaceSurvey* lobe_survey() const override { return still_->lobe_survey(); }
+  /// Of what stands still: by its objects' numbers here.
+  const SurfaceSurvey* survey() const override { return survey_.get(); }
+  const SurfaceSurvey* lobe_survey() const override { return lobe_survey_.get(); }
 
  private:
   struct Moving {
@@ -90,11 +91,13 @@ class MovingWorld final : public World {
   template <class At>
   void visit_near(const math::Ray& ray, double spread_rad, const At& at) const;
   std::uint32_t number_of_still(std::uint32_t own) const;
+  std::unique_ptr<const SurfaceSurvey> numbered(const SurfaceSurvey* of_still) const;
   Place place_of(std::uint32_t object) const;
 
   std::unique_ptr<World> still_;
   std::vector<Moving> movers_;
-  std::unique_ptr<const BoxTree> tree_;  // of where each may be from from_s_ to to_s_
+  std::unique_ptr<const SurfaceSurvey> survey_, lobe_survey_;  // null where the still world has none
+  std::unique_ptr<const BoxTree> tree_;                        // of where each may be from from_s_ to to_s_
   double from_s_, to_s_;
   Bounds bounds_;
   Heights heights_;

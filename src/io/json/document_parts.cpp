@@ -60,8 +60,11 @@ class NodeMerger {
                           std::size_t depth) {
     const DocumentOverride::Step& step = one.what->steps[depth];
     if (node.type_ == (step.key.empty() ? Type::list : Type::object)) return;
-    throw InputError(format("--set {}: {} is {}, not {}", one.what->path, title, node.found(),
-                            step.key.empty() ? "a list" : "an object"));
+    std::string hint;
+    if (node.type_ == Type::list && title.size() > 2 && title.front() == '\'')
+      hint = format("; its first item is {}[0]", title.substr(1, title.size() - 2));
+    throw InputError(format("--set {}: {} is {}, not {}{}", one.what->path, title, node.found(),
+                            step.key.empty() ? "a list" : "an object", hint));
   }
 
   static std::vector<Override> within(const std::vector<Override>& overrides, std::size_t depth,

@@ -142,7 +142,7 @@ class SceneField final : public sampling::Field {
   SharedValues* shared_ = nullptr;
   sampling::RayCounts counts_;
   std::vector<sampling::FocalPoint> points_;
-  std::vector<math::Ray> rays_, sun_rays_;
+  std::vector<math::Ray> rays_, sun_rays_, ways_;
   std::vector<transport::PathKey> keys_;
   std::vector<geometry::SurfacePoint> hits_, seen_;
   std::vector<std::uint64_t> passed_;            // by hit: what it is seen through

@@ -122,10 +122,14 @@ void SceneField::label_hits(std::span<const sampling::FocalPoint> points,
       labels[k] = SurfaceLabel::with_mirrored(labels[k], passed_[k] >> 20,
                                               (passed_[k] & SeenThrough::kUnevenState) != 0);
   }
-  if (mirror_light_ != nullptr)
-    mirror_light_->answer(counts_, [&](std::uint32_t k, std::uint64_t state, bool uneven) {
-      labels[k] = SurfaceLabel::with_mirrored(labels[k], state, uneven);
-    });
+  const auto mirrored = [&](std::uint32_t k, std::uint64_t state, bool uneven) {
+    labels[k] = SurfaceLabel::with_mirrored(labels[k], state, uneven);
+  };
+  // What mirrors throw past something that moves has no rims that stay.
+  if (mirror_light_ != nullptr && moving_ != nullptr)
+    mirror_light_->answer_changing(mirrored);
+  else if (mirror_light_ != nullptr)
+    mirror_light_->answer(counts_, mirrored);
   if (sun_rays_.empty()) return;
   blocked_.resize(sun_rays_.size());
   scene.world->occluded(sun_rays_, blocked_);

@@ -26,8 +26,16 @@ std::vector<double> SceneField::instants_s() const {
 void SceneField::find_covered(std::span<const sampling::FocalPoint> points) {
   if (moving_ == nullptr) return;
   covered_.resize(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k)
+  for (std::size_t k = 0; k < points.size(); ++k) {
     covered_[k] = moving_->covers(points[k], rays_[k], hits_[k]);
+    if (covered_[k] != 0 || !through_.any()) continue;
+    geometry::SurfacePoint last = hits_[k];
+    ways_.clear();
+    through_.list_ways(rays_[k], moving_->still(), last, ways_, counts_);
+    covered_[k] = std::any_of(ways_.begin(), ways_.end(), [&](const math::Ray& way) {
+      return moving_->shades(points[k], rays_[k], way, 0.0);
+    });
+  }
 }
 
 void SceneField::moving_values(std::span<const sampling::PathRequest> requests,
@@ -48,7 +56,10 @@ void SceneField::moving_values(std::span<const sampling::PathRequest> requests,
     counts_.primary += group.size();
     asked.clear();
     for (std::size_t k = 0; k < group.size(); ++k) {
-      const MovingCover::Times times = moving_->times(group[k], rays_[k], hits_[k]);
+      geometry::SurfacePoint last = hits_[k];
+      ways_.clear();
+      if (through_.any()) through_.list_ways(rays_[k], moving_->still(), last, ways_, counts_);
+      const MovingCover::Times times = moving_->times(group[k], rays_[k], hits_[k], ways_, last);
       shares[k] = static_cast<float>(times.share);
       for (const bool meeting : {true, false}) {
         if (shares[k] == (meeting ? 0.0f : 1.0f)) continue;

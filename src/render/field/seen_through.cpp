@@ -160,6 +160,19 @@ void SeenThrough::look_for_sun(std::span<std::uint64_t> states, sampling::RayCou
   beyond_.clear();
 }
 
+void SeenThrough::list_ways(math::Ray ray, const geometry::World& world, geometry::SurfacePoint& hit,
+                            std::vector<math::Ray>& ways, sampling::RayCounts& counts) const {
+  std::uint8_t reflections = 0;
+  for (int passed = 0; passed < kMostPassed && hit.hit(); ++passed) {
+    const Way way = turn(ray, hit, false);
+    if (way == Way::none || (way != Way::through && reflections++ >= kMostReflections)) return;
+    world.intersect({&ray, 1}, {&hit, 1});
+    ++counts.primary;
+    ways.push_back(ray);
+    if (hit.hit()) ways.back().t_max_m = hit.distance_m;
+  }
+}
+
 std::uint64_t SeenThrough::passed(math::Ray ray, sampling::RayCounts& counts) {
   if (!scene_.materials().any_pane()) return 0;
   std::uint64_t state = 0;

@@ -8,6 +8,9 @@
 #include "math/ray.h"
 #include "sampling/field.h"
 
+namespace ifov::geometry {
+class World;
+}
 namespace ifov::transport {
 class SpectralScene;
 }
@@ -37,6 +40,10 @@ class SeenThrough {
               std::span<std::uint64_t> states, sampling::RayCounts& counts);
   /// Whether a ray that nothing stops ends on the Sun's disc.
   bool meets_sun(math::Vec3 direction) const { return math::dot(direction, towards_sun_) >= cosine_of_sun_; }
+  /// The ways on which a ray goes on behind panes and in mirrors, flat or bent, each until what of a world it meets; `hit`: what the ray
+  /// met, then what the last of them does. Behind those that are there.
+  void list_ways(math::Ray ray, const geometry::World& world, geometry::SurfacePoint& hit,
+                 std::vector<math::Ray>& ways, sampling::RayCounts& counts) const;
   /// Follows a ray that something blocks straight through panes: what those are that it passes, 0 where it is blocked.
   std::uint64_t passed(math::Ray ray, sampling::RayCounts& counts);
 

@@ -6,6 +6,8 @@
 #include "geometry/world.h"
 #include "radiometry/polarization_frame.h"
 #include "radiometry/spectrum_block.h"
+#include "render/mirrors/exposed_points.h"
+#include "render/mirrors/sought_instants.h"
 #include "render/parts/part_columns.h"
 #include "render/polarized/polarimetry.h"
 #include "render/polarized/stokes_columns.h"
@@ -36,6 +38,7 @@ Glints::Glints(const transport::SpectralScene& scene, const sensor::Camera& came
                std::uint64_t seed, const LightTold& told)
     : scene_(scene),
       camera_(camera),
+      seed_(seed),
       mirrored_(scene),
       polarized_(told.polarimetry != nullptr && told.polarimetry->any()),
       stokes_(std::make_unique<StokesColumns>(told, scene.nodes())),
@@ -44,22 +47,26 @@ Glints::Glints(const transport::SpectralScene& scene, const sensor::Camera& came
   const scene::Sun& sun = *scene.scene().sun;
   std::size_t surfaces = survey.rounds.size();
   for (const auto& smooth : survey.smooths) surfaces += smooth.triangles.size() > 1000 ? 1 : 0;
-  GlintSearch search(camera, sun.direction, sun.half_angle_rad, margin_px, steps_for(surfaces), seed);
+  const SoughtInstants instants(scene.scene(), camera, seed);
   std::vector<GlintPoint> points;
-  const auto keep = [&](const GlintPoint& point) {
-    points.push_back(point);
-    if (points.size() == kPointsAtOnce) trace(points);
-  };
-  std::uint64_t number = 0;
-  for (const auto& round : survey.rounds) {
-    last_material_ = ~0u;
-    search.search(round, number++, keep);
-    trace(points);
-  }
-  for (const auto& smooth : survey.smooths) {
-    last_material_ = ~0u;
-    search.search(smooth, number++, keep);
-    trace(points);
+  for (std::size_t k = 0; k < instants.size(); ++k) {
+    GlintSearch search(instants.camera(k), sun.direction, sun.half_angle_rad, margin_px, steps_for(surfaces),
+                       instants.seed(k));
+    const auto keep = [&](const GlintPoint& point) {
+      points.push_back(instants.point(k, point));
+      if (points.size() == kPointsAtOnce) trace(points);
+    };
+    std::uint64_t number = 0;
+    for (const auto& round : survey.rounds) {
+      last_material_ = ~0u;
+      search.search(round, number++, keep);
+      trace(points);
+    }
+    for (const auto& smooth : survey.smooths) {
+      last_material_ = ~0u;
+      search.search(smooth, number++, keep);
+      trace(points);
+    }
   }
   lights_.sort();
 }
@@ -69,6 +76,7 @@ Glints::~Glints() = default;
 void Glints::trace(std::vector<GlintPoint>& points) {
   const scene::Scene& scene = scene_.scene();
   const scene::Sun& sun = *scene.sun;
+  spread_over_exposure(scene, camera_, seed_, points);
   std::vector<sampling::FocalPoint> images;
   for (const GlintPoint& point : points) images.push_back(point.image);
   std::vector<math::Ray> rays(points.size());
@@ -97,7 +105,7 @@ void Glints::trace(std::vector<GlintPoint>& points) {
       continue;
     const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
     if (!(math::dot(from, outward) > 0.0) || !(from.z > 0.0)) continue;
-    legs.push_back({k, row_of(hit, surface, rays[k], images[k].y_px)});
+    legs.push_back({k, row_of(hit, surface, rays[k], images[k])});
     to_sun.push_back(rays[k].onward(hit.position_m + hit.offset_m * outward, from));
   }
   std::vector<std::uint8_t> blocked(to_sun.size());
@@ -112,7 +120,7 @@ void Glints::trace(std::vector<GlintPoint>& points) {
 }
 
 std::uint32_t Glints::row_of(const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface,
-                             const math::Ray& seen, double line_px) {
+                             const math::Ray& seen, const sampling::FocalPoint& image) {
   // One surface of one material has one row: its glint is small. Where reflection depends on the angle, one for about one angle.
   constexpr double kSameCosine = 5e-4;
   const double cosine = std::abs(math::dot(surface.shading_normal.as_vector(), seen.direction));
@@ -132,8 +140,7 @@ std::uint32_t Glints::row_of(const geometry::SurfacePoint& hit, const scene::Res
   std::vector<float> columns(stokes_->count());
   if (polarized_)
     stokes_->write(
-        mirrored_.polarized(surface, hit.position_m.z, seen, sun,
-                            sensor::focal_frame(camera_, {0.5 * camera_.width_px(), line_px}, seen)),
+        mirrored_.polarized(surface, hit.position_m.z, seen, sun, sensor::focal_frame(camera_, image, seen)),
         columns.data());
   else
     stokes_->write_unpolarized(mirrored_.channels(surface, hit.position_m.z, seen, sun), columns.data());

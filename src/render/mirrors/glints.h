@@ -50,10 +50,11 @@ class Glints {
  private:
   void trace(std::vector<GlintPoint>& points);
   std::uint32_t row_of(const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface,
-                       const math::Ray& seen, double line_px);
+                       const math::Ray& seen, const sampling::FocalPoint& image);
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
+  std::uint64_t seed_;
   MirroredSpectra mirrored_;
   bool polarized_;  // the sensor tells polarization
   std::unique_ptr<StokesColumns> stokes_;

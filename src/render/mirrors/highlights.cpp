@@ -6,6 +6,8 @@
 #include <map>
 
 #include "geometry/world/surface_survey.h"
+#include "render/mirrors/exposed_points.h"
+#include "render/mirrors/sought_instants.h"
 #include "render/polarized/scene_light.h"
 #include "sampling/random.h"
 #include "scene/scene.h"
@@ -82,10 +84,10 @@ std::vector<Highlights::Thing> Highlights::things() const {
   return things;
 }
 
-GlintSearch Highlights::search_for(const GlintSearch::Coarseness& coarse, double margin_px,
-                                   std::uint64_t seed) const {
+GlintSearch Highlights::search_for(const sensor::Camera& camera, const GlintSearch::Coarseness& coarse,
+                                   double margin_px, std::uint64_t seed) const {
   const transport::SunLobes& lobes = *scene_.sun_lobes();
-  return {camera_,
+  return {camera,
           scene_.scene().sun->direction,
           lobes.slopes().least,
           lobes.seen_reach_rad(),
@@ -107,11 +109,12 @@ bool Highlights::is_unsure_without(const Thing& thing) const {
          radius_px(lobes.survey().rounds[thing.rounds.front()].ball) * lobes.slopes().least < 1.0;
 }
 
-GlintSearch::Coarseness Highlights::coarseness(const std::vector<Thing>& things, double margin_px) const {
+GlintSearch::Coarseness Highlights::coarseness(const sensor::Camera& camera, const std::vector<Thing>& things,
+                                               double margin_px) const {
   GlintSearch::Coarseness best = kCoarseness.front();
   std::size_t fewest = things.size() + 1;
   for (const GlintSearch::Coarseness& coarse : kCoarseness) {
-    GlintSearch count = search_for(coarse, margin_px, 0);
+    GlintSearch count = search_for(camera, coarse, margin_px, 0);
     std::size_t unsure = 0;
     for (const Thing& thing : things) {
       search(thing, scene_.sun_lobes()->survey(), count, {});
@@ -125,17 +128,24 @@ GlintSearch::Coarseness Highlights::coarseness(const std::vector<Thing>& things,
 
 void Highlights::find(std::uint64_t seed, double margin_px) {
   const std::vector<Thing> things = this->things();
-  GlintSearch search = search_for(coarseness(things, margin_px), margin_px, seed);
+  const SoughtInstants instants(scene_.scene(), camera_, seed);
+  const GlintSearch::Coarseness coarse = coarseness(instants.camera(instants.size() / 2), things, margin_px);
+  std::vector<GlintSearch> searches;
+  for (std::size_t k = 0; k < instants.size(); ++k)
+    searches.push_back(search_for(instants.camera(k), coarse, margin_px, instants.seed(k)));
   std::vector<GlintPoint> points;
-  const auto keep = [&](const GlintPoint& point) {
-    points.push_back(point);
-    if (points.size() == kTogether) trace(points);
-  };
   for (const Thing& thing : things) {
     const std::size_t before = lights_.lights().size();
-    Highlights::search(thing, scene_.sun_lobes()->survey(), search, keep);
-    trace(points);
-    if (!search.broken_off()) continue;
+    bool broken_off = false;
+    for (std::size_t k = 0; k < instants.size() && !broken_off; ++k) {
+      Highlights::search(thing, scene_.sun_lobes()->survey(), searches[k], [&](const GlintPoint& point) {
+        points.push_back(instants.point(k, point));
+        if (points.size() == kTogether) trace(points);
+      });
+      trace(points);
+      broken_off = searches[k].broken_off();
+    }
+    if (!broken_off) continue;
     lights_.keep(before);
     large_.push_back(thing.object);
     if (is_unsure_without(thing)) unsure_.push_back(thing.object);
@@ -159,6 +169,7 @@ double Highlights::radius_px(const geometry::SurfaceSurvey::Ball& ball) const {
 Highlights::~Highlights() = default;
 
 void Highlights::trace(std::vector<GlintPoint>& points) {
+  spread_over_exposure(scene_.scene(), camera_, seed_, points);
   std::vector<sampling::FocalPoint> images;
   std::vector<transport::PathKey> keys;
   const std::uint64_t sequence = sampling::hash(seed_, kHighlightPaths);

@@ -56,11 +56,13 @@ class Highlights {
   };
   /// The smallest first.
   std::vector<Thing> things() const;
-  GlintSearch search_for(const GlintSearch::Coarseness& coarse, double margin_px, std::uint64_t seed) const;
+  GlintSearch search_for(const sensor::Camera& camera, const GlintSearch::Coarseness& coarse,
+                         double margin_px, std::uint64_t seed) const;
   static void search(const Thing& thing, const geometry::SurfaceSurvey& survey, GlintSearch& search,
                      const GlintSearch::Found& found);
   /// How wide triangles have to be, over usual: as little as leaves the fewest things unsure.
-  GlintSearch::Coarseness coarseness(const std::vector<Thing>& things, double margin_px) const;
+  GlintSearch::Coarseness coarseness(const sensor::Camera& camera, const std::vector<Thing>& things,
+                                     double margin_px) const;
   bool is_unsure_without(const Thing& thing) const;
   void trace(std::vector<GlintPoint>& points);
   void add(const GlintPoint& point, const float* channels);

@@ -11,6 +11,7 @@
 #include "core/parallel.h"
 #include "core/run_control.h"
 #include "geometry/world.h"
+#include "render/mirrors/exposed_points.h"
 #include "render/polarized/scene_light.h"
 #include "sampling/random.h"
 #include "scene/scene.h"
@@ -44,8 +45,10 @@ std::unique_ptr<const MirrorImages> MirrorImages::find(const transport::Spectral
                                                        double margin_px, std::uint64_t seed, int threads,
                                                        const CancelToken* cancel, const LightTold& told) {
   if (scene.scene().world == nullptr || scene.scene().world->survey() == nullptr) return nullptr;
-  std::unique_ptr<MirrorImages> images(new MirrorImages(scene, camera, told));
-  if (images->parts_.parts().empty() && images->parts_.complete()) return nullptr;
+  std::unique_ptr<MirrorImages> images(new MirrorImages(scene, camera, told, seed));
+  // UnseenImages asks what of the rest shines.
+  const bool moving = scene.scene().world->moving() != nullptr;
+  if (images->parts_.parts().empty() && images->parts_.complete() && !moving) return nullptr;
   images->list_mirrors();
   std::vector<Pair> pairs = images->pairs();
   double work = 0.0;
@@ -87,9 +90,10 @@ std::unique_ptr<const MirrorImages> MirrorImages::find(const transport::Spectral
 }
 
 MirrorImages::MirrorImages(const transport::SpectralScene& scene, const sensor::Camera& camera,
-                           const LightTold& told)
+                           const LightTold& told, std::uint64_t seed)
     : scene_(scene),
       camera_(camera),
+      instants_(scene.scene(), camera, seed),
       told_(told),
       parts_(scene),
       apart_(scene.scene(), parts_),
@@ -145,8 +149,9 @@ std::vector<MirrorImages::Pair> MirrorImages::pairs() {
   for (Pair& pair : pairs) {
     const auto count = static_cast<double>(pair.last - pair.first);
     pair.steps = std::max(kFewestSteps, finest / std::sqrt(count));
-    pair.work = count * (kUsualWork * std::pow(pair.steps / kSteps, 2) +
-                         3.0 * static_cast<double>(mirrors_[pair.mirror].triangles));
+    pair.work = static_cast<double>(instants_.size()) * count *
+                (kUsualWork * std::pow(pair.steps / kSteps, 2) +
+                 3.0 * static_cast<double>(mirrors_[pair.mirror].triangles));
   }
   std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.work < b.work; });
   return pairs;
@@ -183,20 +188,25 @@ MirrorImages::Found MirrorImages::search(const Pair& pair, double margin_px, std
   std::vector<GlintPoint> points;
   for (std::size_t p = pair.first; p < pair.last; ++p) {
     const ShiningParts::Part& part = parts_.parts()[p];
-    GlintSearch search(camera_, part.ball, margin_px, pair.steps / std::sqrt(part.fill), key, kMostTriangles);
-    const auto keep = [&](const GlintPoint& point) {
-      points.push_back(point);
-      if (points.size() == kBatch) trace(mirror, static_cast<std::uint32_t>(p), points, seen);
-    };
-    for (const std::size_t k : mirror.rounds) search.search(survey.rounds[k], p, keep);
-    for (const std::size_t k : mirror.smooths) search.search(survey.smooths[k], p, keep);
-    if (mirror.rounds.empty() && mirror.smooths.empty()) {
-      const SeparateImages::Plane& plane =
-          apart_.planes()[static_cast<std::size_t>(mirror.name & 0xffffffffu)];
-      search.search(plane.normal, plane.offset_m, p, keep);
+    bool broken_off = false;
+    for (std::size_t i = 0; i < instants_.size(); ++i) {
+      GlintSearch search(instants_.camera(i), part.ball, margin_px, pair.steps / std::sqrt(part.fill),
+                         instants_.size() == 1 ? key : sampling::hash(key, i), kMostTriangles);
+      const auto keep = [&](const GlintPoint& point) {
+        points.push_back(instants_.point(i, point));
+        if (points.size() == kBatch) trace(mirror, static_cast<std::uint32_t>(p), points, seen);
+      };
+      for (const std::size_t k : mirror.rounds) search.search(survey.rounds[k], p, keep);
+      for (const std::size_t k : mirror.smooths) search.search(survey.smooths[k], p, keep);
+      if (mirror.rounds.empty() && mirror.smooths.empty()) {
+        const SeparateImages::Plane& plane =
+            apart_.planes()[static_cast<std::size_t>(mirror.name & 0xffffffffu)];
+        search.search(plane.normal, plane.offset_m, p, keep);
+      }
+      trace(mirror, static_cast<std::uint32_t>(p), points, seen);
+      broken_off = broken_off || search.broken_off();
     }
-    trace(mirror, static_cast<std::uint32_t>(p), points, seen);
-    if (!search.broken_off()) continue;
+    if (!broken_off) continue;
     found.outcome = met_by_paths(seen) ? Outcome::met : Outcome::given_up;
     if (found.outcome == Outcome::met) found.places = places_of(seen);
     return found;
@@ -213,6 +223,7 @@ MirrorImages::Found MirrorImages::search(const Pair& pair, double margin_px, std
 void MirrorImages::trace(const Mirror& mirror, std::uint32_t part, std::vector<GlintPoint>& points,
                          std::vector<FocalLights::Light>& seen) const {
   const scene::Scene& scene = scene_.scene();
+  spread_over_exposure(scene, camera_, part, points);
   std::vector<sampling::FocalPoint> images;
   for (const GlintPoint& point : points) images.push_back(point.image);
   std::vector<math::Ray> rays(points.size()), onward;

@@ -8,6 +8,7 @@
 #include "render/mirrors/focal_lights.h"
 #include "render/mirrors/glint_search.h"
 #include "render/mirrors/image_spectra.h"
+#include "render/mirrors/sought_instants.h"
 #include "render/parts/light_told.h"
 #include "transport/separate_images.h"
 #include "transport/shining_parts.h"
@@ -72,7 +73,8 @@ class MirrorImages {
   static constexpr double kNegligible = 1e-4;
 
  private:
-  MirrorImages(const transport::SpectralScene& scene, const sensor::Camera& camera, const LightTold& told);
+  MirrorImages(const transport::SpectralScene& scene, const sensor::Camera& camera, const LightTold& told,
+               std::uint64_t seed);
   struct Mirror {
     transport::SeparateImages::Mirror name = 0;
     std::vector<std::size_t> rounds, smooths;  // of the survey
@@ -107,6 +109,7 @@ class MirrorImages {
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
+  SoughtInstants instants_;
   LightTold told_;
   transport::ShiningParts parts_;
   transport::SeparateImages apart_;

@@ -46,10 +46,9 @@ struct Passage {
 }  // namespace
 
 FlownExposure::FlownExposure(const scene::Scene& scene, const sensor::Camera& camera)
-    : scene_(scene), camera_(camera), exposure_s_(camera.exposure_s()) {
-  const double way_px = longest_way_px(),
-               parts = std::clamp(std::ceil(way_px / kApart_px), 2.0, kMostInstants);
-  apart_px_ = std::max(kApart_px, way_px / parts);
+    : scene_(scene), camera_(camera), exposure_s_(camera.exposure_s()), way_px_(longest_way_px()) {
+  const double parts = std::clamp(std::ceil(way_px_ / kApart_px), 2.0, kMostInstants);
+  apart_px_ = std::max(kApart_px, way_px_ / parts);
   for (int k = 0; k <= static_cast<int>(parts); ++k) instants_s_.push_back(exposure_s_ * (k / parts - 0.5));
 }
 
@@ -58,7 +57,6 @@ std::unique_ptr<FlownExposure> FlownExposure::find(const scene::Scene& scene, co
   return std::unique_ptr<FlownExposure>(new FlownExposure(scene, camera));
 }
 
-/// The longest way in the picture, while it is exposed, of what the middles of its parts look at.
 double FlownExposure::longest_way_px() const {
   double longest_px = 0.0;
   for (const sampling::FocalPoint& point : sensor::grid_over(camera_, 3, 3)) {

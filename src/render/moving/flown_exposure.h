@@ -21,6 +21,9 @@ class FlownExposure {
   /// At which labels are asked, after the middle of the exposure: the first is its beginning, the last its end.
   const std::vector<double>& instants_s() const { return instants_s_; }
 
+  /// The longest way in the picture, while it is exposed, of what the middles of its parts look at.
+  double way_px() const { return way_px_; }
+
   /// Where something small is at an instant: what lies between instants passes unseen by labels.
   struct Dot {
     sampling::FocalPoint at;
@@ -48,7 +51,7 @@ class FlownExposure {
 
   const scene::Scene& scene_;
   const sensor::Camera& camera_;
-  double exposure_s_, apart_px_;  // from one instant to the next, at most
+  double exposure_s_, way_px_, apart_px_;  // the last from one instant to the next, at most
   std::vector<double> instants_s_;
   std::vector<geometry::TimeInterval> crossed_;  // of the point that was asked last
   std::vector<Dot> dots_;

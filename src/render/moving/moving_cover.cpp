@@ -27,23 +27,27 @@ std::unique_ptr<MovingCover> MovingCover::find(const scene::Scene& scene, const 
   return std::unique_ptr<MovingCover>(new MovingCover(scene, camera.exposure_s(), camera.row_period_s()));
 }
 
+const geometry::World& MovingCover::still() const { return world_.still(); }
+
 void MovingCover::meet_still(std::span<const math::Ray> rays, std::span<geometry::SurfacePoint> hits) const {
   world_.still().intersect(rays, hits);
 }
 
 MovingCover::Times MovingCover::times(const sampling::PathRequest& request, const math::Ray& ray,
-                                      const geometry::SurfacePoint& still) {
+                                      const geometry::SurfacePoint& first, std::span<const math::Ray> ways,
+                                      const geometry::SurfacePoint& last) {
   if (!(exposure_s_ > 0.0)) return {};
   const double from_s = ray.time_s - 0.5 * exposure_s_, to_s = ray.time_s + 0.5 * exposure_s_;
   static thread_local std::vector<geometry::TimeInterval> met_times;  // kept for its memory
   met_times.clear();
   math::Ray seen = ray;
-  if (still.hit()) seen.t_max_m = still.distance_m;
+  if (first.hit()) seen.t_max_m = first.distance_m;
   world_.when_met(seen, from_s, to_s, 0.0, met_times);
-  if (still.hit() && scene_.sun && scene_.sun->is_up()) {
-    const math::Vec3 normal = still.geometric_normal.as_vector(), sun = scene_.sun->direction;
+  for (const math::Ray& way : ways) world_.when_met(way, from_s, to_s, 0.0, met_times);
+  if (last.hit() && scene_.sun && scene_.sun->is_up()) {
+    const math::Vec3 normal = last.geometric_normal.as_vector(), sun = scene_.sun->direction;
     const math::Vec3 outward = math::dot(normal, sun) < 0.0 ? -normal : normal;
-    world_.when_met(ray.onward(still.position_m + still.offset_m * outward, sun), from_s, to_s,
+    world_.when_met(ray.onward(last.position_m + last.offset_m * outward, sun), from_s, to_s,
                     scene_.sun->half_angle_rad, met_times);
   }
   Times times = drawn(met_times, from_s, to_s, request);

@@ -11,7 +11,8 @@
 
 namespace ifov::geometry {
 class MovingWorld;
-}
+class World;
+}  // namespace ifov::geometry
 namespace ifov::scene {
 struct Scene;
 }
@@ -33,12 +34,14 @@ class MovingCover {
     double share = 0.0;  ///< of the exposure at which something may be met; 0 or 1: there is one path
     double met_s = 0.0, else_s = 0.0;
   };
-  /// `ray` through the request's point in the middle of the exposure; `still`: what it meets of what stands still.
-  Times times(const sampling::PathRequest& request, const math::Ray& ray,
-              const geometry::SurfacePoint& still);
+  /// `ray` through the request's point in the middle of the exposure; `first`: what it meets of what stands still; `ways`: those beyond
+  /// mirrors and panes, and what the last of them meets, `first` where there is none.
+  Times times(const sampling::PathRequest& request, const math::Ray& ray, const geometry::SurfacePoint& first,
+              std::span<const math::Ray> ways, const geometry::SurfacePoint& last);
   /// The same of other times at which something may be met, of those from and until: which of them, on one scale with these. Sorts `met`.
   static Times drawn(std::vector<geometry::TimeInterval>& met, double from_s, double to_s,
                      const sampling::PathRequest& request);
+  const geometry::World& still() const;
   void meet_still(std::span<const math::Ray> rays, std::span<geometry::SurfacePoint> hits) const;
   /// Whether something that moves may lie on the ray through a point while that is exposed. `met`: what it meets at its own time.
   bool covers(const sampling::FocalPoint& point, const math::Ray& ray,

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <numbers>
 
-#include "geometry/motion/motion.h"
-#include "geometry/motion/moving_world.h"
-#include "geometry/surface_piece.h"
+#include "geometry/world/surface_survey.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/unseen/widen_unseen.h"
 #include "sampling/tile.h"
@@ -16,7 +13,6 @@
 #include "sensor/camera.h"
 #include "transport/emitter_choice.h"
 #include "transport/emitters.h"
-#include "transport/shapes/emitter_shape.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {
@@ -25,8 +21,8 @@ namespace {
 
 /// Rays along a side of a pixel.
 constexpr int kRaysAcross = 2;
-/// Instants of an exposure at which it is asked where something that moves is.
-constexpr int kInstants = 8;
+/// Of flat mirrors: more are not seen from one place.
+constexpr std::size_t kMostFacings = 4;
 
 }  // namespace
 
@@ -34,58 +30,30 @@ std::unique_ptr<const UnseenEmitters> UnseenEmitters::find(const transport::Spec
                                                            const sensor::Camera& camera) {
   if (scene.emitters() == nullptr) return nullptr;
   std::unique_ptr<const UnseenEmitters> unseen(new UnseenEmitters(scene, camera));
-  if (scene.emitters()->left_out().empty() && unseen->carried_.empty()) return nullptr;
+  if (scene.emitters()->left_out().empty() && !unseen->moving_.any()) return nullptr;
   return unseen;
 }
 
 UnseenEmitters::UnseenEmitters(const transport::SpectralScene& scene, const sensor::Camera& camera)
-    : scene_(scene), camera_(camera) {
-  const transport::EmitterChoice choice(scene);
+    : UnseenEmitters(scene, camera, transport::EmitterChoice(scene)) {}
+
+UnseenEmitters::UnseenEmitters(const transport::SpectralScene& scene, const sensor::Camera& camera,
+                               const transport::EmitterChoice& choice)
+    : scene_(scene), camera_(camera), moving_(scene.scene(), camera, choice.wanted()) {
   for (std::uint32_t c = 0; c < scene.scene().assignments.size(); ++c)
     highest_.push_back(choice.wanted()[c] ? choice.highest(c) : std::vector<double>());
-  list_moving(choice.wanted());
-}
-
-void UnseenEmitters::list_moving(const std::vector<bool>& wanted) {
-  const geometry::MovingWorld* const moving = scene_.scene().world->moving();
-  if (moving == nullptr) return;
-  for (std::size_t m = 0; m < moving->mover_count(); ++m) {
-    std::map<std::uint32_t, Carried> of_mover;
-    std::map<std::uint32_t, std::vector<math::Point3>> ends;
-    moving->body(m).visit_surfaces(wanted, [&](const geometry::SurfacePiece& piece) {
-      const transport::EmitterShape shape(piece, false);
-      const double r = shape.radius_m();
-      of_mover[piece.material].area_m2 += geometry::area_m2(piece);
-      for (const double sign : {-1.0, 1.0})
-        ends[piece.material].push_back(shape.centre_m() + math::Vec3{sign * r, sign * r, sign * r});
-    });
-    for (auto& [assignment, carried] : of_mover) {
-      math::Point3 low = ends[assignment].front(), high = low;
-      for (const math::Point3& end : ends[assignment]) {
-        low = {std::min(low.x, end.x), std::min(low.y, end.y), std::min(low.z, end.z)};
-        high = {std::max(high.x, end.x), std::max(high.y, end.y), std::max(high.z, end.z)};
-      }
-      carried.mover = m, carried.assignment = assignment;
-      carried.centre_m = low + 0.5 * (high - low), carried.radius_m = 0.5 * math::length(high - low);
-      carried_.push_back(carried);
-    }
-  }
+  // What a mirror shows of it is farther away than the thing itself.
+  if (const geometry::SurfaceSurvey* const mirrors = scene.scene().world->survey())
+    mirrored_ = static_cast<double>(std::min(kMostFacings, mirrors->flats.size()));
 }
 
 template <class At>
-void UnseenEmitters::visit(double time_s, const At& at) const {
+void UnseenEmitters::visit(std::span<const MovingParts::Place> places, const At& at) const {
   for (const transport::Emitters::LeftOut& left : scene_.emitters()->left_out())
     at(left.ball.centre_m, left.ball.radius_m, left.area_m2, left.assignment, 1.0);
-  const double exposure_s = camera_.exposure_s();
-  const int instants = exposure_s > 0.0 ? kInstants : 1;
-  for (const Carried& carried : carried_) {
-    const geometry::MovingWorld& moving = *scene_.scene().world->moving();
-    for (int k = 0; k < instants; ++k) {
-      const double at_s = time_s + exposure_s * ((k + 0.5) / instants - 0.5);
-      at(moving.motion(carried.mover).scene_from_carrier(at_s)(carried.centre_m), carried.radius_m,
-         carried.area_m2, carried.assignment, 1.0 / instants);
-    }
-  }
+  for (const MovingParts::Place& place : places)
+    at(place.centre_m, place.part->radius_m, place.part->area_m2, place.part->assignment,
+       place.of_time * (1.0 + mirrored_));
 }
 
 void UnseenEmitters::settle(const AccuracyTolerance* tolerance, sampling::TileResult& tile) const {
@@ -105,6 +73,7 @@ void UnseenEmitters::settle(const AccuracyTolerance* tolerance, sampling::TileRe
   tile.rays.primary += rays.size();
   std::vector<double> most(channels), here(channels);
   UnseenWidening widening(*tolerance, channels, kNegligible);
+  MovingParts::Places moving(moving_);
   for (std::size_t pixel = 0; pixel < static_cast<std::size_t>(tile.tile.count()); ++pixel) {
     std::fill(most.begin(), most.end(), 0.0);
     for (std::size_t k = 0; k < kRaysAcross * kRaysAcross; ++k) {
@@ -118,12 +87,12 @@ void UnseenEmitters::settle(const AccuracyTolerance* tolerance, sampling::TileRe
       if (!(share > 0.0)) continue;
       const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
       std::fill(here.begin(), here.end(), 0.0);
-      const double time_s = rays[pixel * kRaysAcross * kRaysAcross + k].time_s;
-      visit(time_s, [&](math::Point3 centre_m, double radius_m, double area_m2, std::uint32_t assignment,
-                        double of_time) {
+      const math::Ray& ray = rays[pixel * kRaysAcross * kRaysAcross + k];
+      visit(moving.at(ray.time_s), [&](math::Point3 centre_m, double radius_m, double area_m2,
+                                       std::uint32_t assignment, double of_time) {
         const math::Vec3 to = centre_m - hit.position_m;
         const double before = length(to) - radius_m;
-        if (!(passes > 0.0) && dot(to, outward) < -radius_m) return;
+        if (!(passes > 0.0) && mirrored_ == 0.0 && dot(to, outward) < -radius_m) return;
         const double projected_sr =
             before > 0.0 ? std::min(std::numbers::pi, area_m2 / (before * before)) : std::numbers::pi;
         const std::vector<double>& emitted = highest_[assignment];

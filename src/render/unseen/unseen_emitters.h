@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "math/vec3.h"
+#include "render/moving/moving_parts.h"
 
 namespace ifov::sampling {
 struct TileResult;
@@ -14,7 +14,8 @@ class Camera;
 }
 namespace ifov::transport {
 class SpectralScene;
-}
+struct EmitterChoice;
+}  // namespace ifov::transport
 
 namespace ifov::render {
 
@@ -39,23 +40,17 @@ class UnseenEmitters {
 
  private:
   UnseenEmitters(const transport::SpectralScene& scene, const sensor::Camera& camera);
-  /// What a mover has of one surface assignment: in a ball of its carrier's frame.
-  struct Carried {
-    std::size_t mover = 0;
-    std::uint32_t assignment = 0;
-    math::Point3 centre_m;
-    double radius_m = 0.0, area_m2 = 0.0;
-  };
-  void list_moving(const std::vector<bool>& wanted);
-  /// Calls at(centre, radius, area, assignment, share of the exposure) for everything that is not sought, where it is while a ray of
-  /// this time is exposed.
+  UnseenEmitters(const transport::SpectralScene& scene, const sensor::Camera& camera,
+                 const transport::EmitterChoice& choice);
+  /// Calls at(centre, radius, area, assignment, share of the exposure) for everything that is not sought.
   template <class At>
-  void visit(double time_s, const At& at) const;
+  void visit(std::span<const MovingParts::Place> places, const At& at) const;
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
   std::vector<std::vector<double>> highest_;  // by surface assignment: emission by channel
-  std::vector<Carried> carried_;
+  MovingParts moving_;
+  double mirrored_ = 0.0;  // so many times as much again may come by way of flat mirrors
 };
 
 }  // namespace ifov::render

@@ -6,10 +6,8 @@
 
 #include "geometry/world.h"
 #include "render/mirrors/mirror_images.h"
-#include "render/tolerance/accuracy_tolerance.h"
-#include "render/unseen/widen_unseen.h"
+#include "render/unseen/moving_targets.h"
 #include "sampling/random.h"
-#include "sampling/tile.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "transport/emitters.h"
@@ -25,8 +23,6 @@ using transport::SeparateImages;
 
 namespace {
 
-/// Rays along a side of a pixel.
-constexpr int kAcross = 3;
 /// What directions between three may lie beyond them, over their spread (GlintSearch's).
 constexpr double kBeyond = 1.2;
 /// Of the usual radiance: what counts for nothing.
@@ -49,8 +45,25 @@ std::unique_ptr<const UnseenImages> UnseenImages::find(const transport::Spectral
   const std::vector<scene::SurfaceAssignment>& assignments = scene.scene().assignments;
   const bool reliefs = std::any_of(assignments.begin(), assignments.end(),
                                    [](const scene::SurfaceAssignment& c) { return c.bends_normals(); });
+  std::unique_ptr<const UnseenImages> unseen(new UnseenImages(scene, camera, images, seed));
+  if (unseen->moving_.any()) return unseen;
   if (one_plane(*world.survey()) && !world.period() && !reliefs && images.all_settled()) return nullptr;
-  return std::unique_ptr<const UnseenImages>(new UnseenImages(scene, camera, images, seed));
+  if (unseen->targets_.empty() && images.parts().complete()) return nullptr;
+  return unseen;
+}
+
+std::span<const UnseenImages::Target> UnseenImages::MovingTargets::at(double time_s) {
+  const std::span<const MovingParts::Place> places = places_.at(time_s);
+  targets_.clear();
+  for (const MovingParts::Place& place : places) {
+    transport::ShiningParts::Part part;
+    part.ball = {place.centre_m, place.part->radius_m};
+    part.fill = place.part->fill();
+    part.assignment = place.part->assignment;
+    part.contrast = HUGE_VAL;  // none of it counts for nothing
+    targets_.push_back({part, place.centre_m, &place});
+  }
+  return targets_;
 }
 
 UnseenImages::UnseenImages(const transport::SpectralScene& scene, const sensor::Camera& camera,
@@ -58,6 +71,9 @@ UnseenImages::UnseenImages(const transport::SpectralScene& scene, const sensor::
     : scene_(scene),
       camera_(camera),
       images_(images),
+      channels_(scene.nodes().channel_count()),
+      complete_(images.parts().complete()),
+      moving_(scene.scene(), camera, images.parts()),
       shift_x_(sampling::unit_double(sampling::hash(seed, 0x756e7365656eull)) / kAcross),
       shift_y_(sampling::unit_double(sampling::hash(seed, 0x756e7365656full)) / kAcross) {
   list_throwers();
@@ -160,7 +176,7 @@ bool UnseenImages::is_free(math::Point3 from, double time_s, math::Point3 centre
 
 /// A wave of radius D that a sphere of radius R reflects at an angle t spreads over (a + 2 L / (R cos t)) (a + 2 L cos t / R),
 /// a = 1 + L / D, at a distance L: at least (a + 2 L / R)^2, as cos t + 1 / cos t >= 2. Of a cylinder one factor is a.
-void UnseenImages::add_thrown(const Lit& lit, double weight, double* unseen,
+void UnseenImages::add_thrown(const Lit& lit, double weight, MovingTargets& moving, double* unseen,
                               sampling::RayCounts& counts) const {
   for (const Thrower& thrower : throwers_) {
     const geometry::SurfaceSurvey::Round& round = *thrower.round;
@@ -178,52 +194,72 @@ void UnseenImages::add_thrown(const Lit& lit, double weight, double* unseen,
     if (!(cosine > 0.0)) continue;
     const double nearest = std::max(way, 0.0);
     bool free = false, asked = false;
-    for (const Target& target : targets_) {
-      if (thrower.all_sought[target.part.assignment]) continue;
-      const double to = std::max(length(target.centre_m - round.ball.centre_m) - round.ball.radius_m,
-                                 target.part.ball.radius_m);
+    const auto add = [&](const Target& target) {
+      if (target.moving == nullptr && thrower.all_sought[target.part.assignment]) return true;
+      const double to =
+          std::max(length(target.centre_m - round.ball.centre_m) - round.ball.radius_m - target.way_m(),
+                   target.part.ball.radius_m);
       const double a = 1.0 + nearest / to, other = a + 2.0 * nearest / radius;
       const double arrives_sr = std::numbers::pi * std::pow(target.part.ball.radius_m / to, 2) *
                                 target.part.fill / (other * (tube ? a : other));
-      const double share = weight * lit.brightness * std::min(1.0, cosine) * arrives_sr / std::numbers::pi;
-      if (!(share * target.part.contrast > kTooLittle)) continue;
+      const double share =
+          target.of_time() * weight * lit.brightness * std::min(1.0, cosine) * arrives_sr / std::numbers::pi;
+      if (!(share * target.part.contrast > kTooLittle)) return true;
       if (!asked)
         free = is_free(lit.at + 1e-6 * (1.0 + apart) * lit.outward, lit.time_s, round.ball.centre_m,
                        round.ball.radius_m, counts);
       asked = true;
-      if (!free) break;
+      if (!free) return false;
       const std::span<const double> highest = images_.parts().highest(target.part.assignment);
       for (std::size_t c = 0; c < highest.size(); ++c) unseen[c] += share * highest[c];
-    }
+      return true;
+    };
+    if (!std::all_of(targets_.begin(), targets_.end(), add)) continue;
+    const std::span<const Target> others = moving.at(lit.time_s);
+    static_cast<void>(std::all_of(others.begin(), others.end(), add));
   }
 }
 
-void UnseenImages::search(const Leaving* const (&corner)[3], double area_px2, double* unseen,
-                          sampling::RayCounts& counts) const {
+void UnseenImages::search(const Leaving* const (&corner)[3], double area_px2, MovingTargets& moving,
+                          double* unseen, sampling::RayCounts& counts) const {
+  search(corner, area_px2, targets_, unseen, counts);
+  if (!moving_.any()) return;
+  for (const Leaving* const at : corner)
+    if (at->any) return search(corner, area_px2, moving.at(at->time_s), unseen, counts);
+}
+
+void UnseenImages::search(const Leaving* const (&corner)[3], double area_px2, std::span<const Target> targets,
+                          double* unseen, sampling::RayCounts& counts) const {
   const bool alike = corner[0]->any && corner[1]->any && corner[2]->any && corner[0]->way == corner[1]->way &&
                      corner[0]->way == corner[2]->way;
   const auto period = scene_.scene().world->period();
-  for (const Target& target : targets_) {
+  for (const Target& target : targets) {
+    const double reach_m = target.part.ball.radius_m + target.way_m();
     const auto meets = [&](const Leaving& from, Vec3& off, double& wide) {
       math::Point3 at = from.at;
       if (period)
         at = at - Vec3{std::floor(at.x / period->x_m) * period->x_m,
                        std::floor(at.y / period->y_m) * period->y_m, 0.0};
       const Vec3 to = target.centre_m - at;
-      const double distance = length(to), radius = target.part.ball.radius_m;
-      wide = distance > radius ? std::asin(radius / distance) : std::numbers::pi;
+      const double distance = length(to);
+      wide = distance > reach_m ? std::asin(reach_m / distance) : std::numbers::pi;
       off = from.direction - to / std::max(distance, 1e-300);
-      return dot(to, from.outward) > -radius;
+      return dot(to, from.outward) > -reach_m;
     };
     const auto add = [&](const Leaving& from, double spread, double wide, double area) {
-      if (from.only != SeparateImages::kNone && images_.settled(from.only, target.part.object)) return;
-      const double filled = std::pow(std::sin(std::min(wide, 0.5 * std::numbers::pi)), 2) * target.part.fill;
+      if (target.moving == nullptr && from.only != SeparateImages::kNone &&
+          images_.settled(from.only, target.part.object))
+        return;
+      // Of what moves, as it is at one instant: it is met as seldom as it is there.
+      const double filled =
+          std::pow(std::sin(std::min(wide, 0.5 * std::numbers::pi)) * target.part.ball.radius_m / reach_m,
+                   2) *
+          target.part.fill * target.of_time();
       // pi of both cancels; an equilateral triangle has 0.43 of its squared side.
       if (area_px2 * std::numbers::pi * filled > kMet_px2 * 0.43 * spread * spread) return;
       const double share = std::min(1.0, filled / std::pow(std::min(kAnywhere, kBeyond * spread + wide), 2));
-      if (!(share > 0.0) ||
-          (!period && !is_free(from.at, from.time_s, target.centre_m, target.part.ball.radius_m, counts)))
-        return;
+      const double time_s = target.moving != nullptr ? target.moving->time_s : from.time_s;
+      if (!(share > 0.0) || (!period && !is_free(from.at, time_s, target.centre_m, reach_m, counts))) return;
       const std::span<const double> highest = images_.parts().highest(target.part.assignment);
       for (std::size_t c = 0; c < highest.size(); ++c)
         unseen[c] += area * share * from.brightness * highest[c];
@@ -256,77 +292,6 @@ void UnseenImages::search(const Leaving* const (&corner)[3], double area_px2, do
     if (!any || length((off[0] + off[1] + off[2]) / 3.0) > kBeyond * spread + widest) continue;
     add(*corner[0], spread, widest, area_px2);
   }
-}
-
-void UnseenImages::find_neighbours(std::vector<Leaving>& level, int columns) {
-  const int rows = static_cast<int>(level.size()) / columns;
-  for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < columns; ++i) {
-      Leaving& own = level[static_cast<std::size_t>(j * columns + i)];
-      if (!own.any) continue;
-      const auto take = [&](int axis, int column, int row) {
-        if (column < 0 || row < 0 || column >= columns || row >= rows) return;
-        const Leaving& other = level[static_cast<std::size_t>(row * columns + column)];
-        if (other.any && other.way == own.way) own.beside[axis] = &other;
-      };
-      take(0, i - 1, j), take(0, i + 1, j);
-      take(1, i, j - 1), take(1, i, j + 1);
-    }
-}
-
-void UnseenImages::settle(const AccuracyTolerance* tolerance, sampling::TileResult& tile) const {
-  if (tolerance == nullptr || !tile.has_errors()) return;
-  const int width = tile.tile.width(), height = tile.tile.height();
-  const int columns = kAcross * width + 1, rows = kAcross * height + 1;
-  std::vector<sampling::FocalPoint> points;
-  for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < columns; ++i)
-      points.push_back(
-          {tile.tile.x0 + shift_x_ + (i - 0.5) / kAcross, tile.tile.y0 + shift_y_ + (j - 0.5) / kAcross});
-  std::vector<Lit> lit;
-  std::vector<std::vector<Leaving>> levels = follow(points, lit, tile.rays);
-  for (std::vector<Leaving>& level : levels) find_neighbours(level, columns);
-  const std::size_t channels = scene_.nodes().channel_count();
-  std::vector<double> unseen(static_cast<std::size_t>(tile.tile.count()) * channels, 0.0);
-  // Rays beyond the last column and row belong to other tiles.
-  for (const Lit& one : lit) {
-    const int i = static_cast<int>(one.ray) % columns / kAcross,
-              j = static_cast<int>(one.ray) / columns / kAcross;
-    if (i < width && j < height)
-      // A bound needs no caution.
-      add_thrown(one, 1.0 / (kAcross * kAcross * kCaution),
-                 &unseen[static_cast<std::size_t>(j * width + i) * channels], tile.rays);
-  }
-  constexpr double kCell_px2 = 0.5 / (kAcross * kAcross);
-  for (const std::vector<Leaving>& level : levels)
-    for (int j = 0; j + 1 < rows; ++j)
-      for (int i = 0; i + 1 < columns; ++i) {
-        const auto at = static_cast<std::size_t>(j * columns + i);
-        const Leaving *a = &level[at], *b = &level[at + 1],
-                      *c = &level[at + static_cast<std::size_t>(columns)], *d = c + 1;
-        if (!a->any && !b->any && !c->any && !d->any) continue;
-        double* here = &unseen[static_cast<std::size_t>((j / kAcross) * width + i / kAcross) * channels];
-        search({a, b, d}, kCell_px2, here, tile.rays);
-        search({a, d, c}, kCell_px2, here, tile.rays);
-        if (!images_.parts().complete())
-          tile.set(static_cast<std::size_t>((j / kAcross) * width + i / kAcross),
-                   sampling::Reason::unseen_light);
-      }
-  std::vector<double> more(channels);
-  UnseenWidening widening(*tolerance, channels, kNegligible);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const auto pixel = static_cast<std::size_t>(y * width + x);
-      for (std::size_t c = 0; c < channels; ++c) {
-        double around = 0.0;
-        int count = 0;
-        for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j)
-          for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i, ++count)
-            around += unseen[static_cast<std::size_t>(j * width + i) * channels + c];
-        more[c] = kCaution * std::max(unseen[pixel * channels + c], around / count);
-      }
-      widening.widen(pixel, more, tile);
-    }
 }
 
 }  // namespace ifov::render

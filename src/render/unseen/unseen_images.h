@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "render/moving/moving_parts.h"
 #include "sampling/field.h"
 #include "transport/separate_images.h"
 #include "transport/shining_parts.h"
@@ -61,6 +63,7 @@ class UnseenImages {
     const Leaving* beside[2] = {nullptr, nullptr};  ///< that came the same way, across and along the lattice
   };
   static constexpr std::size_t kMostMirrors = 6;
+  static constexpr int kAcross = 3;  ///< rays along a side of a pixel
   /// A surface that scatters, met first.
   struct Lit {
     math::Point3 at;
@@ -72,7 +75,12 @@ class UnseenImages {
   struct Target {
     transport::ShiningParts::Part part;
     math::Point3 centre_m;
+    const MovingParts::Place* moving = nullptr;  ///< null: it stands still
+    double way_m() const { return moving != nullptr ? moving->way_m : 0.0; }
+    double of_time() const { return moving != nullptr ? moving->of_time : 1.0; }
   };
+  /// Of what moves, while a ray of some time is exposed.
+  class MovingTargets;
   /// A round mirror, and by surface assignment whether all light of it that the mirror throws is sought by paths.
   struct Thrower {
     const geometry::SurfaceSurvey::Round* round;
@@ -83,11 +91,14 @@ class UnseenImages {
   std::vector<std::vector<Leaving>> follow(const std::vector<sampling::FocalPoint>& points,
                                            std::vector<Lit>& lit, sampling::RayCounts& counts) const;
   /// Adds what round mirrors may throw on a surface, by channel, times a weight.
-  void add_thrown(const Lit& lit, double weight, double* unseen, sampling::RayCounts& counts) const;
+  void add_thrown(const Lit& lit, double weight, MovingTargets& moving, double* unseen,
+                  sampling::RayCounts& counts) const;
   static void find_neighbours(std::vector<Leaving>& level, int columns);
   /// Adds what may be seen within a triangle of an area of the focal plane, by channel.
-  void search(const Leaving* const (&corner)[3], double area_px2, double* unseen,
+  void search(const Leaving* const (&corner)[3], double area_px2, MovingTargets& moving, double* unseen,
               sampling::RayCounts& counts) const;
+  void search(const Leaving* const (&corner)[3], double area_px2, std::span<const Target> targets,
+              double* unseen, sampling::RayCounts& counts) const;
   /// Whether nothing stands between a point and a ball.
   bool is_free(math::Point3 from, double time_s, math::Point3 centre_m, double radius_m,
                sampling::RayCounts& counts) const;
@@ -95,7 +106,10 @@ class UnseenImages {
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
   const MirrorImages& images_;
-  std::vector<Target> targets_;
+  std::size_t channels_;
+  bool complete_;                ///< all that shines is known
+  std::vector<Target> targets_;  // of what stands still
+  MovingParts moving_;
   std::vector<Thrower> throwers_;
   double shift_x_, shift_y_;  // of the lattice, px
 };

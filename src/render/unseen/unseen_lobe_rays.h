@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,8 @@ struct UnseenLobes::Told {
         highlights(pixels * channels, 0.0),
         thrown_wide(highlights),
         thrown_flat(highlights),
+        moving_wide(highlights),
+        moving_flat(highlights),
         paths(pixels, 0.0),
         first_moment(pixels, 0.0),
         second_moment(pixels, 0.0),
@@ -46,17 +49,43 @@ struct UnseenLobes::Told {
   }
   std::size_t channels;
   std::vector<double> highlights, thrown_wide,
-      thrown_flat;            ///< the latter by lobes as wide as finds what bends, what is flat
-  std::vector<double> paths;  ///< of a pixel, so far
+      thrown_flat;  ///< the latter by lobes as wide as finds what bends, what is flat
+  std::vector<double> moving_wide, moving_flat;  ///< the same of what moves, which no few paths tell of
+  std::vector<double> paths;                     ///< of a pixel, so far
   /// By pixel: mean and mean square of what a scattered path of it finds of thrown light, over the usual radiance.
   std::vector<double> first_moment, second_moment;
   std::vector<char> unknown;  ///< by pixel: not all that shines is known
+};
+
+class UnseenLobes::Targets {
+ public:
+  explicit Targets(const UnseenLobes& of)
+      : places_(of.moving_), all_(of.targets_), still_(of.targets_.size()) {}
+  std::span<const Target> at(double time_s) {
+    const std::span<const MovingParts::Place> places = places_.at(time_s);
+    all_.resize(still_);
+    for (const MovingParts::Place& place : places) {
+      transport::ShiningParts::Part part;
+      part.ball = {place.centre_m, place.part->radius_m};
+      part.fill = place.part->fill();
+      part.assignment = place.part->assignment;
+      part.contrast = HUGE_VAL;  // none of it counts for nothing
+      all_.push_back({part, place.centre_m, &place});
+    }
+    return all_;
+  }
+
+ private:
+  MovingParts::Places places_;
+  std::vector<Target> all_;
+  std::size_t still_;
 };
 
 struct UnseenLobes::Grid {
   static constexpr int kAcross = 3;
   sampling::PixelRect tile;
   int width, height;
+  double of_time;  ///< of the exposure that its rays stand for
   int columns() const { return kAcross * width + 1; }
   int rows() const { return kAcross * height + 1; }
   std::size_t place(int i, int j) const { return static_cast<std::size_t>(j * columns() + i); }

@@ -60,7 +60,7 @@ UnseenLobes::Met UnseenLobes::met(const math::Ray& ray, const geometry::SurfaceP
 }
 
 double UnseenLobes::shown(const Met& from, const Target& target, double slope) const {
-  const transport::ShiningParts::Part& part = parts_.parts()[target.part];
+  const transport::ShiningParts::Part& part = target.part;
   const Vec3 to = target.centre_m - at_home(from.at), n = from.normal.as_vector();
   const double distance = length(to), radius = part.ball.radius_m;
   if (!(dot(to, from.outward) > -radius)) return 0.0;
@@ -70,7 +70,8 @@ double UnseenLobes::shown(const Met& from, const Target& target, double slope) c
   const double above = dot(direction, n), least = std::max(1e-3, 0.5 * sine);
   if (above < least) direction = math::normalized(direction + (least - above) * n);
   const double light_sr = std::numbers::pi * sine * sine * part.fill * dot(direction, n);
-  const double wide = std::max(slope, 0.5 * std::asin(std::min(1.0, sine)));
+  const double reach = distance > target.reach_m() ? target.reach_m() / distance : 1.0;
+  const double wide = std::max(slope, 0.5 * std::asin(std::min(1.0, reach)));
   const Vec3 east = std::abs(n.x) < 0.999 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
   materials::BsdfEvent event{from.outgoing, direction, from.normal, math::normalized(east - dot(east, n) * n),
                              materials::Side::reflected};
@@ -87,9 +88,10 @@ double UnseenLobes::shown(const Met& from, const Target& target, double slope) c
 bool UnseenLobes::is_free(const Met& from, const Target& target, sampling::RayCounts& counts) const {
   const Point3 at = at_home(from.at);
   const Vec3 to = target.centre_m - at;
-  const double distance = length(to), before = distance - parts_.parts()[target.part].ball.radius_m;
+  const double distance = length(to), before = distance - target.reach_m();
   if (!(before > 0.0)) return true;
-  const math::Ray ray{at, to / distance, 0.0, before * (1.0 - 1e-6), from.time_s};
+  const math::Ray ray{at, to / distance, 0.0, before * (1.0 - 1e-6),
+                      target.moving != nullptr ? target.moving->time_s : from.time_s};
   std::uint8_t blocked = 0;
   scene_.scene().world->occluded({&ray, 1}, {&blocked, 1});
   ++counts.shadow;

@@ -6,6 +6,7 @@
 
 #include "geometry/world.h"
 #include "materials/bsdf/narrow_lobes.h"
+#include "render/mirrors/sought_instants.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/unseen/unseen_lobe_rays.h"
 #include "render/unseen/widen_unseen.h"
@@ -46,12 +47,15 @@ constexpr std::uint64_t kThrownChoice = 0x7468726f776eull;
 std::unique_ptr<const UnseenLobes> UnseenLobes::find(const transport::SpectralScene& scene,
                                                      const sensor::Camera& camera, std::uint64_t seed) {
   const std::vector<materials::Material>& materials = scene.scene().materials;
-  if (scene.emitters() == nullptr || !scene.emitters()->outshine() ||
+  const bool moving = scene.scene().world->moving() != nullptr;
+  if (scene.emitters() == nullptr || !(scene.emitters()->outshine() || moving) ||
       scene.scene().world->lobe_survey() == nullptr ||
       std::none_of(materials.begin(), materials.end(),
                    [](const materials::Material& m) { return materials::throws_rarely(*m.bsdf); }))
     return nullptr;
-  return std::unique_ptr<const UnseenLobes>(new UnseenLobes(scene, camera, seed));
+  std::unique_ptr<const UnseenLobes> unseen(new UnseenLobes(scene, camera, seed));
+  if (!scene.emitters()->outshine() && !unseen->moving_.any()) return nullptr;
+  return unseen;
 }
 
 UnseenLobes::UnseenLobes(const transport::SpectralScene& scene, const sensor::Camera& camera,
@@ -60,6 +64,7 @@ UnseenLobes::UnseenLobes(const transport::SpectralScene& scene, const sensor::Ca
       camera_(camera),
       seed_(sampling::hash(seed, kThrownChoice)),
       parts_(scene),
+      moving_(scene.scene(), camera, parts_),
       shift_x_(sampling::unit_double(sampling::hash(seed_, 1)) / kLatticeAcross),
       shift_y_(sampling::unit_double(sampling::hash(seed_, 2)) / kLatticeAcross) {
   const geometry::SurfaceSurvey& survey = *scene.scene().world->lobe_survey();
@@ -74,7 +79,7 @@ UnseenLobes::UnseenLobes(const transport::SpectralScene& scene, const sensor::Ca
       const Vec3 moved = period ? Vec3{column * period->x_m, row * period->y_m, 0.0} : Vec3{};
       for (const auto& group : groups) throwers_.push_back({at_home(group.centre_m) + moved, group.radius_m});
       for (std::size_t k = 0; k < parts_.parts().size(); ++k)
-        targets_.push_back({k, at_home(parts_.parts()[k].ball.centre_m) + moved});
+        targets_.push_back({parts_.parts()[k], at_home(parts_.parts()[k].ball.centre_m) + moved, nullptr});
     }
 }
 
@@ -102,8 +107,8 @@ std::vector<UnseenLobes::Met> UnseenLobes::follow(Rays& rays, const std::vector<
   return level;
 }
 
-void UnseenLobes::add_highlights(const std::vector<Met>& level, const Grid& grid, Told& told,
-                                 sampling::RayCounts& counts) const {
+void UnseenLobes::add_highlights(const std::vector<Met>& level, const Grid& grid, Targets& targets,
+                                 Told& told, sampling::RayCounts& counts) const {
   for (int j = 0; j < kLatticeAcross * grid.height; ++j)
     for (int i = 0; i < kLatticeAcross * grid.width; ++i) {
       const Met& here = level[grid.place(i, j)];
@@ -112,8 +117,8 @@ void UnseenLobes::add_highlights(const std::vector<Met>& level, const Grid& grid
       if (!parts_.complete()) told.unknown[pixel] = 1;
       const Met* beside[4] = {grid.at(level, i - 1, j), grid.at(level, i + 1, j), grid.at(level, i, j - 1),
                               grid.at(level, i, j + 1)};
-      for (const Target& target : targets_) {
-        const transport::ShiningParts::Part& part = parts_.parts()[target.part];
+      for (const Target& target : targets.at(here.time_s)) {
+        const transport::ShiningParts::Part& part = target.part;
         const double away = std::max(length(target.centre_m - at_home(here.at)), part.ball.radius_m);
         double spread[2] = {-1.0, -1.0};
         for (int k = 0; k < 4; ++k)
@@ -126,9 +131,11 @@ void UnseenLobes::add_highlights(const std::vector<Met>& level, const Grid& grid
         double fills_px2 = 1.0;
         for (const double wide : spread)
           fills_px2 *= std::min(1.0, 2.0 * core / (kLatticeAcross * std::max(wide, 1e-9)));
+        fills_px2 *= target.of_time() * grid.of_time;
         if (fills_px2 > kMet_px2 || fills_px2 * told.paths[pixel] > kKnown) continue;
         const double widest = std::min(kNothingKnown, std::max(spread[0], spread[1]));
-        const double share = here.brightness * shown(here, target, 0.5 * kBeyondLattice * widest);
+        const double share = target.of_time() * grid.of_time * here.brightness *
+                             shown(here, target, 0.5 * kBeyondLattice * widest);
         if (!(share * part.contrast > kLeastShown) || !is_free(here, target, counts)) continue;
         told.add(told.highlights, pixel, share / (kLatticeAcross * kLatticeAcross),
                  parts_.highest(part.assignment));
@@ -137,7 +144,7 @@ void UnseenLobes::add_highlights(const std::vector<Met>& level, const Grid& grid
 }
 
 void UnseenLobes::add_thrown(const std::vector<Met>& level, std::uint64_t number, const Grid& grid,
-                             Told& told, sampling::RayCounts& counts) const {
+                             Targets& targets, Told& told, sampling::RayCounts& counts) const {
   struct Sent {
     std::size_t pixel;
     double weight, flat_slope, spread;
@@ -173,7 +180,7 @@ void UnseenLobes::add_thrown(const std::vector<Met>& level, std::uint64_t number
         if (!(side > 0.0) && !here.passes) continue;
         const Point3 from = side > 0.0 ? at : at - 2.0 * length(here.at - here.surface_at) * here.outward;
         sent.push_back({grid.pixel(i, j),
-                        here.brightness * here.spread * std::abs(dot(here.normal, direction)) *
+                        grid.of_time * here.brightness * here.spread * std::abs(dot(here.normal, direction)) *
                             cone.solid_angle_sr() * all / views[picked] /
                             (std::numbers::pi * kThrownRays * kLatticeAcross * kLatticeAcross),
                         kFlatSlope * std::sqrt(cone.solid_angle_sr()), here.brightness * here.spread});
@@ -188,13 +195,18 @@ void UnseenLobes::add_thrown(const std::vector<Met>& level, std::uint64_t number
     if (!thrower.any || !(thrower.narrow > 0.0)) continue;
     if (!parts_.complete()) told.unknown[sent[k].pixel] = 1;
     double found = 0.0;  // as a path finds it
-    for (const Target& target : targets_) {
-      const transport::ShiningParts::Part& part = parts_.parts()[target.part];
-      const double wide = shown(thrower, target, kWideSlope),
-                   flat = shown(thrower, target, std::min(kWideSlope, sent[k].flat_slope));
+    for (const Target& target : targets.at(thrower.time_s)) {
+      const transport::ShiningParts::Part& part = target.part;
+      const double wide = target.of_time() * shown(thrower, target, kWideSlope),
+                   flat = target.of_time() * shown(thrower, target, std::min(kWideSlope, sent[k].flat_slope));
       if (!(std::max(wide, flat) * sent[k].weight * part.contrast > kLeastShown) ||
           !is_free(thrower, target, counts))
         continue;
+      if (target.moving != nullptr) {
+        told.add(told.moving_wide, sent[k].pixel, sent[k].weight * wide, parts_.highest(part.assignment));
+        told.add(told.moving_flat, sent[k].pixel, sent[k].weight * flat, parts_.highest(part.assignment));
+        continue;
+      }
       found += part.contrast * shown(thrower, target, 0.0);
       told.add(told.thrown_wide, sent[k].pixel, sent[k].weight * wide, parts_.highest(part.assignment));
       told.add(told.thrown_flat, sent[k].pixel, sent[k].weight * flat, parts_.highest(part.assignment));
@@ -206,25 +218,31 @@ void UnseenLobes::add_thrown(const std::vector<Met>& level, std::uint64_t number
 
 void UnseenLobes::settle(const AccuracyTolerance* tolerance, sampling::TileResult& tile) const {
   if (tolerance == nullptr || !tile.has_errors()) return;
-  Grid grid{tile.tile, tile.tile.width(), tile.tile.height()};
+  Grid grid{tile.tile, tile.tile.width(), tile.tile.height(), 1.0};
   std::vector<sampling::FocalPoint> points;
   for (int j = 0; j < grid.rows(); ++j)
     for (int i = 0; i < grid.columns(); ++i)
       points.push_back({tile.tile.x0 + shift_x_ + (i - 0.5) / kLatticeAcross,
                         tile.tile.y0 + shift_y_ + (j - 0.5) / kLatticeAcross});
-  Rays rays;
-  rays.rays.resize(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) rays.places.push_back(k);
-  camera_.rays(points, rays.rays);
   Told told(static_cast<std::size_t>(tile.tile.count()), scene_.nodes().channel_count());
   for (std::size_t p = 0; p < told.paths.size(); ++p)
     told.paths[p] = static_cast<double>(tile.radiance_evaluations[p]);
-  std::vector<Met> level, before;
-  for (std::uint64_t number = 0; number < kMostLevels && !rays.rays.empty(); ++number) {
-    before = std::move(level);
-    level = follow(rays, number > 0 ? &before : nullptr, points.size(), tile.rays);
-    add_highlights(level, grid, told, tile.rays);
-    add_thrown(level, number, grid, told, tile.rays);
+  Targets targets(*this);
+  const std::vector<double> times_s = lattice_times_s(camera_);
+  grid.of_time = 1.0 / static_cast<double>(times_s.size());
+  for (const double time_s : times_s) {
+    for (sampling::FocalPoint& point : points) point.time_s = time_s;
+    Rays rays;
+    rays.rays.resize(points.size());
+    for (std::size_t k = 0; k < points.size(); ++k) rays.places.push_back(k);
+    camera_.rays(points, rays.rays);
+    std::vector<Met> level, before;
+    for (std::uint64_t number = 0; number < kMostLevels && !rays.rays.empty(); ++number) {
+      before = std::move(level);
+      level = follow(rays, number > 0 ? &before : nullptr, points.size(), tile.rays);
+      add_highlights(level, grid, targets, told, tile.rays);
+      add_thrown(level, number, grid, targets, told, tile.rays);
+    }
   }
   std::vector<double> more(told.channels);
   UnseenWidening widening(*tolerance, told.channels, kNegligible);
@@ -247,7 +265,8 @@ void UnseenLobes::settle(const AccuracyTolerance* tolerance, sampling::TileResul
           return std::max(what[pixel * told.channels + c], around(what, told.channels, c));
         };
         const double thrown = known ? 0.0 : std::max(most(told.thrown_wide), most(told.thrown_flat));
-        more[c] = kCaution * (most(told.highlights) + thrown);
+        more[c] = kCaution *
+                  (most(told.highlights) + thrown + std::max(most(told.moving_wide), most(told.moving_flat)));
       }
       widening.widen(pixel, more, tile);
       if (told.unknown[pixel] != 0) tile.set(pixel, sampling::Reason::unseen_light);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/world/surface_survey.h"
+#include "render/moving/moving_parts.h"
 #include "transport/shining_parts.h"
 
 namespace ifov::math {
@@ -50,9 +51,14 @@ class UnseenLobes {
  private:
   UnseenLobes(const transport::SpectralScene& scene, const sensor::Camera& camera, std::uint64_t seed);
   struct Target {
-    std::size_t part = 0;  ///< of parts_
+    transport::ShiningParts::Part part;
     math::Point3 centre_m;
+    const MovingParts::Place* moving = nullptr;  ///< null: it stands still
+    double reach_m() const { return part.ball.radius_m + (moving != nullptr ? moving->way_m : 0.0); }
+    double of_time() const { return moving != nullptr ? moving->of_time : 1.0; }
   };
+  /// What stands still, and what moves while a ray of some time is exposed.
+  class Targets;
   struct Met;   // a surface that a ray met
   struct Rays;  // of the lattice, on their way
   struct Told;  // of a tile, by pixel and channel
@@ -61,10 +67,10 @@ class UnseenLobes {
   /// What the rays meet, by place on the lattice; leaves those that go on by mirrors and narrow lobes.
   std::vector<Met> follow(Rays& rays, const std::vector<Met>* before, std::size_t places,
                           sampling::RayCounts& counts) const;
-  void add_highlights(const std::vector<Met>& level, const Grid& grid, Told& told,
+  void add_highlights(const std::vector<Met>& level, const Grid& grid, Targets& targets, Told& told,
                       sampling::RayCounts& counts) const;
-  void add_thrown(const std::vector<Met>& level, std::uint64_t number, const Grid& grid, Told& told,
-                  sampling::RayCounts& counts) const;
+  void add_thrown(const std::vector<Met>& level, std::uint64_t number, const Grid& grid, Targets& targets,
+                  Told& told, sampling::RayCounts& counts) const;
   /// Radiance that narrow lobes send back along the ray, over the part's: of lobes that lean by `slope` at least.
   double shown(const Met& from, const Target& target, double slope) const;
   bool is_free(const Met& from, const Target& target, sampling::RayCounts& counts) const;
@@ -74,7 +80,8 @@ class UnseenLobes {
   const sensor::Camera& camera_;
   std::uint64_t seed_;
   transport::ShiningParts parts_;
-  std::vector<Target> targets_;
+  MovingParts moving_;
+  std::vector<Target> targets_;  // of what stands still
   std::vector<geometry::SurfaceSurvey::Ball> throwers_;
   double shift_x_, shift_y_;  // of the lattice, px
 };

@@ -161,6 +161,11 @@ CameraPose SweepCamera::pose(double) const {
           at.time_s};
 }
 
+CameraAxes SweepCamera::axes_at(const sampling::FocalPoint& point) const {
+  const Look at = look(point.x_px, point.time_s);
+  return {at.beside, at.ahead, at.sight};
+}
+
 AlongTrack SweepCamera::along_line() const {
   const double pitch_px = pattern_.step / (std::sin(pattern_.cone_rad) * pattern_.turn_per_sample_rad());
   return {.exposure_px = pattern_.exposure, .element_px = pattern_.element_px * pitch_px};

@@ -65,6 +65,8 @@ class SweepCamera final : public Camera {
 
   /// Side of the square that is as large as the pixel, across the line of sight.
   double gsd_m(math::Point3 position_m) const override;
+  /// Along the sweep, towards elements ahead, and the line of sight, as they are turned for a sample.
+  CameraAxes axes_at(const sampling::FocalPoint& point) const override;
   /// In the middle of the sweep, whatever the line.
   CameraPose pose(double line_px) const override;
   std::optional<GroundGrid> ground_grid() const override { return std::nullopt; }

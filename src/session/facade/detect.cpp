@@ -1,5 +1,6 @@
 #include "ifov/detect.h"
 
+#include <algorithm>
 #include <future>
 #include <memory>
 
@@ -8,6 +9,7 @@
 #include "ifov/products.h"
 #include "io/files/inputs.h"
 #include "io/products/envi_reader.h"
+#include "sensor/detector/brightness_scale.h"
 #include "sensor/detector/detector.h"
 #include "session/cube_channels.h"
 #include "session/facade/access.h"
@@ -56,15 +58,33 @@ std::vector<render::ChannelInfo> channels_of(const std::filesystem::path& record
   return channels;
 }
 
+/// What the run's record holds, with values in place of its own.
+Document written_document(const std::filesystem::path& record, const std::vector<std::string>& set) {
+  const RunInfo run = run_info(record);
+  const std::filesystem::path written = run.document;
+  return Document::parse(run.document_text, written.filename().string(), written.parent_path(), set);
+}
+
+/// Empty without kelvins.
+std::vector<sensor::BrightnessScale> scales_of(const std::filesystem::path& record,
+                                               const std::optional<Document>& other,
+                                               const DetectOptions& options) {
+  const auto& wanted = options.quantities;
+  if (std::find(wanted.begin(), wanted.end(), DetectedQuantity::kelvins) == wanted.end()) return {};
+  const Document document = other ? *other : written_document(record, {});
+  const auto& inside = FacadeAccess::inside(document);
+  const Call call{inside.inputs};
+  const CallScope scope(call);
+  return session::brightness_scales(inside.document.sources, inside.document.sensor);
+}
+
 /// The document whose channels tell the noise; none: the record's own figures.
 std::optional<Document> document_of(const std::filesystem::path& record, const DetectOptions& options) {
   if (options.set.empty()) return options.other;
   if (options.other)
     throw InputError(
         "values to set go with the document that the run's record holds, or into the other document");
-  const RunInfo run = run_info(record);
-  const std::filesystem::path written = run.document;
-  return Document::parse(run.document_text, written.filename().string(), written.parent_path(), options.set);
+  return written_document(record, options.set);
 }
 
 const char* word_of(DetectedQuantity quantity) {
@@ -72,6 +92,7 @@ const char* word_of(DetectedQuantity quantity) {
     case DetectedQuantity::radiance: return "noisy";
     case DetectedQuantity::electrons: return "electrons";
     case DetectedQuantity::counts: return "counts";
+    case DetectedQuantity::kelvins: return "kelvins";
   }
   return "noisy";
 }
@@ -94,6 +115,7 @@ Detection detect(const std::filesystem::path& run, const DetectOptions& options)
   for (const DetectedQuantity quantity : options.quantities)
     session::require_quantity(quantity, channels, other ? other->name() : record.string());
 
+  const std::vector<sensor::BrightnessScale> scales = scales_of(record, other, options);
   Detection detection;
   for (const render::ChannelInfo& channel : channels)
     detection.channels.push_back({channel.name, channel.noise, channel.detector != nullptr});
@@ -114,7 +136,7 @@ Detection detect(const std::filesystem::path& run, const DetectOptions& options)
       detection.cubes.push_back(cubes.back().path);
     }
     session::Realization made =
-        session::realize(radiance, channels, seed, cubes, options.threads, options.cancel);
+        session::realize(radiance, channels, seed, cubes, scales, options.threads, options.cancel);
     for (std::size_t c = 0; c < channels.size(); ++c)
       detection.channels[c].saturated += static_cast<double>(made.saturated[c]) / pixels;
     if (publishing.valid()) publishing.get();

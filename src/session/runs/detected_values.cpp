@@ -7,6 +7,7 @@
 #include "core/format.h"
 #include "ifov/detect.h"
 #include "render/image_info.h"
+#include "sensor/detector/brightness_scale.h"
 #include "sensor/detector/detector.h"
 
 namespace ifov::session {
@@ -67,12 +68,17 @@ io::EnviHeader detected_header(io::EnviHeader header, DetectedQuantity quantity,
       header.description = drawn("as counts of the detector,");
       describe_counts(header, channels);
       break;
+    case DetectedQuantity::kelvins:
+      header.description = drawn("with the sensor's noise as brightness temperatures,");
+      header.data_units = std::string("K");
+      break;
   }
   return header;
 }
 
 void append_detected(const sensor::Detector& detector, DetectedQuantity quantity, io::EnviType type,
-                     std::span<const double> signal, std::vector<std::byte>& values) {
+                     std::span<const double> signal, const sensor::BrightnessScale* scale,
+                     std::vector<std::byte>& values) {
   const auto count = [&](std::size_t k) { return detector.count(signal[k]); };
   const auto radiance = [&](std::size_t k) {
     const bool rounds = detector.digitises() && !std::isnan(signal[k]);
@@ -91,12 +97,22 @@ void append_detected(const sensor::Detector& detector, DetectedQuantity quantity
       else
         append<std::uint32_t>(signal.size(), count, values);
       break;
+    case DetectedQuantity::kelvins:
+      append<float>(
+          signal.size(), [&](std::size_t k) { return scale->kelvin(radiance(k)); }, values);
+      break;
   }
 }
 
-void append_values(std::span<const float> radiance, std::vector<std::byte>& values) {
+void append_values(std::span<const float> radiance, const sensor::BrightnessScale* scale,
+                   std::vector<std::byte>& values) {
   append<float>(
-      radiance.size(), [&](std::size_t k) { return radiance[k]; }, values);
+      radiance.size(),
+      [&](std::size_t k) {
+        return scale == nullptr ? static_cast<double>(radiance[k])
+                                : scale->kelvin(static_cast<double>(radiance[k]));
+      },
+      values);
 }
 
 }  // namespace ifov::session

@@ -14,8 +14,9 @@ namespace ifov::render {
 struct ChannelInfo;
 }
 namespace ifov::sensor {
+class BrightnessScale;
 struct Detector;
-}
+}  // namespace ifov::sensor
 
 namespace ifov::session {
 
@@ -24,10 +25,12 @@ io::EnviHeader detected_header(io::EnviHeader header, DetectedQuantity quantity,
                                std::span<const render::ChannelInfo> channels, const std::string& radiance,
                                std::uint64_t seed);
 
-/// Appends signals, in electrons, as the quantity of a cube of such a type.
+/// Appends signals, in electrons, as the quantity of a cube of such a type; `scale`: for kelvins.
 void append_detected(const sensor::Detector& detector, DetectedQuantity quantity, io::EnviType type,
-                     std::span<const double> signal, std::vector<std::byte>& values);
-/// Appends radiance as it is.
-void append_values(std::span<const float> radiance, std::vector<std::byte>& values);
+                     std::span<const double> signal, const sensor::BrightnessScale* scale,
+                     std::vector<std::byte>& values);
+/// Appends radiance as it is; on a scale as kelvins.
+void append_values(std::span<const float> radiance, const sensor::BrightnessScale* scale,
+                   std::vector<std::byte>& values);
 
 }  // namespace ifov::session

@@ -8,6 +8,7 @@
 #include "io/document/document_error.h"
 #include "io/document/sensor_document.h"
 #include "io/products/envi_reader.h"
+#include "sensor/detector/brightness_scale.h"
 #include "sensor/detector/detector.h"
 #include "sensor/detector/detector_signal.h"
 #include "sensor/detector/one_over_f.h"
@@ -25,8 +26,15 @@ namespace {
 class Drawing {
  public:
   Drawing(const io::EnviReader& radiance, std::span<const render::ChannelInfo> channels, std::uint64_t seed,
-          std::span<const DetectedCube> told, const std::vector<std::unique_ptr<LineCube>>& cubes)
-      : radiance_(radiance), channels_(channels), seed_(seed), noise_(seed), told_(told), cubes_(cubes) {
+          std::span<const DetectedCube> told, std::span<const sensor::BrightnessScale> scales,
+          const std::vector<std::unique_ptr<LineCube>>& cubes)
+      : radiance_(radiance),
+        channels_(channels),
+        seed_(seed),
+        noise_(seed),
+        told_(told),
+        scales_(scales),
+        cubes_(cubes) {
     const io::EnviHeader& header = radiance.header();
     lines_ = header.lines, width_ = header.samples;
     for (std::size_t c = 0; c < channels.size(); ++c)
@@ -62,6 +70,11 @@ class Drawing {
     return channels_[c].detector ? *channels_[c].detector : none;
   }
 
+  /// Of a channel in a cube; null: it has no kelvins.
+  const sensor::BrightnessScale* scale(std::size_t cube, std::size_t c) const {
+    return told_[cube].quantity == DetectedQuantity::kelvins ? &scales_[c] : nullptr;
+  }
+
   /// How many pixels are saturated.
   std::uint64_t draw(int line, std::size_t c, std::size_t drift,
                      std::vector<std::vector<std::byte>>& values) const {
@@ -70,7 +83,7 @@ class Drawing {
     radiance_.read(line, static_cast<int>(c), mean);
     if (!channels_[c].detector) {
       noise_.add(line, static_cast<int>(c), channels_[c].noise, mean);
-      for (std::vector<std::byte>& of_cube : values) append_values(mean, of_cube);
+      for (std::size_t k = 0; k < cubes_.size(); ++k) append_values(mean, scale(k, c), values[k]);
       return 0;
     }
     const sensor::Detector& of = detector(c);
@@ -79,7 +92,7 @@ class Drawing {
     std::vector<double> signal(width);
     signals_[c].draw(line, mean, slow, signal);
     for (std::size_t k = 0; k < cubes_.size(); ++k)
-      append_detected(of, told_[k].quantity, cubes_[k]->header().data_type, signal, values[k]);
+      append_detected(of, told_[k].quantity, cubes_[k]->header().data_type, signal, scale(k, c), values[k]);
     // What is full reads less by read noise.
     const double most = of.largest_signal() - 0.5 * of.gain - 4.0 * of.read_noise;
     return static_cast<std::uint64_t>(
@@ -91,6 +104,7 @@ class Drawing {
   std::uint64_t seed_;
   sensor::Noise noise_;
   std::span<const DetectedCube> told_;
+  std::span<const sensor::BrightnessScale> scales_;
   const std::vector<std::unique_ptr<LineCube>>& cubes_;
   int lines_ = 0, width_ = 0;
   std::vector<sensor::DetectorSignal> signals_;
@@ -124,9 +138,17 @@ std::vector<render::ChannelInfo> noisy_channels(const io::DocumentSources& sourc
   return result;
 }
 
+std::vector<sensor::BrightnessScale> brightness_scales(const io::DocumentSources& sources,
+                                                       const io::SensorDocument& sensor) {
+  std::vector<sensor::BrightnessScale> scales;
+  for (const radiometry::Channel& channel : assemble_channels(sources, sensor.channels))
+    scales.emplace_back(channel);
+  return scales;
+}
+
 void require_quantity(DetectedQuantity quantity, std::span<const render::ChannelInfo> channels,
                       const std::string& document) {
-  if (quantity == DetectedQuantity::radiance) return;
+  if (quantity == DetectedQuantity::radiance || quantity == DetectedQuantity::kelvins) return;
   for (const render::ChannelInfo& channel : channels) {
     if (!channel.detector)
       throw InputError(format("{}: channel '{}' has no 'detector' that makes electrons: ask for radiance",
@@ -139,14 +161,14 @@ void require_quantity(DetectedQuantity quantity, std::span<const render::Channel
 }
 
 Realization realize(const io::EnviReader& radiance, std::span<const render::ChannelInfo> channels,
-                    std::uint64_t seed, std::span<const DetectedCube> cubes, int threads,
-                    const CancelToken* cancel) {
+                    std::uint64_t seed, std::span<const DetectedCube> cubes,
+                    std::span<const sensor::BrightnessScale> scales, int threads, const CancelToken* cancel) {
   Realization result;
   for (const DetectedCube& cube : cubes)
     result.cubes.push_back(std::make_unique<LineCube>(
         cube.path, detected_header(radiance.header(), cube.quantity, channels,
                                    radiance.data_path().filename().string(), seed)));
-  Drawing drawing(radiance, channels, seed, cubes, result.cubes);
+  Drawing drawing(radiance, channels, seed, cubes, scales, result.cubes);
   const std::size_t at_once = channels_at_once(radiance.header(), channels);
   for (std::size_t first = 0; first < channels.size(); first += at_once)
     drawing.draw(first, std::min(first + at_once, channels.size()), threads, cancel);

@@ -19,6 +19,10 @@ struct DocumentSources;
 struct SensorDocument;
 }  // namespace ifov::io
 
+namespace ifov::sensor {
+class BrightnessScale;
+}
+
 namespace ifov::session {
 
 class LineCube;
@@ -30,6 +34,10 @@ inline constexpr const char* kNoNoise =
 /// Channels with the noise that they tell. InputError where none tells any.
 std::vector<render::ChannelInfo> noisy_channels(const io::DocumentSources& sources,
                                                 const io::SensorDocument& sensor);
+
+/// Of their responses, for kelvins.
+std::vector<sensor::BrightnessScale> brightness_scales(const io::DocumentSources& sources,
+                                                       const io::SensorDocument& sensor);
 
 /// A cube that one realization is told in.
 struct DetectedCube {
@@ -46,9 +54,10 @@ struct Realization {
   std::vector<std::uint64_t> saturated;          ///< pixels, by channel
 };
 
-/// One realization of what the channels make of a cube of radiance, in as many cubes as are asked for.
+/// One realization of what the channels make of a cube of radiance, in as many cubes as are asked for. `scales`: of the channels, where
+/// kelvins are among them.
 Realization realize(const io::EnviReader& radiance, std::span<const render::ChannelInfo> channels,
-                    std::uint64_t seed, std::span<const DetectedCube> cubes, int threads,
-                    const CancelToken* cancel);
+                    std::uint64_t seed, std::span<const DetectedCube> cubes,
+                    std::span<const sensor::BrightnessScale> scales, int threads, const CancelToken* cancel);
 
 }  // namespace ifov::session

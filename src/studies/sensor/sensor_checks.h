@@ -40,6 +40,13 @@ struct PartsSum {
 /// `planted_factor`: on the Sun's part; not 1: a planted fault.
 PartsSum parts_sum(const StudyOptions& options, double planted_factor = 1.0);
 
+/// Points in the image of a wavefront of one polynomial, by Noll's numbers, against the pupil's integral: the largest difference over the
+/// peak. `sign` of the wavefront; -1: a planted fault.
+double pupil_points_off(int noll, double sign);
+
+/// The most memory that this process has held when it has rendered black ground with truth.
+double memory_of_cube_gib(int pixels_across, int channels, const StudyOptions& options);
+
 /// Noise on a rendered cube of black ground: wall time, files and all, and whether another number of threads makes the same bytes.
 struct DetectTime {
   double seconds = 0.0;

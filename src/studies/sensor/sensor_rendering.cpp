@@ -88,14 +88,23 @@ io::ObjectDocument level_ground(const std::string& material) {
 }
 
 io::CameraDocument frame_above(int width_px, int height_px, double height_m, double focal_length_m,
-                               double pitch_m) {
+                               double pitch_m, double exposure_s, double row_period_s) {
   io::FrameCamera camera;
   camera.focal_length_m = focal_length_m;
   camera.pitch_m = pitch_m;
   camera.size = {width_px, height_px};
+  camera.exposure_s = exposure_s;
+  camera.row_period_s = row_period_s;
   camera.position_m = {0.0, 0.0, height_m};
   camera.orientation = geodesy::Attitude{};
   return {std::string(io::FrameCamera::kModel.key), std::make_shared<const io::FrameCamera>(camera), {}};
+}
+
+void carry(io::ObjectDocument& object, math::Point3 at_m, math::Vec3 velocity_m_s) {
+  io::PlatformDocument motion;
+  motion.path = io::StraightPath{at_m, {velocity_m_s.x, velocity_m_s.y, velocity_m_s.z}};
+  motion.attitude.emplace().from = io::YawFrom::north;
+  object.motion = std::make_shared<const io::PlatformDocument>(motion);
 }
 
 io::CameraDocument frame_looking(int pixels, math::Point3 from_m, double focal_length_m, double pitch_m) {

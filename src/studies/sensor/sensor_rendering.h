@@ -57,7 +57,9 @@ void ask_for(io::Document& document, std::initializer_list<const char*> products
 
 /// A camera at a height above (0, 0), level, north up.
 io::CameraDocument frame_above(int width_px, int height_px, double height_m, double focal_length_m,
-                               double pitch_m);
+                               double pitch_m, double exposure_s = 0.0, double row_period_s = 0.0);
+/// Has the object move straight on from there, at 0 s; it does not turn.
+void carry(io::ObjectDocument& object, math::Point3 at_m, math::Vec3 velocity_m_s);
 
 /// A camera that looks at (0, 0) from anywhere, north up.
 io::CameraDocument frame_looking(int pixels, math::Point3 from_m, double focal_length_m, double pitch_m);

@@ -18,8 +18,9 @@ StudyOutcome run_sensor_study(const StudyOptions& options) {
   make_folder(options.output_folder);
   const ReferenceData reference(reference_folder(options));
   const auto measured = {orbit_section,      location_section,     bands_section,    tirs_section,
-                         modulation_section, point_target_section, channels_section, scanning_section,
-                         noise_section,      parts_section,        cost_section,     missing_section};
+                         modulation_section, point_target_section, channels_section, pupil_section,
+                         scanning_section,   moving_section,       noise_section,    parts_section,
+                         cost_section,       memory_section,       missing_section};
   const StudyPage page{"sensor", kSensorAbout};
   return write_sections(kSensorTitle, measure_sections(measured, SectionOptions{reference, options}, options),
                         options, &page);

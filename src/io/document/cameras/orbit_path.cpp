@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "core/error.h"
 #include "core/format.h"
@@ -22,7 +23,8 @@ geodesy::TwoLineElements read_elements(const OrbitPath& path) {
     try {
       return geodesy::parse_two_line_elements(file.line(line), file.line(line + 1));
     } catch (const InputError& error) {
-      file.fail(line, 0, error.what());
+      const bool second = std::string_view(error.what()).find("line 2 of") != std::string_view::npos;
+      file.fail(second ? line + 1 : line, 0, error.what());
     }
   }
   file.fail(0, 0,

@@ -112,7 +112,7 @@ class ReferenceCheck {
               list_names(without, "and")));
   }
 
-  /// What a mirror that turns does to polarization is not known; and sweeps are pictures of their own, so that none knows the image's error.
+  /// What a mirror that turns does to polarization behind it is not known; and sweeps are pictures of their own, so that none knows the image's error.
   void check_sweeps(const AccuracySampling* accuracy) const {
     const CameraSettings* const camera = document_.sensor.camera.settings.get();
     if (camera == nullptr) return;
@@ -120,13 +120,12 @@ class ReferenceCheck {
       return channel.polarizer || channel.retarder;
     };
     if (camera->sweeps() &&
-        (document_.sensor.stokes ||
-         std::any_of(document_.sensor.channels.begin(), document_.sensor.channels.end(), polarizes)))
+        std::any_of(document_.sensor.channels.begin(), document_.sensor.channels.end(), polarizes))
       throw document_error(
           document_.sources, document_.sensor.camera.position,
           format(
-              "a {} camera turns its view, and what that does to polarization is not modelled: expected no \"stokes\": true, "
-              "polarizers or retarders, or another camera",
+              "a {} camera turns its view, and what that does to the polarization of light on its way to polarizers and retarders is not "
+              "modelled: expected none (\"stokes\": true tells of light as it arrives), or another camera",
               document_.sensor.camera.model));
     if (accuracy != nullptr && accuracy->of_image() && !camera->made_of().empty())
       throw document_error(

@@ -91,9 +91,7 @@ class GeometryAssembly {
     options.surveyed = assignments_.mirrors();
     options.lobes = assignments_.lobes();
     options.cut_outs = assignments_.cut_outs();
-    std::unique_ptr<geometry::World> still = builder_.build(options);
-    if (moving_.count() > 0) refuse_mirrors(*still);
-    return moving_.about(std::move(still), of_);
+    return moving_.about(builder_.build(options), of_);
   }
 
   /// What is there at other times alone; null: nothing is.
@@ -138,18 +136,8 @@ class GeometryAssembly {
       std::vector<bool> covers;
       for (const double area : body->surface_areas_m2(assignments_.count())) covers.push_back(area > 0.0);
       assignments_.refuse_moving(covers);
-      first_moving_ = first_moving_ != nullptr ? first_moving_ : &object;
       moving_.add(std::move(body), std::move(motion), builder_.object_count());
     });
-  }
-
-  /// What mirrors show, and throw of light, is sought among what stands still.
-  void refuse_mirrors(const geometry::World& still) const {
-    if (still.survey() == nullptr && still.lobe_survey() == nullptr) return;
-    refuse_motion(
-        of_, *first_moving_,
-        "nothing can move yet in a scene with smooth or glossy surfaces (mirrors, panes, narrow lobes): what these throw of "
-        "light is sought among what stands still; expected rough surfaces");
   }
 
   void place(const io::ObjectDocument& object, const math::Transform& scene_from_document) {
@@ -337,7 +325,6 @@ class GeometryAssembly {
   LogSink* log_;
   io::SceneCache* cache_;
   MovingObjects moving_;
-  const io::ObjectDocument* first_moving_ = nullptr;
   geometry::WorldBuilder builder_;
   ShapeAssembly shapes_;
   std::map<std::string, BuiltPrototype> prototypes_;

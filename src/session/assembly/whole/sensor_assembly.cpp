@@ -4,7 +4,6 @@
 
 #include "core/overloaded.h"
 #include "geometry/world.h"
-#include "geometry/world/surface_survey.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/detector_document.h"
 #include "io/document/pupil_document.h"
@@ -28,6 +27,9 @@
 namespace ifov::session {
 
 namespace {
+
+/// Of a PSF within its cut.
+constexpr double kFarthestPsf_px = 64.0;
 
 struct BuildChannel {
   const io::DocumentSources& sources;
@@ -76,16 +78,7 @@ std::unique_ptr<sensor::Camera> assemble_camera(const io::DocumentSources& sourc
   return with_position(sources, camera.position, [&] {
     io::CameraSite site{origin.offset_m, world.heights().high_m, world.heights().low_m, seed};
     if (const auto period = world.period()) site.period_m = {period->x_m, period->y_m};
-    std::unique_ptr<sensor::Camera> built = camera.settings->build(site);
-    // Of flat ones paths find what they throw.
-    const auto curved = [](const geometry::SurfaceSurvey* survey) {
-      return survey != nullptr && !(survey->rounds.empty() && survey->smooths.empty());
-    };
-    if (built->moves_while_exposed() && (curved(world.survey()) || curved(world.lobe_survey())))
-      throw InputError(
-          "what curved smooth and glossy surfaces (mirrors, panes, narrow lobes) throw of light is sought for one place of the camera, and a "
-          "frame camera that flies is exposed from many; expected no 'exposure', with or without a 'row_period', or flat or rough surfaces alone");
-    return built;
+    return camera.settings->build(site);
   });
 }
 
@@ -168,7 +161,7 @@ std::unique_ptr<sensor::Psf> assemble_psf(const io::DocumentSources& sources,
                                           const io::SensorDocument& sensor, double wavelength_um) {
   return with_position(sources, sensor.psf_position, [&] {
     using Made = std::unique_ptr<sensor::Psf>;
-    return std::visit(
+    Made made = std::visit(
         Overloaded{[](const io::NoPsf&) -> Made { return nullptr; },
                    [](const io::GaussianPsf& gaussian) -> Made {
                      return sensor::make_gaussian_psf(gaussian.sigma_px);
@@ -190,6 +183,12 @@ std::unique_ptr<sensor::Psf> assemble_psf(const io::DocumentSources& sources,
                                                     kernel.samples_per_pixel);
                    }},
         sensor.psf);
+    if (made != nullptr && made->half_width_px() > kFarthestPsf_px)
+      throw InputError(format(
+          "the PSF reaches {:.4g} pixels from its middle, and images are blurred within {:g}; expected a narrower one, or wider "
+          "pixels",
+          made->half_width_px(), kFarthestPsf_px));
+    return made;
   });
 }
 
