@@ -17,14 +17,12 @@ class SpectralScene;
 
 namespace ifov::render {
 
-/// What lies behind panes and in media, and what mirrors show, for labels: so that edges which are seen, or throw shadows, through
-/// glass or in a mirror are found like others. Flat mirrors show what stands before them as a window would; of what bends only
-/// whether it shows the sky is told, because it gathers so much in so little that all else would be clutter. Where the Sun's disc is
-/// seen that way, also by more mirrors than are followed for what they show, is told as well: it may be smaller than a pixel and outshines all else. An object serves one thread.
+/// What lies behind panes and in media, and what mirrors show, for labels: so that edges which are seen, or throw shadows, through glass or in a mirror are found like others. Flat mirrors
+/// show what stands before them as a window would; of what bends only whether it shows the sky is told, because all else in so little would be clutter. Where the Sun's disc, which outshines all else, is seen that way, also by
+/// more mirrors than are followed for what they show, is told as well. An object serves one thread.
 class SeenThrough {
  public:
   static constexpr std::uint64_t kUnevenState = 2;
-
   /// Reflections by which the Sun's disc is looked for; what else mirrors show is told by fewer.
   static constexpr std::uint8_t kMostReflectionsOfSun = 6;
 
@@ -51,10 +49,8 @@ class SeenThrough {
   enum class Way : std::uint8_t { none, through, flat_mirror, bent_mirror };
   /// Turns a ray to where it goes on; none where nothing is seen through the surface, or in it.
   Way turn(math::Ray& ray, const geometry::SurfacePoint& hit, bool only_straight) const;
-
   /// Whether what a ray was seen to pass shows it the Sun's disc, as still water does.
   bool glints(math::Vec3 direction, const geometry::SurfacePoint& hit) const;
-
   /// Whether a mirror, flat or of a face of a mesh, may show the whole of the Sun's disc.
   bool shows_sun(Way way, const geometry::SurfacePoint& hit) const;
   /// Follows the rays that more mirrors reflect than are followed, to the Sun's disc alone.

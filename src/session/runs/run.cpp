@@ -7,7 +7,6 @@
 #include "cluster/tile_server.h"
 #include "core/error.h"
 #include "core/machine_memory.h"
-#include "io/products/part_file.h"
 #include "io/run_state/kept_run.h"
 #include "io/run_state/run_folder.h"
 #include "io/run_state/run_state.h"
