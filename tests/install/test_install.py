@@ -118,7 +118,7 @@ class Install(unittest.TestCase):
                                r"|reason_name|survey_atmosphere|make_gas_model|invert_radiance|run_status|merge|mpi_library|run_info|cube_info|products_in"
                                r"|region_means|series_info|detect|record_of|write_file|mapped_input_at|search_materials|curves_of|materials_list"
                                r"|refractive_indices|refractive_indices_list"
-                               r"|BrdfReport|TemperatureReport|survey_temperatures|describe_sensor|integrate|FieldFunction|find_sensor_preset|sensor_preset_list|survey_brdf|survey_model|scattering_models|scattering_models_list|scattering_models_reference"
+                               r"|BrdfReport|TemperatureReport|survey_temperatures|point_temperature|describe_sensor|integrate|FieldFunction|find_sensor_preset|sensor_preset_list|survey_brdf|survey_model|scattering_models|scattering_models_list|scattering_models_reference"
                                r"|wavelength_um_of|material_text|material_csv|material_figure|planck_radiance|brightness_temperature)\b")
         self.assertEqual(sorted(name for name in plain if not of_facade.match(name)), [])
         self.assertIn("ifov::version[abi:cxx11]()", plain)
