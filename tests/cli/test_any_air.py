@@ -1,0 +1,106 @@
+"""Airs, Suns, sensors and channels by chance through `ifov atmosphere`: what no air can be, none is.
+
+Most of what a solver does is interpolated between few solutions, by ratios that may have next to nothing below the bar. IFOV_AIRS=200 tries as many.
+"""
+
+import csv
+import json
+import math
+import os
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+PROGRAM = os.environ.get("IFOV_PROGRAM", str(pathlib.Path(__file__).resolve().parents[2] / "build" / "ifov"))
+
+TYPES = ["rural", "maritime", "urban", "tropospheric", "desert", "continental clean", "continental average", "continental polluted",
+         "biomass burning", "savanna burning"]
+PROFILES = ["tropical", "mid-latitude summer", "mid-latitude winter", "subarctic summer", "subarctic winter", "US standard 1976"]
+CENTRES_UM = [.36, .4, .45, .55, .65, .76, .86, .94, 1.13, 1.38, 1.6, 1.9, 2.06, 2.2, 2.7, 3.3, 3.85, 4.3, 4.8, 6.3, 8.5, 9.6, 11, 13, 15]
+SUNS_DEG = [0, 1, 10, 20, 30, 45, 60, 70, 75, 78, 80, 85, 89, 91, 94]
+
+
+def made(number):
+    """A document and the options to look at it with; the same for a number."""
+    draw = random.Random(number)
+    air = {"profile": draw.choice(PROFILES), "aerosol": {"type": draw.choice(TYPES), "visibility": f"{draw.choice([1.5, 3, 5, 10, 23, 50, 100])} km"}}
+    if draw.random() < 0.3:
+        air["aerosol"] = {"kind": draw.choice(TYPES), "optical_depth": draw.choice([0.01, 0.1, 0.5, 1.5, 4]), "humidity": f"{draw.choice([20, 60, 90])} %"}
+    if draw.random() < 0.3:
+        air["clouds"] = [{"kind": draw.choice(["water", "ice"]), "optical_depth": draw.choice([0.1, 1, 5, 30]), "base": "2 km", "top": "3 km"}]
+    channels = []
+    for k, centre in enumerate(draw.sample(CENTRES_UM, 3)):
+        channels.append({"name": f"c{k}", "gaussian": {"center": f"{centre} um", "fwhm": f"{centre * draw.choice([10, 30, 80]):g} nm"}})
+    document = {
+        "ifov": 1,
+        "scene": {"materials": {"lawn": {"reflectance": 0.2, "temperature": "22 degC"}}, "objects": [{"plane": {}, "material": "lawn"}]},
+        "light": {"sun": {"disc": {"zenith": f"{draw.choice(SUNS_DEG)} deg", "azimuth": "225 deg"}}}, "atmosphere": air,
+        "sensor": {"camera": {"orthographic": {"gsd": "0.5 m", "pixels": [2, 2]}}, "channels": channels}}
+    options = ["--view", f"{draw.choice([0, 0, 10, 30, 55, 70, 79])},{draw.choice([0, 45, 90, 180, 222])}"]
+    if draw.random() < 0.5:
+        options += ["--altitude", str(draw.choice([0.02, 0.3, 1, 2.5, 4, 10, 30]))]
+    return document, options
+
+
+def impossible(row, sun_deg):
+    """What of a row of --summary no air can be."""
+    value = {key: float(text) for key, text in row.items() if key != "channel" and text not in ("", "-")}
+    found = [key for key, number in value.items() if not math.isfinite(number)]
+    white = value["solar_irradiance"] / math.pi
+    if not 0 <= value["solar_path_radiance"] <= 1.2 * white + 1e-9:
+        found.append("solar_path_radiance")
+    if value["thermal_path_radiance"] < 0:
+        found.append("thermal_path_radiance")
+    for key in ("direct_transmittance_down", "direct_transmittance_up", "spherical_albedo"):
+        if not -1e-9 <= value[key] <= 1.0001:
+            found.append(key)
+    if value["direct_transmittance_up"] + value["diffuse_transmittance_up"] > 1.005:
+        found.append("diffuse_transmittance_up")
+    if sun_deg < 75 and value["direct_transmittance_down"] + value["diffuse_transmittance_down"] > 1.005:
+        found.append("diffuse_transmittance_down")
+    if math.hypot(value["path_q"], value["path_u"]) > 1.001 * max(value["solar_path_radiance"] + value["thermal_path_radiance"], 1e-12):
+        found.append("path_q, path_u")
+    return found
+
+
+class AnyAir(unittest.TestCase):
+    def rows(self, document, options):
+        with tempfile.TemporaryDirectory() as folder:
+            path, table = pathlib.Path(folder, "air.json"), pathlib.Path(folder, "air.csv")
+            path.write_text(json.dumps(document))
+            done = subprocess.run([PROGRAM, "atmosphere", path, "--summary", table, "-q", *options], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+            self.assertEqual(done.returncode, 0, done.stdout)
+            return list(csv.DictReader(line for line in table.read_text().splitlines() if not line.startswith("#")))
+
+    def test_is_one_that_can_be(self):
+        for number in range(int(os.environ.get("IFOV_AIRS", "6"))):
+            document, options = made(number)
+            sun_deg = float(document["light"]["sun"]["disc"]["zenith"].split()[0])
+            for row in self.rows(document, options):
+                with self.subTest(number=number, channel=row["channel"], air=document["atmosphere"], sun=sun_deg, options=options):
+                    self.assertEqual(impossible(row, sun_deg), [])
+
+    def test_known_finds(self):
+        """Once 1e25 of path under a high Sun, 1e5 at dusk, and 1e14 of diffuse transmittance to a sensor below the ozone."""
+        document, _ = made(0)
+        document["atmosphere"] = {"profile": "mid-latitude summer"}
+        for um, sun_deg, options in ((2.2, 20, ["--view", "0,0"]), (0.76, 91, ["--view", "0,0", "--altitude", "10"]), (9.6, 30, ["--view", "79,0", "--altitude", "4"])):
+            document["light"]["sun"]["disc"]["zenith"] = f"{sun_deg} deg"
+            document["sensor"]["channels"] = [{"name": "one", "gaussian": {"center": f"{um} um", "fwhm": f"{10 * um:g} nm"}}]
+            for row in self.rows(document, options):
+                with self.subTest(um=um, sun=sun_deg, options=options):
+                    self.assertEqual(impossible(row, sun_deg), [])
+
+    def test_impossible_air_is_seen(self):
+        document, options = made(0)
+        row = self.rows(document, options)[0]
+        for key, text in (("solar_path_radiance", "1e20"), ("diffuse_transmittance_up", "1.5"), ("thermal_path_radiance", "-1"), ("spherical_albedo", "nan")):
+            self.assertIn(key, impossible({**row, key: text}, 30))
+
+
+if __name__ == "__main__":
+    unittest.main()
