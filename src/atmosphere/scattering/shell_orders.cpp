@@ -106,6 +106,8 @@ void ShellOrders::add_still(const Ray& ray, double mu, int azimuths, const Light
                             Arriving& arriving) const {
   const std::size_t angles = angle_rad_.size();
   const double sine = std::sqrt(1.0 - mu * mu);
+  std::vector<double> turns;  // cosines of azimuths
+  for (int a = 0; a < azimuths; ++a) turns.push_back(std::cos((a + 0.5) * kPi / azimuths));
   for (std::size_t k = 0; k < angles; ++k) {
     const double along_vertical = mu * std::cos(angle_rad_[k]), across = sine * std::sin(angle_rad_[k]);
     const auto at = [&](const End& end, const std::vector<double>& values) {
@@ -133,7 +135,7 @@ void ShellOrders::add_still(const Ray& ray, double mu, int azimuths, const Light
       // The light at a boundary is that of the layer entered: layers' ends are shared.
       if (before == nullptr) {
         for (int a = 0; a < azimuths; ++a) {
-          const double turn = std::cos((a + 0.5) * kPi / azimuths);
+          const double turn = turns[static_cast<std::size_t>(a)];
           const double scattered = piece.scattered(along_vertical + across * turn) * mean / azimuths;
           even += scattered;
           turned += turn * scattered;
