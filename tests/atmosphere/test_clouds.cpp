@@ -227,4 +227,44 @@ TEST(Clouds, GlowAsBlackBodies) {
   EXPECT_GT(std::abs(at(2.0) / at(1.9) - 1.0), 0.006) << "100 m are told apart";
 }
 
+/// Light up from a cloud of ice of this depth among molecules; `depolarized`: crystals take all polarization of what they scatter, also
+/// straight ahead.
+double light_over_ice(double depth, bool depolarized) {
+  const AtmosphereColumn column(with_cloud(depth, 2.0, 3.0, std::make_shared<const IceCrystals>(30.0, 0.1)));
+  LayerOptics layers = column.at(1e4 / 0.55).scattering;
+  layers.gas_absorption.assign(column.levels().layers(), 0.0);
+  if (depolarized) {
+    AerosolPhases phases = *layers.aerosol_phases;
+    for (PhaseFunction& function : phases.functions) {
+      const std::vector<double> zeros(function.angles().angle_rad.size(), 0.0);
+      function = {std::make_shared<const PhaseAngles>(function.angles()), function.logarithms(),
+                  std::make_shared<const PolarizationRatios>(PolarizationRatios{zeros, zeros, zeros})};
+    }
+    layers.aerosol_phases = std::make_shared<const AerosolPhases>(std::move(phases));
+  }
+  return ColumnSolver()
+      .solve(column.levels(), layers, 40.0 * test::kDegree)
+      .sunlit()
+      .path({std::cos(30.0 * test::kDegree), 0.9}, 1e4)
+      .radiance()
+      .i;
+}
+
+// Orders of scattering grew where what crystals take from polarized light counted as more than there is: 1e17 of the Sun from depth 4 to 6.
+TEST(IceCloud, BrightensSmoothlyWithItsDepth) {
+  double last = light_over_ice(2.5, false), step = 1.0;
+  for (const double depth : {3.5, 4.5, 5.5, 6.5, 7.5}) {
+    const double light = light_over_ice(depth, false);
+    EXPECT_GT(light, last) << depth;
+    EXPECT_LT(light - last, step) << depth;
+    step = light - last, last = light;
+  }
+}
+
+// Where orders grow whatever they are made of, all of them are had at once.
+TEST(IceCloud, OrdersThatGrowAreNotAddedUp) {
+  for (const double depth : {4.5, 5.5})
+    EXPECT_NEAR(light_over_ice(depth, true) / light_over_ice(depth, false), 1.0, 5e-3) << depth;
+}
+
 }  // namespace ifov::atmosphere::test_clouds

@@ -85,10 +85,12 @@ class AnyAir(unittest.TestCase):
                     self.assertEqual(impossible(row, sun_deg), [])
 
     def test_known_finds(self):
-        """Once 1e25 of path under a high Sun, 1e5 at dusk, and 1e14 of diffuse transmittance to a sensor below the ozone."""
+        """Once 1e25 of path under a high Sun, 1e5 at dusk, 1e14 of diffuse transmittance to a sensor below the ozone, and 1e17 over cirrus."""
         document, _ = made(0)
-        document["atmosphere"] = {"profile": "mid-latitude summer"}
-        for um, sun_deg, options in ((2.2, 20, ["--view", "0,0"]), (0.76, 91, ["--view", "0,0", "--altitude", "10"]), (9.6, 30, ["--view", "79,0", "--altitude", "4"])):
+        cirrus = [{"kind": "ice", "optical_depth": 5, "base": "2 km", "top": "3 km"}]
+        for um, sun_deg, clouds, options in ((2.2, 20, [], ["--view", "0,0"]), (0.76, 91, [], ["--view", "0,0", "--altitude", "10"]),
+                                             (9.6, 30, [], ["--view", "79,0", "--altitude", "4"]), (0.55, 40, cirrus, ["--view", "30,90"])):
+            document["atmosphere"] = {"profile": "mid-latitude summer", **({"clouds": clouds} if clouds else {})}
             document["light"]["sun"]["disc"]["zenith"] = f"{sun_deg} deg"
             document["sensor"]["channels"] = [{"name": "one", "gaussian": {"center": f"{um} um", "fwhm": f"{10 * um:g} nm"}}]
             for row in self.rows(document, options):

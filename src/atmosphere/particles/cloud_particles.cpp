@@ -120,7 +120,7 @@ PhaseFunction IceCrystals::phase_function(double wavelength_um) const {
                              (1.0 - parts.diffracted) * rest + 1e-30);
   }
   return {angles, std::move(logarithms),
-          std::make_shared<const PolarizationRatios>(PolarizationRatios::none(angles->angle_rad.size()))};
+          std::make_shared<const PolarizationRatios>(PolarizationRatios::none(angles->angle_rad))};
 }
 
 double mass_extinction_m2_g(const MieParticles& spheres, double density_g_m3) {

@@ -45,7 +45,7 @@ PhaseFunction GivenParticles::phase_function(double wavelength_um) const {
     return henyey_greenstein(asymmetry->at(wavelength_um));
   const PhaseFunctionTable& table = std::get<PhaseFunctionTable>(scatters_);
   return table.at(wavelength_um, std::make_shared<const PolarizationRatios>(
-                                     PolarizationRatios::none(table.angles->angle_rad.size())));
+                                     PolarizationRatios::none(table.angles->angle_rad)));
 }
 
 }  // namespace ifov::atmosphere

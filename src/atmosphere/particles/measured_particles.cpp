@@ -74,7 +74,7 @@ PhaseFunction MeasuredParticles::phase_function(double wavelength_um) const {
     return henyey_greenstein(held(optics_.wavelength_um, *asymmetry, wavelength_um));
   const PhaseFunctionTable& table = std::get<PhaseFunctionTable>(optics_.scatters);
   return table.at(wavelength_um, std::make_shared<const PolarizationRatios>(
-                                     PolarizationRatios::none(table.angles->angle_rad.size())));
+                                     PolarizationRatios::none(table.angles->angle_rad)));
 }
 
 }  // namespace ifov::atmosphere

@@ -37,7 +37,7 @@ PhaseFunction PhaseFunctionTable::at(double um,
 PhaseFunction henyey_greenstein(double asymmetry) {
   static const std::shared_ptr<const PhaseAngles> angles = made_angles();
   static const auto none =
-      std::make_shared<const PolarizationRatios>(PolarizationRatios::none(angles->angle_rad.size()));
+      std::make_shared<const PolarizationRatios>(PolarizationRatios::none(angles->angle_rad));
   std::vector<double> logarithms;
   for (const double angle : angles->angle_rad)
     logarithms.push_back(std::log(aerosol_matrix(std::cos(angle), asymmetry, 0.0).a1));

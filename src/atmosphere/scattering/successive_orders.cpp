@@ -133,28 +133,37 @@ void SuccessiveOrders::Mode::take(const ModeOperator& step, ModeField field) {
   radiance = {std::move(field.up), std::move(field.down)};
 }
 
+/// `sum` holds light that has not been scattered, where that is a source of its own, and `field` what becomes of it.
+SuccessiveOrders::Mode SuccessiveOrders::all_at_once(const ModeOperator& step, const ModeField& field,
+                                                     const ModeMoments& sum) const {
+  Mode result;
+  const bool has_source = sum.peak() > 0.0;
+  AllOrders all = all_orders(step, has_source ? sum : step.moments_of(field), options_.tolerance);
+  ModeField light = step.next(all.moments);
+  if (!has_source) {
+    add_scaled(light.up.size(), 1.0, field.up.data(), light.up.data());
+    add_scaled(light.down.size(), 1.0, field.down.data(), light.down.data());
+  }
+  result.take(step, std::move(light));
+  result.orders = all.scatterings;
+  result.moments = std::move(all.moments);
+  return result;
+}
+
 SuccessiveOrders::Mode SuccessiveOrders::add_orders(const ModeOperator& step, ModeField field,
                                                     ModeMoments sum, double reference) const {
+  if (is_thick() && options_.most_orders > 1) return all_at_once(step, field, sum);
   Mode result;
-  if (is_thick() && options_.most_orders > 1) {
-    // `sum` holds light that has not been scattered, where that is a source of its own, and `field` what becomes of it.
-    const bool has_source = sum.peak() > 0.0;
-    AllOrders all = all_orders(step, has_source ? sum : step.moments_of(field), options_.tolerance);
-    ModeField light = step.next(all.moments);
-    if (!has_source) {
-      add_scaled(light.up.size(), 1.0, field.up.data(), light.up.data());
-      add_scaled(light.down.size(), 1.0, field.down.data(), light.down.data());
-    }
-    result.take(step, std::move(light));
-    result.orders = all.scatterings;
-    result.moments = std::move(all.moments);
-    return result;
-  }
+  const ModeField first = field;
+  const ModeMoments source = sum;
   ModeField total = step.empty_field();
   double previous = 0.0;
   for (int order = 1;; ++order) {
     const ModeMoments moments = step.moments_of(field);
     const double peak = moments.peak();
+    constexpr int kFirst = 4;
+    if (order > kFirst && peak > previous && options_.most_orders > kFirst)
+      return all_at_once(step, first, source);
     const bool last =
         order == options_.most_orders ||
         peak <= options_.tolerance * std::max({reference, sum.peak(), peak * options_.tolerance});

@@ -50,6 +50,8 @@ class SuccessiveOrders {
  private:
   bool is_thick() const;
   Mode add_orders(const ModeOperator& step, ModeField field, ModeMoments sum, double reference) const;
+  /// Where orders would be too many, or grow.
+  Mode all_at_once(const ModeOperator& step, const ModeField& field, const ModeMoments& sum) const;
 
   const ScatteringColumn& column_;
   const ColumnPhase& phase_;

@@ -36,9 +36,15 @@ PhaseAngles::PhaseAngles(std::vector<double> angles) : angle_rad(std::move(angle
     }
 }
 
-PolarizationRatios PolarizationRatios::none(std::size_t angles) {
-  const std::vector<double> zeros(angles, 0.0);
-  return {zeros, zeros, zeros};
+PolarizationRatios PolarizationRatios::none(std::span<const double> angle_rad) {
+  PolarizationRatios ratios;
+  for (const double angle : angle_rad) {
+    const ScatteringMatrix matrix = particle_matrix(std::cos(angle), 1.0, 0.0);
+    ratios.a2.push_back(matrix.a2);
+    ratios.a3.push_back(matrix.a3);
+    ratios.b1.push_back(0.0);
+  }
+  return ratios;
 }
 
 PhaseFunction::PhaseFunction(std::shared_ptr<const PhaseAngles> angles, std::vector<double> logarithms,

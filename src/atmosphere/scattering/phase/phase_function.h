@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace ifov::atmosphere {
@@ -35,8 +36,9 @@ class PhaseAngles {
 /// function, linear in between.
 struct PolarizationRatios {
   std::vector<double> a2, a3, b1;
-  /// Of particles that scatter light without polarization, whatever comes in.
-  static PolarizationRatios none(std::size_t angles);
+  /// Of particles that polarize nothing, at these angles: light that comes in polarized keeps that as from molecules, and all of it straight
+  /// ahead. Did it lose that there, too, what is left without the forward peak would take more polarization away than there is.
+  static PolarizationRatios none(std::span<const double> angle_rad);
 };
 
 /// A phase function from a table of its logarithm: monotone cubics in the angle (Fritsch and Butland 1984), and in the
