@@ -3,7 +3,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 
 #include "atmosphere/scattering/shell_line_of_sight.h"
 #include "atmosphere/scattering/single_scattering.h"
@@ -89,34 +88,30 @@ std::vector<ChannelScattering::Part> ChannelScattering::parts_at(std::size_t p) 
   return parts;
 }
 
-double ChannelScattering::gas_between(const LayerOptics& layers, double low_km, double high_km) const {
+double ChannelScattering::between(double low_km, double high_km, std::span<const double> depth) const {
   const std::vector<double>& at_km = column_.levels().altitude_km;
-  double depth = 0.0;
-  for (std::size_t i = 0; i < layers.layers() && at_km[i] < high_km; ++i) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < depth.size() && at_km[i] < high_km; ++i) {
     const double within = std::min(high_km, at_km[i + 1]) - std::max(low_km, at_km[i]);
-    depth += layers.gas_absorption[i] * std::max(0.0, within) / (at_km[i + 1] - at_km[i]);
+    sum += depth[i] * std::max(0.0, within) / (at_km[i + 1] - at_km[i]);
   }
-  return depth;
+  return sum;
 }
 
 /// Gas above a sensor, ozone in the stratosphere, dims nothing that the ground sends there. A point that has much of it is as a
 /// solution of little gas, if there is little below.
-std::vector<ChannelScattering::Part> ChannelScattering::parts_between(std::size_t p, std::vector<Part> parts,
-                                                                      double low_km, double high_km) const {
+std::vector<ChannelScattering::Part> ChannelScattering::parts_by_gas(
+    std::vector<Part> parts, double here, std::span<const double> of_solutions) const {
   const std::size_t columns = depth_.size();
   if (columns < 2) return parts;
-  const double here = gas_between(points_.points[p].layers(), low_km, high_km);
   for (std::size_t first = 0; first < parts.size(); first += columns) {
-    const double across = std::accumulate(parts.begin() + static_cast<std::ptrdiff_t>(first),
-                                          parts.begin() + static_cast<std::ptrdiff_t>(first + columns), 0.0,
-                                          [](double sum, const Part& part) { return sum + part.plain; });
-    const auto gas = [&](std::size_t d) {
-      return gas_between(parts[first + d].node->optics, low_km, high_km);
-    };
+    double across = 0.0;
+    for (std::size_t d = 0; d < columns; ++d) across += parts[first + d].plain;
+    const std::span<const double> gas = of_solutions.subspan(parts[first].solution, columns);
     std::size_t low = 0;
-    double below = gas(0), above = gas(1);
-    for (; low + 2 < columns && here >= above; ++low) below = above, above = gas(low + 2);
-    const double share = above > below ? std::clamp((here - below) / (above - below), 0.0, 1.0) : 0.0;
+    while (low + 2 < columns && here >= gas[low + 1]) ++low;
+    const double step = gas[low + 1] - gas[low],
+                 share = step > 0.0 ? std::clamp((here - gas[low]) / step, 0.0, 1.0) : 0.0;
     for (std::size_t d = 0; d < columns; ++d)
       parts[first + d].plain = across * (d == low ? 1.0 - share : d == low + 1 ? share : 0.0);
   }
@@ -143,8 +138,17 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
   result.emission_share = result.share;
   const std::vector<double>& levels_km = column_.levels().altitude_km;
   const std::vector<double> falling_km(levels_km.rbegin(), levels_km.rend());
+  const std::vector<LineOfSight> seen = lines();
   std::vector<ShellLineOfSight> sights, to_space;
-  for (const LineOfSight& line : lines()) {
+  // By sight and solution, the gas between the ground and the sensor; empty where that is above all.
+  std::vector<std::vector<double>> gas_below(seen.size());
+  const auto gas_along = [&](const LineOfSight& line, const LayerOptics& layers) {
+    return between(levels_km.front() + line.height_km, line.sensor_km, layers.gas_absorption);
+  };
+  for (std::size_t s = 0; s < seen.size(); ++s) {
+    const LineOfSight& line = seen[s];
+    for (const Node& node : nodes_)
+      if (line.sensor_km < levels_km.back()) gas_below[s].push_back(gas_along(line, node.optics));
     const auto add = [&](std::vector<ShellLineOfSight>& all, double sensor_km) {
       all.emplace_back(falling_km, options_.spherical_earth, std::cos(geometry_.any_sun_zenith_rad()),
                        Propagation{std::cos(line.zenith_rad), line.azimuth_rad - std::numbers::pi},
@@ -155,7 +159,8 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
   }
   for (std::size_t p = 0; p < count; ++p) {
     const ChannelPoints::Point& point = points_.points[p];
-    const ScatteringColumn column(column_.levels(), point.layers(), geometry_.any_sun_zenith_rad(), options_);
+    const LayerOptics layers = point.layers();
+    const ScatteringColumn column(column_.levels(), layers, geometry_.any_sun_zenith_rad(), options_);
     const auto once = [&](const ShellLineOfSight& line) {
       if (!sunlit_) return StokesVector{};
       return points_.irradiance[p] * single_scattering(column, options_.aerosol_polarization, line).single;
@@ -174,10 +179,9 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
       return std::exp(sum);
     };
     const auto ratio = [&](const auto& of) { return mean(parts, of); };
-    const auto ratio_below = [&](const LineOfSight& line, const auto& of) {
-      const double low_km = levels_km.front() + line.height_km;
-      return line.sensor_km < levels_km.back() ? mean(parts_between(p, parts, low_km, line.sensor_km), of)
-                                               : ratio(of);
+    const auto parts_below = [&](std::size_t sight) {
+      return gas_below[sight].empty() ? parts
+                                      : parts_by_gas(parts, gas_along(seen[sight], layers), gas_below[sight]);
     };
     const auto path_ratio = [&](const auto& of) {
       double sum = 0.0;
@@ -189,12 +193,12 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
     const double sun_base = sunlit_ ? points_.sun_base()[p] : 0.0;
     const double own_base = points_.is_under_cloud(geometry_.sensor_altitude_km) ? sun_base : base_of(0, own);
     result.path[p] = own_base * path_ratio([](const Node& n) { return n.path; });
+    const std::vector<Part> own_parts = parts_below(0);
     result.sky_irradiance[p] = sun_base * ratio([](const Node& n) { return n.sky_irradiance; });
     result.diffuse_transmittance[p] =
-        points_.view_base()[p] *
-        ratio_below(geometry_.own_sight(), [](const Node& n) { return n.diffuse_transmittance; });
+        points_.view_base()[p] * mean(own_parts, [](const Node& n) { return n.diffuse_transmittance; });
     result.spherical_albedo[p] = ratio([](const Node& n) { return n.spherical_albedo; });
-    if (geometry_.level_fluxes) add_fluxes(p, parts, own_base, result);
+    if (geometry_.level_fluxes) add_fluxes(p, parts, own_parts, own_base, result);
     if (polarized_) polarize(0, p, parts, own, result.path[p], result.diffuse_transmittance[p], result);
     for (std::size_t s = 0; s < lines_of_sight; ++s) {
       const StokesVector along = once(sights[1 + s]);
@@ -203,7 +207,7 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
           path_ratio([s](const Node& n) { return n.line_of_sight_path[s]; });
       result.line_of_sight_diffuse[s][p] =
           points_.line_of_sight_base(s)[p] *
-          ratio_below(geometry_.lines_of_sight[s], [s](const Node& n) { return n.line_of_sight_diffuse[s]; });
+          mean(parts_below(1 + s), [s](const Node& n) { return n.line_of_sight_diffuse[s]; });
       if (polarized_)
         polarize(1 + s, p, parts, along, result.line_of_sight_path[s][p], result.line_of_sight_diffuse[s][p],
                  result);
@@ -218,14 +222,10 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
 }
 
 double ChannelScattering::depth_to_sensor(const LayerOptics& layers) const {
-  const std::vector<double>& altitude_km = column_.levels().altitude_km;
   double depth = 0.0;
-  for (std::size_t i = 0; i < layers.layers(); ++i) {
-    const double below = std::clamp(
-        (geometry_.sensor_altitude_km - altitude_km[i]) / (altitude_km[i + 1] - altitude_km[i]), 0.0, 1.0);
-    depth += below * (layers.gas_absorption[i] + layers.rayleigh_scattering[i] +
-                      layers.aerosol_scattering[i] + layers.aerosol_absorption[i]);
-  }
+  for (const std::vector<double>* part : {&layers.gas_absorption, &layers.rayleigh_scattering,
+                                          &layers.aerosol_scattering, &layers.aerosol_absorption})
+    depth += between(column_.levels().altitude_km.front(), geometry_.sensor_altitude_km, *part);
   return depth;
 }
 
@@ -236,16 +236,14 @@ void ChannelScattering::solve_fluxes(const ColumnSolution& solved, double base, 
   node.ground_down = log_ratio(ground.down, 1.0);
 }
 
-void ChannelScattering::add_fluxes(std::size_t point, const std::vector<Part>& parts, double base,
-                                   AtPoints& at) const {
+void ChannelScattering::add_fluxes(std::size_t point, const std::vector<Part>& parts,
+                                   const std::vector<Part>& below, double base, AtPoints& at) const {
   double level_up = 0.0, ground_up = 0.0, ground_down = 0.0;
   for (const Part& part : parts) {
     level_up += part.scaled * part.node->level_up;
     ground_down += part.plain * part.node->ground_down;
   }
-  for (const Part& part :
-       parts_between(point, parts, column_.levels().altitude_km.front(), geometry_.sensor_altitude_km))
-    ground_up += part.plain * part.node->ground_up;
+  for (const Part& part : below) ground_up += part.plain * part.node->ground_up;
   at.level_up.push_back(sunlit_ ? base * std::exp(level_up) : 0.0);
   at.ground_up.push_back(straight_flux(depth_to_sensor(points_.points[point].layers())) *
                          std::exp(ground_up));

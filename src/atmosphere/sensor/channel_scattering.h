@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "atmosphere/scattering/column_solver.h"
@@ -126,10 +127,11 @@ class ChannelScattering {
     double plain, scaled, emitted;
   };
   std::vector<Part> parts_at(std::size_t point) const;
-  /// The same, whose `plain` goes by the gas between two altitudes (above mean sea level) in place of the whole column's.
-  std::vector<Part> parts_between(std::size_t point, std::vector<Part> parts, double low_km,
-                                  double high_km) const;
-  double gas_between(const LayerOptics& layers, double low_km, double high_km) const;
+  /// The same, whose `plain` goes by an amount of gas at the point and in all solutions in place of the whole column's.
+  std::vector<Part> parts_by_gas(std::vector<Part> parts, double here,
+                                 std::span<const double> of_solutions) const;
+  /// Of the layers' depths the part between two altitudes above mean sea level.
+  double between(double low_km, double high_km, std::span<const double> depth) const;
   void solve(const ColumnSolver& solver, Node& node) const;
   std::vector<double> question(const ColumnSolver& solver, const Node& node) const;
   void choose_nodes();
@@ -150,8 +152,9 @@ class ChannelScattering {
   /// Logarithm of all light of a path over path_base().
   double over_base(const PathLight& path, double once_to_space) const;
   void solve_fluxes(const ColumnSolution& solved, double base, Node& node) const;
-  /// Of the points, by what solutions count there.
-  void add_fluxes(std::size_t point, const std::vector<Part>& parts, double base, AtPoints& at) const;
+  /// Of the points, by what solutions count there; `below`: to ground's light on the way to the sensor.
+  void add_fluxes(std::size_t point, const std::vector<Part>& parts, const std::vector<Part>& below,
+                  double base, AtPoints& at) const;
   /// Vertical extinction depth between the ground and the sensor.
   double depth_to_sensor(const LayerOptics& layers) const;
   /// `scale` and `groundlit_scale`: of the shapes of the sky.
