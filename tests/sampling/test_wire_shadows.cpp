@@ -98,6 +98,22 @@ class WireShadow final : public Field {
 
 struct Judged {
   int pixels = 0, converged = 0, off = 0, far_off = 0;
+
+  /// Those pixels of an image that lie in the shadow by more than this.
+  void add(const TileResult& image, const WireShadow& field, int side, double darker) {
+    for (int p = 0; p < side * side; ++p) {
+      const auto at = static_cast<std::size_t>(p);
+      const double truth = field.mean(p % side, p / side);
+      if (truth > WireShadow::kLit - darker) continue;
+      ++pixels;
+      if (!image.converged(at)) continue;
+      ++converged;
+      const double error = std::abs(static_cast<double>(image.mean[at]) - truth),
+                   half = static_cast<double>(image.half_width[at]);
+      off += error > half;
+      far_off += error > 3.0 * half;
+    }
+  }
 };
 
 Judged judge(const PixelSampler& sampler) {
@@ -110,18 +126,7 @@ Judged judge(const PixelSampler& sampler) {
     const std::vector<FocalPoint> pilots = field.pilots(kSide);
     const std::vector<std::uint32_t> objects(pilots.size(), Field::kNoObject);
     const TileResult result = sampled_at_a_percent(field, kSide, seed, sampler, pilots, objects);
-    for (int p = 0; p < kSide * kSide; ++p) {
-      const auto at = static_cast<std::size_t>(p);
-      const double truth = field.mean(p % kSide, p / kSide);
-      if (truth > WireShadow::kLit - 1.0) continue;
-      ++sum.pixels;
-      if (!result.converged(at)) continue;
-      ++sum.converged;
-      const double error = std::abs(static_cast<double>(result.mean[at]) - truth),
-                   half = static_cast<double>(result.half_width[at]);
-      sum.off += error > half;
-      sum.far_off += error > 3.0 * half;
-    }
+    sum.add(result, field, kSide, 1.0);
   }
   return sum;
 }
@@ -155,18 +160,7 @@ Judged judge_thin(bool told) {
     const TileResult result =
         sampled_at_a_percent(field, kSide, seed, AccuracySampler(), pilots, objects,
                              told ? std::span<const ThinShadow>(places) : std::span<const ThinShadow>());
-    for (int p = 0; p < kSide * kSide; ++p) {
-      const auto at = static_cast<std::size_t>(p);
-      const double truth = field.mean(p % kSide, p / kSide);
-      if (truth > WireShadow::kLit - 0.3) continue;
-      ++sum.pixels;
-      if (!result.converged(at)) continue;
-      ++sum.converged;
-      const double error = std::abs(static_cast<double>(result.mean[at]) - truth),
-                   half = static_cast<double>(result.half_width[at]);
-      sum.off += error > half;
-      sum.far_off += error > 3.0 * half;
-    }
+    sum.add(result, field, kSide, 0.3);
   }
   return sum;
 }

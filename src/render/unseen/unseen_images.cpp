@@ -6,7 +6,6 @@
 
 #include "geometry/world.h"
 #include "render/mirrors/mirror_images.h"
-#include "render/unseen/moving_targets.h"
 #include "sampling/random.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
@@ -50,20 +49,6 @@ std::unique_ptr<const UnseenImages> UnseenImages::find(const transport::Spectral
   if (one_plane(*world.survey()) && !world.period() && !reliefs && images.all_settled()) return nullptr;
   if (unseen->targets_.empty() && images.parts().complete()) return nullptr;
   return unseen;
-}
-
-std::span<const UnseenImages::Target> UnseenImages::MovingTargets::at(double time_s) {
-  const std::span<const MovingParts::Place> places = places_.at(time_s);
-  targets_.clear();
-  for (const MovingParts::Place& place : places) {
-    transport::ShiningParts::Part part;
-    part.ball = {place.centre_m, place.part->radius_m};
-    part.fill = place.part->fill();
-    part.assignment = place.part->assignment;
-    part.contrast = HUGE_VAL;  // none of it counts for nothing
-    targets_.push_back({part, place.centre_m, &place});
-  }
-  return targets_;
 }
 
 UnseenImages::UnseenImages(const transport::SpectralScene& scene, const sensor::Camera& camera,
@@ -176,7 +161,7 @@ bool UnseenImages::is_free(math::Point3 from, double time_s, math::Point3 centre
 
 /// A wave of radius D that a sphere of radius R reflects at an angle t spreads over (a + 2 L / (R cos t)) (a + 2 L cos t / R),
 /// a = 1 + L / D, at a distance L: at least (a + 2 L / R)^2, as cos t + 1 / cos t >= 2. Of a cylinder one factor is a.
-void UnseenImages::add_thrown(const Lit& lit, double weight, MovingTargets& moving, double* unseen,
+void UnseenImages::add_thrown(const Lit& lit, double weight, ShiningTargets& moving, double* unseen,
                               sampling::RayCounts& counts) const {
   for (const Thrower& thrower : throwers_) {
     const geometry::SurfaceSurvey::Round& round = *thrower.round;
@@ -194,7 +179,7 @@ void UnseenImages::add_thrown(const Lit& lit, double weight, MovingTargets& movi
     if (!(cosine > 0.0)) continue;
     const double nearest = std::max(way, 0.0);
     bool free = false, asked = false;
-    const auto add = [&](const Target& target) {
+    const auto add = [&](const ShiningTarget& target) {
       if (target.moving == nullptr && thrower.all_sought[target.part.assignment]) return true;
       const double to =
           std::max(length(target.centre_m - round.ball.centre_m) - round.ball.radius_m - target.way_m(),
@@ -215,12 +200,12 @@ void UnseenImages::add_thrown(const Lit& lit, double weight, MovingTargets& movi
       return true;
     };
     if (!std::all_of(targets_.begin(), targets_.end(), add)) continue;
-    const std::span<const Target> others = moving.at(lit.time_s);
+    const std::span<const ShiningTarget> others = moving.at(lit.time_s);
     static_cast<void>(std::all_of(others.begin(), others.end(), add));
   }
 }
 
-void UnseenImages::search(const Leaving* const (&corner)[3], double area_px2, MovingTargets& moving,
+void UnseenImages::search(const Leaving* const (&corner)[3], double area_px2, ShiningTargets& moving,
                           double* unseen, sampling::RayCounts& counts) const {
   search(corner, area_px2, targets_, unseen, counts);
   if (!moving_.any()) return;
@@ -228,12 +213,13 @@ void UnseenImages::search(const Leaving* const (&corner)[3], double area_px2, Mo
     if (at->any) return search(corner, area_px2, moving.at(at->time_s), unseen, counts);
 }
 
-void UnseenImages::search(const Leaving* const (&corner)[3], double area_px2, std::span<const Target> targets,
-                          double* unseen, sampling::RayCounts& counts) const {
+void UnseenImages::search(const Leaving* const (&corner)[3], double area_px2,
+                          std::span<const ShiningTarget> targets, double* unseen,
+                          sampling::RayCounts& counts) const {
   const bool alike = corner[0]->any && corner[1]->any && corner[2]->any && corner[0]->way == corner[1]->way &&
                      corner[0]->way == corner[2]->way;
   const auto period = scene_.scene().world->period();
-  for (const Target& target : targets) {
+  for (const ShiningTarget& target : targets) {
     const double reach_m = target.part.ball.radius_m + target.way_m();
     const auto meets = [&](const Leaving& from, Vec3& off, double& wide) {
       math::Point3 at = from.at;

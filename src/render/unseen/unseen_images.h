@@ -5,10 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "render/moving/moving_parts.h"
+#include "render/unseen/shining_targets.h"
 #include "sampling/field.h"
 #include "transport/separate_images.h"
-#include "transport/shining_parts.h"
 
 namespace ifov::sampling {
 struct TileResult;
@@ -72,15 +71,6 @@ class UnseenImages {
     std::size_t ray = 0;
     double brightness = 0.0;  ///< what it makes of light, at most
   };
-  struct Target {
-    transport::ShiningParts::Part part;
-    math::Point3 centre_m;
-    const MovingParts::Place* moving = nullptr;  ///< null: it stands still
-    double way_m() const { return moving != nullptr ? moving->way_m : 0.0; }
-    double of_time() const { return moving != nullptr ? moving->of_time : 1.0; }
-  };
-  /// Of what moves, while a ray of some time is exposed.
-  class MovingTargets;
   /// A round mirror, and by surface assignment whether all light of it that the mirror throws is sought by paths.
   struct Thrower {
     const geometry::SurfaceSurvey::Round* round;
@@ -91,13 +81,13 @@ class UnseenImages {
   std::vector<std::vector<Leaving>> follow(const std::vector<sampling::FocalPoint>& points,
                                            std::vector<Lit>& lit, sampling::RayCounts& counts) const;
   /// Adds what round mirrors may throw on a surface, by channel, times a weight.
-  void add_thrown(const Lit& lit, double weight, MovingTargets& moving, double* unseen,
+  void add_thrown(const Lit& lit, double weight, ShiningTargets& moving, double* unseen,
                   sampling::RayCounts& counts) const;
   static void find_neighbours(std::vector<Leaving>& level, int columns);
   /// Adds what may be seen within a triangle of an area of the focal plane, by channel.
-  void search(const Leaving* const (&corner)[3], double area_px2, MovingTargets& moving, double* unseen,
+  void search(const Leaving* const (&corner)[3], double area_px2, ShiningTargets& moving, double* unseen,
               sampling::RayCounts& counts) const;
-  void search(const Leaving* const (&corner)[3], double area_px2, std::span<const Target> targets,
+  void search(const Leaving* const (&corner)[3], double area_px2, std::span<const ShiningTarget> targets,
               double* unseen, sampling::RayCounts& counts) const;
   /// Whether nothing stands between a point and a ball.
   bool is_free(math::Point3 from, double time_s, math::Point3 centre_m, double radius_m,
@@ -107,8 +97,8 @@ class UnseenImages {
   const sensor::Camera& camera_;
   const MirrorImages& images_;
   std::size_t channels_;
-  bool complete_;                ///< all that shines is known
-  std::vector<Target> targets_;  // of what stands still
+  bool complete_;                       ///< all that shines is known
+  std::vector<ShiningTarget> targets_;  // of what stands still
   MovingParts moving_;
   std::vector<Thrower> throwers_;
   double shift_x_, shift_y_;  // of the lattice, px

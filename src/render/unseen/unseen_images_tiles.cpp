@@ -3,7 +3,6 @@
 
 #include "render/mirrors/sought_instants.h"
 #include "render/tolerance/accuracy_tolerance.h"
-#include "render/unseen/moving_targets.h"
 #include "render/unseen/widen_unseen.h"
 #include "sampling/tile.h"
 
@@ -36,7 +35,7 @@ void UnseenImages::settle(const AccuracyTolerance* tolerance, sampling::TileResu
           {tile.tile.x0 + shift_x_ + (i - 0.5) / kAcross, tile.tile.y0 + shift_y_ + (j - 0.5) / kAcross});
   const std::size_t channels = channels_;
   std::vector<double> unseen(static_cast<std::size_t>(tile.tile.count()) * channels, 0.0);
-  MovingTargets moving(*this);
+  ShiningTargets moving(moving_);
   const std::vector<double> times_s = lattice_times_s(camera_);
   const double of_time = 1.0 / static_cast<double>(times_s.size());
   for (const double time_s : times_s) {

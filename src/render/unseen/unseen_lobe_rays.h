@@ -57,30 +57,6 @@ struct UnseenLobes::Told {
   std::vector<char> unknown;  ///< by pixel: not all that shines is known
 };
 
-class UnseenLobes::Targets {
- public:
-  explicit Targets(const UnseenLobes& of)
-      : places_(of.moving_), all_(of.targets_), still_(of.targets_.size()) {}
-  std::span<const Target> at(double time_s) {
-    const std::span<const MovingParts::Place> places = places_.at(time_s);
-    all_.resize(still_);
-    for (const MovingParts::Place& place : places) {
-      transport::ShiningParts::Part part;
-      part.ball = {place.centre_m, place.part->radius_m};
-      part.fill = place.part->fill();
-      part.assignment = place.part->assignment;
-      part.contrast = HUGE_VAL;  // none of it counts for nothing
-      all_.push_back({part, place.centre_m, &place});
-    }
-    return all_;
-  }
-
- private:
-  MovingParts::Places places_;
-  std::vector<Target> all_;
-  std::size_t still_;
-};
-
 struct UnseenLobes::Grid {
   static constexpr int kAcross = 3;
   sampling::PixelRect tile;

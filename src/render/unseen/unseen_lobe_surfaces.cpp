@@ -59,7 +59,7 @@ UnseenLobes::Met UnseenLobes::met(const math::Ray& ray, const geometry::SurfaceP
   return met;
 }
 
-double UnseenLobes::shown(const Met& from, const Target& target, double slope) const {
+double UnseenLobes::shown(const Met& from, const ShiningTarget& target, double slope) const {
   const transport::ShiningParts::Part& part = target.part;
   const Vec3 to = target.centre_m - at_home(from.at), n = from.normal.as_vector();
   const double distance = length(to), radius = part.ball.radius_m;
@@ -85,7 +85,7 @@ double UnseenLobes::shown(const Met& from, const Target& target, double slope) c
   return sum;
 }
 
-bool UnseenLobes::is_free(const Met& from, const Target& target, sampling::RayCounts& counts) const {
+bool UnseenLobes::is_free(const Met& from, const ShiningTarget& target, sampling::RayCounts& counts) const {
   const Point3 at = at_home(from.at);
   const Vec3 to = target.centre_m - at;
   const double distance = length(to), before = distance - target.reach_m();

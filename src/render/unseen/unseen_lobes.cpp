@@ -107,7 +107,7 @@ std::vector<UnseenLobes::Met> UnseenLobes::follow(Rays& rays, const std::vector<
   return level;
 }
 
-void UnseenLobes::add_highlights(const std::vector<Met>& level, const Grid& grid, Targets& targets,
+void UnseenLobes::add_highlights(const std::vector<Met>& level, const Grid& grid, ShiningTargets& targets,
                                  Told& told, sampling::RayCounts& counts) const {
   for (int j = 0; j < kLatticeAcross * grid.height; ++j)
     for (int i = 0; i < kLatticeAcross * grid.width; ++i) {
@@ -117,7 +117,7 @@ void UnseenLobes::add_highlights(const std::vector<Met>& level, const Grid& grid
       if (!parts_.complete()) told.unknown[pixel] = 1;
       const Met* beside[4] = {grid.at(level, i - 1, j), grid.at(level, i + 1, j), grid.at(level, i, j - 1),
                               grid.at(level, i, j + 1)};
-      for (const Target& target : targets.at(here.time_s)) {
+      for (const ShiningTarget& target : targets.at(here.time_s)) {
         const transport::ShiningParts::Part& part = target.part;
         const double away = std::max(length(target.centre_m - at_home(here.at)), part.ball.radius_m);
         double spread[2] = {-1.0, -1.0};
@@ -144,7 +144,7 @@ void UnseenLobes::add_highlights(const std::vector<Met>& level, const Grid& grid
 }
 
 void UnseenLobes::add_thrown(const std::vector<Met>& level, std::uint64_t number, const Grid& grid,
-                             Targets& targets, Told& told, sampling::RayCounts& counts) const {
+                             ShiningTargets& targets, Told& told, sampling::RayCounts& counts) const {
   struct Sent {
     std::size_t pixel;
     double weight, flat_slope, spread;
@@ -195,7 +195,7 @@ void UnseenLobes::add_thrown(const std::vector<Met>& level, std::uint64_t number
     if (!thrower.any || !(thrower.narrow > 0.0)) continue;
     if (!parts_.complete()) told.unknown[sent[k].pixel] = 1;
     double found = 0.0;  // as a path finds it
-    for (const Target& target : targets.at(thrower.time_s)) {
+    for (const ShiningTarget& target : targets.at(thrower.time_s)) {
       const transport::ShiningParts::Part& part = target.part;
       const double wide = target.of_time() * shown(thrower, target, kWideSlope),
                    flat = target.of_time() * shown(thrower, target, std::min(kWideSlope, sent[k].flat_slope));
@@ -227,7 +227,7 @@ void UnseenLobes::settle(const AccuracyTolerance* tolerance, sampling::TileResul
   Told told(static_cast<std::size_t>(tile.tile.count()), scene_.nodes().channel_count());
   for (std::size_t p = 0; p < told.paths.size(); ++p)
     told.paths[p] = static_cast<double>(tile.radiance_evaluations[p]);
-  Targets targets(*this);
+  ShiningTargets targets(moving_, targets_);
   const std::vector<double> times_s = lattice_times_s(camera_);
   grid.of_time = 1.0 / static_cast<double>(times_s.size());
   for (const double time_s : times_s) {

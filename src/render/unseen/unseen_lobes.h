@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "geometry/world/surface_survey.h"
-#include "render/moving/moving_parts.h"
-#include "transport/shining_parts.h"
+#include "render/unseen/shining_targets.h"
 
 namespace ifov::math {
 struct Ray;
@@ -50,15 +49,6 @@ class UnseenLobes {
 
  private:
   UnseenLobes(const transport::SpectralScene& scene, const sensor::Camera& camera, std::uint64_t seed);
-  struct Target {
-    transport::ShiningParts::Part part;
-    math::Point3 centre_m;
-    const MovingParts::Place* moving = nullptr;  ///< null: it stands still
-    double reach_m() const { return part.ball.radius_m + (moving != nullptr ? moving->way_m : 0.0); }
-    double of_time() const { return moving != nullptr ? moving->of_time : 1.0; }
-  };
-  /// What stands still, and what moves while a ray of some time is exposed.
-  class Targets;
   struct Met;   // a surface that a ray met
   struct Rays;  // of the lattice, on their way
   struct Told;  // of a tile, by pixel and channel
@@ -67,13 +57,13 @@ class UnseenLobes {
   /// What the rays meet, by place on the lattice; leaves those that go on by mirrors and narrow lobes.
   std::vector<Met> follow(Rays& rays, const std::vector<Met>* before, std::size_t places,
                           sampling::RayCounts& counts) const;
-  void add_highlights(const std::vector<Met>& level, const Grid& grid, Targets& targets, Told& told,
+  void add_highlights(const std::vector<Met>& level, const Grid& grid, ShiningTargets& targets, Told& told,
                       sampling::RayCounts& counts) const;
-  void add_thrown(const std::vector<Met>& level, std::uint64_t number, const Grid& grid, Targets& targets,
-                  Told& told, sampling::RayCounts& counts) const;
+  void add_thrown(const std::vector<Met>& level, std::uint64_t number, const Grid& grid,
+                  ShiningTargets& targets, Told& told, sampling::RayCounts& counts) const;
   /// Radiance that narrow lobes send back along the ray, over the part's: of lobes that lean by `slope` at least.
-  double shown(const Met& from, const Target& target, double slope) const;
-  bool is_free(const Met& from, const Target& target, sampling::RayCounts& counts) const;
+  double shown(const Met& from, const ShiningTarget& target, double slope) const;
+  bool is_free(const Met& from, const ShiningTarget& target, sampling::RayCounts& counts) const;
   math::Point3 at_home(math::Point3 at) const;
 
   const transport::SpectralScene& scene_;
@@ -81,7 +71,7 @@ class UnseenLobes {
   std::uint64_t seed_;
   transport::ShiningParts parts_;
   MovingParts moving_;
-  std::vector<Target> targets_;  // of what stands still
+  std::vector<ShiningTarget> targets_;  // of what stands still
   std::vector<geometry::SurfaceSurvey::Ball> throwers_;
   double shift_x_, shift_y_;  // of the lattice, px
 };
