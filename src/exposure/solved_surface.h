@@ -40,8 +40,12 @@ class SolvedSurface final : public scene::SolvedTemperature {
   /// With `sky_pairs` pairs of rays to the sky and `sun_rays` to each of the Sun's places.
   Exposure exposure(const geometry::SurfacePoint& point, std::uint64_t key, int sky_pairs,
                     int sun_rays) const;
-  /// How much of the Sun's warmth and of the sky's is otherwise at a point for what came or went, by a look at some of the Sun's places; kelvins.
-  double changed_k(const geometry::SurfacePoint& point) const;
+  /// How little a point's past is like that of a surface always in the Sun or never, by a look at some of the Sun's places: what the rise
+  /// in the Sun is worth, times V (1 - V). And how much of it, and of the sky, is otherwise for what came or went. Kelvins.
+  struct Unsettled {
+    double mixed_k = 0.0, changed_k = 0.0;
+  };
+  Unsettled unsettled(const geometry::SurfacePoint& point) const;
   /// Outwards, from the side that was met.
   math::Vec3 normal_at(const geometry::SurfacePoint& point) const;
   /// The same sum as at(), of all of it.

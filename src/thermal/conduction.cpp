@@ -17,27 +17,23 @@ class Marcher {
       : cells_(cells), exchange_(exchange), cells_k_(start_k), right_(start_k.size()), time_s_(begin_s) {
     const double conductance = cells.conductance_w_m2_k[0];
     surface_k_ = balanced_temperature_k(exchange, begin_s, conductance, start_k[0], start_k[0]);
-    note(conductance * (surface_k_ - start_k[0]));
+    history_.nodes.push_back(now());
   }
 
-  void step(double step_s, double implicit) {
-    if (!elimination_ || elimination_->implicit_s() != implicit * step_s)
-      elimination_.emplace(cells_, implicit * step_s);
-    explicit_part((1.0 - implicit) * step_s, implicit * step_s);
-    const double back_before = back_flux();
-    elimination_->eliminate(right_, p_);
-    const double first = elimination_->first_factor();
-    const double conductance = cells_.conductance_w_m2_k[0] * (1.0 - first);
-    const double inner_k = first < 1.0 ? p_[0] / (1.0 - first) : surface_k_;
-    time_s_ += step_s;
-    surface_k_ = balanced_temperature_k(exchange_, time_s_, conductance, inner_k, surface_k_);
-    elimination_->substitute(p_, surface_k_, cells_k_);
-    const double flux_before = history_.nodes.back().into_solid_w_m2;
-    note(cells_.conductance_w_m2_k[0] * (surface_k_ - cells_k_[0]));
-    history_.implicit.push_back(implicit);
-    history_.into_surface_j_m2 +=
-        step_s * (implicit * history_.nodes.back().into_solid_w_m2 + (1.0 - implicit) * flux_before);
-    history_.out_of_back_j_m2 += step_s * (implicit * back_flux() + (1.0 - implicit) * back_before);
+  void step(double step_s) {
+    // u_1 = y + c h f(u_1), u_2 = y + (1 - c) h f(u_1) + c h f(u_2) with c = kStage.
+    constexpr double kOn = (1.0 - kStage) / kStage;
+    const double implicit_s = kStage * step_s, begin_s = time_s_;
+    if (!elimination_ || elimination_->implicit_s() != implicit_s) elimination_.emplace(cells_, implicit_s);
+    before_k_ = cells_k_;
+    backward(begin_s + implicit_s);
+    history_.stages.push_back(now());
+    pass((1.0 - kStage) * step_s);
+    for (std::size_t i = 0; i < cells_k_.size(); ++i)
+      cells_k_[i] = before_k_[i] + kOn * (cells_k_[i] - before_k_[i]);
+    backward(begin_s + step_s);
+    history_.nodes.push_back(now());
+    pass(implicit_s);
   }
 
   /// Times are sums of many steps; those of whole steps are set.
@@ -55,26 +51,35 @@ class Marcher {
     return cells_.back_conductance_w_m2_k * (cells_k_.back() - cells_.back_temperature_k);
   }
 
-  void explicit_part(double explicit_s, double implicit_s) {
-    const std::size_t count = cells_k_.size();
-    double from_above = history_.nodes.back().into_solid_w_m2;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double below =
-          i + 1 < count ? cells_.conductance_w_m2_k[i + 1] * (cells_k_[i] - cells_k_[i + 1]) : back_flux();
-      right_[i] = cells_.capacity_j_m2_k[i] * cells_k_[i] + explicit_s * (from_above - below);
-      from_above = below;
-    }
+  /// Of what the cells hold, by rates of that time over implicit_s().
+  void backward(double time_s) {
+    const double implicit_s = elimination_->implicit_s();
+    for (std::size_t i = 0; i < cells_k_.size(); ++i) right_[i] = cells_.capacity_j_m2_k[i] * cells_k_[i];
     right_.back() += implicit_s * cells_.back_conductance_w_m2_k * cells_.back_temperature_k;
+    elimination_->eliminate(right_, p_);
+    const double first = elimination_->first_factor();
+    const double conductance = cells_.conductance_w_m2_k[0] * (1.0 - first);
+    const double inner_k = first < 1.0 ? p_[0] / (1.0 - first) : surface_k_;
+    time_s_ = time_s;
+    surface_k_ = balanced_temperature_k(exchange_, time_s, conductance, inner_k, surface_k_);
+    elimination_->substitute(p_, surface_k_, cells_k_);
   }
 
-  void note(double into_solid_w_m2) {
-    history_.nodes.push_back(
-        {time_s_, surface_k_, into_solid_w_m2, exchange_.gain(time_s_, surface_k_).slope_w_m2_k});
+  /// Heat at the rates of now.
+  void pass(double for_s) {
+    history_.into_surface_j_m2 += for_s * into_solid_w_m2();
+    history_.out_of_back_j_m2 += for_s * back_flux();
+  }
+
+  double into_solid_w_m2() const { return cells_.conductance_w_m2_k[0] * (surface_k_ - cells_k_[0]); }
+
+  SurfaceNode now() const {
+    return {time_s_, surface_k_, into_solid_w_m2(), exchange_.gain(time_s_, surface_k_).slope_w_m2_k};
   }
 
   const Cells& cells_;
   const SurfaceExchange& exchange_;
-  std::vector<double> cells_k_, right_, p_;
+  std::vector<double> cells_k_, before_k_, right_, p_;
   double time_s_, surface_k_ = 0.0;
   std::optional<Tridiagonal> elimination_;
   History history_;
@@ -87,11 +92,11 @@ History conduct(const Cells& cells, const std::vector<double>& start_k, const Su
   Marcher marcher(cells, start_k, exchange, steps.begin_s);
   for (int i = 0; i < steps.count; ++i) {
     if (i > 0) {
-      marcher.step(steps.step_s, 0.5);
+      marcher.step(steps.step_s);
     } else {
       double part_s = steps.step_s / (1 << kStartDoublings);
-      for (int k = 0; k < 2; ++k) marcher.step(0.5 * part_s, 1.0);
-      for (int k = 0; k < kStartDoublings; ++k, part_s *= 2.0) marcher.step(part_s, 0.5);
+      for (int k = 0; k < 2; ++k) marcher.step(0.5 * part_s);
+      for (int k = 0; k < kStartDoublings; ++k, part_s *= 2.0) marcher.step(part_s);
     }
     marcher.at(steps.begin_s + (i + 1) * steps.step_s);
   }

@@ -16,18 +16,18 @@ struct SurfaceNode {
   double slope_w_m2_k = 0.0;
 };
 
-/// How a solid's surface went, step by step, and what became of the heat, J m-2. Step i leads from node i to node i + 1,
-/// with `implicit[i]` the share of the new rates: 1 (backward Euler) or 1/2 (Crank and Nicolson).
+/// How a solid's surface went, step by step, and what became of the heat, J m-2. Step i leads from node i to node i + 1 by way of
+/// stage i, which lies kStage of the step after node i.
 struct History {
-  std::vector<SurfaceNode> nodes;
-  std::vector<double> implicit;
+  std::vector<SurfaceNode> nodes, stages;
   std::vector<double> cells_k;  ///< at the last node
   double into_surface_j_m2 = 0.0, out_of_back_j_m2 = 0.0, stored_j_m2 = 0.0;
 };
+/// 1 - 1 / sqrt(2): the stage counts 1 - kStage of a step, its end the rest.
+inline constexpr double kStage = 0.29289321881345254;
 
-/// Steps from `begin_s` on. The first is cut into parts: two implicit ones, then each as long as all before,
-/// kStartDoublings times:
-/// what is there at the beginning need not go with the gain, and Crank-Nicolson steps alone would ring.
+/// Steps from `begin_s` on. The first is cut into parts: two of them, then each as long as all before, kStartDoublings times, as
+/// what is there at the beginning need not go with the gain.
 struct Steps {
   double begin_s = 0.0;
   double step_s = 300.0;
@@ -35,8 +35,9 @@ struct Steps {
 };
 inline constexpr int kStartDoublings = 7;
 
-/// Heat conduction C dT/dt = div(k grad T) in cells, from the temperatures given for each cell, by Crank-Nicolson steps;
-/// the surface is a node without mass, gain(T_s) = G (T_s - T_0), solved by Newton's method at each step with the
+/// Heat conduction C dT/dt = div(k grad T) in cells, from the temperatures given for each cell, by steps of two implicit stages (Alexander
+/// 1977): what a cell forgets within a step is gone after it, where Crank-Nicolson steps would let it swing for hours. The surface is a node
+/// without mass, gain(T_s) = G (T_s - T_0), solved by Newton's method at each stage with the
 /// cells below eliminated. Second order in step and cell. Throws InputError where no temperature of the surface is found.
 History conduct(const Cells& cells, const std::vector<double>& start_k, const SurfaceExchange& exchange,
                 const Steps& steps);

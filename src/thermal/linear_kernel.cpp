@@ -18,18 +18,6 @@ SurfacePart surface_part(double conductance, double slope_w_m2_k) {
   return {conductance / (conductance + outer), conductance * outer / (conductance + outer)};
 }
 
-/// In place: capacities plus explicit_s times the rates of the cells, the surface eliminated, times a vector.
-void apply_old_rates(const Cells& cells, double explicit_s, double loss_w_m2_k, std::vector<double>& x) {
-  const std::size_t count = x.size();
-  double from_above = -loss_w_m2_k * x[0];
-  for (std::size_t i = 0; i < count; ++i) {
-    const double below = i + 1 < count ? cells.conductance_w_m2_k[i + 1] * (x[i] - x[i + 1])
-                                       : cells.back_conductance_w_m2_k * x[i];
-    x[i] = cells.capacity_j_m2_k[i] * x[i] + explicit_s * (from_above - below);
-    from_above = below;
-  }
-}
-
 }  // namespace
 
 std::vector<double> linear_kernel(const Cells& cells, const History& history, std::size_t now,
@@ -40,16 +28,26 @@ std::vector<double> linear_kernel(const Cells& cells, const History& history, st
   kernel[now] = 1.0 / (conductance + outer);
   weight[0] = conductance / (conductance + outer);
   std::optional<Tridiagonal> elimination;
+  // Weights of what a stage ends with become those of what it began from; what it gains more counts with the first of the solution.
+  const auto back = [&](const SurfaceNode& node, std::vector<double>& of_cells) {
+    const SurfacePart surface = surface_part(conductance, node.slope_w_m2_k);
+    elimination->solve_with_loss(surface.loss_w_m2_k, of_cells, p);
+    const double of_gain = elimination->implicit_s() * surface.share * of_cells[0];
+    for (std::size_t c = 0; c < of_cells.size(); ++c) of_cells[c] *= cells.capacity_j_m2_k[c];
+    return of_gain;
+  };
+  constexpr double kOn = (1.0 - kStage) / kStage;  // as of conduct()
+  std::vector<double> of_stage;
   for (std::size_t i = now; i-- > 0;) {
-    const double step_s = history.nodes[i + 1].time_s - history.nodes[i].time_s;
-    const double implicit_s = history.implicit[i] * step_s, explicit_s = step_s - implicit_s;
-    const SurfacePart before = surface_part(conductance, history.nodes[i].slope_w_m2_k),
-                      after = surface_part(conductance, history.nodes[i + 1].slope_w_m2_k);
+    const double implicit_s = kStage * (history.nodes[i + 1].time_s - history.nodes[i].time_s);
     if (!elimination || elimination->implicit_s() != implicit_s) elimination.emplace(cells, implicit_s);
-    elimination->solve_with_loss(after.loss_w_m2_k, weight, p);
-    kernel[i + 1] += implicit_s * after.share * weight[0];
-    kernel[i] += explicit_s * before.share * weight[0];
-    apply_old_rates(cells, explicit_s, before.loss_w_m2_k, weight);
+    kernel[i + 1] += back(history.nodes[i + 1], weight);
+    of_stage = weight;
+    for (double& of_cell : of_stage) of_cell *= kOn;
+    const double of_gain = back(history.stages[i], of_stage);
+    kernel[i] += (1.0 - kStage) * of_gain;
+    kernel[i + 1] += kStage * of_gain;
+    for (std::size_t c = 0; c < weight.size(); ++c) weight[c] = (1.0 - kOn) * weight[c] + of_stage[c];
   }
   if (of_start != nullptr) *of_start = std::move(weight);
   return kernel;

@@ -12,10 +12,11 @@ namespace {
 
 constexpr int kTilts = 12, kAzimuths = 12;  // steps of half and of a whole turn
 constexpr std::size_t kDirections = 2 + (kTilts - 1) * kAzimuths;
-constexpr double kLeastRise_k = 0.1;  // of a surface that the Sun warms
-constexpr double kLeastBend = 0.01;   // below it the kernels are one
-constexpr double kLeastLeft = 0.01;   // of all weights: what is older meets nothing yet older
-constexpr int kSides = 4;             // of the directions that tell what is coldest and hottest
+constexpr double kLeastRise_k = 0.1;            // of a surface that the Sun warms
+constexpr double kLeastBend = 0.01;             // below it the kernels are one
+constexpr double kLeastLeft = 0.01;             // of all weights: what is older meets nothing yet older
+constexpr double kGauss = 0.28867513459481287;  // 1 / sqrt(12)
+constexpr int kSides = 4;                       // of the directions that tell what is coldest and hottest
 // Of the largest rise, as the Sun may stand 33 degrees from the nearest of those, in front of a direction between them; and of
 // what shade differs by among them, as the wind may.
 constexpr double kBetween = 0.2;
@@ -83,44 +84,44 @@ void SurfaceClasses::solve(Node& node, double height_m, double tilt_rad, double 
   stand.tilt_rad = tilt_rad;
   stand.azimuth_rad = azimuth_rad;
   const math::Vec3 normal = facing(tilt_rad, azimuth_rad);
-  std::vector<double> kernel(series_->rows.size(), 0.0), difference = kernel;
+  const auto solved = [&](double visibility) {
+    return solve_surface(surface_.solid, surface_.skin, stand, *series_, surface_.start,
+                         std::vector<double>(series_->rows.size(), visibility));
+  };
+  const auto last_k = [](const SurfaceSolution& solution) { return solution.history.nodes.back().surface_k; };
+  if (!of_free_sky_w_m2_.empty()) {
+    node.past_kernel.assign(series_->rows.size(), 0.0f);
+    node.past_difference = node.past_kernel;
+  }
   for (std::size_t sky = 0; sky < 2; ++sky) {
     stand.free_sky = static_cast<double>(sky);
-    for (const double visibility : {0.0, 1.0}) {
-      const SurfaceSolution solution =
-          solve_surface(surface_.solid, surface_.skin, stand, *series_, surface_.start,
-                        std::vector<double>(series_->rows.size(), visibility));
-      const double surface_k = solution.history.nodes.back().surface_k;
-      (visibility > 0.0 ? node.rise_k[sky] : node.shaded_k[sky]) = surface_k;
-      const std::vector<double> one = kernel_by_row(solution);
-      for (std::size_t i = 0; i < one.size(); ++i) {
-        kernel[i] += 0.25 * one[i];
-        difference[i] += (visibility - 0.5) * one[i];
-      }
+    node.shaded_k[sky] = last_k(solved(0.0));
+    node.rise_k[sky] = last_k(solved(1.0)) - node.shaded_k[sky];
+    const std::vector<double> low = kernel_by_row(solved(0.5 - kGauss)),
+                              high = kernel_by_row(solved(0.5 + kGauss));
+    const auto mean = [&](std::size_t row) { return 0.5 * (low[row] + high[row]); };
+    const auto difference = [&](std::size_t row) { return 0.5 / kGauss * (high[row] - low[row]); };
+    for (std::size_t row = 0; row < node.past_kernel.size(); ++row) {
+      node.past_kernel[row] += static_cast<float>(0.5 * mean(row));
+      node.past_difference[row] += static_cast<float>(0.5 * difference(row));
     }
-    node.rise_k[sky] -= node.shaded_k[sky];
-  }
-  double sum_k = 0.0, of_difference_k = 0.0;
-  for (const Row& row : rows_) {
-    node.kernel.push_back(static_cast<float>(std::max(0.0, kernel[row.index])));
-    node.difference.push_back(static_cast<float>(difference[row.index]));
-    const double gain_w_m2 = row.absorbed_w_m2 * std::max(0.0, math::dot(normal, row.sun));
-    sum_k += static_cast<double>(node.kernel.back()) * gain_w_m2;
-    of_difference_k += static_cast<double>(node.difference.back()) * gain_w_m2;
-  }
-  if (!of_free_sky_w_m2_.empty()) {
-    node.past_kernel.assign(kernel.begin(), kernel.end());
-    node.past_difference.assign(difference.begin(), difference.end());
-  }
-  for (std::size_t sky = 0; sky < 2; ++sky) {
+    double sum_k = 0.0, of_difference_k = 0.0;
+    const auto gain_w_m2 = [&](const Row& row) {
+      return row.absorbed_w_m2 * std::max(0.0, math::dot(normal, row.sun));
+    };
+    for (const Row& row : rows_) {
+      node.kernel[sky].push_back(static_cast<float>(std::max(0.0, mean(row.index))));
+      node.difference[sky].push_back(static_cast<float>(difference(row.index)));
+      sum_k += static_cast<double>(node.kernel[sky].back()) * gain_w_m2(row);
+      of_difference_k += static_cast<double>(node.difference[sky].back()) * gain_w_m2(row);
+    }
     node.ratio[sky] = 1.0;
     if (!(sum_k > kLeastRise_k)) continue;
     if (std::abs(of_difference_k) > kLeastBend * sum_k)
       node.shift[sky] = std::clamp((node.rise_k[sky] - sum_k) / of_difference_k, -0.5, 0.5);
     double shifted_k = 0.0;
     for (std::size_t k = 0; k < rows_.size(); ++k)
-      shifted_k += node.kernel_at(k, node.shift[sky]) * rows_[k].absorbed_w_m2 *
-                   std::max(0.0, math::dot(normal, rows_[k].sun));
+      shifted_k += node.kernel_at(sky, k, node.shift[sky]) * gain_w_m2(rows_[k]);
     node.ratio[sky] = node.rise_k[sky] / shifted_k;
   }
 }
@@ -219,10 +220,12 @@ void SurfaceClasses::bends(const Pose& pose, std::span<const double> sum_k,
   bent.assign(rows_.size(), 0.0);
   for (const Corner& corner : corners(pose)) {
     const Node& node = *corner.node;
-    const double shift = 0.5 * (node.shift[0] + node.shift[1]), factor = corner.share * (1.0 + 2.0 * shift);
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-      kernel[k] += corner.share * node.kernel_at(k, shift);
-      bent[k] += factor * static_cast<double>(node.difference[k]);
+    for (std::size_t sky = 0; sky < 2; ++sky) {
+      const double shift = node.shift[sky], factor = 0.5 * corner.share * (1.0 + 2.0 * shift);
+      for (std::size_t k = 0; k < rows_.size(); ++k) {
+        kernel[k] += 0.5 * corner.share * node.kernel_at(sky, k, shift);
+        bent[k] += factor * static_cast<double>(node.difference[sky][k]);
+      }
     }
   }
   const double least_k = rows_.empty() ? 0.0 : kLeastLeft * sum_k.back();
@@ -242,9 +245,10 @@ SurfaceClasses::Shade SurfaceClasses::shaded(const Pose& pose, double free_sky,
     const Node& node = *corner.node;
     shade.kelvin += corner.share * std::lerp(node.shaded_k[0], node.shaded_k[1], free_sky);
     shade.of_sky_k += corner.share * (node.shaded_k[1] - node.shaded_k[0]);
-    const double factor = corner.share * std::lerp(node.ratio[0], node.ratio[1], free_sky),
-                 shift = std::lerp(node.shift[0], node.shift[1], free_sky);
-    for (std::size_t k = 0; k < rows_.size(); ++k) weight_k[k] += factor * node.kernel_at(k, shift);
+    const double factor = corner.share * std::lerp(node.ratio[0], node.ratio[1], free_sky);
+    for (std::size_t k = 0; k < rows_.size(); ++k)
+      weight_k[k] += factor * std::lerp(node.kernel_at(0, k, node.shift[0]),
+                                        node.kernel_at(1, k, node.shift[1]), free_sky);
   }
   for (std::size_t k = 0; k < rows_.size(); ++k)
     weight_k[k] *= rows_[k].absorbed_w_m2 * std::max(0.0, math::dot(pose.normal, rows_[k].sun));

@@ -56,10 +56,10 @@ Fluxes mean_fluxes(const SurfaceBalance& balance, const History& history) {
   Fluxes mean;
   const double all_s = history.nodes.back().time_s - history.nodes.front().time_s;
   for (std::size_t i = 0; i + 1 < history.nodes.size(); ++i) {
-    const SurfaceNode &before = history.nodes[i], &after = history.nodes[i + 1];
-    const double share = (after.time_s - before.time_s) / all_s;
-    add(mean, balance.fluxes(before.time_s, before.surface_k), share * (1.0 - history.implicit[i]));
-    add(mean, balance.fluxes(after.time_s, after.surface_k), share * history.implicit[i]);
+    const SurfaceNode &stage = history.stages[i], &after = history.nodes[i + 1];
+    const double share = (after.time_s - history.nodes[i].time_s) / all_s;
+    add(mean, balance.fluxes(stage.time_s, stage.surface_k), share * (1.0 - kStage));
+    add(mean, balance.fluxes(after.time_s, after.surface_k), share * kStage);
   }
   return mean;
 }

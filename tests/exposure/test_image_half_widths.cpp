@@ -1,6 +1,7 @@
 // What a pixel's half-width says of temperatures that are solved: that of the materials it holds, good ones and bad ones.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -47,6 +48,30 @@ Session street(const DaysOfJune& weather) {
       nullptr);
 }
 
+/// A courtyard on a wide road: few pixels of the image, of which each saw the Sun for a while.
+Session courtyard(const DaysOfJune& weather) {
+  return Session::load(
+      io::parse_document(format(
+                             R"({{"ifov": 1, "time": "2026-06-21T14:00:00Z", "weather": {{"file": "{}"}},
+          "temperatures": {{"spin_up": "1 d", "step": "10 min", "repeat_first_day": true}},
+          "scene": {{"origin": {{"latitude": "52 deg", "longitude": "5 deg"}},
+            "materials": {{
+              "road": {{"reflectance": {{"library": "asphalt, road, weathered"}}, "temperature": "solved"}},
+              "wall": {{"reflectance": 0.3, "temperature": "20 degC"}}}},
+            "objects": [{{"plane": {{}}, "material": "road"}},
+              {{"box": {{"low": ["-9 m", "-9 m", "0 m"], "high": ["9 m", "-4 m", "8 m"]}}, "material": "wall"}},
+              {{"box": {{"low": ["-9 m", "4 m", "0 m"], "high": ["9 m", "9 m", "8 m"]}}, "material": "wall"}},
+              {{"box": {{"low": ["-9 m", "-4 m", "0 m"], "high": ["-4 m", "4 m", "8 m"]}}, "material": "wall"}},
+              {{"box": {{"low": ["4 m", "-4 m", "0 m"], "high": ["9 m", "4 m", "8 m"]}}, "material": "wall"}}]}},
+          "light": {{"sky": {{"temperature": "255 K"}}}},
+          "sensor": {{"camera": {{"orthographic": {{"gsd": "1 m", "pixels": [60, 60]}}}},
+            "channels": [{{"name": "thermal", "monochromatic": {{"at": "10 um"}}}}]}},
+          "sampling": {{"accuracy": {{"error": "4 K"}}}}}})",
+                             weather.path()),
+                         "courtyard.json"),
+      nullptr);
+}
+
 /// Of a grid of places from above: what classes make of each against its own full solution, kelvins by material.
 std::map<std::uint32_t, std::vector<double>> off_by_material(const Parts& parts) {
   const DocumentOutdoors about = outdoors_of_document(parts.document, *parts.weather);
@@ -83,7 +108,7 @@ std::map<std::uint32_t, std::vector<double>> off_by_material(const Parts& parts)
 }
 
 TEST(ImageHalfWidths, CoverPixelsOfAGoodMaterialAndOfABadOne) {
-  const ClearDays weather("half_widths", 2.5);
+  const ClearDays weather("half_widths", 0.4);
   const Session session = street(weather);
   const Parts& parts = session.parts();
   const render::NodeHalfWidth& channel = parts.node_errors.at(0);
@@ -111,6 +136,22 @@ TEST(ImageHalfWidths, CoverPixelsOfAGoodMaterialAndOfABadOne) {
   EXPECT_GE(covered(off_k.at(kRoof), channel.emitted_of[kRoof]), 0.93);
   // A fault: a pixel of the lawn that is told as one of tiles.
   EXPECT_LT(covered(off_k.at(kLawn), channel.emitted_of[kRoof]), 0.93);
+}
+
+TEST(ImageHalfWidths, HoldAFewPixelsWhosePastIsLikeNoOthers) {
+  const ClearDays weather("courtyard", 2.5);
+  const Session session = courtyard(weather);
+  const TemperatureErrors::OfMaterial& road = session.parts().temperature_errors->by_material.at(0);
+  const auto off_k = off_by_material(session.parts()).at(0);  // all within the courtyard
+  ASSERT_GT(off_k.size(), 500u);
+  const auto held = [&](double half_width_k) {
+    const auto count =
+        std::count_if(off_k.begin(), off_k.end(), [&](double k) { return std::abs(k) <= half_width_k; });
+    return static_cast<double>(count) / static_cast<double>(off_k.size());
+  };
+  EXPECT_GE(held(road.half_width_k()), 0.93);
+  // A fault: of points that are spread evenly over the image hardly one lies in the courtyard.
+  EXPECT_LT(held(TemperatureErrors::OfMaterial{road.points, road.rms_k, road.step_k}.half_width_k()), 0.8);
 }
 
 }  // namespace

@@ -320,7 +320,7 @@ TEST(SolvedTemperatures, RefuseAnAccuracyThatTheyDoNotHave) {
 
 // What is known better than that makes the image worth rendering: the rest is named, and rays make no room for it.
 TEST(SolvedTemperatures, TellWhatAnAccuracyCannotBeKeptIn) {
-  const ClearDays weather("solved", 2.5);
+  const ClearDays weather("solved", 0.5);
   const Session coarse = load(text_of(weather, "15:00", kPole, "6 K"));
   const TemperatureErrors& errors = *coarse.parts().temperature_errors;
   const double worst_k = errors.half_width_k();

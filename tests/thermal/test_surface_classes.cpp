@@ -117,6 +117,35 @@ TEST(SurfaceClasses, BetweenDirectionsSharesOfTheSkyAndHoursOfSun) {
   EXPECT_GT(most, 1.0);  // a share of the sky that is not looked at would be noticed
 }
 
+/// A lawn's skin on its soil has forgotten within minutes, and what it loses by the air and by vapour bends sharply where it is as warm as the
+/// air: edges of shadows that move, half of the Sun. It is 14 K from shade to Sun.
+TEST(SurfaceClasses, OfAThinWetLawnHalfInTheSun) {
+  OutdoorsSeries series = test::june(2.0, 600.0);
+  series.rows.resize(series.rows.size() - 72);
+  const Solid solid{{{0.004, 0.06, 100.0, 1900.0}, {1.0, 1.58, 2000.0, 1550.0}}, DeepGround{290.0}};
+  Skin skin;
+  skin.roughness = Roughness::very_rough;
+  skin.wetness = {1.0, 70.0};
+  const SurfaceClasses classes(std::make_shared<const OutdoorsSeries>(series), {solid, skin, Stand{}}, 0);
+  const auto off_k = [&](const std::vector<double>& visibility) {
+    const double full_k =
+        solve_surface(solid, skin, {}, series, Start::steady, visibility).history.nodes.back().surface_k;
+    return class_k(classes, facing(0.0, 0.0), 1.0, visibility) - full_k;
+  };
+  const std::size_t count = series.rows.size();
+  for (const double share : {0.1, 0.25, 0.5, 0.75, 0.9})
+    EXPECT_NEAR(off_k(std::vector<double>(count, share)), 0.0, 0.25) << share;
+  for (const double last : {0.0, 1.0})
+    for (const std::size_t rows : {1, 2, 4, 8, 16}) {
+      std::vector<double> visibility(count, 1.0 - last);
+      std::fill(visibility.end() - static_cast<std::ptrdiff_t>(rows), visibility.end(), last);
+      EXPECT_NEAR(off_k(visibility), 0.0, 0.25) << rows << " rows at " << last;
+    }
+  std::vector<double> never(count, 0.0), always(count, 1.0);
+  EXPECT_GT(class_k(classes, facing(0.0, 0.0), 1.0, always) - class_k(classes, facing(0.0, 0.0), 1.0, never),
+            8.0);
+}
+
 /// Between levels of the wind: each height against the whole solution there. Twenty metres up a sunlit surface is cooler than at the
 /// ground; a class that did not know would be noticed.
 TEST(SurfaceClasses, HigherUpTheWindTakesMore) {

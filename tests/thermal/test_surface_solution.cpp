@@ -188,6 +188,20 @@ TEST(LinearKernel, IsTheDifferenceOfFullSolutions) {
             0.2);
 }
 
+/// Four millimetres of peat on clay forget within a minute or two, steps are of five and fifteen: what is left of a pulse fades, and does not
+/// swing about nothing as Crank-Nicolson steps let it.
+TEST(LinearKernel, FadesUnderAThinLayer) {
+  const Solid lawn{{{0.004, 0.06, 100.0, 1900.0}, {1.0, 1.58, 2000.0, 1550.0}}, DeepGround{285.0}};
+  for (const double step_s : {300.0, 900.0}) {
+    const SurfaceSolution solution = solve_surface(lawn, {}, {}, june(1.5, step_s));
+    const std::vector<double> kernel = kernel_by_row(solution);
+    double largest = 0.0;
+    for (const double value : kernel) largest = std::max(largest, value);
+    for (std::size_t back = 1; back < 12; ++back)
+      EXPECT_GT(kernel[kernel.size() - 1 - back], -1e-3 * largest) << step_s << " " << back;
+  }
+}
+
 TEST(LinearKernel, SumsToTheSteadyAnswer) {
   // A constant gain for a long time: 1 / (h + resistance^-1), whatever the steps were.
   const Cells cells = cut_into_cells({{test::concrete(0.1)}, HeldBack{300.0}});

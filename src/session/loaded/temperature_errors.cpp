@@ -12,7 +12,7 @@ namespace ifov::session {
 double TemperatureErrors::OfMaterial::half_width_k() const {
   static const double kConfidence = std::erf(std::numbers::sqrt2);
   const double of_all_k = sampling::two_sided_student(kConfidence, std::max(points, 1.0)) * rms_k,
-               of_chosen_k = 2.0 * changed_k;
+               of_chosen_k = 2.0 * unsettled_k;
   return std::hypot(std::max(of_all_k, of_chosen_k), 2.0 * step_k) + ground_k;
 }
 
@@ -29,8 +29,11 @@ std::string TemperatureErrors::statement() const {
       "hides the sky counts as level ground at the air's temperature",
       points, made_up > 0 ? format(", and {} more of materials that it hardly sees", made_up) : "", rms_k,
       material, worst_k, bias_k,
-      changed > 0 ? format("; {:.2f} K at its own of {} about which things came and went", changed_k, changed)
-                  : "",
+      unsettled > 0
+          ? format(
+                "; {:.2f} K at its own of {} that the Sun came to and left, or about which things came and went",
+                unsettled_k, unsettled)
+          : "",
       step_k, points > 0 ? format("; wind of {:.0f} to {:.0f} m above ground", lowest_m, highest_m) : "",
       on_nothing > 0
           ? format(

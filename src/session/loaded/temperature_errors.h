@@ -12,8 +12,9 @@ namespace ifov::session {
 struct TemperatureErrors {
   struct OfMaterial {
     double points = 0.0, rms_k = 0.0, step_k = 0.0;
-    /// Root mean square of points that were chosen, as most came or went about them.
-    double changed_k = 0.0;
+    /// Root mean square of points that were chosen for a past unlike that of most: half lit, or about which things came and went; of these
+    /// two the larger.
+    double unsettled_k = 0.0;
     double ground_k =
         0.0;  ///< largest, of the wind of points below which nothing faces up, with ground at the foot of a drop beside
     /// Of what two standard deviations hold, 95.45 %: Student's t of as many points times the root mean square, or twice that of those that were
@@ -22,10 +23,10 @@ struct TemperatureErrors {
     double half_width_k() const;
     int seen = 0;  ///< of the points, those that the camera sees
   };
-  int points = 0, made_up = 0, changed = 0;
+  int points = 0, made_up = 0, unsettled = 0;
   double rms_k = 0.0, bias_k = 0.0;  ///< root mean square and mean, of the material of the largest half-width
   std::string material;              ///< its name
-  double changed_k = 0.0;            ///< likewise, of those that were chosen
+  double unsettled_k = 0.0;          ///< likewise, of those that were chosen
   double worst_k = 0.0;
   double step_k = 0.0;                     ///< of the steps of time, by those of twice the length
   double lowest_m = 0.0, highest_m = 0.0;  ///< above ground, of those that the camera sees

@@ -1,10 +1,10 @@
 #include "session/solved/solved_temperatures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 
 #include "atmosphere/weather_series.h"
 #include "core/parallel.h"
@@ -27,7 +27,7 @@ namespace {
 constexpr double kSunRadius_rad = 0.00465;                 // at 1 au, of 6.957e8 m
 constexpr int kAcross = 24;                                // rays along each side of the image
 constexpr std::size_t kMeasured = 64, kLeastMeasured = 8;  // points, of all materials and of each
-constexpr double kLeastChanged_k = 0.2;
+constexpr double kLeastUnsettled_k = 0.2;
 constexpr int kSkyPairs = 128;
 
 /// What a material is solved from, and its classes.
@@ -111,7 +111,7 @@ struct Measured {
   const Solved* solved;
   geometry::SurfacePoint at;
   bool made_up = false;   ///< the camera sees too few of the material
-  bool chosen = false;    ///< for what came or went about it
+  int chosen_for = 0;     ///< 1, 2: for a past that was mixed, that changed
   double height_m = 0.0;  ///< above ground
   double off_k = 0.0;
   std::optional<double>
@@ -142,22 +142,26 @@ exposure::SolvedSurface::Exposure made_up_exposure(std::size_t number, std::size
   return exposure;
 }
 
-/// Of what is seen of a material those few about which most came or went: classes are off by most there.
-void add_changed(std::vector<Measured>& points, const Solved& solved,
-                 std::span<const geometry::SurfacePoint* const> seen, const exposure::PastScene& past) {
-  if (!past.changes()) return;
+/// Of what is seen of a material those few whose past is least like that of always Sun or never, and those about which most came or went.
+void add_unsettled(std::vector<Measured>& points, const Solved& solved,
+                   std::span<const geometry::SurfacePoint* const> seen, const exposure::PastScene& past) {
   const exposure::SolvedSurface surface(solved.classes, past, kSunRadius_rad);
-  std::vector<double> all_k;
-  for (const geometry::SurfacePoint* point : seen) all_k.push_back(surface.changed_k(*point));
-  const double most_k = std::accumulate(all_k.begin(), all_k.end(), kLeastChanged_k,
-                                        [](double a, double b) { return std::max(a, b); });
-  std::vector<const geometry::SurfacePoint*> found;
-  for (std::size_t k = 0; k < all_k.size(); ++k)
-    if (all_k[k] >= 0.5 * most_k) found.push_back(seen[k]);
-  const std::size_t count = std::min(found.size(), kLeastMeasured);
-  for (std::size_t k = 0; k < count; ++k) {
-    points.emplace_back(solved, *found[k * found.size() / count]);
-    points.back().chosen = true;
+  std::vector<exposure::SolvedSurface::Unsettled> all;
+  for (const geometry::SurfacePoint* point : seen) all.push_back(surface.unsettled(*point));
+  int chosen_for = 0;
+  for (const auto kelvins :
+       {&exposure::SolvedSurface::Unsettled::mixed_k, &exposure::SolvedSurface::Unsettled::changed_k}) {
+    ++chosen_for;
+    double most_k = kLeastUnsettled_k;
+    for (const auto& one : all) most_k = std::max(most_k, one.*kelvins);
+    std::vector<const geometry::SurfacePoint*> found;
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (all[k].*kelvins >= 0.5 * most_k) found.push_back(seen[k]);
+    const std::size_t count = std::min(found.size(), kLeastMeasured);
+    for (std::size_t k = 0; k < count; ++k) {
+      points.emplace_back(solved, *found[k * found.size() / count]);
+      points.back().chosen_for = chosen_for;
+    }
   }
 }
 
@@ -187,7 +191,7 @@ std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor
                           found.empty() ? past.highest_m() * static_cast<double>(k % 4) / 3.0
                                         : past.height_above_ground_m(found[k % found.size()]->position_m,
                                                                      thermal::kLowestWind_m));
-    add_changed(points, solved, found, past);
+    add_unsettled(points, solved, found, past);
   }
   return points;
 }
@@ -216,14 +220,15 @@ void measure(TemperatureErrors& errors, const io::Document& document, const ByMa
   double worst_half_width_k = 0.0;
   for (const auto& [material, solved] : by_material) {
     double sum_k = 0.0, squares_k2 = 0.0, count = 0.0;
-    double chosen = 0.0, chosen_k2 = 0.0;
+    std::array<std::pair<double, double>, 2> chosen{};  // squares, points
     for (const Measured& point : points) {
       if (point.solved != &solved) continue;
       errors.worst_k = std::max(errors.worst_k, std::abs(point.off_k));
-      if (point.chosen) {
-        chosen += 1.0;
-        chosen_k2 += point.off_k * point.off_k;
-        ++errors.changed;
+      if (point.chosen_for > 0) {
+        auto& [squares, number] = chosen[static_cast<std::size_t>(point.chosen_for - 1)];
+        squares += point.off_k * point.off_k;
+        number += 1.0;
+        ++errors.unsettled;
         continue;
       }
       count += 1.0;
@@ -243,11 +248,12 @@ void measure(TemperatureErrors& errors, const io::Document& document, const ByMa
     TemperatureErrors::OfMaterial& own = errors.by_material[material];
     own.rms_k = std::sqrt(squares_k2 / count);
     own.points = count;
-    own.changed_k = std::sqrt(chosen_k2 / std::max(chosen, 1.0));
+    for (const auto& [squares, number] : chosen)
+      own.unsettled_k = std::max(own.unsettled_k, std::sqrt(squares / std::max(number, 1.0)));
     if (!errors.material.empty() && own.half_width_k() < worst_half_width_k) continue;
     worst_half_width_k = own.half_width_k();
     errors.rms_k = own.rms_k;
-    errors.changed_k = own.changed_k;
+    errors.unsettled_k = own.unsettled_k;
     errors.bias_k = sum_k / count;
     errors.material = document.scene.materials[material].name;
   }

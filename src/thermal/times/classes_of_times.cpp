@@ -93,7 +93,8 @@ void ClassesOfTimes::make_bins() {
       const std::int32_t k = sunlit_[t][row];
       if (k < 0 || (!right && row >= last_row_[t])) return 0.0;
       const auto n = static_cast<std::size_t>(k);
-      return (right && row == last_row_[t] ? 2.0 : 1.0) * static_cast<double>(level.kernel[n]) *
+      return (right && row == last_row_[t] ? 2.0 : 1.0) * 0.5 *
+             static_cast<double>(level.kernel[0][n] + level.kernel[1][n]) *
              classes_[t]->rows_[n].absorbed_w_m2;
     };
     std::vector<double> one;
@@ -180,11 +181,9 @@ void ClassesOfTimes::fill(NodeOfTimes& node, std::size_t place) const {
     node.moment[sky].assign(3 * bins() * lanes_, 0.0f);
     node.sum[sky].assign(bins() * lanes_, 0.0f);
   }
-  node.twice_shift.assign(lanes_, 0.0f);
   node.difference.assign(bins() * lanes_, 0.0f);
   for (std::size_t t = 0; t < classes_.size(); ++t) {
     const SurfaceClasses::Node& own = classes_[t]->node_at(place);
-    node.twice_shift[t] = static_cast<float>(own.shift[0] + own.shift[1]);
     for (std::size_t sky = 0; sky < 2; ++sky) {
       node.shaded_k[sky][t] = static_cast<float>(own.shaded_k[sky]);
       node.ratio[sky][t] = static_cast<float>(own.ratio[sky]);
@@ -193,7 +192,7 @@ void ClassesOfTimes::fill(NodeOfTimes& node, std::size_t place) const {
         const auto k = static_cast<std::size_t>(sunlit_[t][row]);
         const bool last = row == last_row_[t];
         const auto gain =
-            static_cast<float>(classes_[t]->rows_[k].absorbed_w_m2 * own.kernel_at(k, own.shift[sky]));
+            static_cast<float>(classes_[t]->rows_[k].absorbed_w_m2 * own.kernel_at(sky, k, own.shift[sky]));
         node.left[sky][row * lanes_ + t] = last ? 0.0f : gain;
         node.right[sky][row * lanes_ + t] = last ? 2.0f * gain : gain;
       }
@@ -221,9 +220,11 @@ void ClassesOfTimes::add_to_bin(NodeOfTimes& node, std::size_t place, std::size_
     const bool last = row == last_row_[t];
     if (sunlit_[t][row] < 0 || (last && !right)) continue;
     const auto k = static_cast<std::size_t>(sunlit_[t][row]);
-    node.difference[bin * lanes_ + t] +=
-        static_cast<float>((last ? 1.0 : 0.5) * classes_[t]->rows_[k].absorbed_w_m2 *
-                           static_cast<double>(classes_[t]->node_at(place).difference[k]));
+    const SurfaceClasses::Node& own = classes_[t]->node_at(place);
+    for (std::size_t sky = 0; sky < 2; ++sky)
+      node.difference[bin * lanes_ + t] +=
+          static_cast<float>((last ? 0.5 : 0.25) * classes_[t]->rows_[k].absorbed_w_m2 *
+                             (1.0 + 2.0 * own.shift[sky]) * static_cast<double>(own.difference[sky][k]));
   }
 }
 

@@ -137,7 +137,7 @@ void ClassesOfTimes::combine_bends(DirectionOfTimes& direction) const {
       for (std::size_t t = 0; t < lanes; ++t) {
         const std::size_t at = b * lanes + t;
         direction.kernel[at] += 0.5f * corner.share * (node.sum[0][at] + node.sum[1][at]);
-        direction.bent[at] += corner.share * (1.0f + node.twice_shift[t]) * node.difference[at];
+        direction.bent[at] += corner.share * node.difference[at];
       }
   }
   direction.bend.resize(all);

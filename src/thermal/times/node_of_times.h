@@ -12,13 +12,12 @@ namespace ifov::thermal {
 /// Of a direction at a level of wind, by lane; in pairs: with the sky hidden, free.
 struct NodeOfTimes {
   std::array<std::vector<float>, 2> shaded_k, ratio;
-  std::vector<float> twice_shift;  ///< both of c
   /// By row and lane alpha E times the kernel of the span after a row, and of that before it. Behind the last row of a time nothing is;
   /// what the series says of it stands for the half step before it alone.
   std::array<std::vector<float>, 2> left, right;
   std::array<std::vector<float>, 2> moment;  ///< by bin, summed with the directions to the Sun: x, y, z
   std::array<std::vector<float>, 2> sum;     ///< without them
-  std::vector<float> difference;             ///< the same of K_1 - K_0
+  std::vector<float> difference;             ///< the same of (1 + 2 c) dK, mean of both skies
 };
 
 struct ClassesOfTimes::Place {
