@@ -95,14 +95,15 @@ void SurfaceClasses::solve(Node& node, double height_m, double tilt_rad, double 
   }
   for (std::size_t sky = 0; sky < 2; ++sky) {
     stand.free_sky = static_cast<double>(sky);
-    node.shaded_k[sky] = last_k(solved(0.0));
-    node.rise_k[sky] = last_k(solved(1.0)) - node.shaded_k[sky];
-    const std::vector<double> low = kernel_by_row(solved(0.5 - kGauss)),
-                              high = kernel_by_row(solved(0.5 + kGauss));
+    const SurfaceSolution shaded = solved(0.0), sunlit = solved(1.0);
+    node.shaded_k[sky] = last_k(shaded);
+    node.rise_k[sky] = last_k(sunlit) - node.shaded_k[sky];
+    const std::vector<double> at_shade = kernel_by_row(shaded), low = kernel_by_row(solved(0.5 - kGauss)),
+                              high = kernel_by_row(solved(0.5 + kGauss)), at_sun = kernel_by_row(sunlit);
     const auto mean = [&](std::size_t row) { return 0.5 * (low[row] + high[row]); };
-    const auto difference = [&](std::size_t row) { return 0.5 / kGauss * (high[row] - low[row]); };
+    const auto difference = [&](std::size_t row) { return at_sun[row] - at_shade[row]; };
     for (std::size_t row = 0; row < node.past_kernel.size(); ++row) {
-      node.past_kernel[row] += static_cast<float>(0.5 * mean(row));
+      node.past_kernel[row] += static_cast<float>(0.25 * (at_shade[row] + at_sun[row]));
       node.past_difference[row] += static_cast<float>(0.5 * difference(row));
     }
     double sum_k = 0.0, of_difference_k = 0.0;

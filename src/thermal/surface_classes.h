@@ -34,21 +34,21 @@ struct Pose {
 
 /// The temperature at the end of a series of surfaces of one material, however they stand, by how much of the sky is free
 /// and when the Sun was. For directions over a grid, with the sky free and hidden, the whole nonlinear problem is solved always
-/// sunlit (T_1), always shaded (T_0), and at the shares of the Sun 1/2 -+ 1/sqrt(12) about which it is linearised; between them
+/// sunlit (T_1), always shaded (T_0), and at the shares of the Sun 1/2 -+ 1/sqrt(12), each with its kernel (linear_kernel.h), K_1, K_0, K_- and K_+;
+/// between them
 ///
-///   T = T_0 + sum over t_k of w_k V(t_k),   w_k = r K(t_k) alpha E(t_k) cos theta_k,   K = (K_- + K_+) / 2 + c dK,
+///   T = T_0 + sum over t_k of w_k V(t_k),   w_k = r K(t_k) alpha E(t_k) cos theta_k,   K = (K_- + K_+) / 2 + c (K_1 - K_0),
 ///
-/// with E the Sun's irradiance across its beam and cos theta_k to its place then, of the surface's own direction; K_- and K_+
-/// the kernels there (linear_kernel.h), whose mean is that from shade to Sun to third order, dK = sqrt(3) (K_+ - K_-) what the kernel changes by
-/// from shade to Sun (about the shade itself it may have a cusp, where the surface is as warm as the air), and c so that T is right where the
+/// with E the Sun's irradiance across its beam and cos theta_k to its place then, of the surface's own direction. The mean of K_- and K_+ is that
+/// from shade to Sun to third order; about the shade itself the kernel may have a cusp, where the surface is as warm as the air. c is so that T is right where the
 /// visibility V of the Sun is 1 throughout: between the two histories the kernel does not change evenly, and what it changes by is little for the last
 /// minutes and much for yesterday. c stays within 1/2; what that leaves r takes, T_1 - T_0 over the sum. A surface that is warm loses
 /// more of the next watt than a cold one. Two gains of the past weaken each other by what the later of them has lost since, so that to
 /// second order, over all pairs of times,
 ///
-///   T = T_0 + sum w_k V(t_k) - sum over j, k of q / 2 w_j w_k V(t_j) (1 - V(t_k)),   b_k = (1 + 2 c) dK / K,
+///   T = T_0 + sum w_k V(t_k) - sum over j, k of q / 2 w_j w_k V(t_j) (1 - V(t_k)),   b_k = (1 + 2 c) (K_1 - K_0) / K,
 ///
-/// with q of the later time. That the kernel is more by dK where V is 1 throughout than where it is 0 tells q: with p the sum of the w
+/// with q of the later time. That the kernel is K_1 where V is 1 throughout, and K_0 where it is 0, tells q: with p the sum of the w
 /// after a time and W that of all, b = q (W - p) + the integral of q over p, hence dq/dp = (db/dp) / (W - p).
 ///
 /// T_0, the kernels and r are bilinear between directions and linear in the free share of the sky. All are linear between levels
@@ -57,7 +57,7 @@ struct Pose {
 /// Where that share f was otherwise at times than it is now, with what a free sky is worth g (SurfaceBalance::of_free_sky_w_m2) and
 /// its share F of the view of a surface in the open, the temperature changes by the sum over all rows of
 ///
-///   s_k (f(t_k) - f),   s_k = (K_0 + u / 2 dK) F g(t_k),   K_0 = (K_- + K_+ - dK) / 2:
+///   s_k (f(t_k) - f),   s_k = (K_0 + u / 2 (K_1 - K_0)) F g(t_k):
 ///
 /// what hides the sky mostly hides the Sun, so that half of u is what came after. Where the sky was freer than now the Sun was there, too, and all of
 /// u counts.
@@ -108,8 +108,8 @@ class SurfaceClasses {
   /// A direction: with the sky hidden and free.
   struct Node {
     std::array<double, 2> shaded_k{}, rise_k{}, ratio{}, shift{};
-    std::array<std::vector<float>, 2> kernel, difference;  ///< by sunlit row: mean of both kernels, dK
-    /// By row of the series, mean of both skies; empty without `past_sky`.
+    std::array<std::vector<float>, 2> kernel, difference;  ///< by sunlit row: mean of K_- and K_+; K_1 - K_0
+    /// By row of the series, of both skies: mean of K_0 and K_1, and K_1 - K_0; empty without `past_sky`.
     std::vector<float> past_kernel, past_difference;
 
     double kernel_at(std::size_t sky, std::size_t row, double between) const {

@@ -17,7 +17,7 @@ struct NodeOfTimes {
   std::array<std::vector<float>, 2> left, right;
   std::array<std::vector<float>, 2> moment;  ///< by bin, summed with the directions to the Sun: x, y, z
   std::array<std::vector<float>, 2> sum;     ///< without them
-  std::vector<float> difference;             ///< the same of (1 + 2 c) dK, mean of both skies
+  std::vector<float> difference;             ///< the same of (1 + 2 c) (K_1 - K_0), mean of both skies
 };
 
 struct ClassesOfTimes::Place {
