@@ -31,28 +31,38 @@ double mix(double a, double b, double share) { return a + share * (b - a); }
 
 }  // namespace
 
+FromBeside of_level_ground(const Outdoors& now, const Stand& stand) {
+  return {stand.ground_reflectance * global_w_m2(now), black_w_m2(now.air.temperature_k)};
+}
+
 SurfaceBalance::SurfaceBalance(const OutdoorsSeries& series, const Skin& skin, const Stand& stand,
-                               std::vector<double> visibility, std::vector<double> free_sky)
+                               std::vector<double> visibility, std::vector<double> free_sky,
+                               std::vector<FromBeside> beside)
     : begin_s_(series.begin_s), step_s_(series.step_s), cos_tilt_(std::cos(stand.tilt_rad)), skin_(skin) {
   rows_.reserve(series.rows.size());
   full_sun_.reserve(series.rows.size());
   for (std::size_t i = 0; i < series.rows.size(); ++i)
     rows_.push_back(row_of(series, stand, i, visibility.empty() ? 1.0 : visibility[i],
-                           free_sky.empty() ? stand.free_sky : free_sky[i]));
+                           free_sky.empty() ? stand.free_sky : free_sky[i],
+                           beside.empty() ? nullptr : &beside[i]));
 }
 
 SurfaceBalance::Row SurfaceBalance::row_of(const OutdoorsSeries& series, const Stand& stand,
-                                           std::size_t index, double visibility, double free_sky) {
+                                           std::size_t index, double visibility, double free_sky,
+                                           const FromBeside* beside) {
   const Outdoors& now = series.rows[index];
   const double sky_view = free_sky * 0.5 * (1.0 + cos_tilt_), ground_view = 1.0 - sky_view;
-  const double on_ground = global_w_m2(now);
+  FromBeside from_ground = of_level_ground(now, stand);
+  from_ground.sunlight_w_m2 *= ground_view;
+  from_ground.longwave_w_m2 *= ground_view;
+  if (beside == nullptr) beside = &from_ground;
   full_sun_.push_back(skin_.solar_absorptance * now.direct_w_m2 * cos_incidence(now, stand));
   Row row;
   row.given.sun = visibility * full_sun_.back();
   row.given.sky = skin_.solar_absorptance * now.diffuse_w_m2 * sky_view;
-  row.given.reflected = skin_.solar_absorptance * stand.ground_reflectance * on_ground * ground_view;
+  row.given.reflected = skin_.solar_absorptance * beside->sunlight_w_m2;
   row.given.sky_longwave = skin_.emissivity * now.longwave_w_m2 * sky_view;
-  row.given.ground_longwave = skin_.emissivity * black_w_m2(now.air.temperature_k) * ground_view;
+  row.given.ground_longwave = skin_.emissivity * beside->longwave_w_m2;
   row.given.power = skin_.power_w_m2;
   row.air = now.air;
   row.wind_m_s = wind_at_m_s(now.wind_m_s, series.anemometer, stand.height_m, stand.terrain);

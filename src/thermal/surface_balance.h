@@ -52,14 +52,25 @@ struct Stand {
   double free_sky = 1.0;
 };
 
+/// What comes to a surface from all but the sky, W m-2 of it.
+struct FromBeside {
+  double sunlight_w_m2 = 0.0, longwave_w_m2 = 0.0;
+};
+/// From level ground all about.
+FromBeside of_level_ground(const Outdoors& now, const Stand& stand);
+
 /// The balance of a surface outdoors,
 ///   a (E_sun V cos + E_sky F + r_g E_global (1 - F)) + e (L_sky F + sigma T_a^4 (1 - F)) - e sigma T^4 + h (T_a - T) - LE + P,
 /// with the sky's share of its view F = (1 + cos tilt) / 2 and V of the Sun that it sees.
 class SurfaceBalance : public SurfaceExchange {
  public:
-  /// `visibility`: V at each row, from 0 to 1; empty: 1. `free_sky`: at each row in place of the stand's; empty: that.
+  /// `visibility`: V at each row, from 0 to 1; empty: 1. `free_sky`: at each row in place of the stand's; empty: that. `beside`: at each row in
+  /// place of the ground; empty: that.
   SurfaceBalance(const OutdoorsSeries& series, const Skin& skin, const Stand& stand,
-                 std::vector<double> visibility = {}, std::vector<double> free_sky = {});
+                 std::vector<double> visibility = {}, std::vector<double> free_sky = {},
+                 std::vector<FromBeside> beside = {});
+
+  const Skin& skin() const { return skin_; }
 
   SurfaceGain gain(double time_s, double surface_k) const override;
   Fluxes fluxes(double time_s, double surface_k) const;
@@ -78,7 +89,7 @@ class SurfaceBalance : public SurfaceExchange {
     double windward = 1.0, forced_w_m2_k = 0.0;  ///< of forced convection, at glass
   };
   Row row_of(const OutdoorsSeries& series, const Stand& stand, std::size_t index, double visibility,
-             double free_sky);
+             double free_sky, const FromBeside* beside);
   /// That of a time, which `between` holds where it is no row's.
   const Row& at(double time_s, Row& between) const;
   /// Adds the rest, and the derivative of the sum.

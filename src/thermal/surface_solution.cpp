@@ -68,9 +68,9 @@ Fluxes mean_fluxes(const SurfaceBalance& balance, const History& history) {
 
 SurfaceSolution solve_surface(const Solid& solid, const Skin& skin, const Stand& stand,
                               const OutdoorsSeries& series, Start start, std::vector<double> visibility,
-                              std::vector<double> free_sky) {
+                              std::vector<double> free_sky, std::vector<FromBeside> beside) {
   Cells cells = cut_into_cells(solid);
-  SurfaceBalance balance(series, skin, stand, std::move(visibility), std::move(free_sky));
+  SurfaceBalance balance(series, skin, stand, std::move(visibility), std::move(free_sky), std::move(beside));
   const double air_k = series.rows.front().air.temperature_k;
   std::vector<double> start_k(cells.depth_m.size(), air_k);
   std::size_t start_rows = 0;

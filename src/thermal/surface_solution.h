@@ -32,10 +32,12 @@ struct SurfaceSolution {
   double start_k_per_w_m2 = 0.0;
 };
 
-/// `visibility`: of the Sun, at each row; empty: 1. `free_sky`: at each row in place of the stand's; empty: that. Throws InputError of check(solid).
+/// `visibility`: of the Sun, at each row; empty: 1. `free_sky`: at each row in place of the stand's; empty: that. `beside`: as
+/// SurfaceBalance. Throws InputError of check(solid).
 SurfaceSolution solve_surface(const Solid& solid, const Skin& skin, const Stand& stand,
                               const OutdoorsSeries& series, Start start = Start::steady,
-                              std::vector<double> visibility = {}, std::vector<double> free_sky = {});
+                              std::vector<double> visibility = {}, std::vector<double> free_sky = {},
+                              std::vector<FromBeside> beside = {});
 
 /// linear_kernel() of the last row, by row of the series: those of the first step go to the rows beside them, and what a gain of
 /// the first day does by way of a steady start counts there.

@@ -8,21 +8,20 @@
 
 #include "core/format.h"
 #include "exposure/clear_days.h"
-#include "exposure/solved_surface.h"
 #include "geometry/world.h"
 #include "io/document/document.h"
 #include "radiometry/spectral_nodes.h"
-#include "session/assembly/surfaces/thermal_assembly.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
 #include "session/solved/document_outdoors.h"
-#include "thermal/surface_solution.h"
+#include "session/solved/second_pass.h"
 
 namespace ifov::session::test_image_half_widths {
 namespace {
 
 constexpr double kHalf_m = 9.0;
-constexpr int kSide = 60, kSkyPairs = 64, kSunRays = 8;
+constexpr int kSkyPairs = 64, kSunRays = 8;
+constexpr double kSunRadius_rad = 0.00465;
 
 /// Roofs of thin tiles and a wet lawn between them; a mirror that may show either.
 Session street(const DaysOfJune& weather) {
@@ -72,15 +71,24 @@ Session courtyard(const DaysOfJune& weather) {
       nullptr);
 }
 
-/// Of a grid of places from above: what classes make of each against its own full solution, kelvins by material.
-std::map<std::uint32_t, std::vector<double>> off_by_material(const Parts& parts) {
+/// Of a grid of places from above: what classes make of each against its own full solution, kelvins by material; `with_neighbours`: against
+/// that with what it sees of the scene.
+std::map<std::uint32_t, std::vector<double>> off_by_material(const Parts& parts, int side,
+                                                             bool with_neighbours) {
   const DocumentOutdoors about = outdoors_of_document(parts.document, *parts.weather);
   const thermal::OutdoorsSeries& series = about.outdoors.series;
+  thermal::Stand stand;
+  stand.terrain = about.terrain;
+  ByMaterial by_material;
+  for (std::uint32_t m = 0; m < parts.scene.solved.size(); ++m)
+    if (const auto* of = dynamic_cast<const exposure::SolvedSurface*>(parts.scene.solved[m].get()))
+      by_material[m] = {*assemble_thermal(parts.document.sources, parts.document.scene.materials[m],
+                                          parts.scene.materials[m], about.mean_air_k),
+                        of->shared_classes()};
   std::map<std::uint32_t, std::vector<double>> off_k;
-  for (int i = 0; i < kSide * kSide; ++i) {
-    const auto along = [](int k) { return kHalf_m * (2.0 * (k + 0.5) / kSide - 1.0); };
-    const math::Ray ray{.origin_m = {along(i % kSide), along(i / kSide), 50.0},
-                        .direction = {0.0, 0.0, -1.0}};
+  for (int i = 0; i < side * side; ++i) {
+    const auto along = [&](int k) { return kHalf_m * (2.0 * (k + 0.5) / side - 1.0); };
+    const math::Ray ray{.origin_m = {along(i % side), along(i / side), 50.0}, .direction = {0.0, 0.0, -1.0}};
     geometry::SurfacePoint hit;
     parts.scene.world->intersect({&ray, 1}, {&hit, 1});
     const std::uint32_t by =
@@ -88,20 +96,12 @@ std::map<std::uint32_t, std::vector<double>> off_by_material(const Parts& parts)
     if (by == 0) continue;
     const auto& surface = dynamic_cast<const exposure::SolvedSurface&>(*parts.scene.solved[by - 1]);
     const auto exposure = surface.exposure(hit, static_cast<std::uint64_t>(i), kSkyPairs, kSunRays);
-    thermal::Stand stand;
-    stand.terrain = about.terrain;
-    stand.free_sky = exposure.free_sky;
-    stand.height_m = exposure.height_m;
-    std::vector<double> visibility(series.rows.size(), 0.0);
-    for (std::size_t k = 0; k < exposure.visibility.size(); ++k)
-      visibility[surface.classes().row_of_series(k)] = exposure.visibility[k];
-    const ThermalMaterial material =
-        *assemble_thermal(parts.document.sources, parts.document.scene.materials[by - 1],
-                          parts.scene.materials[by - 1], about.mean_air_k);
-    const double full_k = thermal::solve_surface(material.solid, material.skin, stand, series, material.start,
-                                                 std::move(visibility))
-                              .history.nodes.back()
-                              .surface_k;
+    const SolvedMaterial& solved = by_material.at(by - 1);
+    double full_k =
+        full_solution(solved, series, stand, {0.0, 0.0, 1.0}, exposure).history.nodes.back().surface_k;
+    if (with_neighbours)
+      full_k += second_pass_k({parts.scene, surface.scene(), by_material, series, stand, kSunRadius_rad},
+                              solved, hit, static_cast<std::uint64_t>(i), exposure, full_k);
     off_k[by - 1].push_back(surface.temperature_k(hit, exposure) - full_k);
   }
   return off_k;
@@ -129,7 +129,7 @@ TEST(ImageHalfWidths, CoverPixelsOfAGoodMaterialAndOfABadOne) {
     }
     return static_cast<double>(count) / static_cast<double>(off_k.size());
   };
-  const auto off_k = off_by_material(parts);
+  const auto off_k = off_by_material(parts, 24, true);
   ASSERT_GT(off_k.at(kLawn).size(), 200u);
   ASSERT_GT(off_k.at(kRoof).size(), 50u);
   EXPECT_GE(covered(off_k.at(kLawn), channel.emitted_of[kLawn]), 0.93);
@@ -141,8 +141,9 @@ TEST(ImageHalfWidths, CoverPixelsOfAGoodMaterialAndOfABadOne) {
 TEST(ImageHalfWidths, HoldAFewPixelsWhosePastIsLikeNoOthers) {
   const ClearDays weather("courtyard", 2.5);
   const Session session = courtyard(weather);
-  const TemperatureErrors::OfMaterial& road = session.parts().temperature_errors->by_material.at(0);
-  const auto off_k = off_by_material(session.parts()).at(0);  // all within the courtyard
+  TemperatureErrors::OfMaterial road = session.parts().temperature_errors->by_material.at(0);
+  road.beside_k = 0.0;                                                   // which would hold them all
+  const auto off_k = off_by_material(session.parts(), 60, false).at(0);  // all within the courtyard
   ASSERT_GT(off_k.size(), 500u);
   const auto held = [&](double half_width_k) {
     const auto count =
@@ -152,6 +153,40 @@ TEST(ImageHalfWidths, HoldAFewPixelsWhosePastIsLikeNoOthers) {
   EXPECT_GE(held(road.half_width_k()), 0.93);
   // A fault: of points that are spread evenly over the image hardly one lies in the courtyard.
   EXPECT_LT(held(TemperatureErrors::OfMaterial{road.points, road.rms_k, road.step_k}.half_width_k()), 0.8);
+}
+
+/// A sheet that no air reaches, below a wide deck of 330 K, is as warm as the deck, whatever the weather: the second pass finds that, and
+/// half-widths hold what the first does not.
+TEST(ImageHalfWidths, HoldWhatAHotDeckDoesToASheetBelow) {
+  const ClearDays weather("deck", 2.5);
+  const Session session = Session::load(
+      io::parse_document(format(
+                             R"({{"ifov": 1, "time": "2026-06-21T02:00:00Z", "weather": {{"file": "{}"}},
+          "temperatures": {{"spin_up": "1 d", "step": "10 min", "repeat_first_day": true}},
+          "scene": {{"origin": {{"latitude": "52 deg", "longitude": "5 deg"}},
+            "materials": {{
+              "sheet": {{"reflectance": 0.1, "temperature": "solved",
+                "thermal": {{"therm": {{"density": "1 g/cm3", "specific_heat": "1000 J kg-1 K-1", "conductivity": "1 W m-1 K-1",
+                            "thickness": "1 mm", "solar_absorption": 0.5, "emissivity": 0.9, "exposed_area": 0}}}}}},
+              "deck": {{"reflectance": 0.0, "temperature": "330 K"}}}},
+            "objects": [{{"plane": {{}}, "material": "sheet"}},
+              {{"box": {{"low": ["-500 m", "-500 m", "3 m"], "high": ["500 m", "500 m", "4 m"]}}, "material": "deck"}}]}},
+          "light": {{"sky": {{"temperature": "255 K"}}}},
+          "sensor": {{"camera": {{"orthographic": {{"gsd": "0.5 m", "pixels": [8, 8], "height": "2 m"}}}},
+            "channels": [{{"name": "thermal", "monochromatic": {{"at": "10 um"}}}}]}},
+          "sampling": {{"accuracy": {{"error": "200 K"}}}}}})",
+                             weather.path()),
+                         "deck.json"),
+      nullptr);
+  const Parts& parts = session.parts();
+  const math::Ray down{.origin_m = {0.1, 0.2, 1.0}, .direction = {0.0, 0.0, -1.0}};
+  geometry::SurfacePoint hit;
+  parts.scene.world->intersect({&down, 1}, {&hit, 1});
+  const double first_k = parts.scene.solved.at(0)->at(hit, 1).kelvin;
+  EXPECT_LT(first_k, 300.0);
+  const TemperatureErrors::OfMaterial& sheet = parts.temperature_errors->by_material.at(0);
+  EXPECT_NEAR(sheet.beside_k, 330.0 - first_k, 0.5);
+  EXPECT_GT(sheet.half_width_k(), 330.0 - first_k);
 }
 
 }  // namespace

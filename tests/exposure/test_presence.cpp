@@ -37,7 +37,7 @@ Session load(const ClearDays& weather, const std::string& present, const char* s
           "light": {{"sky": {{"none": {{}}}}}},
           "sensor": {{"camera": {{"orthographic": {{"gsd": "0.5 m", "pixels": [24, 16]}}}},
             "channels": [{{"name": "thermal", "top_hat": {{"from": "10 um", "to": "11 um"}}}}]}},
-          "sampling": {{"accuracy": {{"error": "2 K"}}}}}})",
+          "sampling": {{"accuracy": {{"error": "20 K"}}}}}})",
                              weather.path(), step, present),
                          "parked.json"),
       nullptr);

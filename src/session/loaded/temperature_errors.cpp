@@ -11,9 +11,12 @@ namespace ifov::session {
 
 double TemperatureErrors::OfMaterial::half_width_k() const {
   static const double kConfidence = std::erf(std::numbers::sqrt2);
-  const double of_all_k = sampling::two_sided_student(kConfidence, std::max(points, 1.0)) * rms_k,
-               of_chosen_k = 2.0 * unsettled_k;
-  return std::hypot(std::max(of_all_k, of_chosen_k), 2.0 * step_k) + ground_k;
+  const auto of_points = [](double count) {
+    return sampling::two_sided_student(kConfidence, std::max(count, 1.0));
+  };
+  const double of_all_k = of_points(points) * rms_k, of_chosen_k = 2.0 * unsettled_k,
+               of_beside_k = beside_k > 0.0 ? of_points(seen) * beside_k : 0.0;
+  return std::hypot(std::max(of_all_k, of_chosen_k), 2.0 * step_k, of_beside_k) + ground_k;
 }
 
 double TemperatureErrors::half_width_k() const {
@@ -26,7 +29,7 @@ std::string TemperatureErrors::statement() const {
   return format(
       "solved temperatures: at {} points that the camera sees, each solved in full by itself{}, off by {:.2f} K "
       "(root mean square, of '{}', the material that is off most), {:.2f} K at worst, {:+.3f} K on average{}; steps of time {:.3f} K{}{}; what "
-      "hides the sky counts as level ground at the air's temperature",
+      "hides the sky counts as level ground at the air's temperature, {:.2f} K by a second pass over what is there",
       points, made_up > 0 ? format(", and {} more of materials that it hardly sees", made_up) : "", rms_k,
       material, worst_k, bias_k,
       unsettled > 0
@@ -39,7 +42,8 @@ std::string TemperatureErrors::statement() const {
           ? format(
                 "; below {} of them nothing faces up, and the ground beside lies lower: by the wind of their height, up to {:.2f} K",
                 on_nothing, ground_k)
-          : "");
+          : "",
+      beside_k);
 }
 
 }  // namespace ifov::session

@@ -15,6 +15,8 @@ struct TemperatureErrors {
     /// Root mean square of points that were chosen for a past unlike that of most: half lit, or about which things came and went; of these
     /// two the larger.
     double unsettled_k = 0.0;
+    /// Root mean square of what a second pass changes by: of what is beside the points in place of level ground at the air's temperature.
+    double beside_k = 0.0;
     double ground_k =
         0.0;  ///< largest, of the wind of points below which nothing faces up, with ground at the foot of a drop beside
     /// Of what two standard deviations hold, 95.45 %: Student's t of as many points times the root mean square, or twice that of those that were
@@ -27,6 +29,7 @@ struct TemperatureErrors {
   double rms_k = 0.0, bias_k = 0.0;  ///< root mean square and mean, of the material of the largest half-width
   std::string material;              ///< its name
   double unsettled_k = 0.0;          ///< likewise, of those that were chosen
+  double beside_k = 0.0;             ///< likewise, by a second pass
   double worst_k = 0.0;
   double step_k = 0.0;                     ///< of the steps of time, by those of twice the length
   double lowest_m = 0.0, highest_m = 0.0;  ///< above ground, of those that the camera sees

@@ -10,15 +10,14 @@
 #include "core/parallel.h"
 #include "exposure/ground_beside.h"
 #include "exposure/past_scene.h"
-#include "exposure/solved_surface.h"
 #include "geometry/world.h"
 #include "io/document/document.h"
 #include "scene/scene.h"
 #include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/with_position.h"
-#include "session/assembly/surfaces/thermal_assembly.h"
 #include "session/assembly/whole/camera_grid.h"
 #include "session/solved/document_outdoors.h"
+#include "session/solved/second_pass.h"
 #include "thermal/wind_profile.h"
 
 namespace ifov::session {
@@ -29,12 +28,6 @@ constexpr int kAcross = 24;                                // rays along each si
 constexpr std::size_t kMeasured = 64, kLeastMeasured = 8;  // points, of all materials and of each
 constexpr double kLeastUnsettled_k = 0.2;
 constexpr int kSkyPairs = 128;
-
-/// What a material is solved from, and its classes.
-struct Solved {
-  ThermalMaterial thermal;
-  std::shared_ptr<const thermal::SurfaceClasses> classes;
-};
 
 thermal::Stand open_stand(const DocumentOutdoors& about) {
   thermal::Stand stand;
@@ -70,24 +63,8 @@ void warn_of_another_sun(const scene::Scene& scene, const thermal::Outdoors& now
         apart_deg));
 }
 
-/// The temperature of a point that is solved in full by itself.
-double full_solution_k(const Solved& solved, const thermal::OutdoorsSeries& series, thermal::Stand stand,
-                       math::Vec3 normal, const exposure::SolvedSurface::Exposure& exposure) {
-  stand.tilt_rad = std::acos(std::clamp(normal.z, -1.0, 1.0));
-  stand.azimuth_rad = std::atan2(normal.x, normal.y);
-  stand.free_sky = exposure.free_sky;
-  stand.height_m = exposure.height_m;
-  std::vector<double> visibility(series.rows.size(), 0.0);
-  for (std::size_t k = 0; k < exposure.visibility.size(); ++k)
-    visibility[solved.classes->row_of_series(k)] = exposure.visibility[k];
-  const thermal::SurfaceSolution solution =
-      thermal::solve_surface(solved.thermal.solid, solved.thermal.skin, stand, series, solved.thermal.start,
-                             std::move(visibility), exposure.past_free_sky);
-  return solution.history.nodes.back().surface_k;
-}
-
 /// By what a level surface in the open is off by the length of steps: twice as long ones make four times the error.
-double step_error_k(const Solved& solved, const thermal::OutdoorsSeries& series,
+double step_error_k(const SolvedMaterial& solved, const thermal::OutdoorsSeries& series,
                     const thermal::Stand& stand) {
   thermal::OutdoorsSeries every_other = series;
   every_other.step_s *= 2.0;
@@ -104,20 +81,20 @@ double step_error_k(const Solved& solved, const thermal::OutdoorsSeries& series,
 
 /// A place of a surface that is warmed by what it sees.
 struct Measured {
-  Measured(const Solved& of, const geometry::SurfacePoint& seen) : solved(&of), at(seen) {}
-  Measured(const Solved& of, const geometry::SurfacePoint& place, double above_ground_m)
+  Measured(const SolvedMaterial& of, const geometry::SurfacePoint& seen) : solved(&of), at(seen) {}
+  Measured(const SolvedMaterial& of, const geometry::SurfacePoint& place, double above_ground_m)
       : solved(&of), at(place), made_up(true), height_m(above_ground_m) {}
 
-  const Solved* solved;
+  const SolvedMaterial* solved;
   geometry::SurfacePoint at;
   bool made_up = false;   ///< the camera sees too few of the material
   int chosen_for = 0;     ///< 1, 2: for a past that was mixed, that changed
   double height_m = 0.0;  ///< above ground
   double off_k = 0.0;
+  double beside_k = 0.0;  ///< by what the second pass changes it
   std::optional<double>
       ground_k;  ///< by what its temperature would be another if the ground were that beside
 };
-using ByMaterial = std::map<std::uint32_t, Solved>;
 
 /// Level, tilted and upright, to all sides: what the camera may see of a material by way of mirrors, or between its rays.
 geometry::SurfacePoint made_up_point(std::size_t number) {
@@ -143,7 +120,7 @@ exposure::SolvedSurface::Exposure made_up_exposure(std::size_t number, std::size
 }
 
 /// Of what is seen of a material those few whose past is least like that of always Sun or never, and those about which most came or went.
-void add_unsettled(std::vector<Measured>& points, const Solved& solved,
+void add_unsettled(std::vector<Measured>& points, const SolvedMaterial& solved,
                    std::span<const geometry::SurfacePoint* const> seen, const exposure::PastScene& past) {
   const exposure::SolvedSurface surface(solved.classes, past, kSunRadius_rad);
   std::vector<exposure::SolvedSurface::Unsettled> all;
@@ -197,9 +174,9 @@ std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor
 }
 
 /// What classes make of the points against solutions in full, material by material; of the root mean squares the largest.
-void measure(TemperatureErrors& errors, const io::Document& document, const ByMaterial& by_material,
-             std::vector<Measured> points, const thermal::OutdoorsSeries& series, const thermal::Stand& stand,
-             const exposure::PastScene& past, int threads) {
+void measure(TemperatureErrors& errors, const io::Document& document, const Neighbourhood& about,
+             std::vector<Measured> points, int threads) {
+  const exposure::PastScene& past = about.past;
   parallel_for(static_cast<std::int64_t>(points.size()), threads, [&](std::int64_t k) {
     const auto number = static_cast<std::size_t>(k);
     Measured& point = points[number];
@@ -208,18 +185,25 @@ void measure(TemperatureErrors& errors, const io::Document& document, const ByMa
                         ? made_up_exposure(number, point.solved->classes->sunlit_rows(), point.height_m)
                         : surface.exposure(point.at, static_cast<std::uint64_t>(k), kSkyPairs, 1);
     const math::Vec3 normal = surface.normal_at(point.at);
-    const double full_k = full_solution_k(*point.solved, series, stand, normal, exposure);
+    const auto full_solution_k = [&] {
+      return full_solution(*point.solved, about.series, about.stand, normal, exposure)
+          .history.nodes.back()
+          .surface_k;
+    };
+    const double full_k = full_solution_k();
     point.off_k = surface.temperature_k(point.at, exposure) - full_k;
     point.height_m = exposure.height_m;
-    if (point.made_up || exposure.height_m > 0.0) return;
+    if (point.made_up) return;
+    point.beside_k =
+        second_pass_k(about, *point.solved, point.at, static_cast<std::uint64_t>(k), exposure, full_k);
+    if (exposure.height_m > 0.0) return;
     exposure.height_m =
         exposure::height_above_ground_beside_m(past, point.at.position_m, thermal::kLowestWind_m);
-    if (exposure.height_m > 0.0)
-      point.ground_k = std::abs(full_solution_k(*point.solved, series, stand, normal, exposure) - full_k);
+    if (exposure.height_m > 0.0) point.ground_k = std::abs(full_solution_k() - full_k);
   });
   double worst_half_width_k = 0.0;
-  for (const auto& [material, solved] : by_material) {
-    double sum_k = 0.0, squares_k2 = 0.0, count = 0.0;
+  for (const auto& [material, solved] : about.by_material) {
+    double sum_k = 0.0, squares_k2 = 0.0, count = 0.0, beside_k2 = 0.0;
     std::array<std::pair<double, double>, 2> chosen{};  // squares, points
     for (const Measured& point : points) {
       if (point.solved != &solved) continue;
@@ -237,6 +221,7 @@ void measure(TemperatureErrors& errors, const io::Document& document, const ByMa
       ++(point.made_up ? errors.made_up : errors.points);
       if (point.made_up) continue;
       ++errors.by_material[material].seen;
+      beside_k2 += point.beside_k * point.beside_k;
       errors.lowest_m = errors.points == 1 ? point.height_m : std::min(errors.lowest_m, point.height_m);
       errors.highest_m = std::max(errors.highest_m, point.height_m);
       if (!point.ground_k) continue;
@@ -248,12 +233,14 @@ void measure(TemperatureErrors& errors, const io::Document& document, const ByMa
     TemperatureErrors::OfMaterial& own = errors.by_material[material];
     own.rms_k = std::sqrt(squares_k2 / count);
     own.points = count;
+    own.beside_k = std::sqrt(beside_k2 / std::max(own.seen, 1));
     for (const auto& [squares, number] : chosen)
       own.unsettled_k = std::max(own.unsettled_k, std::sqrt(squares / std::max(number, 1.0)));
     if (!errors.material.empty() && own.half_width_k() < worst_half_width_k) continue;
     worst_half_width_k = own.half_width_k();
     errors.rms_k = own.rms_k;
     errors.unsettled_k = own.unsettled_k;
+    errors.beside_k = own.beside_k;
     errors.bias_k = sum_k / count;
     errors.material = document.scene.materials[material].name;
   }
@@ -318,8 +305,8 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
     const double step_k = errors.by_material[material].step_k = step_error_k(solved, series, stand);
     errors.step_k = std::max(errors.step_k, step_k);
   }
-  measure(errors, document, by_material, points_by_material(scene, camera, by_material, past), series, stand,
-          past, threads);
+  measure(errors, document, {scene, past, by_material, series, stand, kSunRadius_rad},
+          points_by_material(scene, camera, by_material, past), threads);
   errors.weather = about.statement;
   for (const std::string& note : about.outdoors.notes) errors.weather += "; " + note;
   if (log != nullptr) warn_of_another_sun(scene, series.rows.back(), *log);

@@ -48,13 +48,17 @@ SolvedScene::~SolvedScene() = default;
 const thermal::OutdoorsSeries& SolvedScene::series() const { return inside_->about.outdoors.series; }
 
 double SolvedScene::half_width_k() const {
-  return inside_->session.parts().temperature_errors->half_width_k();
+  double largest_k = 0.0;
+  for (const auto& [material, error] : inside_->session.parts().temperature_errors->by_material)
+    largest_k = std::max(largest_k, half_width_k(material));
+  return largest_k;
 }
 
 double SolvedScene::half_width_k(std::size_t material) const {
-  return inside_->session.parts()
-      .temperature_errors->by_material.at(static_cast<std::uint32_t>(material))
-      .half_width_k();
+  session::TemperatureErrors::OfMaterial error =
+      inside_->session.parts().temperature_errors->by_material.at(static_cast<std::uint32_t>(material));
+  error.beside_k = 0.0;
+  return error.half_width_k();
 }
 
 const exposure::SolvedSurface* SolvedScene::surface(std::size_t material) const {
