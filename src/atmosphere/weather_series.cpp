@@ -120,6 +120,8 @@ std::optional<double> WeatherSeries::at(WeatherQuantity quantity, geodesy::UtcTi
 
 double saturation_pressure_pa(double temperature_k) {
   const double celsius = temperature_k - 273.15;
+  constexpr double kNone_c = -200.0;  // the formula has a pole at -243.04
+  if (celsius < kNone_c) return 0.0;
   return 610.94 * std::exp(17.625 * celsius / (celsius + 243.04));
 }
 

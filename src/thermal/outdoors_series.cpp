@@ -151,12 +151,28 @@ class Sampler {
     }
     now.direct_w_m2 = std::max(0.0, split.direct_w_m2);
     now.diffuse_w_m2 = std::max(0.0, split.diffuse_w_m2);
-    if (sun.elevation_rad < kDarkest_rad && now.direct_w_m2 + now.diffuse_w_m2 > kNightLight_w_m2)
+    if (sun.elevation_rad < kDarkest_rad && now.direct_w_m2 + now.diffuse_w_m2 > kNightLight_w_m2 &&
+        !is_beside_light(time_s))
       throw InputError(format(
           "'{}' has sunlight of {:.0f} W m-2 at {}, while the Sun is {:.0f} degrees below the horizon; "
           "expected at most {:.0f}",
           weather_.site().name, now.direct_w_m2 + now.diffuse_w_m2, clock_text(time_s),
           -sun.elevation_rad * 180.0 / std::numbers::pi, kNightLight_w_m2));
+  }
+
+  /// Whether the file has a time just before or after at which the Sun was not so low: where it sinks fast, an hour has all of dusk in it.
+  bool is_beside_light(double time_s) const {
+    const auto& knots = weather_.knots(WeatherQuantity::global_irradiance);
+    if (!bounded_ || knots.empty()) return false;
+    const double day_s = looked_up_s(time_s);
+    const auto after =
+        std::upper_bound(knots.begin(), knots.end(), day_s,
+                         [](double t, const atmosphere::WeatherKnot& k) { return t < k.time_s; });
+    const auto is_light = [&](const atmosphere::WeatherKnot& knot) {
+      return knot.value > 0.0 && std::abs(knot.time_s - day_s) < kAnHour_s &&
+             sun_.at(std::max(knot.time_s, begin_s())).elevation_rad >= kDarkest_rad;
+    };
+    return (after != knots.end() && is_light(*after)) || (after != knots.begin() && is_light(*(after - 1)));
   }
 
   void longwave(Outdoors& now, double time_s) const {
@@ -175,6 +191,7 @@ class Sampler {
   const Span& span_;
   SunPath sun_;
   bool bounded_ = false;
+  static constexpr double kAnHour_s = 3600.0;
   double first_s_ = 0.0, last_s_ = 0.0;  // of what stands for the days before
 };
 

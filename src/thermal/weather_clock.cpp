@@ -16,24 +16,36 @@ using atmosphere::WeatherQuantity;
 
 constexpr double kADay_s = 86400.0, kLight_w_m2 = 5.0;
 
-/// The middle of the one stretch of light about a time, or nothing where it is not whole.
+/// When light between a knot and the next passes a bar: on the line through the brighter of them and what lies behind it, as a file that is
+/// told by the hour says of the dark one only that the Sun was not up yet.
+double passes_at_s(const WeatherKnot& dark, const WeatherKnot& bright, const WeatherKnot& behind) {
+  const double slope = (behind.value - bright.value) / (behind.time_s - bright.time_s);
+  const double back_s = (bright.value - kLight_w_m2) / slope;
+  if (!(back_s * (bright.time_s - dark.time_s) > 0.0)) return dark.time_s;
+  return std::abs(back_s) < std::abs(bright.time_s - dark.time_s) ? bright.time_s - back_s : dark.time_s;
+}
+
+/// The middle of the stretch about a time in which most light came, or nothing where it is not whole.
 std::optional<double> middle_of_light(const std::vector<WeatherKnot>& knots, double noon_s) {
-  double first_s = 0.0, last_s = 0.0;
-  bool rises = false, falls = false;
+  std::optional<double> rise_s, middle_s;
+  double light = 0.0, most = 0.0;
   for (std::size_t i = 1; i < knots.size(); ++i) {
     const WeatherKnot &a = knots[i - 1], &b = knots[i];
-    if (std::abs(b.time_s - noon_s) > 0.5 * kADay_s || b.time_s - a.time_s > 3.0 * 3600.0) continue;
-    const bool up = a.value < kLight_w_m2 && b.value >= kLight_w_m2,
-               down = a.value >= kLight_w_m2 && b.value < kLight_w_m2;
-    if (!up && !down) continue;
-    const double at_s = a.time_s + (b.time_s - a.time_s) * (kLight_w_m2 - a.value) / (b.value - a.value);
-    if (up && !rises) first_s = at_s;
-    if (down) last_s = at_s;
-    rises |= up;
-    falls |= down && rises;
+    if (std::abs(b.time_s - noon_s) > 0.5 * kADay_s) continue;
+    if (b.time_s - a.time_s > 3.0 * 3600.0) rise_s.reset();
+    light += 0.5 * (a.value + b.value) * (b.time_s - a.time_s);
+    if (a.value < kLight_w_m2 && b.value >= kLight_w_m2) {
+      rise_s = passes_at_s(a, b, knots[std::min(i + 1, knots.size() - 1)]);
+      light = 0.0;
+    }
+    if (a.value < kLight_w_m2 || b.value >= kLight_w_m2 || !rise_s) continue;
+    if (light > most) {
+      most = light;
+      middle_s = 0.5 * (*rise_s + passes_at_s(b, a, knots[i >= 2 ? i - 2 : 0]));
+    }
+    rise_s.reset();
   }
-  if (!rises || !falls || last_s < first_s) return std::nullopt;
-  return 0.5 * (first_s + last_s);
+  return middle_s;
 }
 
 /// The middle of the light of the day that the Sun has its noon in, wherever the clock puts it.

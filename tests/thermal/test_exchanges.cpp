@@ -315,5 +315,20 @@ TEST(Evaporation, DewPassesNoStomataAndDrySurfacesNothing) {
   EXPECT_NEAR(at(300.0).slope_w_m2_k, (at(300.01).w_m2 - at(299.99).w_m2) / 0.02, 1e-4);
 }
 
+/// A loss that goes as the root of how much warmer a surface is than 300 K: from every temperature Newton's method goes to the other side,
+/// and back.
+class RootExchange : public SurfaceExchange {
+ public:
+  SurfaceGain gain(double, double surface_k) const override {
+    const double warmer_k = surface_k - 300.0, root = std::sqrt(std::max(std::abs(warmer_k), 1e-18));
+    return {-std::copysign(10.0 * root, warmer_k), -5.0 / root};
+  }
+};
+
+TEST(BalancedTemperature, IsFoundAboutACusp) {
+  EXPECT_NEAR(balanced_temperature_k(RootExchange(), 0.0, 1e-6, 300.0, 301.0), 300.0, 1e-6);
+  EXPECT_NEAR(balanced_temperature_k(RootExchange(), 0.0, 2.0, 310.0, 290.0), 302.34436, 1e-4);
+}
+
 }  // namespace
 }  // namespace ifov::thermal::test_exchanges

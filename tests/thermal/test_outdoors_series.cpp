@@ -232,7 +232,7 @@ TEST(WeatherClock, LocalTimeIsAnError) {
   how.ahead_s = -7.0 * kHour_s;
   EXPECT_EQ(
       message(made(how), second_day()),
-      "the sunlight of 'a station' has its noon 418 minutes before the Sun at this place, expected at most 20; its "
+      "the sunlight of 'a station' has its noon 420 minutes before the Sun at this place, expected at most 20; its "
       "clock may be local time: times 7.0 h later would make noon noon");
   how.ahead_s = 15.0 * 60.0;
   how.days = 3;
@@ -250,6 +250,49 @@ TEST(WeatherClock, LightByNightIsAnError) {
                 .find("has sunlight of 14 W m-2 at 2016-01-01T00:50:00.000Z, while the Sun is"),
             std::string::npos)
       << message(made(how), second_day());
+}
+
+/// One row of a night with 40 W m-2: that is what is wrong, and not the clock.
+TEST(WeatherClock, ARowOfANightIsNamed) {
+  const WeatherSeries clear = made({});
+  WeatherSeries::Knots knots;
+  for (std::size_t q = 0; q < knots.size(); ++q) knots[q] = clear.knots(static_cast<Q>(q));
+  auto& global = knots[static_cast<std::size_t>(Q::global_irradiance)];
+  const double night_s = atmosphere::seconds_of_day(2016, 1, 2) + 5.0 * kHour_s;
+  for (auto& knot : global)
+    if (knot.time_s == night_s) knot.value = 40.0;
+  const std::string told = message({{"a station", {}, {}, {}}, std::move(knots)}, second_day());
+  EXPECT_NE(told.find("W m-2 at 2016-01-02T04:"), std::string::npos) << told;
+  EXPECT_NE(told.find("while the Sun is"), std::string::npos) << told;
+}
+
+/// Where the Sun sinks steeply, an hour that ends in the dark has all of dusk in it, and the first hour of light may begin anywhere within
+/// one: files told by the hour are no fault of the clock, by whatever minutes noon is off the hour.
+TEST(WeatherClock, HoursAreFineEnough) {
+  for (int minutes = 0; minutes < 60; minutes += 5)
+    for (const double latitude : {0.0, 10.0, 50.0}) {
+      const geodesy::Geodetic place{latitude * std::numbers::pi / 180.0,
+                                    0.25 * minutes * std::numbers::pi / 180.0, 0.0};
+      const double begin_s = atmosphere::seconds_of_day(2016, 3, 1);
+      const SunPath sun(begin_s, begin_s + 2.0 * 86400.0, place);
+      WeatherSeries::Knots knots;
+      for (int hour = 0; hour <= 48; ++hour) {
+        const double time_s = begin_s + hour * kHour_s, height = std::sin(sun.at(time_s).elevation_rad);
+        const auto add = [&](Q quantity, double value) {
+          knots[static_cast<std::size_t>(quantity)].push_back({time_s, value});
+        };
+        add(Q::air_temperature_k, 295.0);
+        add(Q::global_irradiance, height > 0.0 ? 1000.0 * std::pow(height, 1.2) : 0.0);
+        add(Q::wind_speed_m_s, 2.0);
+        add(Q::longwave_irradiance, 380.0);
+      }
+      const WeatherSeries weather({"a station", {}, {}, {}}, std::move(knots));
+      EXPECT_LT(std::abs(noon_offset_s(weather, place).value()), 10.0 * 60.0) << minutes << " " << latitude;
+      Span span;
+      span.end = geodesy::parse_utc("2016-03-03T00:00:00Z");
+      span.spin_up_s = 24.0 * kHour_s;
+      EXPECT_NO_THROW(outdoors_of(weather, place, span)) << minutes << " " << latitude;
+    }
 }
 
 }  // namespace

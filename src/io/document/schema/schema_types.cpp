@@ -42,6 +42,12 @@ std::string range_text(const Range& range) {
   return {};
 }
 
+/// Durations go from microseconds to weeks: one of what is asked for.
+std::string example_of(const Dimension& dimension, const Range& range) {
+  const bool one = &dimension == &kDuration && !range.unit.empty() && is_within(1.0, range);
+  return one ? format("1 {}", range.unit) : std::string(dimension.example);
+}
+
 Sign sign_of(const Range& range, const Dimension& dimension) {
   const Unit* unit = range.unit.empty() ? nullptr : dimension.find(range.unit);
   const bool signless = std::all_of(dimension.units.begin(), dimension.units.end(),
@@ -207,7 +213,7 @@ SchemaType<double> quantity(const Dimension& dimension, const Range& range, doub
   ValueDescription d;
   d.form = Form::text;
   d.expected = format("{}{}, such as \"{}\" (units: {})", dimension.name, range_text(range),
-                      dimension.example, dimension.unit_list());
+                      example_of(dimension, range), dimension.unit_list());
   d.short_name = without_article(format("{}{}", dimension.name, range_text(range)));
   d.pattern = quantity_pattern(dimension, sign_of(range, dimension));
   auto description = std::make_shared<const ValueDescription>(std::move(d));
