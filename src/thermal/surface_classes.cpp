@@ -121,8 +121,11 @@ void SurfaceClasses::solve(Node& node, double height_m, double tilt_rad, double 
     if (std::abs(of_difference_k) > kLeastBend * sum_k)
       node.shift[sky] = std::clamp((node.rise_k[sky] - sum_k) / of_difference_k, -0.5, 0.5);
     double shifted_k = 0.0;
-    for (std::size_t k = 0; k < rows_.size(); ++k)
-      shifted_k += node.kernel_at(sky, k, node.shift[sky]) * gain_w_m2(rows_[k]);
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      float& kernel = node.kernel[sky][k];
+      kernel = std::max(0.0f, kernel + static_cast<float>(node.shift[sky]) * node.difference[sky][k]);
+      shifted_k += static_cast<double>(kernel) * gain_w_m2(rows_[k]);
+    }
     node.ratio[sky] = node.rise_k[sky] / shifted_k;
   }
 }
@@ -224,7 +227,7 @@ void SurfaceClasses::bends(const Pose& pose, std::span<const double> sum_k,
     for (std::size_t sky = 0; sky < 2; ++sky) {
       const double shift = node.shift[sky], factor = 0.5 * corner.share * (1.0 + 2.0 * shift);
       for (std::size_t k = 0; k < rows_.size(); ++k) {
-        kernel[k] += 0.5 * corner.share * node.kernel_at(sky, k, shift);
+        kernel[k] += 0.5 * corner.share * static_cast<double>(node.kernel[sky][k]);
         bent[k] += factor * static_cast<double>(node.difference[sky][k]);
       }
     }
@@ -247,9 +250,12 @@ SurfaceClasses::Shade SurfaceClasses::shaded(const Pose& pose, double free_sky,
     shade.kelvin += corner.share * std::lerp(node.shaded_k[0], node.shaded_k[1], free_sky);
     shade.of_sky_k += corner.share * (node.shaded_k[1] - node.shaded_k[0]);
     const double factor = corner.share * std::lerp(node.ratio[0], node.ratio[1], free_sky);
+    const double of_hidden = factor * (1.0 - free_sky), of_free = factor * free_sky;
+    const float* const hidden = node.kernel[0].data();
+    const float* const free = node.kernel[1].data();
+    double* __restrict sum = weight_k.data();
     for (std::size_t k = 0; k < rows_.size(); ++k)
-      weight_k[k] += factor * std::lerp(node.kernel_at(0, k, node.shift[0]),
-                                        node.kernel_at(1, k, node.shift[1]), free_sky);
+      sum[k] += of_hidden * static_cast<double>(hidden[k]) + of_free * static_cast<double>(free[k]);
   }
   for (std::size_t k = 0; k < rows_.size(); ++k)
     weight_k[k] *= rows_[k].absorbed_w_m2 * std::max(0.0, math::dot(pose.normal, rows_[k].sun));

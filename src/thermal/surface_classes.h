@@ -108,14 +108,9 @@ class SurfaceClasses {
   /// A direction: with the sky hidden and free.
   struct Node {
     std::array<double, 2> shaded_k{}, rise_k{}, ratio{}, shift{};
-    std::array<std::vector<float>, 2> kernel, difference;  ///< by sunlit row: mean of K_- and K_+; K_1 - K_0
+    std::array<std::vector<float>, 2> kernel, difference;  ///< by sunlit row: K, not below 0; K_1 - K_0
     /// By row of the series, of both skies: mean of K_0 and K_1, and K_1 - K_0; empty without `past_sky`.
     std::vector<float> past_kernel, past_difference;
-
-    double kernel_at(std::size_t sky, std::size_t row, double between) const {
-      return std::max(
-          0.0, static_cast<double>(kernel[sky][row]) + between * static_cast<double>(difference[sky][row]));
-    }
   };
   struct Corner {
     const Node* node = nullptr;

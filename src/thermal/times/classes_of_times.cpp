@@ -192,7 +192,7 @@ void ClassesOfTimes::fill(NodeOfTimes& node, std::size_t place) const {
         const auto k = static_cast<std::size_t>(sunlit_[t][row]);
         const bool last = row == last_row_[t];
         const auto gain =
-            static_cast<float>(classes_[t]->rows_[k].absorbed_w_m2 * own.kernel_at(sky, k, own.shift[sky]));
+            static_cast<float>(classes_[t]->rows_[k].absorbed_w_m2 * static_cast<double>(own.kernel[sky][k]));
         node.left[sky][row * lanes_ + t] = last ? 0.0f : gain;
         node.right[sky][row * lanes_ + t] = last ? 2.0f * gain : gain;
       }
