@@ -15,10 +15,14 @@ using atmosphere::WeatherKnot;
 using atmosphere::WeatherQuantity;
 
 constexpr double kADay_s = 86400.0, kLight_w_m2 = 5.0;
+constexpr double kFine_s = 1200.0;  // what passes within it is told well enough by both ends
 
-/// When light between a knot and the next passes a bar: on the line through the brighter of them and what lies behind it, as a file that is
+/// When light between a knot and the next passes a bar; where they are far apart on the line through the brighter of them and what lies behind it, as a file that is
 /// told by the hour says of the dark one only that the Sun was not up yet.
 double passes_at_s(const WeatherKnot& dark, const WeatherKnot& bright, const WeatherKnot& behind) {
+  if (std::abs(bright.time_s - dark.time_s) <= kFine_s)
+    return dark.time_s +
+           (bright.time_s - dark.time_s) * (kLight_w_m2 - dark.value) / (bright.value - dark.value);
   const double slope = (behind.value - bright.value) / (behind.time_s - bright.time_s);
   const double back_s = (bright.value - kLight_w_m2) / slope;
   if (!(back_s * (bright.time_s - dark.time_s) > 0.0)) return dark.time_s;

@@ -232,7 +232,7 @@ TEST(WeatherClock, LocalTimeIsAnError) {
   how.ahead_s = -7.0 * kHour_s;
   EXPECT_EQ(
       message(made(how), second_day()),
-      "the sunlight of 'a station' has its noon 420 minutes before the Sun at this place, expected at most 20; its "
+      "the sunlight of 'a station' has its noon 418 minutes before the Sun at this place, expected at most 20; its "
       "clock may be local time: times 7.0 h later would make noon noon");
   how.ahead_s = 15.0 * 60.0;
   how.days = 3;

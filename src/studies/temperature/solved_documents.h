@@ -3,6 +3,7 @@
 #include <string>
 
 #include "math/vec3.h"
+#include "studies/temperature/kept_document.h"
 
 namespace ifov::io {
 struct Document;
@@ -27,9 +28,6 @@ io::ObjectDocument solved_box(math::Point3 low_m, math::Point3 high_m, const std
 /// A suburb whose opaque materials are solved for, by what their names say they are made of, under that weather.
 io::Document suburb_solved(const std::string& hour, June june, const StudyOptions& options);
 
-/// The document as it is read again from the study's folder, where it is kept by this name.
-io::Document kept_document(const io::Document& document, const std::string& name,
-                           const StudyOptions& options);
 /// What `ifov temperature` tells of it.
 io::TemperatureReport surveyed_day(const io::Document& document, const std::string& name,
                                    const StudyOptions& options);

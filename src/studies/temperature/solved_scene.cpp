@@ -8,7 +8,7 @@
 #include "session/loaded/parts.h"
 #include "session/session.h"
 #include "session/solved/document_outdoors.h"
-#include "studies/temperature/solved_documents.h"
+#include "studies/temperature/kept_document.h"
 #include "thermal/surface_solution.h"
 
 namespace ifov::studies {

@@ -28,7 +28,8 @@ class SolvedScene {
   ~SolvedScene();
 
   const thermal::OutdoorsSeries& series() const;
-  double half_width_k() const;  ///< that is stated of the image, without what a second pass over neighbours adds
+  double half_width_k()
+      const;  ///< that is stated of the image, without what a second pass over neighbours adds
   double half_width_k(std::size_t material) const;
   /// Of a material that is solved; null of another.
   const exposure::SolvedSurface* surface(std::size_t material) const;
