@@ -34,7 +34,7 @@ STREET = """{"ifov": 1, "time": "2026-06-21T12:00Z",
  "light": {"sky": {"temperature": "255 K"}},
  "sensor": {"camera": {"orthographic": {"gsd": "0.5 m", "pixels": [14, 10]}},
             "channels": [{"name": "thermal", "top_hat": {"from": "10 um", "to": "12 um"}}]},
- "sampling": {"accuracy": {"error": "20 K"}, "tile": 5},
+ "sampling": {"accuracy": {"error": "8 K"}, "tile": 5},
  "output": {"products": ["half_width", "abundance", "temperature"], "formats": ["envi", "png"]}}
 """
 LONG = STREET.replace("[14, 10]", "[84, 60]").replace("0.5 m", "8.4 cm")
@@ -160,14 +160,14 @@ class Street(unittest.TestCase):
     def test_times_along_shared_paths_are_within_the_intervals_of_each_alone(self):
         """Independent estimates of 95 % intervals, whose difference lies within both together; that of another time does not."""
         times = "2026-06-21T09:00Z/PT30M/9"
-        shared = run("render", "street.json", "--times", times, "-o", "shared", "--log", "shared.log", "--set", "sampling.accuracy.error=16 K",
+        shared = run("render", "street.json", "--times", times, "-o", "shared", "--log", "shared.log", "--set", "sampling.accuracy.error=6 K",
                      "--set", "sensor.camera.orthographic.pixels=[28, 20]", "--set", "sensor.camera.orthographic.gsd=0.25 m", cwd=self.folder)
         self.assertEqual(shared.returncode, 0, shared.stderr)
         self.assertIn("9 times go along the same paths", (self.folder / "shared.log").read_text())
         images = {}
         for clock in ("0930", "1130", "1300"):
             alone = run("render", "street.json", "--set", f"time=2026-06-21T{clock[:2]}:{clock[2:]}Z", "-o", f"own{clock}", "--set", "seed=5",
-                        "--set", "sampling.accuracy.error=16 K", "--set", "sensor.camera.orthographic.pixels=[28, 20]",
+                        "--set", "sampling.accuracy.error=6 K", "--set", "sensor.camera.orthographic.pixels=[28, 20]",
                         "--set", "sensor.camera.orthographic.gsd=0.25 m", cwd=self.folder)
             self.assertEqual(alone.returncode, 0, alone.stderr)
             for kind, place in (("shared", self.folder / "shared" / f"2026-06-21T{clock}Z"), ("own", self.folder / f"own{clock}")):
@@ -187,7 +187,7 @@ class Street(unittest.TestCase):
             self.assertLess(sum(held) / len(held), 0.8, clock)
             bias = sum(a - b for a, b in zip(images["shared", wrong][0], images["own", clock][0])) / len(held)
             self.assertGreater(abs(bias) / mean, 1e-2, clock)
-        again = run("render", "street.json", "--times", times, "-o", "again", "-j", "1", "--set", "sampling.accuracy.error=16 K",
+        again = run("render", "street.json", "--times", times, "-o", "again", "-j", "1", "--set", "sampling.accuracy.error=6 K",
                     "--set", "sensor.camera.orthographic.pixels=[28, 20]", "--set", "sensor.camera.orthographic.gsd=0.25 m", cwd=self.folder)
         self.assertEqual(again.returncode, 0, again.stderr)
         for clock in ("0900", "1130", "1300"):
