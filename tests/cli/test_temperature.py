@@ -95,6 +95,8 @@ class Guide(unittest.TestCase):
             ("weather=null", 'day.json: surface temperatures need "weather"'),
             ("temperatures=null", 'it reaches back'),
             ("scene.origin=null", "surface temperatures need a place"),
+            ("temperatures.step=3 ms", 'expected a duration between 0.5 and 60 min, such as "1 min"'),
+            ("temperatures.spin_up=-1 d", 'expected a duration between 0 and 60 d, such as "1 d"'),
         ]:
             with self.subTest(setting=setting):
                 done = self.temperature("--materials", "--set", setting)
