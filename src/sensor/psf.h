@@ -58,6 +58,9 @@ std::unique_ptr<Psf> make_airy_psf(const AiryAperture& aperture, double encircle
 std::unique_ptr<Psf> make_kernel_psf(int columns, int rows, std::vector<double> values,
                                      double samples_per_pixel);
 
+/// The PSF in the pixels of an image in which a pixel of the focal plane is so many samples long along x, and so many lines along y.
+std::unique_ptr<const Psf> stretched_psf(std::unique_ptr<const Psf> psf, double along_x, double along_y);
+
 /// Response of a pixel: the PSF convolved with the detector's sensitive square of side sqrt(fill_factor).
 /// A null PSF is perfect optics.
 sampling::PixelFootprint make_footprint(const Psf* psf, double fill_factor);

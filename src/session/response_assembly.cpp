@@ -25,14 +25,16 @@ namespace {
 constexpr double kWidest_px = 64.0;
 
 std::vector<sensor::ChannelResponse> responses(const io::SensorDocument& sensor,
-                                               const std::vector<radiometry::Channel>& channels) {
+                                               const std::vector<radiometry::Channel>& channels,
+                                               double along_x, double along_y) {
   const std::optional<io::AiryPsf> diffraction = diffraction_of(sensor);
   const bool by_channel = diffraction && !diffraction->wavelength_um;
   std::vector<sensor::ChannelResponse> responses;
   for (std::size_t c = 0; c < channels.size(); ++c) {
     sensor::ChannelResponse& response = responses.emplace_back();
     if (by_channel) response.wavelength_um = channels[c].centre_um;
-    if (const auto& shift = sensor.channels[c].shift_px) response.shift_px = {(*shift)[0], (*shift)[1]};
+    if (const auto& shift = sensor.channels[c].shift_px)
+      response.shift_px = {(*shift)[0] * along_x, (*shift)[1] * along_y};
   }
   return responses;
 }
@@ -51,11 +53,13 @@ void assemble_response(Parts& parts) {
   const io::SensorDocument& document = parts.document.sensor;
   const double fill_factor = document.fill_factor;
   const sensor::AlongTrack along = parts.camera->along_track(), swept = parts.camera->along_line();
-  const std::vector<sensor::ChannelResponse> channels = responses(document, parts.channels);
+  // Optics and shifts are told on the focal plane.
+  const double along_x = swept.pitch_px, along_y = along.pitch_px;
+  const std::vector<sensor::ChannelResponse> channels = responses(document, parts.channels, along_x, along_y);
   const std::vector<sensor::ChannelGroup> found =
       sensor::group_channels(channels, fill_factor, [&](double wavelength_um) {
-        return std::shared_ptr<const sensor::Psf>(
-            assemble_psf(parts.document.sources, document, wavelength_um));
+        return std::shared_ptr<const sensor::Psf>(sensor::stretched_psf(
+            assemble_psf(parts.document.sources, document, wavelength_um), along_x, along_y));
       });
   const bool has_wings = parts.plan.knows_errors && along.plain() && swept.plain();
   std::vector<sampling::FootprintGroup> groups;
