@@ -21,6 +21,9 @@ struct AlongTrack {
   /// As before there were elements of a length: a pixel is a square of (across, time), of which a fill factor leaves the middle.
   bool plain() const { return exposure_px == 1.0 && element_px == 0.0 && stages == 1; }
 
+  /// From the first look to the last, without the motion of an exposure.
+  double reach_px() const { return element_px + (stages - 1) * stage_px; }
+
   /// The response, as pieces of a density.
   std::vector<sampling::PixelFootprint::Piece> pieces() const;
 
