@@ -15,7 +15,7 @@ AT_M, PLATE_M = (0.07, 0.13), 0.05
 
 def document(camera, speed_m_s, psf, shift=None):
     middle = lambda sign: [f"{at + sign * PLATE_M / 2} m" for at in AT_M]
-    channel = {"name": "thermal", "gaussian": {"center": "10 um", "fwhm": "0.02 um"}, **({"shift": shift} if shift else {})}
+    channel = {"name": "thermal", "monochromatic": {"at": "10 um"}, **({"shift": shift} if shift else {})}
     return {
         "ifov": 1,
         "scene": {"materials": {"road": {"reflectance": 0, "temperature": "290 K"}, "hot": {"reflectance": 0, "temperature": "900 K"}},
@@ -49,6 +49,18 @@ def spread(camera, speed_m_s, psf, shift=None):
         middle = (share * at).sum()
         found += [middle, math.sqrt((share * (at - middle) ** 2).sum())]
     return found
+
+
+RADII = np.linspace(0.0, 60.0, 12001) if np is not None else None
+
+
+def airy_density(r_px, q_px):
+    """Of a circular aperture: (pi / 4 q^2) (2 J1(v) / v)^2 with v = pi r / q, J1 by Bessel's integral."""
+    if not hasattr(airy_density, "table"):
+        v, turn = np.pi * np.maximum(RADII, 1e-9) / q_px, (np.arange(400) + 0.5) * np.pi / 400
+        j1 = np.mean([np.cos(t - v * math.sin(t)) for t in turn], axis=0)
+        airy_density.table = np.pi / 4 / q_px**2 * (2 * j1 / v) ** 2
+    return np.interp(r_px, RADII, airy_density.table)
 
 
 def wide(blur_px):
@@ -90,6 +102,39 @@ class PsfOfScanners(unittest.TestCase):
         long, half = long.reshape(PIXELS, PIXELS), half.reshape(PIXELS, PIXELS)
         self.assertGreater(np.mean(np.abs(pairs - long) <= pair_half + half), 0.99)
         self.assertLess(np.abs(pairs - long).max() / (long.max() - np.median(long)), 0.02)
+
+    def test_wings_of_elements_of_a_length(self):
+        """What is 3 pixels and more away brings the mean of Airy's density over where an element and its stages look while they are exposed; and intervals know it."""
+        q = 10.0 * 50 / 25 / 25
+        planck = lambda kelvins: 1.191042972e8 / 10**5 / math.expm1(14387.76877 / 10 / kelvins)
+        box = (np.arange(8) + 0.5) / 8 - 0.5
+        for kind, lines, keys in (("pushbroom", 1.0, {"element_length": "25 um"}), ("pushbroom", 1.3, {"element_length": "25 um", "stages": 4}),
+                                  ("whiskbroom", 1.5, {"element_width": "25 um"})):
+            with self.subTest(kind, keys=keys), tempfile.TemporaryDirectory() as folder:
+                camera, speed = (pushbroom if kind == "pushbroom" else whiskbroom)(lines)
+                camera[kind].update(keys)
+                scene = document(camera, speed, {"airy": {"aperture": "25 mm"}})
+                scene["scene"]["materials"]["hot"]["temperature"] = "3000 K"
+                light, half = (a.reshape(PIXELS, PIXELS) for a in image_of(scene, pathlib.Path(folder), {"accuracy": {"error": "0.5 %"}}))
+                at = np.arange(PIXELS) + 0.5 - PIXELS / 2
+                stages = [(k - 1.5) * (lines - 1.0) for k in range(4)] if "stages" in keys else [0.0]
+                spread = np.array([exposed + element * lines + stage for exposed in box for element in box for stage in stages]) / lines
+                if kind == "whiskbroom":
+                    x, y, dx, dy = at / lines, at, spread, box
+                else:
+                    x, y, dx, dy = at, at / lines, box, spread
+                x, y = x + AT_M[0] / PITCH_M, y - AT_M[1] / PITCH_M
+                r = np.hypot(*np.meshgrid(x, y))
+                truth = (planck(3000) - planck(290)) * (PLATE_M / PITCH_M) ** 2 * np.array(
+                    [[airy_density(np.hypot(*np.meshgrid(a + dx, b + dy)), q).mean() for a in x] for b in y])
+                found = light - planck(290)
+                far = r > 3.0
+                self.assertGreater(far.sum(), 50)
+                # A few hundred paths found the plate: all pixels know it alike.
+                self.assertAlmostEqual(found[far].sum() / truth[far].sum(), 1.0, delta=0.06)
+                self.assertGreater(np.mean((np.abs(found - truth) <= half)[far]), 0.95)
+                self.assertLess((half[far] / light[far]).max(), 0.02)
+                self.assertGreater((truth[far] / half[far]).max(), 3.0)
 
     def test_modulation_along_a_sweep_is_of_its_samples(self):
         camera, speed = whiskbroom(2.0)
