@@ -18,9 +18,10 @@ namespace {
 /// Source pixels that weigh less than this in every output are not looked at beside the lattice.
 constexpr double kLeastTested = 0.05;
 
-/// Values of a tile that must agree before its labels are taken for constant, where it has pixels for so many: of what fewer tell, one
-/// path in fifty that meets something else would be missed by whole rows of a rolling shutter. And as many of a pixel, at most.
+/// Values of a strip, a tile of few long rows, that must agree before its labels are taken for constant: of what fewer tell, one path in
+/// fifty that meets something else would be missed by whole rows of a rolling shutter. And as many of a pixel, at most.
 constexpr std::size_t kFewestTested = 1024, kMostOfPixel = 64;
+constexpr int kFewRows = 4, kLongRow = 8;
 
 constexpr std::uint64_t kRandomPointKey = 0x6c6f6f6b, kRandomPointPath = 0x6c6f6f6b70;
 
@@ -61,8 +62,10 @@ std::vector<int> RandomLook::test_constant_labels(RayLedger& ledger, const Label
     if (covers(p)) (constant_at_vertices(p, at) ? constant : left).push_back(p);
   const std::size_t of_round = constant.size() * static_cast<std::size_t>(side_ * side_),
                     most = kMostOfPixel * constant.size();
+  const PixelRect& tile = grid_.tile();
+  const bool strip = tile.height() <= kFewRows && tile.width() >= kLongRow;
   for (int round = 0; !constant.empty() && (round == 0 || requests.size() + of_round <= most) &&
-                      (round == 0 || requests.size() < kFewestTested);
+                      (round == 0 || (strip && requests.size() < kFewestTested));
        ++round)
     for (const int p : constant)
       for (const FocalPoint point : points(p, round)) {
