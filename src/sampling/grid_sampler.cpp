@@ -183,7 +183,9 @@ void GridSampler::sample(const TileProblem& problem, Field& field, TileResult& r
                      GroupedPixel& pixel = pixels[order.shared() ? index : 0];
                      for (std::size_t group = 0; group < lattices.size(); ++group)
                        pixel.add(group, lattices[group].weight(a, b), label, material, values);
-                     if (order.shared() || pixel.fewest() < order.per_pixel()) return;
+                     // Groups leave out what does not weigh with them.
+                     const bool whole = (k + 1) % static_cast<std::size_t>(order.per_pixel()) == 0;
+                     if (order.shared() || !whole) return;
                      write(pixel, index);
                      pixel.clear();
                    });

@@ -15,9 +15,14 @@ struct AlongTrack {
   int stages = 1;
   double stage_px =
       0.0;  ///< how far each stage's look lies behind the last; 0 where the charge follows the ground
+  /// How many lines (or samples of a sweep) a pitch of the focal plane is: by so much longer optics blur here than across.
+  double pitch_px = 1.0;
 
   /// As before there were elements of a length: a pixel is a square of (across, time), of which a fill factor leaves the middle.
   bool plain() const { return exposure_px == 1.0 && element_px == 0.0 && stages == 1; }
+
+  /// From the first look to the last, without the motion of an exposure.
+  double reach_px() const { return element_px + (stages - 1) * stage_px; }
 
   /// The response, as pieces of a density.
   std::vector<sampling::PixelFootprint::Piece> pieces() const;

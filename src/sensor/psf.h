@@ -42,6 +42,9 @@ class Psf {
   /// Whether the density goes by the distance from the middle alone.
   virtual bool round() const { return true; }
 
+  /// Whether it is alike on both sides of either axis, and its rings are those of a round one, stretched or spread.
+  virtual bool mirrored() const { return round(); }
+
   /// One line for people: shape, parameters, where it is cut and how much energy the cut leaves out.
   virtual std::string description() const = 0;
 };
@@ -57,6 +60,13 @@ std::unique_ptr<Psf> make_airy_psf(const AiryAperture& aperture, double encircle
 /// samples_per_pixel, its middle where the point is. Normalised here.
 std::unique_ptr<Psf> make_kernel_psf(int columns, int rows, std::vector<double> values,
                                      double samples_per_pixel);
+
+/// The PSF in the pixels of an image in which a pixel of the focal plane is so many samples long along x, and so many lines along y.
+std::unique_ptr<const Psf> stretched_psf(std::unique_ptr<const Psf> psf, double along_x, double along_y);
+
+/// The same PSF, but that what its cut leaves out is spread over the length of a line scanner's elements and their stages, or along x over
+/// that of elements that are swept; over the motion of an exposure it is not.
+std::shared_ptr<const Psf> spread_cut(std::shared_ptr<const Psf> psf, const AlongTrack& along, bool along_x);
 
 /// Response of a pixel: the PSF convolved with the detector's sensitive square of side sqrt(fill_factor).
 /// A null PSF is perfect optics.

@@ -20,14 +20,13 @@ EnergyTable near_energy(const Psf& psf, double half_px, double step_px, bool smo
   const int cells = 2 * static_cast<int>(std::ceil(half_px / step_px));
   const double side = 2.0 * half_px / cells;
   std::vector<double> energy(static_cast<std::size_t>(cells) * static_cast<std::size_t>(cells));
-  // Alike in both halves of each axis where it is round.
-  const bool round = psf.round();
-  for (int j = 0; j < (round ? cells / 2 : cells); ++j)
-    for (int i = 0; i < (round ? cells / 2 : cells); ++i) {
+  const bool mirrored = psf.mirrored();
+  for (int j = 0; j < (mirrored ? cells / 2 : cells); ++j)
+    for (int i = 0; i < (mirrored ? cells / 2 : cells); ++i) {
       const double e =
           side * side * psf.cut_density((i + 0.5) * side - half_px, (j + 0.5) * side - half_px, smooth);
-      for (const int row : {j, round ? cells - 1 - j : j})
-        for (const int column : {i, round ? cells - 1 - i : i})
+      for (const int row : {j, mirrored ? cells - 1 - j : j})
+        for (const int column : {i, mirrored ? cells - 1 - i : i})
           energy[static_cast<std::size_t>(row) * static_cast<std::size_t>(cells) +
                  static_cast<std::size_t>(column)] = e;
     }
@@ -40,10 +39,14 @@ EnergyTable near_energy(const Psf& psf, double half_px, double step_px, bool smo
 }  // namespace
 
 PsfWings::PsfWings(const Psf& psf, double fill_factor, sampling::Point2 shift_px)
-    : kept_(psf.kept()), side_px_(std::sqrt(fill_factor)), round_(psf.round()), shift_(shift_px) {
+    : PsfWings(psf, sampling::Point2{std::sqrt(fill_factor), std::sqrt(fill_factor)}, shift_px) {}
+
+PsfWings::PsfWings(const Psf& psf, sampling::Point2 sides_px, sampling::Point2 shift_px)
+    : kept_(psf.kept()), sides_(sides_px), round_(psf.round()), shift_(shift_px) {
   tabulate_radius(psf);
-  const double side = side_px_, sx = shift_px.x, sy = shift_px.y;
-  const double half_px = 0.25 * kHalfCells + 0.5 * side + std::max(std::abs(sx), std::abs(sy));
+  const double sx = shift_px.x, sy = shift_px.y;
+  const double half_px =
+      0.25 * kHalfCells + 0.5 * std::max(sides_.x, sides_.y) + std::max(std::abs(sx), std::abs(sy));
   const double wanted_px = psf.detail_px() / kStepsOverDetail;
   const bool smooth = wanted_px < kFinest_px;
   double total = 0.0;
@@ -57,8 +60,8 @@ PsfWings::PsfWings(const Psf& psf, double fill_factor, sampling::Point2 shift_px
       double sum = 0.0;
       for (int b = 0; b < kDetectorSteps; ++b)
         for (int a = 0; a < kDetectorSteps; ++a) {
-          const double u = ((a + 0.5) / kDetectorSteps - 0.5) * side,
-                       v = ((b + 0.5) / kDetectorSteps - 0.5) * side;
+          const double u = ((a + 0.5) / kDetectorSteps - 0.5) * sides_.x,
+                       v = ((b + 0.5) / kDetectorSteps - 0.5) * sides_.y;
           sum += near.within(x + u, y + v, x + u + 0.5, y + v + 0.5);
         }
       const double share = total * sum / (kDetectorSteps * kDetectorSteps);
@@ -67,16 +70,16 @@ PsfWings::PsfWings(const Psf& psf, double fill_factor, sampling::Point2 shift_px
   points_.resize(static_cast<std::size_t>(kPoints) * kPoints);
   for (int row = 0; row < kPoints; ++row)
     for (int column = 0; column < kPoints; ++column) {
-      const double x = static_cast<double>(column - kPoints / 2) / kPointSteps - sx - 0.5 * side,
-                   y = static_cast<double>(row - kPoints / 2) / kPointSteps - sy - 0.5 * side;
-      const double share = total * near.within(x, y, x + side, y + side);
+      const double x = static_cast<double>(column - kPoints / 2) / kPointSteps - sx - 0.5 * sides_.x,
+                   y = static_cast<double>(row - kPoints / 2) / kPointSteps - sy - 0.5 * sides_.y;
+      const double share = total * near.within(x, y, x + sides_.x, y + sides_.y);
       points_[static_cast<std::size_t>(row * kPoints + column)] =
-          share > kNothing ? share / (side * side) : 0.0;
+          share > kNothing ? share / (sides_.x * sides_.y) : 0.0;
     }
 
   // Points along a pixel's side; the mean of rings alone would have no spikes.
-  const bool rings_average = round_ && psf.detail_px() < 0.5;
-  const int sub = round_ ? 4 : std::clamp(static_cast<int>(std::ceil(2.0 / psf.detail_px())), 4, 8);
+  const bool mirrored = psf.mirrored(), rings_average = mirrored && psf.detail_px() < 0.5;
+  const int sub = mirrored ? 4 : std::clamp(static_cast<int>(std::ceil(2.0 / psf.detail_px())), 4, 8);
   const auto on_pixel = [&](int x, int y) {
     double sum = 0.0;
     for (int b = 0; b < sub; ++b)
@@ -84,13 +87,15 @@ PsfWings::PsfWings(const Psf& psf, double fill_factor, sampling::Point2 shift_px
         sum += psf.cut_density(x + (a + 0.5) / sub - 0.5 - sx, y + (b + 0.5) / sub - 0.5 - sy, rings_average);
     return sum / (sub * sub);
   };
-  // Alike in all eighths where it is round and stands in the middle.
-  const bool alike = psf.round() && sx == 0.0 && sy == 0.0;
+  // Alike in all eighths where it is round and stands in the middle, else in quarters.
+  const bool alike = mirrored && sx == 0.0 && sy == 0.0;
   std::vector<double> quarter(static_cast<std::size_t>(kReach + 1) * (kReach + 1));
   for (int y = 0; alike && y <= kReach; ++y)
-    for (int x = 0; x <= y; ++x)
-      quarter[static_cast<std::size_t>(y * (kReach + 1) + x)] =
-          quarter[static_cast<std::size_t>(x * (kReach + 1) + y)] = on_pixel(x, y);
+    for (int x = 0; x <= (round_ ? y : kReach); ++x) {
+      const double own = on_pixel(x, y);
+      quarter[static_cast<std::size_t>(y * (kReach + 1) + x)] = own;
+      if (round_) quarter[static_cast<std::size_t>(x * (kReach + 1) + y)] = own;
+    }
   constexpr std::size_t kStride = 2 * kReach + 1;
   summed_.assign(kStride * kStride, 0.0);
   for (int y = -kReach; y < kReach; ++y)
@@ -181,8 +186,8 @@ PsfWings::Density PsfWings::density(double dx_px, double dy_px) const {
   if (!round_) return between_pixels(dx_px, dy_px);
   // So far out rings are straight over a pixel: of its square what counts is how wide it is across them.
   constexpr double kNarrow = 0.05;
-  const double a = side_px_ * std::max(kNarrow, std::abs(x) / r),
-               b = side_px_ * std::max(kNarrow, std::abs(y) / r);
+  const double a = sides_.x * std::max(kNarrow, std::abs(x) / r),
+               b = sides_.y * std::max(kNarrow, std::abs(y) / r);
   const double share = (twice_integrated(r + 0.5 * (a + b)) - twice_integrated(r + 0.5 * (a - b)) -
                         twice_integrated(r - 0.5 * (a - b)) + twice_integrated(r - 0.5 * (a + b))) /
                        (a * b);

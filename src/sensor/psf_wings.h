@@ -24,8 +24,10 @@ class PsfWings {
   static constexpr int kNear = 4, kMiddle = 16, kFar = 64;  ///< sides of the levels' blocks, px
   static constexpr int kBlocks = 2;                         ///< of them to each side
 
-  /// `shift_px`: from the pixel's centre to the middle of its response.
+  /// Of a square that `fill_factor` leaves of a pixel. `shift_px`: from the pixel's centre to the middle of its response.
   PsfWings(const Psf& psf, double fill_factor, sampling::Point2 shift_px = {});
+  /// Of a rectangle.
+  PsfWings(const Psf& psf, sampling::Point2 sides_px, sampling::Point2 shift_px);
 
   double kept() const { return kept_; }
   /// Share on the half-pixel cell number (2 dx + 0 or 1, 2 dy + 0 or 1), dx and dy being whole pixels from the
@@ -61,7 +63,8 @@ class PsfWings {
 
   Density between_pixels(double dx_px, double dy_px) const;
 
-  double kept_, side_px_;
+  double kept_;
+  sampling::Point2 sides_;
   bool round_;
   sampling::Point2 shift_;
   double radial_step_px_ = 0.0;

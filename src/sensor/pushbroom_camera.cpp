@@ -45,7 +45,10 @@ PushbroomCamera::PushbroomCamera(const Settings& settings) : settings_(settings)
         : early_s > rounding_s ? format("it begins {:g} s too late", early_s)
                                : format("it ends {:g} s too early", late_s)));
   hold_together();
-  if (settings.element_px > 0.0 || settings.stages > 1) find_lines_a_pitch();
+  if (settings.element_px > 0.0 || settings.stages > 1)
+    find_lines_a_pitch();
+  else
+    lines_a_pitch_ = mean_lines_a_pitch();
   if (!settings.reported) return;
   Settings as_reported = settings;
   as_reported.platform = settings.reported, as_reported.reported = nullptr;

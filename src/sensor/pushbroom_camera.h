@@ -83,6 +83,8 @@ class PushbroomCamera final : public Camera {
   std::optional<std::array<double, 2>> displaced_px(double x_px, double y_px, double ahead_px,
                                                     double ground_m) const;
   void find_lines_a_pitch();
+  /// What optics are blurred by along the track where elements have no length: a mean over the image, about which it may vary.
+  double mean_lines_a_pitch() const;
 
   Settings settings_;
   double lines_a_pitch_ = 1.0;  // b

@@ -11,7 +11,8 @@ AlongTrack PushbroomCamera::along_track() const {
   return {.exposure_px = settings_.exposure_s > 0.0 ? settings_.exposure_s / settings_.line_period_s : 1.0,
           .element_px = settings_.element_px * lines_a_pitch_,
           .stages = settings_.stages,
-          .stage_px = std::abs(1.0 - lines_a_pitch_)};
+          .stage_px = std::abs(1.0 - lines_a_pitch_),
+          .pitch_px = lines_a_pitch_};
 }
 
 std::optional<std::array<double, 2>> PushbroomCamera::displaced_px(double x_px, double y_px, double ahead_px,
@@ -24,6 +25,19 @@ std::optional<std::array<double, 2>> PushbroomCamera::displaced_px(double x_px, 
   sampling::FocalPoint seen;
   if (!project(*at.position_m + d * (below_m / -d.z), seen)) return std::nullopt;
   return std::array{seen.x_px - x_px, seen.y_px - y_px};
+}
+
+double PushbroomCamera::mean_lines_a_pitch() const {
+  constexpr int kLines = 64;
+  const double ground_m = 0.5 * (settings_.lowest_m + settings_.highest_m);
+  double sum = 0.0;
+  int found = 0;
+  for (int k = 0; k < kLines; ++k)
+    for (const double v : {-1.0, 1.0})
+      if (const auto d =
+              displaced_px(0.5 * settings_.width_px, settings_.height_px * (k + 0.5) / kLines, v, ground_m))
+        sum += (*d)[1] / v, ++found;
+  return found > 0 && sum > 0.0 ? sum / found : 1.0;
 }
 
 void PushbroomCamera::find_lines_a_pitch() {

@@ -24,15 +24,20 @@ namespace {
 /// A PSF that is wider than this takes more pixels around each than an image is worth.
 constexpr double kWidest_px = 64.0;
 
+/// Wings of what is longer are not tabulated.
+constexpr double kLongest_px = 4.0;
+
 std::vector<sensor::ChannelResponse> responses(const io::SensorDocument& sensor,
-                                               const std::vector<radiometry::Channel>& channels) {
+                                               const std::vector<radiometry::Channel>& channels,
+                                               double along_x, double along_y) {
   const std::optional<io::AiryPsf> diffraction = diffraction_of(sensor);
   const bool by_channel = diffraction && !diffraction->wavelength_um;
   std::vector<sensor::ChannelResponse> responses;
   for (std::size_t c = 0; c < channels.size(); ++c) {
     sensor::ChannelResponse& response = responses.emplace_back();
     if (by_channel) response.wavelength_um = channels[c].centre_um;
-    if (const auto& shift = sensor.channels[c].shift_px) response.shift_px = {(*shift)[0], (*shift)[1]};
+    if (const auto& shift = sensor.channels[c].shift_px)
+      response.shift_px = {(*shift)[0] * along_x, (*shift)[1] * along_y};
   }
   return responses;
 }
@@ -45,19 +50,33 @@ double apart_from(const sensor::ChannelGroup& group, std::span<const sensor::Cha
   return own ? 0.0 : sensor::kOneFootprint;
 }
 
+std::unique_ptr<sensor::PsfWings> wings_of(const std::shared_ptr<const sensor::Psf>& psf, double fill_factor,
+                                           const sensor::AlongTrack& along, const sensor::AlongTrack& swept,
+                                           sampling::Point2 shift) {
+  if (along.plain() && swept.plain()) return std::make_unique<sensor::PsfWings>(*psf, fill_factor, shift);
+  const bool along_x = !swept.plain();
+  const double side = std::sqrt(fill_factor), motion = along_x ? swept.exposure_px : along.exposure_px;
+  const auto spread = sensor::spread_cut(psf, along_x ? swept : along, along_x);
+  return std::make_unique<sensor::PsfWings>(
+      *spread, along_x ? sampling::Point2{motion, side} : sampling::Point2{side, motion}, shift);
+}
+
 }  // namespace
 
 void assemble_response(Parts& parts) {
   const io::SensorDocument& document = parts.document.sensor;
   const double fill_factor = document.fill_factor;
   const sensor::AlongTrack along = parts.camera->along_track(), swept = parts.camera->along_line();
-  const std::vector<sensor::ChannelResponse> channels = responses(document, parts.channels);
+  // Optics and shifts are told on the focal plane.
+  const double along_x = swept.pitch_px, along_y = along.pitch_px;
+  const std::vector<sensor::ChannelResponse> channels = responses(document, parts.channels, along_x, along_y);
   const std::vector<sensor::ChannelGroup> found =
       sensor::group_channels(channels, fill_factor, [&](double wavelength_um) {
-        return std::shared_ptr<const sensor::Psf>(
-            assemble_psf(parts.document.sources, document, wavelength_um));
+        return std::shared_ptr<const sensor::Psf>(sensor::stretched_psf(
+            assemble_psf(parts.document.sources, document, wavelength_um), along_x, along_y));
       });
-  const bool has_wings = parts.plan.knows_errors && along.plain() && swept.plain();
+  const bool has_wings =
+      parts.plan.knows_errors && std::max(along.reach_px(), swept.reach_px()) < kLongest_px;
   std::vector<sampling::FootprintGroup> groups;
   std::vector<int> group_of_channel(channels.size(), 0);
   std::vector<double> cut(channels.size(), 0.0);
@@ -71,9 +90,9 @@ void assemble_response(Parts& parts) {
     groups.push_back({swept.plain() ? sensor::make_footprint(psf, fill_factor, along)
                                     : sensor::make_swept_footprint(psf, fill_factor, swept),
                       shift});
-    // Wings are those of a square: along the track of a longer element, or its sweep, the cut stands in the interval.
+    // Along the track of a longer element, or its sweep, the cut stands in the interval.
     const bool wings = psf != nullptr && psf->has_wings() && has_wings;
-    if (wings) parts.wings.push_back(std::make_unique<sensor::PsfWings>(*psf, fill_factor, shift));
+    if (wings) parts.wings.push_back(wings_of(group.psf, fill_factor, along, swept, shift));
     for (const int channel : group.channels) {
       group_of_channel[static_cast<std::size_t>(channel)] = static_cast<int>(groups.size()) - 1;
       cut[static_cast<std::size_t>(channel)] =

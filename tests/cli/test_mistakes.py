@@ -153,6 +153,10 @@ MISTAKES = [
     # The document itself.
     ("a version of the future", changed("ifov", 2), ERROR, "ifov"),
     ("no version", changed("ifov", None), ERROR, "ifov"),
+    ("a detector that is always full", several(("sensor.optics", {"f_number": 2}), ("sensor.detector", {"pitch": "15 um", "integration_time": "1 ms", "quantum_efficiency": 0.7, "full_well": "1 ke-"})),
+     WARNING, "the detector of 'thermal' is full wherever it looks: the darkest that is seen makes .* electrons, and it tells at most 1e\\+03"),
+    ("a detector that counts nothing", several(("sensor.optics", {"f_number": 2}), ("sensor.detector", {"pitch": "15 um", "integration_time": "1e-4 us", "quantum_efficiency": 0.7, "full_well": "1 Me-", "bits": 12})),
+     WARNING, "the detector of 'red' counts nothing: the brightest that is seen makes .* electrons, and a count is 244 of them"),
     ("no sensor", changed("sensor", None), ERROR, "sensor"),
     ("a list for an object", changed("scene", []), ERROR, "scene"),
     ("an object for a temperature", changed("light.sky", {"temperature": {}}), ERROR, "temperature"),

@@ -83,8 +83,8 @@ class Docs(unittest.TestCase):
                         (pathlib.Path(folder) / name).write_text(text)
                 for command in commands:
                     with self.subTest(page=page.relative_to(ROOT), command=command):
-                        if command.startswith("build/ifov atmosphere") and "--plot" in command:
-                            # A thousand bands of the air over a sensor's whole range take a minute.
+                        if command.startswith("build/ifov atmosphere") and re.search("--(plot|resolved)", command):
+                            # A thousand bands of the air over a sensor's whole range take a minute, as in tests/cli/test_atmosphere.py.
                             command += " --set " + shlex.quote(
                                 'sensor.channels=[{"name": "blue", "gaussian": {"center": "0.482 um", "fwhm": "20 nm"}}]')
                         result = self.run_in(folder, command.replace("build/ifov", shlex.quote(PROGRAM), 1))

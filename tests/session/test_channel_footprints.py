@@ -260,6 +260,15 @@ class ChannelFootprints(unittest.TestCase):
                 self.assertLess(abs(off).max(), allowed, f"{sampling}, channel {b}")
                 self.assertLess(abs(off.mean()), 0.01, f"{sampling}, channel {b}")
 
+    def test_small_shifts_of_small_elements(self):
+        """Footprints that stay within the pixel share no samples with others: a grid wrote the pixels of every other column, twice over."""
+        for shift in (0.14, 0.02):
+            chosen = channels(1.0, 1.0, shift=[None, [f"{shift} px", f"{-shift} px"]])
+            read = self.render(document([half_plane(0)], chosen, {"grid": {"elements": [12, 12]}}, [6, 4], fill_factor=0.5))["radiance"]
+            read = read / planck(3000)
+            light = numpy.array([0, 0, 0, 1, 1, 1.0])
+            self.assertLess(abs(read - light).max(), 1e-6)
+
     def test_bytes_do_not_depend_on_threads(self):
         first = None
         for threads in ("1", "2", "7"):

@@ -136,7 +136,8 @@ TEST_F(DirectionalSurroundings, SeenInAnImageAreAsTheColumnOverThem) {
     }
     // Planted: as much alike in every direction.
     asked.surroundings = R"({"reflectance": 0.06})";
-    EXPECT_GT(std::abs(middle(asked, "stokes")[1] / told[1].light.over_ground.radiance - 1.0), 0.03);
+    asked.stokes = false;
+    EXPECT_GT(std::abs(middle(asked)[1] / told[1].light.over_ground.radiance - 1.0), 0.03);
   }
 }
 
@@ -154,12 +155,12 @@ TEST_F(DirectionalSurroundings, APlaneOfTheirMaterialIsAsTheColumnOverIt) {
 
 // Traced sea reflects the sky's polarization whether the sensor tells it or not; unpolarized skylight left it 0.8 % too dark.
 TEST_F(DirectionalSurroundings, ATracedSeaIsAsTheColumnOverIt) {
+  const auto told = column({R"({"material": "sea"})", "sea", 60.0, 130.0, true}, "sea");
   for (const bool stokes : {false, true}) {
     const Asked asked{R"({"material": "sea"})", "sea", 60.0, 130.0, stokes};
     const std::string image = bytes(asked);
     std::vector<float> values(image.size() / sizeof(float));
     std::copy_n(image.data(), image.size(), reinterpret_cast<char*>(values.data()));
-    const auto told = column(asked, "sea");
     double mean = 0.0;
     for (std::size_t row = 0; row < 3; ++row)
       for (std::size_t k = 0; k < 3; ++k) mean += static_cast<double>(values[row * 6 + k]) / 9.0;

@@ -210,8 +210,9 @@ class WhiskScanning(unittest.TestCase):
             e, n = seen(px, py, sweep, times(sweep, px))
             wide = ((e - disk[0][0]) ** 2 + (n - disk[0][1]) ** 2 < disk[0][2] ** 2).astype(float)
             d = (np.arange(-6 * cells, 6 * cells + 1)) / cells
-            kernel = np.exp(-0.5 * d * d) / np.exp(-0.5 * d * d).sum()
-            for axis in (0, 1):
+            for axis, sigma in ((0, 1.0), (1, STEP / (ANGLE / SAMPLES))):  # a pixel of the focal plane, in samples
+                kernel = np.exp(-0.5 * (d / sigma) ** 2)
+                kernel /= kernel.sum()
                 wide = np.apply_along_axis(lambda v: np.convolve(v, kernel, "same"), axis, wide)
             means = wide.reshape(len(ys), cells, len(xs), cells).mean(axis=(1, 3))
             truth[sweep * ELEMENTS:(sweep + 1) * ELEMENTS] = means[pad:-pad, pad:-pad] * (DISK - GROUND)

@@ -154,6 +154,7 @@ void OutputIntervals::add_traced(const Radiance& radiance, const LeafIntegrator&
     weighed.mean = moments[r].mean;
     weighed.share = moments[r].share;
     weighed.freedom = 0.0;
+    weighed.weighing = static_cast<double>(pixel.strata[r].count());
     // What is foretold is weighed apart from the values' rests.
     const StratumControl& control = pixel.strata[r].control;
     const bool by_place = !control.weighed_mean.empty();
@@ -165,6 +166,8 @@ void OutputIntervals::add_traced(const Radiance& radiance, const LeafIntegrator&
                      integrator.centre(model.outputs[of.output], of.group), of.columns, of.own, moments[r],
                      weighed);
     const double count = static_cast<double>(pixel.strata[r].count());
+    // Values that hardly weigh have met nothing for this output.
+    const double fewer = count > 0.0 ? count / weighed.weighing : 1.0;
     double whole = 0.0;
     for (const std::size_t c : of.own) {
       const std::size_t column = static_cast<std::size_t>(of.columns[c]);
@@ -186,7 +189,7 @@ void OutputIntervals::add_traced(const Radiance& radiance, const LeafIntegrator&
                      by_place ? static_cast<double>(control.weighed_freedom[of.output]) : control.freedom);
         sum.foretold[c] += variance;
       }
-      const double missed = radiance.unseen().variance(pixel, r, of.columns[c]);
+      const double missed = fewer * fewer * radiance.unseen().variance(pixel, r, of.columns[c]);
       sum.add_path(c, w * w * missed, INFINITY);
       sum.unmet[c] += w * w * missed;
       sum.deviation[c] += w * std::sqrt(moments[r].variance[c]);

@@ -18,6 +18,11 @@ namespace {
 /// Source pixels that weigh less than this in every output are not looked at beside the lattice.
 constexpr double kLeastTested = 0.05;
 
+/// Values of a strip, a tile of few long rows, that must agree before its labels are taken for constant: of what fewer tell, one path in
+/// fifty that meets something else would be missed by whole rows of a rolling shutter. And as many of a pixel, at most.
+constexpr std::size_t kFewestTested = 1024, kMostOfPixel = 64;
+constexpr int kFewRows = 4, kLongRow = 8;
+
 constexpr std::uint64_t kRandomPointKey = 0x6c6f6f6b, kRandomPointPath = 0x6c6f6f6b70;
 
 }  // namespace
@@ -26,13 +31,13 @@ bool RandomLook::covers(int source) const {
   return side_ > 0 && grid_.relative_weight(source) >= kLeastTested;
 }
 
-std::vector<FocalPoint> RandomLook::points(int source) const {
+std::vector<FocalPoint> RandomLook::points(int source, int round) const {
   const PixelRect& d = lattice_.domain();
   const int x = d.x0 + source % d.width(), y = d.y0 + source / d.width();
   std::vector<FocalPoint> points;
   for (int j = 0; j < side_; ++j)
     for (int i = 0; i < side_; ++i) {
-      const std::uint64_t key = hash(seed_, kRandomPointKey, x, y, j * side_ + i);
+      const std::uint64_t key = hash(seed_, kRandomPointKey, x, y, (round * side_ + j) * side_ + i);
       points.push_back({x + (i + unit_double(key)) / side_, y + (j + unit_double(mix(key))) / side_});
     }
   return points;
@@ -52,17 +57,21 @@ std::vector<int> RandomLook::test_constant_labels(RayLedger& ledger, const Label
   std::vector<int> left;
   LatticeValues::RandomPoints& random = at.random;
   std::vector<PathRequest> requests;
-  for (int p = 0; p < lattice_.domain().count(); ++p) {
-    if (!covers(p)) continue;
-    if (!constant_at_vertices(p, at)) {
-      left.push_back(p);
-      continue;
-    }
-    for (const FocalPoint point : points(p)) {
-      random.points.push_back(point);
-      requests.push_back({point, hash(seed_, kRandomPointPath, requests.size()), 0});
-    }
-  }
+  std::vector<int> constant;
+  for (int p = 0; p < lattice_.domain().count(); ++p)
+    if (covers(p)) (constant_at_vertices(p, at) ? constant : left).push_back(p);
+  const std::size_t of_round = constant.size() * static_cast<std::size_t>(side_ * side_),
+                    most = kMostOfPixel * constant.size();
+  const PixelRect& tile = grid_.tile();
+  const bool strip = tile.height() <= kFewRows && tile.width() >= kLongRow;
+  for (int round = 0; !constant.empty() && (round == 0 || requests.size() + of_round <= most) &&
+                      (round == 0 || (strip && requests.size() < kFewestTested));
+       ++round)
+    for (const int p : constant)
+      for (const FocalPoint point : points(p, round)) {
+        random.points.push_back(point);
+        requests.push_back({point, hash(seed_, kRandomPointPath, requests.size()), 0});
+      }
   if (requests.empty()) return left;
   const std::size_t stride = static_cast<std::size_t>(ledger.field().stride());
   for (std::size_t first = 0; first < requests.size(); first += RayLedger::kBatch) {

@@ -23,7 +23,8 @@ class RandomLook {
   int side() const { return side_; }
   /// Whether the source pixel weighs enough to be looked at.
   bool covers(int source) const;
-  std::vector<FocalPoint> points(int source) const;
+  /// Others each round.
+  std::vector<FocalPoint> points(int source, int round = 0) const;
 
   /// Labels whose values agree at all vertices draw no values in their pixels: whether they are alike elsewhere is looked
   /// at here, with values, into at.random. Returns the other source pixels, whose points are to be asked for their labels

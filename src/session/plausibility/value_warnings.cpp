@@ -5,6 +5,7 @@
 #include "io/document/document.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/channel_brightness.h"
+#include "sensor/detector/detector.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/loaded/parts.h"
 #include "session/plausibility/plausibility_warnings.h"
@@ -125,6 +126,27 @@ void warn_of_kelvins(const Parts& parts, LogSink& log) {
         parts.plan.request->error, named(names)));
 }
 
+/// Detectors that are full of the darkest that is seen, or count nothing of the brightest.
+void warn_of_detectors(const Parts& parts, const SceneSurvey& survey, LogSink& log) {
+  for (std::size_t c = 0; c < parts.channels.size(); ++c) {
+    const sensor::Detector* const detector = parts.info.channels[c].detector.get();
+    if (detector == nullptr || !detector->exists()) continue;
+    const double least = detector->mean_electrons(survey.radiance[c].low),
+                 most = detector->mean_electrons(survey.radiance[c].high), holds = detector->largest_signal();
+    const std::string& name = parts.channels[c].name;
+    if (least > holds)
+      log.warn(format(
+          "the detector of '{}' is full wherever it looks: the darkest that is seen makes {:.3g} electrons, and it tells at most "
+          "{:.3g}. Give it a shorter 'integration_time', a larger 'full_well' or 'gain', or the optics less light",
+          name, least, holds));
+    else if (detector->digitises() && most < 0.5 * detector->gain)
+      log.warn(format(
+          "the detector of '{}' counts nothing: the brightest that is seen makes {:.3g} electrons, and a count is {:.3g} of them. "
+          "Give it a longer 'integration_time', a smaller 'gain', or the optics more light",
+          name, most, detector->gain));
+  }
+}
+
 /// Gases that no air on Earth holds so much, or so little, of. None at all is meant.
 void warn_of_air(const Parts& parts, LogSink& log) {
   if (!parts.document.atmosphere.modelled) return;
@@ -165,6 +187,7 @@ void warn_of_values(const Parts& parts, const SceneSurvey& survey, LogSink& log)
   warn_of_kelvins(parts, log);
   warn_of_models(parts, log);
   warn_of_air(parts, log);
+  warn_of_detectors(parts, survey, log);
 }
 
 }  // namespace ifov::session

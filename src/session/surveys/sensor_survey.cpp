@@ -45,22 +45,23 @@ void survey_camera(const sensor::Camera& camera, SensorDescription& told) {
   }
 }
 
-std::optional<double> psf_mtf(const io::SensorDocument& sensor, double wavelength_um) {
+/// `cycles_px`: of the focal plane.
+std::optional<double> psf_mtf(const io::SensorDocument& sensor, double wavelength_um, double cycles_px) {
   return std::visit(
       Overloaded{[](const io::NoPsf&) -> std::optional<double> { return 1.0; },
-                 [](const io::GaussianPsf& psf) -> std::optional<double> {
-                   return sensor::gaussian_mtf(psf.sigma_px, kNyquist);
+                 [&](const io::GaussianPsf& psf) -> std::optional<double> {
+                   return sensor::gaussian_mtf(psf.sigma_px, cycles_px);
                  },
                  [&](const io::AiryPsf&) -> std::optional<double> {
                    const sensor::AiryAperture airy = airy_aperture(sensor);
                    const double um = airy.wavelength_um > 0.0 ? airy.wavelength_um : wavelength_um;
                    const double q_px = 1e-6 * um * airy.focal_length_m / (airy.diameter_m * airy.pitch_m);
-                   return sensor::diffraction_mtf(q_px, airy.obscuration, kNyquist);
+                   return sensor::diffraction_mtf(q_px, airy.obscuration, cycles_px);
                  },
                  [&](const std::shared_ptr<const io::PupilDocument>&) -> std::optional<double> {
                    const sensor::Pupil pupil = assemble_pupil(sensor, wavelength_um);
                    sensor::check_pupil(pupil);
-                   return sensor::pupil_mtf(pupil, kNyquist);
+                   return sensor::pupil_mtf(pupil, cycles_px);
                  },
                  [](const io::KernelPsf&) -> std::optional<double> { return std::nullopt; }},
       sensor.psf);
@@ -75,7 +76,7 @@ void tell_nedt(const radiometry::Channel& channel, double at_k, SensorDescriptio
 }
 
 void tell_detector(const ChannelDetector& detector, const radiometry::Channel& channel, double obscuration,
-                   double fill_factor, SensorDescription::Channel& told) {
+                   double fill_factor, double cycles_px, SensorDescription::Channel& told) {
   const sensor::Detector& figures = detector.figures;
   told.has_detector = true;
   told.radiance = detector.reference_w_m2_sr_um;
@@ -86,8 +87,8 @@ void tell_detector(const ChannelDetector& detector, const radiometry::Channel& c
     told.well_share = figures.mean_electrons(told.radiance) / figures.largest_signal();
   if (told.radiance > 0.0) told.snr = told.radiance / told.nedl;
   const double pitch_um = 1e6 * std::sqrt(detector.optics.area_m2 / fill_factor);
-  told.diffraction_mtf =
-      sensor::diffraction_mtf(channel.centre_um * detector.optics.f_number / pitch_um, obscuration, kNyquist);
+  told.diffraction_mtf = sensor::diffraction_mtf(channel.centre_um * detector.optics.f_number / pitch_um,
+                                                 obscuration, cycles_px);
 }
 
 }  // namespace
@@ -115,15 +116,16 @@ SensorDescription survey_sensor(const io::DocumentSources& sources, const io::Se
     const sensor::AlongTrack swept = camera->along_line();
     one.pixel_mtf =
         swept.plain() ? sensor::square_mtf(std::sqrt(sensor.fill_factor), kNyquist) : swept.mtf(kNyquist);
-    one.psf_mtf =
-        with_position(sources, sensor.psf_position, [&] { return psf_mtf(sensor, channels[c].centre_um); });
+    const double cycles_px = kNyquist * swept.pitch_px;
+    one.psf_mtf = with_position(sources, sensor.psf_position,
+                                [&] { return psf_mtf(sensor, channels[c].centre_um, cycles_px); });
     one.nedl = noise[c];
     if (!detectors[c].figures.exists()) {
       tell_nedt(channels[c], kWarm_k, one);
       continue;
     }
     told.f_number = detectors[c].optics.f_number;
-    tell_detector(detectors[c], channels[c], sensor.optics->obscuration, sensor.fill_factor, one);
+    tell_detector(detectors[c], channels[c], sensor.optics->obscuration, sensor.fill_factor, cycles_px, one);
     tell_nedt(channels[c],
               radiometry::channel_brightness_temperature_k(channels[c], detectors[c].reference_w_m2_sr_um),
               one);

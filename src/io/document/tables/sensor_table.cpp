@@ -88,7 +88,10 @@ SchemaType<PsfEntry> psf_type() {
   kernel.required("file", &KernelPsf::file, file(), "the image")
       .required("samples_per_pixel", &KernelPsf::samples_per_pixel, number(Range::above(0.0)),
                 "samples of the image along one side of a pixel");
-  Record<PsfEntry> record("PSF", "Point spread function of the optics.");
+  Record<PsfEntry> record(
+      "PSF",
+      "Point spread function of the optics, in pixels of the focal plane: where lines, or samples of a sweep, are closer together or "
+      "further apart than elements, it is so many more or fewer of them long.");
   record.exactly_one()
       .one("none", &PsfEntry::psf, Record<NoPsf>("no PSF", "Optics without blur.").type(), "no blur")
       .one("gaussian", &PsfEntry::psf, gaussian.type(), "a bell")

@@ -15,20 +15,22 @@ void weigh_by_footprint(const Stratum& stratum, const KeptValues& kept, const Pi
   const std::size_t n = own.size();
   out.share = 1.0;
   out.freedom = 0.0;
+  out.weighing = 1.0;
   out.variance.resize(columns.size());
   for (const std::size_t c : own) out.variance[c] = 0.0;
   struct Replicate {
     double weight = 0.0, squares = 0.0;
     std::size_t count = 0;
   };
-  std::vector<double> weights;
+  std::vector<double> weights, densities;
   std::vector<Replicate> replicates(stratum.rounds.size() * RadianceRounds::kReplicates);
   double total = 0.0, squares = 0.0;
   for (std::size_t round = 0; round < stratum.rounds.size(); ++round) {
     const double count = stratum.rounds[round].count();
     for (const std::size_t end = weights.size() + static_cast<std::size_t>(count); weights.size() < end;) {
       const std::size_t k = stratum.samples[weights.size()];
-      const double w = footprint.density(kept.x[k].x - centre.x, kept.x[k].y - centre.y) * count;
+      densities.push_back(footprint.density(kept.x[k].x - centre.x, kept.x[k].y - centre.y));
+      const double w = densities.back() * count;
       Replicate& replicate = replicates[round * RadianceRounds::kReplicates + kept.replicates[k]];
       replicate.weight += w;
       replicate.squares += w * w;
@@ -40,6 +42,10 @@ void weigh_by_footprint(const Stratum& stratum, const KeptValues& kept, const Pi
   }
   if (total == 0.0) return;
   out.share = squares / (total * total);
+  constexpr double kWeighs = 0.1;
+  const double least = kWeighs * *std::max_element(densities.begin(), densities.end());
+  out.weighing = static_cast<double>(
+      std::count_if(densities.begin(), densities.end(), [&](double density) { return density >= least; }));
 
   const std::size_t stride = kept.values.size() / kept.x.size();
   std::vector<double> sums(replicates.size() * n, 0.0);

@@ -18,6 +18,7 @@ struct WeighedMoments {
   std::vector<double> mean;
   /// Variance of `mean` in units of StratumMoments::variance, were all paths drawn apart.
   double share = 1.0;
+  double weighing = 0.0;  ///< values that weigh a tenth of the heaviest place's weight or more; at least 1
   std::vector<double> variance;  ///< of `mean`, as the replicates of the paths' sequences differ
   double freedom = 0.0;          ///< degrees of freedom behind `variance`; 0: values are too few for it
 };
