@@ -117,6 +117,9 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
       rows->assign(lines_of_sight_.height().known().size() * nodes, 0.0);
   }
   if (geometry_.level_fluxes)
+    for (auto* row : {&channel_means_.diffuse_transmittance, &channel_means_.spherical_albedo})
+      row->assign(channels.size(), 0.0);
+  if (geometry_.level_fluxes)
     for (auto* row : {&level_fluxes_.sun, &level_fluxes_.down, &level_fluxes_.up, &level_fluxes_.ground_up,
                       &level_fluxes_.ground_down})
       row->assign(nodes, 0.0);

@@ -117,6 +117,11 @@ class SensorAtmosphere {
     std::vector<double> ground_up, ground_down;
   };
   const LevelFluxes& level_fluxes() const { return level_fluxes_; }
+  /// By channel, over its response alone and not as light of this Sun is weighed within nodes; where level fluxes are wanted.
+  struct ChannelMeans {
+    std::vector<double> diffuse_transmittance, spherical_albedo;
+  };
+  const ChannelMeans& channel_means() const { return channel_means_; }
 
   /// Null where the ground is Lambertian.
   const DirectionalLight* directional() const { return directional_.get(); }
@@ -161,6 +166,7 @@ class SensorAtmosphere {
   std::vector<double> sun_at_height_, sky_at_height_;  // [height][node]
   std::optional<Polarization> polarization_;
   LevelFluxes level_fluxes_;
+  ChannelMeans channel_means_;
   std::shared_ptr<DirectionalLight> directional_;
 };
 
