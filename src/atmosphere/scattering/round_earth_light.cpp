@@ -38,6 +38,26 @@ std::vector<double> angles_about(double sun_zenith_rad, std::size_t& own) {
 /// Up to the first the Sun counts as equally high all along each ray, from the second on it turns.
 constexpr double kStill_rad = 74.0 * math::kDegree, kTurns_rad = 80.0 * math::kDegree;
 
+/// Clouds and fog are thinned to a depth that orders of scattering get through: within a thick one light goes its way over
+/// less than what an Earth is round over, and what comes out goes with what came in.
+constexpr double kMostDepth = 0.5;  // of what aerosol scatters, times 1 - g
+double thin(ScatteringColumn& column) {
+  double depth = 0.0;
+  for (std::size_t i = 0; i < column.layer_depth.size(); ++i) {
+    const ScatteringColumn::Mixture& mixture = column.mixtures[i];
+    depth += column.layer_depth[i] * mixture.aerosol * (1.0 - mixture.peak) * (1.0 - mixture.first);
+  }
+  if (depth <= kMostDepth) return 1.0;
+  const double share = kMostDepth / depth;
+  for (std::size_t i = 0; i < column.layer_depth.size(); ++i) {
+    ScatteringColumn::Mixture& mixture = column.mixtures[i];
+    const double kept = 1.0 - (1.0 - share) * mixture.aerosol * (1.0 - mixture.peak);
+    column.layer_depth[i] *= kept;
+    mixture.rayleigh /= kept, mixture.aerosol *= share / kept;
+  }
+  return share;
+}
+
 /// Linear between altitudes that rise.
 double between(const std::vector<double>& altitude_km, double z, std::size_t stride, const double* values) {
   const auto above = std::upper_bound(altitude_km.begin() + 1, altitude_km.end() - 1, z);
@@ -49,7 +69,9 @@ double between(const std::vector<double>& altitude_km, double z, std::size_t str
 
 }  // namespace
 
-RoundEarthLight::RoundEarthLight(const ScatteringColumn& column) {
+RoundEarthLight::RoundEarthLight(const ScatteringColumn& whole) {
+  ScatteringColumn column = whole;
+  const double thinned = thin(column);
   std::size_t own = 0;
   const double sun_rad = std::acos(column.sun_mu);
   angle_rad_ = angles_about(sun_rad, own);
@@ -85,8 +107,8 @@ RoundEarthLight::RoundEarthLight(const ScatteringColumn& column) {
         return between(flat.altitude_km(), z, angles, values.data() + k);
       };
       log_ratio_.push_back(of_shells(log_mean) - log_flat_.back());
-      up_.push_back(of_shells(up) - flat_up);
-      sunward_.push_back(of_shells(sunward) - flat_sunward);
+      up_.push_back(thinned * (of_shells(up) - flat_up));
+      sunward_.push_back(thinned * (of_shells(sunward) - flat_sunward));
     }
     flux_ratio_.push_back(std::exp(between(flat.altitude_km(), z, 1, log_flux.data()) -
                                    between(flat.altitude_km(), z, 1, flat.log_flux().data())));
