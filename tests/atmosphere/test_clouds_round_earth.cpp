@@ -69,7 +69,7 @@ TEST(CloudsRoundEarth, TheirLayersDoNotCount) {
     const auto path = [](const ScatteredField& field) {
       return field.line_of_sight({0.8, 1.0}, 1e4, 0.0).radiance().i;
     };
-    EXPECT_NEAR(path(few) / path(many), 1.0, 0.01) << sun_deg;
+    EXPECT_NEAR(path(few) / path(many), 1.0, 0.015) << sun_deg;
     // Within a cloud no ray goes so far that the Earth is round over it.
     const RoundEarthLight ratio(few.solved().column);
     EXPECT_NEAR(ratio.flux_ratio().back(), 1.0, 0.05) << sun_deg;
