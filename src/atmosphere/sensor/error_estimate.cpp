@@ -186,7 +186,7 @@ class Estimate {
     const double sine = question_.geometry.sun_sine();
     std::vector<double> reflectance, glow;
     for (const ChannelPoints::Point& point : points.points)
-      reflectance.push_back(question_.ground.at(point.wavelength_um));
+      reflectance.push_back(question_.grounds[channel].at(point.wavelength_um));
     for (const ChannelPoints::Point& point : points.points)
       glow.push_back(point.wavelength_um < kFirstThermal_um
                          ? 0.0

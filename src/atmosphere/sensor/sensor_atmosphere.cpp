@@ -147,13 +147,15 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
   if (polarization_) bound_polarization();
   if (!finer) return;
   const SensorGeometry alone = geometry_.alone();
+  std::vector<radiometry::Spectrum> grounds;
+  for (std::size_t c = 0; c < channels.size(); ++c) grounds.push_back(ground_in_errors(c, inputs.ground));
   errors_ = estimate_errors(
-      {column, *finer, alone, directions_, inputs.scattering, inputs.ground, inputs.threads, inputs.kept},
-      bins, channels);
+      {column, *finer, alone, directions_, inputs.scattering, grounds, inputs.threads, inputs.kept}, bins,
+      channels);
   for (std::size_t c = 0; c < errors_.size(); ++c) {
     errors_[c].nodes.surface = nodes_.worst_error(c);
     errors_[c].model = channel_model_error(column, bins[c], optics, alone, ModelErrorTable::built_in());
-    errors_[c].lines_of_sight = line_of_sight_error(c, channels[c], inputs.ground);
+    errors_[c].lines_of_sight = line_of_sight_error(c, channels[c], grounds[c]);
   }
 }
 

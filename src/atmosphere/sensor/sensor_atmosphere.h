@@ -137,6 +137,8 @@ class SensorAtmosphere {
   void add_lines_of_sight(std::size_t channel, const ChannelLights& lights);
   AtmosphereError line_of_sight_error(std::size_t channel, const ChannelLights& lights,
                                       const radiometry::Spectrum& ground) const;
+  /// The reflectance that errors are told for: of ground that reflects by direction at least what leaves it of this Sun and sky.
+  radiometry::Spectrum ground_in_errors(std::size_t channel, const radiometry::Spectrum& even) const;
   void normalise_sky();
   void add_fluxes(std::size_t channel, const ChannelLights& lights);
   void add_polarization(std::size_t channel, const ChannelLights& lights);
