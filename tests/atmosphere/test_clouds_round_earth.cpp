@@ -76,4 +76,20 @@ TEST(CloudsRoundEarth, TheirLayersDoNotCount) {
   }
 }
 
+TEST(Scratch, Cirrus) {
+  for (const double sun : {86.0, 88.0, 89.0, 90.0, 90.5, 91.0, 92.0})
+    for (const int parts : {1, 8}) {
+      const auto molecules = [](double low, double high) { return 0.05 * (std::exp(-low / 8.0) - std::exp(-high / 8.0)); };
+      Column c; double low = 0;
+      for (double z : {0.25, .5, 1., 1.5, 2., 3., 4., 5., 6., 7., 8., 9.}) c.add_layer(z, molecules(low, z), 0, 0, 0), low = z;
+      for (int p = 1; p <= parts; ++p) { const double z = 9 + 2.0 * p / parts; c.add_layer(z, molecules(low, z), .3 / parts, .8, 0), low = z; }
+      for (double z : {12., 14., 16., 18., 20., 23., 26., 30., 35., 40., 50., 60.}) c.add_layer(z, molecules(low, z), 0, 0, 0), low = z;
+      c.optics.depolarization = 0.0;
+      const ColumnSolution s = solve(c, sun);
+      SphericalMonteCarlo air(c.levels.altitude_km, c.optics.rayleigh_scattering, sun * kDegree);
+      air.add_haze(c.optics.aerosol_scattering, .8);
+      const auto mc = parts == 8 ? air.flux(100000, 5) : SphericalMonteCarlo::Light{1, 1, 1};
+      printf("sun %g parts %d down %.6f mc %.6f off %.2f%% se %.2f%% ratio %.4f\n", sun, parts, s.sunlit().fluxes().at(0.0).diffuse_down, mc.all, 100 * (s.sunlit().fluxes().at(0.0).diffuse_down / mc.all - 1), 100 * mc.error / mc.all, RoundEarthLight(s.sunlit().solved().column).flux_ratio().back());
+    }
+}
 }  // namespace test_clouds_round_earth

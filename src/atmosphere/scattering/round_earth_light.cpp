@@ -58,6 +58,35 @@ double thin(ScatteringColumn& column) {
   return share;
 }
 
+/// Layers of haze and cloud that a low Sun does not get through are cut: sunlight that is scattered once is straight between
+/// boundaries, and all of it is scattered where the beam comes in.
+void cut(ScatteringColumn& column) {
+  constexpr double kBeamDepth = 1.0, kDark = 12.0, kLeastScattered = 0.01;
+  constexpr int kMostParts = 8;
+  const ScatteringColumn whole = column;
+  column.layer_altitude_km = {whole.layer_altitude_km.front()};
+  column.layer_depth.clear(), column.mixtures.clear();
+  std::size_t sublayer = 0;
+  for (std::size_t i = 0; i < whole.layer_depth.size(); ++i) {
+    const std::size_t top = sublayer;
+    while (sublayer < whole.sublayers() && whole.mixture_of[sublayer] == i) ++sublayer;
+    const ScatteringColumn::Mixture& mixture = whole.mixtures[i];
+    const bool scatters = whole.layer_depth[i] * mixture.aerosol * (1.0 - mixture.peak) > kLeastScattered;
+    const double near = std::min(kDark, whole.beam_depth[top]),
+                 far = std::min(kDark, whole.beam_depth[sublayer]);
+    const int parts = scatters ? static_cast<int>(std::clamp(std::floor(std::abs(far - near) / kBeamDepth),
+                                                             1.0, static_cast<double>(kMostParts)))
+                               : 1;
+    const double high_km = whole.layer_altitude_km[i], low_km = whole.layer_altitude_km[i + 1];
+    for (int part = 1; part <= parts; ++part) {
+      column.layer_altitude_km.push_back(part == parts ? low_km
+                                                       : high_km + (low_km - high_km) * part / parts);
+      column.layer_depth.push_back(whole.layer_depth[i] / parts);
+      column.mixtures.push_back(mixture);
+    }
+  }
+}
+
 /// Linear between altitudes that rise.
 double between(const std::vector<double>& altitude_km, double z, std::size_t stride, const double* values) {
   const auto above = std::upper_bound(altitude_km.begin() + 1, altitude_km.end() - 1, z);
@@ -71,6 +100,7 @@ double between(const std::vector<double>& altitude_km, double z, std::size_t str
 
 RoundEarthLight::RoundEarthLight(const ScatteringColumn& whole) {
   ScatteringColumn column = whole;
+  cut(column);
   const double thinned = thin(column);
   std::size_t own = 0;
   const double sun_rad = std::acos(column.sun_mu);
