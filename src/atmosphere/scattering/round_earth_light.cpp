@@ -61,8 +61,8 @@ double thin(ScatteringColumn& column) {
 /// Layers of haze and cloud that a low Sun does not get through are cut: sunlight that is scattered once is straight between
 /// boundaries, and all of it is scattered where the beam comes in.
 void cut(ScatteringColumn& column) {
-  constexpr double kBeamDepth = 1.0, kDark = 12.0, kLeastScattered = 0.01;
-  constexpr int kMostParts = 8;
+  constexpr double kBeamDepth = 0.5, kDark = 12.0, kLeastScattered = 0.01;
+  constexpr int kMostParts = 16;
   const ScatteringColumn whole = column;
   column.layer_altitude_km = {whole.layer_altitude_km.front()};
   column.layer_depth.clear(), column.mixtures.clear();
