@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "atmosphere/column_maker.h"
+#include "atmosphere/scattering/round_earth_error.h"
 #include "atmosphere/scattering/round_earth_light.h"
 #include "support/spherical_monte_carlo.h"
 
@@ -59,6 +60,17 @@ TEST(CloudsRoundEarth, LightBelowThemIsThatOfTheSphericalMonteCarlo) {
       EXPECT_LT(off_the_monte_carlo(depth, sun_deg), 0.02) << depth << " " << sun_deg;
   EXPECT_LT(off_the_monte_carlo(10.0, 92.0), 0.04);
   EXPECT_GT(off_the_monte_carlo(10.0, 84.0, 0.9), 0.02) << "a tenth less passes";
+}
+
+TEST(CloudsRoundEarth, WhatIsStatedHoldsThem) {
+  for (const double depth : {2.0, 10.0})
+    for (const double sun_deg : {75.0, 80.0, 86.0, 89.0, 90.5, 92.0}) {
+      const double stated = round_earth_error(sun_deg * kDegree, true).sky;
+      EXPECT_LT(off_the_monte_carlo(depth, sun_deg), stated + 0.002) << depth << " " << sun_deg;
+    }
+  EXPECT_EQ(round_earth_error(60.0 * kDegree, true).sky, 0.0);
+  EXPECT_GT(off_the_monte_carlo(10.0, 84.0, 0.9), round_earth_error(84.0 * kDegree, true).sky)
+      << "a tenth less";
 }
 
 TEST(CloudsRoundEarth, TheirLayersDoNotCount) {

@@ -47,7 +47,8 @@ def made(number):
         air["aerosol"] = own_haze(draw)
     if draw.random() < 0.2:
         air.update(ground_altitude="1.2 km", gases={gas: "off" for gas in draw.sample(["h2o", "co2", "o3", "ch4", "o2"], 2)})
-        options += ["--altitude", "400"]
+        if "--altitude" in options:
+            options[-1] = "400"
     return document, options
 
 

@@ -178,7 +178,8 @@ class Estimate {
     ChannelChecks::Errors errors =
         given.checks->against(given.scattered, given.emitted ? &*given.emitted : nullptr);
     if (question_.scattering.spherical_earth && question_.geometry.sun_zenith_rad) {
-      const RoundEarthError round = round_earth_error(*question_.geometry.sun_zenith_rad);
+      const RoundEarthError round =
+          round_earth_error(*question_.geometry.sun_zenith_rad, given.points.cloudy());
       errors.path += round.path;
       errors.sky_irradiance += round.sky;
     }
