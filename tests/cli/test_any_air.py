@@ -131,6 +131,16 @@ class AnyAir(unittest.TestCase):
                     out = light["sensor_up"] + light["ground_direct"] + light["ground_diffuse"]
                     self.assertAlmostEqual(out / (light["sensor_direct"] + light["sensor_diffuse"]), 1, delta=0.01)
 
+    def test_nothing_jumps_at_the_top_of_a_cloud(self):
+        """Within a cloud light is told relative to sunlight at the sensor's height; that of the ground, which vapour below dims, made it 15 % brighter."""
+        document, _ = made(0)
+        document["atmosphere"] = {"profile": "mid-latitude summer", "clouds": [{"kind": "water", "optical_depth": 5, "base": "2 km", "top": "3 km"}]}
+        document["light"]["sun"]["disc"]["zenith"] = "50 deg"
+        document["sensor"]["channels"] = [{"name": "vapour", "gaussian": {"center": "0.94 um", "fwhm": "6 nm"}}]
+        below, above = (self.rows(document, ["--view", "30,90", "--altitude", height])[0] for height in ("2.995", "3.005"))
+        for key in ("solar_path_radiance", "sensor_up"):
+            self.assertAlmostEqual(float(below[key]) / float(above[key]), 1, delta=0.02, msg=key)
+
     def test_impossible_air_is_seen(self):
         document, options = made(0)
         row = self.rows(document, options)[0]
