@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <vector>
 
 #include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/sensor/channel_light.h"
+#include "atmosphere/sensor/directional_light.h"
 #include "atmosphere/sensor/finer_atmosphere.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "atmosphere/sensor/sky_table_error.h"
+#include "atmosphere/test_ground.h"
 #include "radiometry/planck.h"
 #include "radiometry/solar_spectrum.h"
 
@@ -133,6 +136,41 @@ TEST_F(AtmosphereErrorTest, GrowsWithTooFewNodes) {
   }
   EXPECT_LE(many, 5e-3);
   EXPECT_GT(few, 2.0 * many);
+}
+
+// Under a low Sun such ground is twice as bright as it is under an even sky, and so is its light in the air.
+TEST(AtmosphereErrorOfGround, IsOfWhatItReflectsOfThisSun) {
+  const auto ground = std::make_shared<const test::FormulaGround>(test::scalar_ground(
+      [](double in, double out, double) { return 0.06 / std::numbers::pi * std::pow(in * out, -0.7); }));
+  const double even = 0.06 * std::pow(2.0 / 1.3, 2);
+  const AtmosphereColumn column{AtmosphereDescription{}};
+  const std::vector<radiometry::Channel> channels{radiometry::Channel::monochromatic("red", 0.65)};
+  const auto build = [&](double reflectance, bool directional) {
+    SensorAtmosphere::Inputs inputs;
+    inputs.channels = channels;
+    inputs.solar_irradiance = radiometry::solar_irradiance_1au();
+    inputs.geometry.sun_zenith_rad = 78.0 * kDegree;
+    inputs.with_errors = true;
+    inputs.ground = radiometry::Spectrum::constant(reflectance);
+    if (directional) inputs.directional = ground;
+    return SensorAtmosphere(column, inputs);
+  };
+  const SensorAtmosphere air = build(even, true);
+  const DirectionalLight& light = *air.directional();
+  double leaving = 0.0, arriving = 0.0;
+  for (std::size_t n = 0; n < air.node_count(); ++n) {
+    const double weight = air.nodes().node_weight(n), up = light.exitance(n, 0.0);
+    leaving += weight * up;
+    arriving += weight * (air.sun_irradiance()[n] * air.geometry().sun_sine() + air.sky_irradiance()[n] +
+                          light.albedo[n] * up);
+  }
+  const double share = leaving / arriving;
+  EXPECT_GT(share, 1.3 * even);
+  const AtmosphereError found = air.errors()[0].scattering,
+                        right = build(share, false).errors()[0].scattering;
+  EXPECT_NEAR(found.path, right.path, 1e-9 * right.path);
+  EXPECT_NEAR(found.surface, right.surface, 1e-9 * right.surface);
+  EXPECT_GT(right.surface, 1.2 * build(even, false).errors()[0].scattering.surface);
 }
 
 TEST(FinerAtmosphereTest, CutsLayersWithoutLosingAny) {

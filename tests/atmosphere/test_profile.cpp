@@ -187,6 +187,10 @@ TEST(Profile, WrongInputIsNamed) {
   EXPECT_EQ(message([](auto& d) { d.ground_altitude_km = 6.5; }), "ground at 6.5 km: expected below 6 km");
   EXPECT_EQ(message([](auto& d) { d.levels[1].relative_humidity_percent = -5.0; }),
             "relative humidity, %, of -5 at 2 km: expected 0 or more");
+  EXPECT_EQ(message([](auto& d) {
+              d.levels.push_back({60.0, 0.2, 260.0, 30.0, {}, {}});
+            }),
+            "water vapour of 0.668 hPa at 60 km: expected less than the 0.2 hPa of the air there");
   EXPECT_EQ(message([](auto& d) { d.levels[0].ozone_ppmv = -1.0; }),
             "ozone, ppmv, of -1 at 0 km: expected 0 or more");
   EXPECT_EQ(message([](auto& d) { d.ozone_DU = -1.0; }), "ozone of -1 DU: expected 0 or more");

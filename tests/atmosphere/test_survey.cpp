@@ -127,6 +127,25 @@ TEST(SkyView, NeutralPointsAreWhereTheTableHasThem) {
   EXPECT_TRUE(neutral_points(once, sun).empty());
 }
 
+// Of the air alone: neither the Sun nor how a channel is divided for its light counts.
+TEST(AtmosphereSurvey, WhatTheAirSendsBackDoesNotDependOnTheSun) {
+  AtmosphereDescription description;
+  description.air.model = "subarctic winter";
+  const AtmosphereColumn dry(description);
+  const std::vector<radiometry::Channel> channels{radiometry::Channel::gaussian("1.6", 1.6, 0.016),
+                                                  radiometry::Channel::gaussian("2.2", 2.2, 0.022)};
+  std::vector<AtmosphereEffects> first;
+  for (const double zenith_deg : {10.0, 72.0, 80.0, 86.0}) {
+    const auto light = survey_effects(dry, channels, radiometry::solar_irradiance_1au(), sun_at(zenith_deg));
+    if (first.empty()) first = light;
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      EXPECT_NEAR(light[c].spherical_albedo, first[c].spherical_albedo, 1e-4 * first[c].spherical_albedo);
+      EXPECT_NEAR(light[c].diffuse_transmittance, first[c].diffuse_transmittance,
+                  1e-4 * first[c].diffuse_transmittance);
+    }
+  }
+}
+
 TEST(AtmosphereSurvey, StepsAreAsWideAsTheBandModelResolves) {
   const std::vector<radiometry::Channel> steps = resolved_steps(0.5, 0.6);
   EXPECT_GE(steps.back().response.last_um(), 0.6);

@@ -49,6 +49,14 @@ double vapour_ppmv(const UserLevel& level, const Profile& profile, std::size_t i
   return density / (profile.air_per_cm3(i) * kVapourGramPerPpmvMolecule);
 }
 
+/// A relative humidity of the lowest air, said of thin and warm air, is more vapour than there is air.
+void check_vapour(const UserLevel& level, double ppmv) {
+  if (ppmv >= 1e6)
+    throw InputError(
+        format("water vapour of {:.3g} hPa at {} km: expected less than the {:.3g} hPa of the air there",
+               1e-6 * ppmv * level.pressure_hPa, level.altitude_km, level.pressure_hPa));
+}
+
 /// The user's levels with the model's gases, and the model above the last of them, its pressure scaled to
 /// join.
 Profile with_user_levels(const Profile& model, const std::vector<UserLevel>& levels) {
@@ -67,6 +75,7 @@ Profile with_user_levels(const Profile& model, const std::vector<UserLevel>& lev
       profile.mixing_ratio_ppmv[g].push_back(here.mixing_ratio_ppmv[g][0]);
     if (level.relative_humidity_percent || level.mixing_ratio_g_kg)
       profile.of(Gas::h2o)[i] = vapour_ppmv(level, profile, i);
+    check_vapour(level, profile.of(Gas::h2o)[i]);
     if (level.ozone_ppmv) profile.of(Gas::o3)[i] = *level.ozone_ppmv;
   }
   const UserLevel& top = levels.back();

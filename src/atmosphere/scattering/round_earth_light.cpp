@@ -38,6 +38,55 @@ std::vector<double> angles_about(double sun_zenith_rad, std::size_t& own) {
 /// Up to the first the Sun counts as equally high all along each ray, from the second on it turns.
 constexpr double kStill_rad = 74.0 * math::kDegree, kTurns_rad = 80.0 * math::kDegree;
 
+/// Clouds and fog are thinned to a depth that orders of scattering get through: within a thick one light goes its way over
+/// less than what an Earth is round over, and what comes out goes with what came in.
+constexpr double kMostDepth = 0.5;  // of what aerosol scatters, times 1 - g
+double thin(ScatteringColumn& column) {
+  double depth = 0.0;
+  for (std::size_t i = 0; i < column.layer_depth.size(); ++i) {
+    const ScatteringColumn::Mixture& mixture = column.mixtures[i];
+    depth += column.layer_depth[i] * mixture.aerosol * (1.0 - mixture.peak) * (1.0 - mixture.first);
+  }
+  if (depth <= kMostDepth) return 1.0;
+  const double share = kMostDepth / depth;
+  for (std::size_t i = 0; i < column.layer_depth.size(); ++i) {
+    ScatteringColumn::Mixture& mixture = column.mixtures[i];
+    const double kept = 1.0 - (1.0 - share) * mixture.aerosol * (1.0 - mixture.peak);
+    column.layer_depth[i] *= kept;
+    mixture.rayleigh /= kept, mixture.aerosol *= share / kept;
+  }
+  return share;
+}
+
+/// Layers of haze and cloud that a low Sun does not get through are cut: sunlight that is scattered once is straight between
+/// boundaries, and all of it is scattered where the beam comes in.
+void cut(ScatteringColumn& column) {
+  constexpr double kBeamDepth = 0.5, kDark = 12.0, kLeastScattered = 0.01;
+  constexpr int kMostParts = 16;
+  const ScatteringColumn whole = column;
+  column.layer_altitude_km = {whole.layer_altitude_km.front()};
+  column.layer_depth.clear(), column.mixtures.clear();
+  std::size_t sublayer = 0;
+  for (std::size_t i = 0; i < whole.layer_depth.size(); ++i) {
+    const std::size_t top = sublayer;
+    while (sublayer < whole.sublayers() && whole.mixture_of[sublayer] == i) ++sublayer;
+    const ScatteringColumn::Mixture& mixture = whole.mixtures[i];
+    const bool scatters = whole.layer_depth[i] * mixture.aerosol * (1.0 - mixture.peak) > kLeastScattered;
+    const double near = std::min(kDark, whole.beam_depth[top]),
+                 far = std::min(kDark, whole.beam_depth[sublayer]);
+    const int parts = scatters ? static_cast<int>(std::clamp(std::floor(std::abs(far - near) / kBeamDepth),
+                                                             1.0, static_cast<double>(kMostParts)))
+                               : 1;
+    const double high_km = whole.layer_altitude_km[i], low_km = whole.layer_altitude_km[i + 1];
+    for (int part = 1; part <= parts; ++part) {
+      column.layer_altitude_km.push_back(part == parts ? low_km
+                                                       : high_km + (low_km - high_km) * part / parts);
+      column.layer_depth.push_back(whole.layer_depth[i] / parts);
+      column.mixtures.push_back(mixture);
+    }
+  }
+}
+
 /// Linear between altitudes that rise.
 double between(const std::vector<double>& altitude_km, double z, std::size_t stride, const double* values) {
   const auto above = std::upper_bound(altitude_km.begin() + 1, altitude_km.end() - 1, z);
@@ -49,7 +98,10 @@ double between(const std::vector<double>& altitude_km, double z, std::size_t str
 
 }  // namespace
 
-RoundEarthLight::RoundEarthLight(const ScatteringColumn& column) {
+RoundEarthLight::RoundEarthLight(const ScatteringColumn& whole) {
+  ScatteringColumn column = whole;
+  cut(column);
+  const double thinned = thin(column);
   std::size_t own = 0;
   const double sun_rad = std::acos(column.sun_mu);
   angle_rad_ = angles_about(sun_rad, own);
@@ -85,8 +137,8 @@ RoundEarthLight::RoundEarthLight(const ScatteringColumn& column) {
         return between(flat.altitude_km(), z, angles, values.data() + k);
       };
       log_ratio_.push_back(of_shells(log_mean) - log_flat_.back());
-      up_.push_back(of_shells(up) - flat_up);
-      sunward_.push_back(of_shells(sunward) - flat_sunward);
+      up_.push_back(thinned * (of_shells(up) - flat_up));
+      sunward_.push_back(thinned * (of_shells(sunward) - flat_sunward));
     }
     flux_ratio_.push_back(std::exp(between(flat.altitude_km(), z, 1, log_flux.data()) -
                                    between(flat.altitude_km(), z, 1, flat.log_flux().data())));

@@ -13,6 +13,8 @@ namespace {
 /// Sunbeams are known that far beyond the angles of the Sun, in steps of so much.
 constexpr double kBeyond_rad = 9.0 * math::kDegree, kBeamStep_rad = 0.25 * math::kDegree;
 
+/// Aerosol that scatters more than this lies between no two altitudes at which light is kept, but in one layer.
+constexpr double kThickestStep = 0.5;
 /// Distance between altitudes at which the light is kept.
 double spacing_of_altitudes_km(double height_km) {
   return height_km < 6.0    ? 1.4
@@ -44,10 +46,16 @@ void ShellOrders::add_suns(double mu, int azimuths, Ray& ray) const {
 void ShellOrders::choose_altitudes() {
   const std::vector<double>& boundary = column_.layer_altitude_km;
   altitude_km_ = {boundary.back()};
-  for (std::size_t b = boundary.size() - 1; b-- > 0;)
-    if (b == 0 ||
-        boundary[b] >= altitude_km_.back() + spacing_of_altitudes_km(altitude_km_.back() - boundary.back()))
+  double scattered = 0.0;  // since the last altitude
+  for (std::size_t b = boundary.size() - 1; b-- > 0;) {
+    const ScatteringColumn::Mixture& mixture = column_.mixtures[b];
+    scattered += column_.layer_depth[b] * mixture.aerosol * (1.0 - mixture.peak);
+    if (b == 0 || scattered > kThickestStep ||
+        boundary[b] >= altitude_km_.back() + spacing_of_altitudes_km(altitude_km_.back() - boundary.back())) {
       altitude_km_.push_back(boundary[b]);
+      scattered = 0.0;
+    }
+  }
 }
 
 void ShellOrders::tabulate_beams() {

@@ -191,7 +191,9 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
     const StokesVector own = once(sights.front());
     result.once[p] = own.i;
     const double sun_base = sunlit_ ? points_.sun_base()[p] : 0.0;
-    const double own_base = points_.is_under_cloud(geometry_.sensor_altitude_km) ? sun_base : base_of(0, own);
+    const double own_base = !points_.is_under_cloud(geometry_.sensor_altitude_km) ? base_of(0, own)
+                            : sunlit_ ? points_.sun_at_sensor_base()[p]
+                                      : 0.0;
     result.path[p] = own_base * path_ratio([](const Node& n) { return n.path; });
     const std::vector<Part> own_parts = parts_below(0);
     result.sky_irradiance[p] = sun_base * ratio([](const Node& n) { return n.sky_irradiance; });
@@ -203,7 +205,9 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
     for (std::size_t s = 0; s < lines_of_sight; ++s) {
       const StokesVector along = once(sights[1 + s]);
       result.line_of_sight_path[s][p] =
-          (points_.is_under_cloud(geometry_.lines_of_sight[s].sensor_km) ? sun_base : base_of(1 + s, along)) *
+          (!points_.is_under_cloud(geometry_.lines_of_sight[s].sensor_km) ? base_of(1 + s, along)
+           : sunlit_                                                      ? points_.sun_at_line_end_base(s)[p]
+                                                                          : 0.0) *
           path_ratio([s](const Node& n) { return n.line_of_sight_path[s]; });
       result.line_of_sight_diffuse[s][p] =
           points_.line_of_sight_base(s)[p] *

@@ -69,6 +69,9 @@ ChannelPoints::Beams ChannelPoints::base_of(const LayerOptics& layers) const {
   for (const std::vector<double>& slants : line_slants_)
     beams.line_of_sight_view.push_back({through(slants)});
   for (const std::vector<double>& slants : height_slants_) beams.sun_at_height.push_back({through(slants)});
+  beams.sun_at_sensor = {through(sensor_slants_)};
+  for (const std::vector<double>& slants : line_end_slants_)
+    beams.sun_at_line_end.push_back({through(slants)});
   return beams;
 }
 
@@ -92,7 +95,14 @@ ChannelPoints::ChannelPoints(const AtmosphereColumn& column, const std::vector<C
     view_slants_ = up, line_slants_ = lines_of_sight;
     for (const double height : geometry.heights_km)
       height_slants_.push_back(above(altitude_km, sun_slants_, height));
+    const auto at_sensor = [&](double sensor_km) {
+      return above(altitude_km, sun_slants_, sensor_km - altitude_km.front());
+    };
+    sensor_slants_ = at_sensor(geometry.sensor_altitude_km);
+    for (const LineOfSight& line : geometry.lines_of_sight)
+      line_end_slants_.push_back(at_sensor(line.sensor_km));
     base_.emplace();
+    base_->sun_at_line_end.resize(lines_of_sight.size());
     base_->line_of_sight_view.resize(lines_of_sight.size());
     base_->sun_at_height.resize(suns.size());
   }
@@ -125,6 +135,9 @@ ChannelPoints::ChannelPoints(const AtmosphereColumn& column, const std::vector<C
         const double sunlight_above = geometry.sun_zenith_rad ? bin.irradiance : 0.0;
         base_->sun.push_back(sunlight_above * beams.sun[0]);
         base_->view.push_back(beams.view[0]);
+        base_->sun_at_sensor.push_back(sunlight_above * beams.sun_at_sensor[0]);
+        for (std::size_t s = 0; s < lines_of_sight.size(); ++s)
+          base_->sun_at_line_end[s].push_back(sunlight_above * beams.sun_at_line_end[s][0]);
         for (std::size_t s = 0; s < lines_of_sight.size(); ++s)
           base_->line_of_sight_view[s].push_back(beams.line_of_sight_view[s][0]);
         for (std::size_t h = 0; h < suns.size(); ++h)

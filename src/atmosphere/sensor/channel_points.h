@@ -37,6 +37,8 @@ struct ChannelPoints {
   struct Beams {
     std::vector<double> sun, view;
     std::vector<std::vector<double>> line_of_sight_view, sun_at_height;
+    std::vector<double> sun_at_sensor = {};                 ///< as sun, down to the sensor's altitude
+    std::vector<std::vector<double>> sun_at_line_end = {};  ///< [line], to that of the line's sensor
   };
   const std::vector<double>& sun_base() const { return base_ ? base_->sun : sun; }
   const std::vector<double>& view_base() const { return base_ ? base_->view : view; }
@@ -47,7 +49,12 @@ struct ChannelPoints {
     return base_ ? base_->sun_at_height[height] : sun_at_height[height];
   }
   bool has_base() const { return base_.has_value(); }
-  /// Whether light that is scattered into a line of sight from an altitude is told relative to `sun_base`, not to what is
+  /// Of sensors under clouds.
+  const std::vector<double>& sun_at_sensor_base() const { return base_.value().sun_at_sensor; }
+  const std::vector<double>& sun_at_line_end_base(std::size_t line) const {
+    return base_.value().sun_at_line_end[line];
+  }
+  /// Whether light that is scattered into a line of sight from an altitude is told relative to the Sun's there, not to what is
   /// scattered once: below the top of a cloud.
   bool is_under_cloud(double sensor_km) const { return cloud_top_km_ && sensor_km < *cloud_top_km_; }
   bool cloudy() const { return cloud_top_km_.has_value(); }
@@ -60,7 +67,8 @@ struct ChannelPoints {
 
  private:
   std::vector<double> sun_slants_, view_slants_;  ///< by layer, of what is told relative to
-  std::vector<std::vector<double>> line_slants_, height_slants_;
+  std::vector<double> sensor_slants_;
+  std::vector<std::vector<double>> line_slants_, height_slants_, line_end_slants_;
   std::optional<Beams> base_;
   std::optional<double> cloud_top_km_;
 };

@@ -169,7 +169,7 @@ void ChannelScattering::solve_lines_of_sight(const ColumnSolution& solved,
     const PathLight path =
         ring.line_of_sight(line.azimuth_rad - std::numbers::pi, line.sensor_km, surface_km);
     if (points_.is_under_cloud(line.sensor_km))
-      node.line_of_sight_path.push_back(log_ratio(path.radiance().i, base.value().sun[0]));
+      node.line_of_sight_path.push_back(log_ratio(path.radiance().i, base.value().sun_at_line_end[s][0]));
     else
       node.line_of_sight_path.push_back(over_base(path, once_to_space(ring, line.azimuth_rad, surface_km)));
     node.line_of_sight_diffuse.push_back(
@@ -190,7 +190,7 @@ void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
   if (points_.has_base()) base = points_.base_of(node.optics);
   const double to_space =
       once_to_space({solved.sunlit(), towards_sensor().mu}, geometry_.view_azimuth_rad, ground_km);
-  node.path = points_.is_under_cloud(sensor_km) ? log_ratio(path.radiance().i, base.value().sun[0])
+  node.path = points_.is_under_cloud(sensor_km) ? log_ratio(path.radiance().i, base.value().sun_at_sensor[0])
                                                 : over_base(path, to_space);
   node.sky_irradiance = log_ratio(sky_irradiance, base ? base->sun[0] : solved.sun_transmittance(ground_km));
   node.diffuse_transmittance = log_ratio(solved.diffuse_transmittance(towards_sensor().mu, sensor_km).i,
@@ -200,7 +200,8 @@ void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
   solve_lines_of_sight(solved, base, node);
   if (geometry_.level_fluxes)
     solve_fluxes(solved,
-                 points_.is_under_cloud(sensor_km) ? base.value().sun[0] : path_base(path.single.i, to_space),
+                 points_.is_under_cloud(sensor_km) ? base.value().sun_at_sensor[0]
+                                                   : path_base(path.single.i, to_space),
                  node);
 
   const std::vector<double> weights = directions_.level_weights();

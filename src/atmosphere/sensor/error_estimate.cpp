@@ -178,7 +178,8 @@ class Estimate {
     ChannelChecks::Errors errors =
         given.checks->against(given.scattered, given.emitted ? &*given.emitted : nullptr);
     if (question_.scattering.spherical_earth && question_.geometry.sun_zenith_rad) {
-      const RoundEarthError round = round_earth_error(*question_.geometry.sun_zenith_rad);
+      const RoundEarthError round =
+          round_earth_error(*question_.geometry.sun_zenith_rad, given.points.cloudy());
       errors.path += round.path;
       errors.sky_irradiance += round.sky;
     }
@@ -186,7 +187,7 @@ class Estimate {
     const double sine = question_.geometry.sun_sine();
     std::vector<double> reflectance, glow;
     for (const ChannelPoints::Point& point : points.points)
-      reflectance.push_back(question_.ground.at(point.wavelength_um));
+      reflectance.push_back(question_.grounds[channel].at(point.wavelength_um));
     for (const ChannelPoints::Point& point : points.points)
       glow.push_back(point.wavelength_um < kFirstThermal_um
                          ? 0.0

@@ -17,7 +17,7 @@ struct ErrorQuestion {
   const SensorGeometry& geometry;
   const SkyDirections& directions;
   const ScatteringOptions& scattering;
-  const radiometry::Spectrum& ground;  ///< reflectance of the ground around the scene
+  std::span<const radiometry::Spectrum> grounds;  ///< by channel, reflectance of the ground around the scene
   int threads = 0;
   KeptSolutions* kept = nullptr;  ///< estimates from before, if any
 };

@@ -117,6 +117,9 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
       rows->assign(lines_of_sight_.height().known().size() * nodes, 0.0);
   }
   if (geometry_.level_fluxes)
+    for (auto* row : {&channel_means_.diffuse_transmittance, &channel_means_.spherical_albedo})
+      row->assign(channels.size(), 0.0);
+  if (geometry_.level_fluxes)
     for (auto* row : {&level_fluxes_.sun, &level_fluxes_.down, &level_fluxes_.up, &level_fluxes_.ground_up,
                       &level_fluxes_.ground_down})
       row->assign(nodes, 0.0);
@@ -144,13 +147,15 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
   if (polarization_) bound_polarization();
   if (!finer) return;
   const SensorGeometry alone = geometry_.alone();
+  std::vector<radiometry::Spectrum> grounds;
+  for (std::size_t c = 0; c < channels.size(); ++c) grounds.push_back(ground_in_errors(c, inputs.ground));
   errors_ = estimate_errors(
-      {column, *finer, alone, directions_, inputs.scattering, inputs.ground, inputs.threads, inputs.kept},
-      bins, channels);
+      {column, *finer, alone, directions_, inputs.scattering, grounds, inputs.threads, inputs.kept}, bins,
+      channels);
   for (std::size_t c = 0; c < errors_.size(); ++c) {
     errors_[c].nodes.surface = nodes_.worst_error(c);
     errors_[c].model = channel_model_error(column, bins[c], optics, alone, ModelErrorTable::built_in());
-    errors_[c].lines_of_sight = line_of_sight_error(c, channels[c], inputs.ground);
+    errors_[c].lines_of_sight = line_of_sight_error(c, channels[c], grounds[c]);
   }
 }
 

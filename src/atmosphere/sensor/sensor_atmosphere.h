@@ -117,6 +117,11 @@ class SensorAtmosphere {
     std::vector<double> ground_up, ground_down;
   };
   const LevelFluxes& level_fluxes() const { return level_fluxes_; }
+  /// By channel, over its response alone and not as light of this Sun is weighed within nodes; where level fluxes are wanted.
+  struct ChannelMeans {
+    std::vector<double> diffuse_transmittance, spherical_albedo;
+  };
+  const ChannelMeans& channel_means() const { return channel_means_; }
 
   /// Null where the ground is Lambertian.
   const DirectionalLight* directional() const { return directional_.get(); }
@@ -132,6 +137,8 @@ class SensorAtmosphere {
   void add_lines_of_sight(std::size_t channel, const ChannelLights& lights);
   AtmosphereError line_of_sight_error(std::size_t channel, const ChannelLights& lights,
                                       const radiometry::Spectrum& ground) const;
+  /// The reflectance that errors are told for: of ground that reflects by direction at least what leaves it of this Sun and sky.
+  radiometry::Spectrum ground_in_errors(std::size_t channel, const radiometry::Spectrum& even) const;
   void normalise_sky();
   void add_fluxes(std::size_t channel, const ChannelLights& lights);
   void add_polarization(std::size_t channel, const ChannelLights& lights);
@@ -161,6 +168,7 @@ class SensorAtmosphere {
   std::vector<double> sun_at_height_, sky_at_height_;  // [height][node]
   std::optional<Polarization> polarization_;
   LevelFluxes level_fluxes_;
+  ChannelMeans channel_means_;
   std::shared_ptr<DirectionalLight> directional_;
 };
 

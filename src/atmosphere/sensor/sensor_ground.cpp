@@ -74,6 +74,21 @@ void SensorAtmosphere::add_directional(std::size_t channel, const ChannelLights&
   }
 }
 
+radiometry::Spectrum SensorAtmosphere::ground_in_errors(std::size_t channel,
+                                                        const radiometry::Spectrum& even) const {
+  if (!directional_) return even;
+  double leaving = 0.0, arriving = 0.0, reflectance = 0.0;
+  for (std::size_t n = nodes_.first_node(channel); n < nodes_.first_node(channel + 1); ++n) {
+    const double weight = nodes_.node_weight(n), exitance = directional_->exitance(n, 0.0);
+    leaving += weight * exitance;
+    arriving +=
+        weight * (sun_[n] * geometry_.sun_sine() + sky_irradiance_[n] + directional_->albedo[n] * exitance);
+    reflectance += weight * even.at(nodes_.node_wavelength_um(n));
+  }
+  return arriving > 0.0 ? radiometry::Spectrum::constant(std::clamp(leaving / arriving, reflectance, 1.0))
+                        : even;
+}
+
 void SensorAtmosphere::couple_directional() {
   DirectionalLight& to = *directional_;
   const std::size_t zeniths = directions_.zenith_rad.size(), azimuths = directions_.azimuth_rad.size(),

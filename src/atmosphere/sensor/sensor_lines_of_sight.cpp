@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <numeric>
 
 #include "atmosphere/sensor/channel_lights.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
@@ -54,6 +55,11 @@ void SensorAtmosphere::add_fluxes(std::size_t channel, const ChannelLights& ligh
     nodes_.average_seen(channel, lights.scattered.ground_up, std::span(to.ground_up).subspan(first, count));
     nodes_.average_seen(channel, lights.scattered.ground_down,
                         std::span(to.ground_down).subspan(first, count));
+    const auto mean = [&](const std::vector<double>& at_points) {
+      return std::inner_product(at_points.begin(), at_points.end(), lights.points.share.begin(), 0.0);
+    };
+    channel_means_.diffuse_transmittance[channel] = mean(lights.scattered.diffuse_transmittance);
+    channel_means_.spherical_albedo[channel] = mean(lights.scattered.spherical_albedo);
   }
   if (lights.emitted) {
     add_source(channel, lights.emitted->sky_at_height.back(), to.down.data());

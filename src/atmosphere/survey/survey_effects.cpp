@@ -143,14 +143,14 @@ void survey_part(const Part& part, AtmosphereEffects* light) {
     to.solar_path += weight * day.view_radiance()[n];
     to.solar_sky += weight * day.sky_irradiance()[n];
     to.direct_irradiance += weight * day.sun_irradiance()[n] * sine;
-    to.diffuse_transmittance += weight * day.diffuse_transmittance()[n];
-    to.spherical_albedo += weight * day.spherical_albedo()[n];
     to.path_q += weight * day.line_of_sight_polarization(0).q[n];
     to.path_u += weight * own_side(geometry, day.line_of_sight_polarization(0).u[n]);
     by_day.add(n, weight, to.over_ground);
   });
   for (std::size_t c = 0; c < part.channels.size(); ++c) {
     AtmosphereEffects& of = light[c];
+    of.diffuse_transmittance = day.channel_means().diffuse_transmittance[c];
+    of.spherical_albedo = day.channel_means().spherical_albedo[c];
     constexpr double kNothing = 1e-100;  // what tables of logarithms have for 0
     if (of.over_ground.sensor_diffuse < kNothing * of.solar_irradiance) of.over_ground.sensor_diffuse = 0.0;
     of.solar_path = rest(of.solar_path, of.thermal_path);
