@@ -21,7 +21,7 @@ ClutterRound filled(int side, std::uint64_t key, bool keep,
                     const std::function<double(double x, double y, std::uint64_t path)>& picture,
                     double* by_blocks = nullptr, double* by_steps = nullptr) {
   std::vector<double> cells(static_cast<std::size_t>(side * side));
-  ClutterRound round(side, kStride, keep);
+  ClutterRound round(GridSides::square(side), kStride, keep);
   for (std::uint32_t block = 0; block < round.blocks(); ++block) {
     std::vector<PathRequest> requests;
     round.request(2, 3, key, {key, 0}, block, requests);

@@ -10,7 +10,7 @@ namespace ifov::sampling::test_detection {
 namespace {
 
 /// Share of features, squares or discs of the given area anywhere in the middle of 3 x 3 pixels, that jittered grids meet.
-double share_found(const std::vector<int>& grids, double area, bool disc, bool with_lattice) {
+double share_found(const std::vector<GridSides>& grids, double area, bool disc, bool with_lattice) {
   constexpr int kFeatures = 10000;
   const double half = disc ? std::sqrt(area / 3.14159265358979) : 0.5 * std::sqrt(area);
   int found = 0;
@@ -22,9 +22,9 @@ double share_found(const std::vector<int>& grids, double area, bool disc, bool w
                   : std::abs(x - cx) < half && std::abs(y - cy) < half;
     };
     bool hit = false;
-    for (const int side : grids)
-      for (int j = 0; j < 3 * side; ++j)
-        for (int i = 0; i < 3 * side; ++i) hit = met((i + draw()) / side, (j + draw()) / side) || hit;
+    for (const auto [columns, rows] : grids)
+      for (int j = 0; j < 3 * rows; ++j)
+        for (int i = 0; i < 3 * columns; ++i) hit = met((i + draw()) / columns, (j + draw()) / rows) || hit;
     if (with_lattice)
       for (int j = 0; j <= 9; ++j)
         for (int i = 0; i <= 9; ++i) hit = hit || met(i / 3.0, j / 3.0);
@@ -35,9 +35,19 @@ double share_found(const std::vector<int>& grids, double area, bool disc, bool w
 
 TEST(Detection, FeaturesOfTheStatedSizeAreFoundAsOftenAsStated) {
   Detection detection;
-  for (const std::vector<int>& grids : {std::vector<int>{2}, {3}, {2, 3}, {2, 3, 3}, {2, 3, 8}, {6}, {16}}) {
+  const GridSides two = GridSides::square(2), three = GridSides::square(3);
+  for (const std::vector<GridSides>& grids : {std::vector<GridSides>{two},
+                                              {three},
+                                              {two, three},
+                                              {two, three, three},
+                                              {two, three, {8, 8}},
+                                              {{6, 6}},
+                                              {{16, 16}},
+                                              {{6, 4}},
+                                              {{2, 4}, {8, 6}}}) {
     const double area = detection.missable_fraction({grids, 0.0});
-    EXPECT_NEAR(share_found(grids, area, false, false), 0.95, 0.01) << grids.size() << " " << grids.back();
+    EXPECT_NEAR(share_found(grids, area, false, false), 0.95, 0.01)
+        << grids.size() << " " << grids.back().columns << " " << grids.back().rows;
     EXPECT_NEAR(share_found(grids, area, true, false), 0.95, 0.012) << "discs";
   }
 }
@@ -45,8 +55,8 @@ TEST(Detection, FeaturesOfTheStatedSizeAreFoundAsOftenAsStated) {
 // Counted as a round of nine random rays, the lattice would promise three times too much.
 TEST(Detection, ALatticeTakenForARandomRoundIsCaught) {
   Detection detection;
-  const double claimed = detection.missable_fraction({{2, 3}, 0.0});
-  EXPECT_LT(share_found({2}, claimed, false, false), 0.8);
+  const double claimed = detection.missable_fraction({{{2, 2}, {3, 3}}, 0.0});
+  EXPECT_LT(share_found({{2, 2}}, claimed, false, false), 0.8);
 }
 
 TEST(Detection, MoreRaysFindSmallerThings) {
@@ -54,7 +64,7 @@ TEST(Detection, MoreRaysFindSmallerThings) {
   EXPECT_GT(detection.missable_fraction({{}, 0.0}), 0.99f);
   float before = 1.0f;
   for (const int side : {2, 3, 5, 10, 40}) {
-    const float now = detection.missable_fraction({{side}, 0.0});
+    const float now = detection.missable_fraction({{GridSides::square(side)}, 0.0});
     EXPECT_LT(now, before);
     before = now;
   }
@@ -75,8 +85,8 @@ TEST(Detection, ValuesCountAsRandomRays) {
   ASSERT_GT(values, 100.0);
   Detection detection;
   // All but those of the lattice.
-  const RandomRays none{{render.options.random_rays_per_side}, 0.0}, all{none.grids, values},
-      most{none.grids, 0.9 * values};
+  const RandomRays none{{GridSides::square(render.options.random_rays_per_side)}, 0.0},
+      all{none.grids, values}, most{none.grids, 0.9 * values};
   EXPECT_GE(result.missable_fraction[4], detection.missable_fraction(all));
   EXPECT_LE(result.missable_fraction[4], detection.missable_fraction(most));
   EXPECT_LT(detection.missable_fraction(most), 0.1 * detection.missable_fraction(none));

@@ -29,9 +29,9 @@ double probability_missed(const RandomRays& rays, double area) {
   for (int k = 0; k < kPositions; ++k) {
     const double u = std::fmod((k + 0.5) * kStepX, 1.0), v = std::fmod((k + 0.5) * kStepY, 1.0);
     double missed = 1.0;
-    for (const int cells : rays.grids) {
-      cover(u, side, cells, x);
-      cover(v, side, cells, y);
+    for (const GridSides& cells : rays.grids) {
+      cover(u, side, cells.columns, x);
+      cover(v, side, cells.rows, y);
       for (const double sx : x)
         for (const double sy : y) missed *= std::max(0.0, 1.0 - sx * sy);
       if (missed == 0.0) break;

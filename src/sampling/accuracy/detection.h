@@ -5,12 +5,14 @@
 #include <utility>
 #include <vector>
 
+#include "sampling/accuracy/weights/grid_sides.h"
+
 namespace ifov::sampling {
 
 /// Random rays that a pixel has had. A lattice counts for nothing: it has no probability.
 struct RandomRays {
-  std::vector<int> grids;    ///< sides of jittered grids over the pixel, one ray to a cell
-  double independent = 0.0;  ///< rays anywhere in the pixel besides
+  std::vector<GridSides> grids;  ///< jittered grids over the pixel, one ray to a cell
+  double independent = 0.0;      ///< rays anywhere in the pixel besides
   friend bool operator<(const RandomRays& a, const RandomRays& b) {
     return std::tie(a.grids, a.independent) < std::tie(b.grids, b.independent);
   }

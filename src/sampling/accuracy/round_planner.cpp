@@ -17,11 +17,9 @@ namespace ifov::sampling {
 namespace {
 
 /// From this test on rounds are generous, as tests run out: most where what is not met is known badly.
-constexpr int kGenerous = 5;
-/// What is too wide by a little is to have this part of its variance at most, where it is told well and where not.
-constexpr double kSoon = 0.8, kLate = 0.6;
-/// The same where sequences of paths are seen to gain.
-constexpr double kToldSoon = 0.95, kToldLate = 0.8;
+constexpr int kGenerous = 7;
+/// What is too wide by a little is to have this part of its variance at most, where it is told well and where not; and then.
+constexpr double kSoon = 0.95, kLate = 0.9, kGenerousSoon = 0.8, kGenerousLate = 0.6;
 /// Of the variance that borders leave, values may take this share at least, whatever means from maps have taken.
 constexpr double kLeastOfValues = 0.3;
 
@@ -119,7 +117,7 @@ bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrat
   for (int o : outputs) find_budget(o);
   find_wants(radiance, integrator);
   ease_wants(radiance, integrator);
-  return plan_wants(radiance, integrator);
+  return plan_wants(radiance, integrator) || (raise_wants() && plan_wants(radiance, integrator));
 }
 
 /// Whether an output's interval is narrow enough, and what variance paths may leave in it.
@@ -148,10 +146,8 @@ void RoundPlanner::find_budget(int o) {
     // be estimated smallest.
     if (wide) {
       const double sure = std::clamp(sum.path[d].degrees_of_freedom() / kSure, 0.0, 1.0);
-      const bool told = sum.gain[d] < kGains;
-      const double soon = told ? kToldSoon : kSoon, late = told ? kToldLate : kLate;
-      const double left =
-          output.test < kGenerous ? std::lerp(late, soon, sure) : std::lerp(kLate, late, sure);
+      const double left = output.test < kGenerous ? std::lerp(kLate, kSoon, sure)
+                                                  : std::lerp(kGenerousLate, kGenerousSoon, sure);
       output.path_budget[d] =
           std::min(output.path_budget[d], left * (sum.path[d].variance() - sum.foretold[d]));
     }

@@ -57,6 +57,7 @@ class RoundPlanner {
   void find_budget(int output);
   void find_wants(const Radiance& radiance, const LeafIntegrator& integrator);
   void ease_wants(const Radiance& radiance, const LeafIntegrator& integrator);
+  bool raise_wants();
   bool plan_wants(Radiance& radiance, const LeafIntegrator& integrator);
   bool plan_stratum(Radiance& radiance, const LeafIntegrator& integrator, const Want& want,
                     std::span<const double> own, std::span<const double> unmet, double room);

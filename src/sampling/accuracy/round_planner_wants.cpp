@@ -21,13 +21,11 @@ namespace ifov::sampling {
 
 namespace {
 
-/// Planned rounds aim a little beyond the limit, because variances are estimates: further where few degrees of freedom tell them,
-/// as many would else end where theirs happen to be estimated smallest.
-constexpr double kMargin = 1.2, kUnsureMargin = 1.6;
-/// The same where sequences are seen to gain: many replicates and like outputs tell the variance there.
-constexpr double kToldMargin = 1.12, kToldUnsureMargin = 1.4;
-/// The same again where a pilot alone has told.
-constexpr double kFromPilot = 1.41;
+/// Planned rounds aim at the limit, and so far beyond it where few degrees of freedom tell the variance, and where it is hoped to go
+/// on falling as it did.
+constexpr double kUnsureMargin = 1.3, kHopedMargin = 1.12;
+/// A round holds at least this part of the values that there are: tests are counted.
+constexpr double kLeastRound = 0.1;
 /// Variances fall as values' number to minus this where their sequences are seen to gain so much.
 constexpr double kSequenceFall = 2.0;
 /// Of what a stratum's outputs want each as if it were alone, so much at least, and so much more than there is.
@@ -35,15 +33,20 @@ constexpr double kLeastShare = 0.3, kMostShare = 2.0, kLeastGrowth = 1.2;
 /// What sequences of paths gain, before their replicates have told.
 constexpr double kHoped = 0.55;
 /// After a pilot, a stratum grows at most this many times, until two rounds have told how its variance falls.
-constexpr double kFirstGrowth = 12.0;
+constexpr double kFirstGrowth = 14.0;
 /// Later rounds grow at most this many times: the finer the grid, the faster texture gets exact.
-constexpr double kGrowth = 2.5;
+constexpr double kGrowth = 3.0;
 /// From here on replicated nets cost less than jittered values: early where paths make the variance and not
 /// texture.
 constexpr double kManyPaths = 320.0, kManyValues = 16384.0;
 /// What rounds of n values in clutter are planned by: their variance falls as n to minus this, between borders (3/2)
 /// and paths (1). A round holds at most this many times the values of those before it.
 constexpr double kClutterFall = 1.35, kClutterGrowth = 6.0;
+/// Where clutter has so many values and more than a little is wanted, rounds go a part of the way, so often: what they were planned by may be
+/// too much, and what was drawn cannot be taken back. Few values may not have met what is rare, and each look at them is a chance to end
+/// without it.
+constexpr double kManyInClutter = 100.0, kFar = 1.3, kPartWay = 0.75, kLeastOfFew = 0.3;
+constexpr std::size_t kPartWays = 3;
 
 /// By group of columns; valid until the next call.
 class Weights {
@@ -97,8 +100,11 @@ std::uint32_t RoundPlanner::net_size(const Stratum& stratum, double wanted, doub
 double RoundPlanner::next_clutter(const SourcePixel& pixel, double wanted) {
   const double have = pixel.clutter_count();
   if (wanted <= have) return 0.0;
-  const double next = have * std::pow(wanted / have - 1.0, 1.0 / kClutterFall);
-  return std::clamp(next, 0.3 * have, kClutterGrowth * have);
+  double growth = wanted / have;
+  const bool many = have >= kManyInClutter;
+  if (many && growth > kFar && pixel.rounds.size() <= kPartWays) growth = std::max(1.0, kPartWay * growth);
+  const double next = have * std::pow(growth - 1.0, 1.0 / kClutterFall);
+  return std::clamp(next, (many ? kLeastRound : kLeastOfFew) * have, kClutterGrowth * have);
 }
 
 bool RoundPlanner::is_open(int output) const {
@@ -199,6 +205,18 @@ void RoundPlanner::ease_wants(const Radiance& radiance, const LeafIntegrator& in
                            std::min(want.wanted, kLeastGrowth * want.have));
 }
 
+/// Values that weigh unlike leave more than their number says: where all have what they want by that and an output is too wide all the
+/// same, those that there are grow as it lacks. False where none does.
+bool RoundPlanner::raise_wants() {
+  bool any = false;
+  for (Want& want : wants_) {
+    if (want.share <= 1.0 || want.have <= 0.0) continue;
+    want.wanted = std::min(want.share, kMostShare) * want.have;
+    any = true;
+  }
+  return any;
+}
+
 /// Plans what is wanted; false where that is nothing.
 bool RoundPlanner::plan_wants(Radiance& radiance, const LeafIntegrator& integrator) {
   const std::size_t n = steering_.size();
@@ -245,12 +263,10 @@ bool RoundPlanner::plan_stratum(Radiance& radiance, const LeafIntegrator& integr
   if (!pilot && mostly_met(own, unmet)) wanted = StratumEstimates::with_trend(stratum, steering_, wanted);
   if (!pilot && have > 0.0 && want.gain < kGains)
     wanted = have * std::pow(wanted / have, 1.0 / kSequenceFall);
-  const bool told = want.gain < kGains;
-  const double margin = std::lerp(told ? kToldUnsureMargin : kUnsureMargin, told ? kToldMargin : kMargin,
-                                  std::min(1.0, want.freedom / kSure)) *
-                        (pilot && !want.hope ? kFromPilot : 1.0);
-  double more = margin * wanted - have;
-  if (have > 0.0) more = std::min(more, ((pilot ? kFirstGrowth : kGrowth) * kMargin - 1.0) * have);
+  const double margin =
+      std::lerp(kUnsureMargin, want.gain < kGains ? kHopedMargin : 1.0, std::min(1.0, want.freedom / kSure));
+  double more = std::max(margin * wanted - have, kLeastRound * have);
+  if (have > 0.0) more = std::min(more, ((pilot ? kFirstGrowth : kGrowth) - 1.0) * have);
   if (have == 0.0)
     more = std::min(std::max(more, kFewest), std::max(kFewest, kPilot * pixel.model.area[want.stratum]));
   radiance.rounds().plan(want.pixel, want.stratum, std::min(std::max(more, kFewest), room));

@@ -90,7 +90,7 @@ void TileReport::add_reasons(const Radiance& radiance) {
 void TileReport::note_random_rays(const SourcePixel& pixel) {
   RandomRays& rays = random_rays_[pixel.source];
   if (pixel.cluttered) {
-    for (const ClutterRound& round : pixel.rounds) rays.grids.push_back(round.side());
+    for (const ClutterRound& round : pixel.rounds) rays.grids.push_back(round.sides());
     return;
   }
   double fewest = INFINITY;
@@ -115,8 +115,8 @@ void TileReport::finish(const Lattice& lattice, const RandomLook& look) {
     result_.radiance_evaluations[o] = values;
     result_.samples[o] = labels + values;
     RandomRays rays = random_rays_[p];
-    if (look.covers(p)) rays.grids.push_back(look.side());
-    rays.grids.insert(rays.grids.end(), prober_.grids(p).begin(), prober_.grids(p).end());
+    if (look.covers(p)) rays.grids.push_back(GridSides::square(look.side()));
+    for (const int side : prober_.grids(p)) rays.grids.push_back(GridSides::square(side));
     result_.missable_fraction[o] = detection.missable_fraction(rays);
   }
   result_.pilot_samples = ledger_.pilot_rays();

@@ -9,14 +9,14 @@
 namespace ifov::sampling {
 
 /// Quantiles for intervals that are tested more than once. A test may end the sampling, and does so the sooner the
-/// smaller its estimate of the variance happens to be. As rounds are planned to reach the limit from test to
-/// test, hardly more than two of them are ever in doubt, and each may spend 0.4 of the probability of error, 0.75 where so many degrees of
+/// smaller its estimate of the variance happens to be. Tests of numbers of values that grow by little see almost the same, and of those
+/// that grow by much hardly more than two are in doubt: each may spend 0.4 of the probability of error, 0.75 where so many degrees of
 /// freedom tell the variance that its estimate hardly chooses the test; the first two (the lattice alone, a pilot) see little and may spend
-/// less. That intervals then hold, wherever the sampling ends, is
-/// shown by simulation (tests/sampling/test_stopping.cpp).
+/// less. That intervals then hold, wherever the sampling ends, is shown by simulation
+/// (tests/sampling/test_stopping.cpp).
 class Stopping {
  public:
-  static constexpr int kTests = 10;
+  static constexpr int kTests = 12;
 
   explicit Stopping(double confidence) : confidence_(confidence), normal_(two_sided_normal(confidence)) {}
 

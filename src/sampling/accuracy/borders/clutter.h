@@ -18,10 +18,10 @@ constexpr double kTracingCostPerCrossing = 10.0;
 /// Fewer stratified rays than this never say anything about their own error.
 constexpr double kFewestStratified = 32.0;
 
-/// A pixel that has cost more label rays than this many times its stratified rays, and at least kFewestTraced, holds
+/// A pixel that has cost more label rays than this part of its stratified rays, and at least kFewestTraced, holds
 /// more borders than its lattice announced. The lattice may have met a border where it is short: it counts as
 /// kLeastBorder_px at least.
-constexpr double kPatience = 1.5, kFewestTraced = 400.0, kLeastBorder_px = 2.0;
+constexpr double kPatience = 0.75, kFewestTraced = 150.0, kLeastBorder_px = 2.0;
 
 /// Mean number of lattice sides crossed by a border of length 1 px on a lattice of spacing 1 / k: 4 k / pi.
 inline double crossings_per_length(int lattice) { return 1.27 * lattice; }

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::uint64_t kClutterKey = 0x636c7574;
 
-/// Sides of a round's grid, in cells.
-constexpr int kCoarsest = 4, kFinest = 8192;
+/// Values of a round.
+constexpr double kFewest = 8.0, kMost = 8192.0 * 8192.0;
 
 }  // namespace
 
@@ -30,8 +30,9 @@ RadianceClutter::RadianceClutter(std::vector<SourcePixel>& pixels, const Lattice
       stride_(static_cast<std::size_t>(ledger.field().stride())) {}
 
 void RadianceClutter::plan(std::size_t p, double count) {
-  const int half = static_cast<int>(std::ceil(0.5 * std::sqrt(count) - 1e-9));
-  pixels_[p].rounds.emplace_back(std::clamp(2 * half, kCoarsest, kFinest), stride_, keep_);
+  std::vector<ClutterRound>& rounds = pixels_[p].rounds;
+  rounds.emplace_back(GridSides::even(std::clamp(count, kFewest, kMost), rounds.size() % 2 == 0), stride_,
+                      keep_);
   planned_.push_back(p);
 }
 

@@ -26,9 +26,9 @@ class RadianceClutter {
   /// Traces what was planned.
   void trace();
 
-  /// Rounds weigh as the inverse of the variance of a round of n values where borders make it, n^(3/2), by their sizes
-  /// alone and never by what they found.
-  static double round_weight(double count) { return count * std::sqrt(count); }
+  /// Rounds weigh about as the inverse of the variance of a round of n values, between that where borders make it, n^(3/2), and that
+  /// where paths do, n: by their sizes alone and never by what they found.
+  static double round_weight(double count) { return count * std::sqrt(std::sqrt(count)); }
   /// Means over the rounds of a cluttered pixel, per column, with their variances. The footprint weighs values about
   /// `centre`; null: all alike.
   static void moments(const SourcePixel& pixel, const PixelFootprint* footprint, Point2 centre,

@@ -51,7 +51,8 @@ void RadianceMemory::remember(const SourcePixel& pixel, double predicted, TileMe
   if (pixel.cluttered) {
     write(ClutterBefore{pixel.clutter_count(), predicted});
     for (const ClutterRound& round : pixel.rounds) {
-      write(static_cast<std::int32_t>(round.side()));
+      write(static_cast<std::int32_t>(round.sides().columns));
+      write(static_cast<std::int32_t>(round.sides().rows));
       ClutterRound::pass(round, write, columns);
     }
     if (!pixel.rounds.empty()) memory.keep_pixel(pixel.source, bytes);
@@ -96,9 +97,11 @@ bool RadianceMemory::recall(SourcePixel& pixel, const TileMemory& memory) const 
     ClutterBefore spent;
     read(spent);
     while (!read.empty()) {
-      std::int32_t side = 0;
-      read(side);
-      ClutterRound::pass(pixel.rounds.emplace_back(side, stride_, kept_ != nullptr), read, columns);
+      std::int32_t across = 0, down = 0;
+      read(across);
+      read(down);
+      ClutterRound::pass(pixel.rounds.emplace_back(GridSides{across, down}, stride_, kept_ != nullptr), read,
+                         columns);
     }
     return true;
   }

@@ -16,8 +16,8 @@ namespace ifov::sampling {
 
 namespace {
 
-/// A jittered grid has at most this many cells per pixel side, even for slivers.
-constexpr int kFinestGrid = 128;
+/// A jittered grid has at most so many cells a pixel, even for slivers.
+constexpr double kFinestGrid = 128.0 * 128.0;
 
 /// Points of a stratum's second round that get a second path each.
 constexpr int kTwins = 16;
@@ -54,11 +54,7 @@ void RadianceRounds::request_round(const PlannedRound& round) {
   const PixelRect& domain = model_.tree().lattice().domain();
   const int px = domain.x0 + pixel.source % domain.width(), py = domain.y0 + pixel.source / domain.width();
   const double area = std::max(pixel.model.area[s], 1e-9);
-  // Both sides are even; where a square has too few cells and the next one many more, one of them is longer.
-  int columns = static_cast<int>(std::ceil(std::sqrt(count / area)));
-  columns = std::clamp(columns + columns % 2, 2, kFinestGrid);
-  int rows = columns;
-  if (columns > 2 && columns * (columns - 2) >= count / area) (stratum.round % 2 == 0 ? columns : rows) -= 2;
+  const auto [columns, rows] = GridSides::even(std::min(count / area, kFinestGrid), stratum.round % 2 != 0);
   const std::uint64_t key = hash(seed_, kStratumKey, px, py, table_.label(stratum.label), stratum.round - 1);
   std::uint64_t sequences[kReplicates];
   for (std::uint32_t r = 0; r < kReplicates; ++r) sequences[r] = hash(key, kPathsKey, r);

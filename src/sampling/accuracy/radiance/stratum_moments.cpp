@@ -90,14 +90,15 @@ void StratumEstimates::of_values(const Stratum& stratum, std::span<const int> co
                                  StratumMoments& out) const {
   const std::uint32_t label = stratum.label;
   const std::size_t n = columns.size();
-  // Rounds of more values stand on finer grids, where texture makes less variance: they weigh by the squares of
-  // their numbers of values, which is right for texture and costs little where paths make the variance.
-  double squares = 0.0, cubes = 0.0, blocks = 0.0, lent_freedom = 0.0;
+  // Rounds of n values stand on finer grids the more they are, where texture makes less variance: they weigh by n^(3/2), between n^2,
+  // which is right for texture, and n, which is where paths make the variance.
+  const auto weight_of = [](const BlockSums& round) { return round.count() * std::sqrt(round.count()); };
+  double weights = 0.0, squares = 0.0, blocks = 0.0, lent_freedom = 0.0;
   for (const BlockSums& round : stratum.rounds) {
+    weights += weight_of(round);
     squares += round.count() * round.count();
-    cubes += round.count() * round.count() * round.count();
   }
-  out.share = cubes / (squares * squares);
+  out.share = squares / (weights * weights);
   std::vector<double> weighted(n, 0.0);
   const LabelSpread& spread = spread_.rest_if(stratum.foretold());
   const double told = std::min(1.0, spread.blocks(label) / kTelling);
@@ -111,7 +112,7 @@ void StratumEstimates::of_values(const Stratum& stratum, std::span<const int> co
     lent_freedom += sure;
     for (std::size_t c = 0; c < n; ++c) {
       const int column = columns[c];
-      out.mean[c] += count * count / squares * round.mean(column);
+      out.mean[c] += weight_of(round) / weights * round.mean(column);
       const double local = spread.local(label, column);
       const double whole = count > 1.0 ? round.spread(column) * count / (count - 1.0) : 0.0;
       const double lent_variance = told * local + (1.0 - told) * std::max(local, whole);
@@ -124,7 +125,7 @@ void StratumEstimates::of_values(const Stratum& stratum, std::span<const int> co
       if (round.squares(column) == 0.0 && whole > kDiffer * round.mean(column) * round.mean(column))
         all = std::max(all, whole);
       if (all > kAlone * one && alone_tell()) one = all, freedom = std::min(freedom, kAloneFreedom);
-      const double part = count * count * count / cubes * one;
+      const double part = count * count / squares * one;
       out.variance[c] += part;
       weighted[c] += part * part / std::max(1.0, freedom);
     }

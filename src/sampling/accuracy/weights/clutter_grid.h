@@ -29,7 +29,7 @@ class ClutterGrid {
     std::vector<double> twist;  // by block: square of what no plane explains
   };
 
-  std::size_t side_;
+  std::size_t across_;  // cells in a row
   std::vector<double> x_, y_, weight_;
   std::vector<double> block_squares_;  // by block: sum of the weights' squares
   double total_ = 0.0;

@@ -8,25 +8,26 @@
 
 namespace ifov::sampling {
 
-ClutterRound::ClutterRound(int side, std::size_t stride, bool keep)
-    : side_(side), stride_(stride), keep_(keep), sums_(stride) {}
+ClutterRound::ClutterRound(GridSides sides, std::size_t stride, bool keep)
+    : sides_(sides), stride_(stride), keep_(keep), sums_(stride) {}
 
 // kPerPair: a value in a cell with the share p beyond a border has the variance p (1 - p) of the step. Over straight borders
 // anywhere, that sums up to an eighth for each pair of unlike neighbours. (Noise alone sums up to half its variance.)
 
 void ClutterRound::request(int px, int py, std::uint64_t key, const Paths& paths, std::uint32_t block,
                            std::vector<PathRequest>& requests) const {
-  const double cell = 1.0 / side_;
-  const int across = side_ / 2, column = static_cast<int>(block) % across,
+  const double width = 1.0 / sides_.columns, height = 1.0 / sides_.rows;
+  const int across = sides_.columns / 2, column = static_cast<int>(block) % across,
             row = static_cast<int>(block) / across;
   for (std::uint32_t quarter = 0; quarter < kBlock; ++quarter) {
     const int i = 2 * column + static_cast<int>(quarter % 2), j = 2 * row + static_cast<int>(quarter / 2);
     const std::uint64_t jitter = hash(key, i, j);
     // All paths of the round are stratified among themselves. Those of a block are far apart in the sequence: paths made
     // unlike within a block would show as variance what they take away.
-    requests.push_back({{px + (i + unit_double(jitter)) * cell, py + (j + unit_double(mix(jitter))) * cell},
-                        paths.sequence,
-                        paths.first + quarter * blocks() + block});
+    requests.push_back(
+        {{px + (i + unit_double(jitter)) * width, py + (j + unit_double(mix(jitter))) * height},
+         paths.sequence,
+         paths.first + quarter * blocks() + block});
   }
 }
 
@@ -49,9 +50,10 @@ void ClutterRound::add_block(const float* values, std::span<const std::uint32_t,
 /// Blocks come row after row: the values on their rims wait in above_.
 void ClutterRound::add_neighbours(std::size_t block, const float* const (&rows)[kBlock]) {
   steps_.resize(stride_, 0.0);
-  above_.resize((static_cast<std::size_t>(side_) + 2) * stride_);
-  const std::size_t across = static_cast<std::size_t>(side_) / 2, column = block % across;
-  float *top = &above_[2 * column * stride_], *left = &above_[static_cast<std::size_t>(side_) * stride_];
+  const auto columns = static_cast<std::size_t>(sides_.columns);
+  above_.resize((columns + 2) * stride_);
+  const std::size_t across = columns / 2, column = block % across;
+  float *top = &above_[2 * column * stride_], *left = &above_[columns * stride_];
   const auto compare = [&](const float* a, const float* b) {
     for (std::size_t c = 0; c < stride_; ++c) {
       const double step = static_cast<double>(a[c]) - b[c];
@@ -101,10 +103,10 @@ ClutterRound::Moment ClutterRound::moment(int column, std::span<const double> we
     const double step = static_cast<double>(values_[p * stride_ + column]) - values_[q * stride_ + column];
     steps += kPerPair * weights[p] * weights[q] * step * step;
   };
-  for (int j = 0; j < side_; ++j)
-    for (int i = 0; i < side_; ++i) {
-      if (i + 1 < side_) compare(i, j, i + 1, j);
-      if (j + 1 < side_) compare(i, j, i, j + 1);
+  for (int j = 0; j < sides_.rows; ++j)
+    for (int i = 0; i < sides_.columns; ++i) {
+      if (i + 1 < sides_.columns) compare(i, j, i + 1, j);
+      if (j + 1 < sides_.rows) compare(i, j, i, j + 1);
     }
   const double blocks = static_cast<double>(weights.size()) / kBlock;
   const double freedom = fourths > 0.0 ? std::min(blocks, 3.0 * squares * squares / fourths) : blocks;

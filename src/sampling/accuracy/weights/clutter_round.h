@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sampling/accuracy/weights/block_sums.h"
+#include "sampling/accuracy/weights/grid_sides.h"
 #include "sampling/random.h"
 
 namespace ifov::sampling {
@@ -22,11 +23,11 @@ struct PathRequest;
 /// docs/theory/accuracy_sampler.md, section 8.
 class ClutterRound {
  public:
-  /// A grid of side x side cells, side even. `keep`: every value is kept, for footprints that weigh them unlike.
-  ClutterRound(int side, std::size_t stride, bool keep);
+  /// `keep`: every value is kept, for footprints that weigh them unlike.
+  ClutterRound(GridSides sides, std::size_t stride, bool keep);
 
-  int side() const { return side_; }
-  std::size_t count() const { return static_cast<std::size_t>(side_) * side_; }
+  GridSides sides() const { return sides_; }
+  std::size_t count() const { return static_cast<std::size_t>(sides_.columns) * sides_.rows; }
   static constexpr std::size_t kBlock = 4;
 
   std::uint32_t blocks() const { return static_cast<std::uint32_t>(count() / kBlock); }
@@ -59,7 +60,7 @@ class ClutterRound {
   Moment moment(int column, std::span<const double> weights) const;
 
   /// Writes what is known of the values, of each row the first `columns`, to an archive, or reads it from there into a
-  /// round of the same side.
+  /// round of the same sides.
   template <class Round, class Archive>
   static void pass(Round& self, Archive& archive, std::size_t columns) {
     BlockSums::pass(self.sums_, archive, columns);
@@ -86,12 +87,12 @@ class ClutterRound {
   static constexpr double kPerPair = 1.0 / 8.0;
   /// Of the value of a cell, in the order in which they come.
   std::size_t place(int i, int j) const {
-    return static_cast<std::size_t>(((j / 2) * (side_ / 2) + i / 2) * static_cast<int>(kBlock) + j % 2 * 2 +
-                                    i % 2);
+    return static_cast<std::size_t>(((j / 2) * (sides_.columns / 2) + i / 2) * static_cast<int>(kBlock) +
+                                    j % 2 * 2 + i % 2);
   }
   void add_neighbours(std::size_t block, const float* const (&rows)[kBlock]);
 
-  int side_;
+  GridSides sides_;
   std::size_t stride_;
   bool keep_;
   BlockSums sums_;
