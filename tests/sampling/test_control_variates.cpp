@@ -239,7 +239,7 @@ TEST(ControlVariates, OverTheRegionBesideAreNoticed) {
 TEST(ControlVariates, AreWeighedByAFootprint) {
   for (const double sigma_px : {0.3, 0.6}) {
     const PixelFootprint footprint = gaussian(sigma_px, 2.0);
-    const Found told = render<AccuracySampler>({}, 6, &footprint),
+    const Found told = render<AccuracySampler>({}, 24, &footprint),
                 drawn = render<AccuracySampler>({.maps = false}, 1, &footprint),
                 off = render<SamplerOf<HalfATexelOff>>({}, 2, &footprint);
     EXPECT_GE(told.held, 0.94) << sigma_px;

@@ -15,6 +15,7 @@
 #include "sampling/accuracy/radiance/radiance.h"
 #include "sampling/accuracy/radiance/radiance_clutter.h"
 #include "sampling/accuracy/radiance/source_pixels.h"
+#include "sampling/accuracy/radiance/spread.h"
 #include "sampling/accuracy/tile_recall.h"
 
 namespace ifov::sampling {
@@ -28,6 +29,8 @@ constexpr double kFirstShare = 0.6, kFewestClutter = 36.0, kMostFirstClutter = 4
 /// Where no more values than this are predicted, and no more pairs of labels meet, gaps between them are looked for first.
 constexpr double kFewValues = 150.0;
 constexpr std::size_t kFewPairs = 3;
+/// Where so many values of a label do, what these differ by counts for little beside borders.
+constexpr double kEven = 4.0;
 /// First look in clutter: its values are as many as the prediction says, and its interval is as good as later ones.
 constexpr int kClutterTest = 2;
 
@@ -51,6 +54,13 @@ std::vector<std::uint8_t> ClutterChoice::choose(const AllowedErrors& errors, con
     if (values_.only[p] != LatticeValues::kMixed) continue;
     const std::uint32_t* labels = &values_.labels[lattice_.first_vertex(p)];
     double crossings = 0.0, squares = 0.0;
+    bool even = true;
+    const auto allowed = contrast_.allowed(p);
+    const auto is_even = [&](std::uint32_t label) {
+      for (std::size_t d = 0; d < allowed.size(); ++d)
+        if (spread.local(label, steering_.list()[d]) > kEven * allowed[d] * allowed[d]) return false;
+      return true;
+    };
     pairs.clear();
     const auto compare = [&](std::uint32_t a, std::uint32_t b) {
       if (a == b) return;
@@ -63,6 +73,7 @@ std::vector<std::uint8_t> ClutterChoice::choose(const AllowedErrors& errors, con
     };
     for (int j = 0; j <= k; ++j, labels += row)
       for (int i = 0; i <= k; ++i) {
+        even = even && is_even(labels[i]);
         if (i < k) compare(labels[i], labels[i + 1]);
         if (j < k) compare(labels[i], labels[i + row]);
       }
@@ -81,8 +92,9 @@ std::vector<std::uint8_t> ClutterChoice::choose(const AllowedErrors& errors, con
         pixels.abandon(static_cast<std::uint32_t>(p));
     }
     predicted_[p] = static_cast<float>(strata);
-    const double patience = kPatience * stratified_cost(contrast, std::max(border_px, kLeastBorder_px));
-    pixels.limit_budget(static_cast<std::uint32_t>(p), std::max(patience, kFewestTraced));
+    const Patience& patience = even ? kOfBorders : kOfValues;
+    const double budget = patience.part * stratified_cost(contrast, std::max(border_px, kLeastBorder_px));
+    pixels.limit_budget(static_cast<std::uint32_t>(p), std::max(budget, patience.fewest));
   }
   return overlooking;
 }

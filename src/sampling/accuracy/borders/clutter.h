@@ -18,10 +18,15 @@ constexpr double kTracingCostPerCrossing = 10.0;
 /// Fewer stratified rays than this never say anything about their own error.
 constexpr double kFewestStratified = 32.0;
 
-/// A pixel that has cost more label rays than this part of its stratified rays, and at least kFewestTraced, holds
-/// more borders than its lattice announced. The lattice may have met a border where it is short: it counts as
-/// kLeastBorder_px at least.
-constexpr double kPatience = 0.75, kFewestTraced = 150.0, kLeastBorder_px = 2.0;
+/// How much tracing a pixel may cost: a pixel that has had more label rays than `part` of its stratified rays, and at least `fewest`, holds
+/// more borders than its lattice announced.
+struct Patience {
+  double part, fewest;
+};
+/// Where borders make the error, and where values of a label differ besides, of which tracing saves none.
+constexpr Patience kOfBorders{1.5, 400.0}, kOfValues{0.75, 150.0};
+/// The lattice may have met a border where it is short: it counts as so long at least.
+constexpr double kLeastBorder_px = 2.0;
 
 /// Mean number of lattice sides crossed by a border of length 1 px on a lattice of spacing 1 / k: 4 k / pi.
 inline double crossings_per_length(int lattice) { return 1.27 * lattice; }
