@@ -92,9 +92,9 @@ std::vector<std::uint8_t> ClutterChoice::choose(const AllowedErrors& errors, con
         pixels.abandon(static_cast<std::uint32_t>(p));
     }
     predicted_[p] = static_cast<float>(strata);
-    const Patience& patience = even ? kOfBorders : kOfValues;
-    const double budget = patience.part * stratified_cost(contrast, std::max(border_px, kLeastBorder_px));
-    pixels.limit_budget(static_cast<std::uint32_t>(p), std::max(budget, patience.fewest));
+    const TracingBudget& may_cost = even ? kOfBorders : kOfValues;
+    const double budget = may_cost.part * stratified_cost(contrast, std::max(border_px, kLeastBorder_px));
+    pixels.limit_budget(static_cast<std::uint32_t>(p), std::max(budget, may_cost.fewest));
   }
   return overlooking;
 }

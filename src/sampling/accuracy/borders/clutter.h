@@ -20,11 +20,11 @@ constexpr double kFewestStratified = 32.0;
 
 /// How much tracing a pixel may cost: a pixel that has had more label rays than `part` of its stratified rays, and at least `fewest`, holds
 /// more borders than its lattice announced.
-struct Patience {
+struct TracingBudget {
   double part, fewest;
 };
 /// Where borders make the error, and where values of a label differ besides, of which tracing saves none.
-constexpr Patience kOfBorders{1.5, 400.0}, kOfValues{0.75, 150.0};
+constexpr TracingBudget kOfBorders{1.5, 400.0}, kOfValues{0.75, 150.0};
 /// The lattice may have met a border where it is short: it counts as so long at least.
 constexpr double kLeastBorder_px = 2.0;
 
