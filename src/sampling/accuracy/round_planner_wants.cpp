@@ -30,6 +30,8 @@ constexpr double kLeastRound = 0.1;
 constexpr double kSequenceFall = 2.0;
 /// Of what a stratum's outputs want each as if it were alone, so much at least, and so much more than there is.
 constexpr double kLeastShare = 0.3, kMostShare = 2.0, kLeastGrowth = 1.2;
+/// What wants so much of what it has is not far from wanting more.
+constexpr double kNearly = 0.8;
 /// What sequences of paths gain, before their replicates have told.
 constexpr double kHoped = 0.55;
 /// After a pilot, a stratum grows at most this many times, until two rounds have told how its variance falls.
@@ -205,13 +207,14 @@ void RoundPlanner::ease_wants(const Radiance& radiance, const LeafIntegrator& in
                            std::min(want.wanted, kLeastGrowth * want.have));
 }
 
-/// Values that weigh unlike leave more than their number says: where all have what they want by that and an output is too wide all the
-/// same, those that there are grow as it lacks. False where none does.
+/// Values that weigh unlike leave more than their number says, and one of the lattice may be all but enough by what later tests ask: where
+/// all have what they want by that and an output is too wide all the same, those that there are grow. False where none does.
 bool RoundPlanner::raise_wants() {
   bool any = false;
   for (Want& want : wants_) {
-    if (want.share <= 1.0 || want.have <= 0.0) continue;
-    want.wanted = std::min(want.share, kMostShare) * want.have;
+    const double have = std::max(1.0, want.have);
+    if (want.share <= 1.0 && want.wanted < kNearly * have) continue;
+    want.wanted = std::clamp(want.share, kLeastGrowth, kMostShare) * have;
     any = true;
   }
   return any;

@@ -16,7 +16,7 @@ namespace ifov::sampling {
 /// (tests/sampling/test_stopping.cpp).
 class Stopping {
  public:
-  static constexpr int kTests = 12;
+  static constexpr int kTests = 16;
 
   explicit Stopping(double confidence) : confidence_(confidence), normal_(two_sided_normal(confidence)) {}
 
