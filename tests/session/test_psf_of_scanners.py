@@ -76,16 +76,16 @@ class PsfOfScanners(unittest.TestCase):
         for lines in (1.0, 1.8, 2.5):
             with self.subTest(lines_a_pitch=lines):
                 _, across, along, long = spread(*pushbroom(lines), self.GAUSSIAN)
-                self.assertAlmostEqual(across / wide(SIGMA_PX), 1.0, delta=0.015)
-                self.assertAlmostEqual(long / wide(SIGMA_PX * lines), 1.0, delta=0.015)
+                self.assertAlmostEqual(across / wide(SIGMA_PX), 1.0, delta=0.006)
+                self.assertAlmostEqual(long / wide(SIGMA_PX * lines), 1.0, delta=0.006)
                 self.assertAlmostEqual(along, AT_M[1] / PITCH_M * lines, delta=0.01)
 
     def test_along_a_sweep(self):
         for samples in (1.0, 1.8, 2.5):
             with self.subTest(samples_a_pitch=samples):
                 _, across, _, along = spread(*whiskbroom(samples), self.GAUSSIAN)
-                self.assertAlmostEqual(across / wide(SIGMA_PX * samples), 1.0, delta=0.015)
-                self.assertAlmostEqual(along / wide(SIGMA_PX), 1.0, delta=0.015)
+                self.assertAlmostEqual(across / wide(SIGMA_PX * samples), 1.0, delta=0.006)
+                self.assertAlmostEqual(along / wide(SIGMA_PX), 1.0, delta=0.006)
 
     def test_shifts_are_of_the_focal_plane(self):
         x, _, y, _ = spread(*pushbroom(2.0), self.GAUSSIAN, ["0.8 px", "-1.5 px"])

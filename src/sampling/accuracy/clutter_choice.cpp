@@ -29,7 +29,7 @@ constexpr double kFirstShare = 0.6, kFewestClutter = 36.0, kMostFirstClutter = 4
 /// Where no more values than this are predicted, and no more pairs of labels meet, gaps between them are looked for first.
 constexpr double kFewValues = 150.0;
 constexpr std::size_t kFewPairs = 3;
-/// Where so many values of a label do, what these differ by counts for little beside borders.
+/// Where the mean of so many values of a label is as good as the pixel asks, these differ by little beside borders.
 constexpr double kEven = 4.0;
 /// First look in clutter: its values are as many as the prediction says, and its interval is as good as later ones.
 constexpr int kClutterTest = 2;

@@ -154,7 +154,8 @@ void OutputIntervals::add_traced(const Radiance& radiance, const LeafIntegrator&
     weighed.mean = moments[r].mean;
     weighed.share = moments[r].share;
     weighed.freedom = 0.0;
-    weighed.weighing = static_cast<double>(pixel.strata[r].count());
+    const double count = static_cast<double>(pixel.strata[r].count());
+    weighed.weighing = count;
     // What is foretold is weighed apart from the values' rests.
     const StratumControl& control = pixel.strata[r].control;
     const bool by_place = !control.weighed_mean.empty();
@@ -165,7 +166,6 @@ void OutputIntervals::add_traced(const Radiance& radiance, const LeafIntegrator&
       radiance.weigh(pixel.strata[r], integrator.footprint(of.group),
                      integrator.centre(model.outputs[of.output], of.group), of.columns, of.own, moments[r],
                      weighed);
-    const double count = static_cast<double>(pixel.strata[r].count());
     // Values that hardly weigh have met nothing for this output.
     const double fewer = count > 0.0 ? count / weighed.weighing : 1.0;
     double whole = 0.0;

@@ -18,7 +18,8 @@ namespace {
 
 /// From this test on rounds are generous, as tests run out: most where what is not met is known badly.
 constexpr int kGenerous = 7;
-/// What is too wide by a little is to have this part of its variance at most, where it is told well and where not; and then.
+/// What is too wide by a little is to have this part of its variance at most, where it is told well and where not: before that test, and
+/// from it on.
 constexpr double kSoon = 0.95, kLate = 0.9, kGenerousSoon = 0.8, kGenerousLate = 0.6;
 /// Of the variance that borders leave, values may take this share at least, whatever means from maps have taken.
 constexpr double kLeastOfValues = 0.3;
@@ -142,8 +143,7 @@ void RoundPlanner::find_budget(int o) {
     const double budget =
         std::max(limit_d * limit_d - from_borders, 0.2 * limit_d * limit_d) / (planned_t * planned_t);
     output.path_budget[d] = std::max(budget - sum.foretold[d], kLeastOfValues * budget);
-    // Few degrees of freedom may keep an interval wide whose variance is small, and small steps would end where it happens to
-    // be estimated smallest.
+    // Few degrees of freedom may keep an interval wide whose variance is small: it is to shrink all the same.
     if (wide) {
       const double sure = std::clamp(sum.path[d].degrees_of_freedom() / kSure, 0.0, 1.0);
       const double left = output.test < kGenerous ? std::lerp(kLate, kSoon, sure)
