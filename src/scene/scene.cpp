@@ -32,16 +32,18 @@ bool SurfaceAssignment::bends_normals() const {
 }
 
 std::vector<const materials::NumberedMap*> SurfaceAssignment::maps() const {
-  std::vector<const materials::NumberedMap*> found;
-  if (classes) found.push_back(classes.get());
-  if (cut_out) cut_out->add_maps(found);
+  std::vector<const materials::NumberedMap*> all;
+  if (classes) all.push_back(classes.get());
+  if (cut_out) cut_out->add_maps(all);
   for (const auto* of : {&temperatures, &back_temperatures})
     for (const auto& map : *of)
-      if (map) found.push_back(map.get());
-  for (const auto& pattern : patterns) pattern->add_maps(found);
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
+      if (map) all.push_back(map.get());
+  for (const auto& pattern : patterns) pattern->add_maps(all);
+  // Each once, where it came first: the order of addresses would differ from run to run.
+  std::vector<const materials::NumberedMap*> once;
+  for (const materials::NumberedMap* map : all)
+    if (std::find(once.begin(), once.end(), map) == once.end()) once.push_back(map);
+  return once;
 }
 
 const materials::TemperatureMap* SurfaceAssignment::temperature_map(std::size_t index, bool inner) const {

@@ -72,4 +72,16 @@ TEST(SceneTemperatures, StatesEmitByTheirOwnByMapsAndByPatterns) {
   EXPECT_TRUE(scene.emits(1));
 }
 
+/// Samplers look where maps stand out, one map after the other: the order of addresses, which is another in the next run,
+/// would make another image.
+TEST(SceneMaps, AreInTheOrderGivenWhereverTheyLie) {
+  const auto first = map_of(280.0f, 290.0f), second = map_of(300.0f, 310.0f);
+  for (const auto& [front, back] : {std::pair(first, second), std::pair(second, first)}) {
+    scene::SurfaceAssignment assignment;
+    assignment.temperatures = {front, back, front, nullptr};
+    assignment.back_temperatures = {back};
+    EXPECT_EQ(assignment.maps(), (std::vector<const materials::NumberedMap*>{front.get(), back.get()}));
+  }
+}
+
 }  // namespace test_temperatures
