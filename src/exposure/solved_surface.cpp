@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "exposure/exposed_point.h"
+#include "exposure/neighbours.h"
 #include "geometry/surface_point.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
@@ -14,7 +15,9 @@
 namespace ifov::exposure {
 namespace {
 
-enum class Draw { sky, sun, past_sky };
+enum class Draw { sky, sun, past_sky, beside, below };
+
+constexpr double kLeastBelow = 0.002;  // of the view, that is below the horizon
 
 struct Directions {
   std::vector<math::Vec3> directions;
@@ -42,8 +45,11 @@ std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 }  // namespace
 
 SolvedSurface::SolvedSurface(std::shared_ptr<const thermal::SurfaceClasses> classes, PastScene scene,
-                             double sun_radius_rad)
-    : classes_(std::move(classes)), scene_(std::move(scene)), sun_radius_rad_(sun_radius_rad) {
+                             double sun_radius_rad, std::shared_ptr<const Neighbours> neighbours)
+    : classes_(std::move(classes)),
+      scene_(std::move(scene)),
+      neighbours_(std::move(neighbours)),
+      sun_radius_rad_(sun_radius_rad) {
   if (!scene_.changes()) return;
   // The last row stands for all that follows it.
   for (std::size_t row = 0; row < classes_->rows(); ++row)
@@ -80,6 +86,11 @@ scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& poin
   sums_k.resize(classes_->sunlit_rows());
   const auto [shaded_k, of_sky_k] = classes_->shaded(pose, sky.mean, sums_k);
   double variance_k2 = sky.variance * of_sky_k * of_sky_k;
+  Beside beside;
+  if (neighbours_ != nullptr) beside = this->beside(exposed, pose, key, directions, scratch.is_free);
+  std::array<std::uint8_t, 2 * kSkyPairs> sky_free{};
+  std::copy_n(scratch.is_free.begin(), directions.size(), sky_free.begin());
+  const bool has_sky = !directions.empty();
   PastSky past;
   if (!changed_rows_.empty() && !directions.empty()) {
     past = past_sky(exposed, pose, key, directions, scratch.is_free, of_sky_k);
@@ -87,7 +98,25 @@ scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& poin
   }
   std::partial_sum(sums_k.begin(), sums_k.end(), sums_k.begin());
   const double rise_k = sums_k.empty() ? 0.0 : sums_k.back();
-  if (!(rise_k > 0.0)) return {shaded_k + past.in_shade_k, std::sqrt(variance_k2)};
+  // What the pairs of rays to what hides the sky tell goes with what they tell of the sky itself.
+  const auto with_beside = [&](double kelvin, double sun_share) {
+    if (neighbours_ == nullptr) return scene::EstimatedTemperature{kelvin, std::sqrt(variance_k2)};
+    const auto of = [&](double in_shade_k, double of_sun_k) { return in_shade_k + sun_share * of_sun_k; };
+    if (has_sky && past.variance_k2 == 0.0) variance_k2 -= sky.variance * of_sky_k * of_sky_k;
+    for (std::size_t k = 0; has_sky && k < sky_free.size(); k += 2) {
+      const double first_k = of(beside.in_shade_k[k], beside.of_sun_k[k]),
+                   second_k = of(beside.in_shade_k[k + 1], beside.of_sun_k[k + 1]);
+      kelvin += first_k + second_k;
+      double apart_k = first_k - second_k;
+      if (past.variance_k2 == 0.0) apart_k += of_sky_k * (sky_free[k] - sky_free[k + 1]) / (2.0 * kSkyPairs);
+      variance_k2 += apart_k * apart_k;
+    }
+    const double first_k = of(beside.below_in_shade_k[0], beside.below_of_sun_k[0]),
+                 second_k = of(beside.below_in_shade_k[1], beside.below_of_sun_k[1]);
+    variance_k2 += (first_k - second_k) * (first_k - second_k);
+    return scene::EstimatedTemperature{kelvin + first_k + second_k, std::sqrt(std::max(0.0, variance_k2))};
+  };
+  if (!(rise_k > 0.0)) return with_beside(shaded_k + past.in_shade_k, 0.0);
   directions.clear();
   scratch.times_s.clear();
   for (int k = 0; k < 2 * kSunPairs; ++k) {
@@ -114,7 +143,31 @@ scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& poin
         second -= 0.25 * rise_k * scratch.per_pair[std::max(scratch.rows[j], scratch.rows[k])] /
                   (kSunPairs * kSunPairs);
   const double past_k = past.in_shade_k + 0.5 * sun.mean * past.of_sun_k;
-  return {shaded_k + past_k + (sun.mean + second) * rise_k, std::sqrt(variance_k2)};
+  return with_beside(shaded_k + past_k + (sun.mean + second) * rise_k, sun.mean);
+}
+
+SolvedSurface::Beside SolvedSurface::beside(const ExposedPoint& exposed, const thermal::Pose& pose,
+                                            std::uint64_t key, std::span<const math::Vec3> directions,
+                                            std::span<const std::uint8_t> is_free) const {
+  Beside found;
+  const double above = 0.5 * (1.0 + pose.normal.z), below = 1.0 - above;
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    if (is_free[k] != 0) continue;
+    const auto change =
+        neighbours_->change(exposed, pose, *classes_, directions[k], sampling::hash(key, Draw::beside, k));
+    found.in_shade_k[k] = above / static_cast<double>(directions.size()) * change.in_shade_k;
+    found.of_sun_k[k] = above / static_cast<double>(directions.size()) * change.of_sun_k;
+  }
+  if (below < kLeastBelow) return found;
+  static thread_local std::vector<math::Vec3> downward;
+  exposed.ground_directions(sampling::hash(key, Draw::below), 1, downward);
+  for (std::size_t k = 0; k < downward.size(); ++k) {
+    const auto change =
+        neighbours_->change(exposed, pose, *classes_, downward[k], sampling::hash(key, Draw::below, k));
+    found.below_in_shade_k[k] = 0.5 * below * change.in_shade_k;
+    found.below_of_sun_k[k] = 0.5 * below * change.of_sun_k;
+  }
+  return found;
 }
 
 SolvedSurface::PastSky SolvedSurface::past_sky(const ExposedPoint& exposed, const thermal::Pose& pose,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -11,6 +12,7 @@
 namespace ifov::exposure {
 
 class ExposedPoint;
+class Neighbours;
 
 /// The temperature of points of one material: its classes (thermal/surface_classes.h) by the point's own direction, the share
 /// of the sky that is free over it, and its own visibility of the Sun in the past, both asked by rays. 2 kSunPairs of these
@@ -24,7 +26,7 @@ class SolvedSurface final : public scene::SolvedTemperature {
   /// Keeps the references to the scene. `sun_radius_rad`: of the Sun's disc. Where things come and go, the classes have a
   /// `past_sky`.
   SolvedSurface(std::shared_ptr<const thermal::SurfaceClasses> classes, PastScene scene,
-                double sun_radius_rad);
+                double sun_radius_rad, std::shared_ptr<const Neighbours> neighbours = nullptr);
 
   scene::EstimatedTemperature at(const geometry::SurfacePoint& point, std::uint64_t draw) const override;
   double coldest_k() const override { return classes_->coldest_k(); }
@@ -51,6 +53,8 @@ class SolvedSurface final : public scene::SolvedTemperature {
   /// The same sum as at(), of all of it.
   double temperature_k(const geometry::SurfacePoint& point, const Exposure& exposure) const;
 
+  /// Null: what hides the sky is taken to be as the ground.
+  const std::shared_ptr<const Neighbours>& neighbours() const { return neighbours_; }
   const thermal::SurfaceClasses& classes() const { return *classes_; }
   const std::shared_ptr<const thermal::SurfaceClasses>& shared_classes() const { return classes_; }
   const PastScene& scene() const { return scene_; }
@@ -75,8 +79,18 @@ class SolvedSurface final : public scene::SolvedTemperature {
   std::vector<double> past_free_sky(const ExposedPoint& exposed,
                                     std::span<const math::Vec3> directions) const;
 
+  /// By what the scene's surfaces warm a point in place of level ground: with half of the Sun that the point had, half of it to come; the
+  /// first numbers are by direction to the sky, 0 where that is free.
+  struct Beside {
+    std::array<double, 2 * kSkyPairs> in_shade_k{}, of_sun_k{};
+    std::array<double, 2> below_in_shade_k{}, below_of_sun_k{};
+  };
+  Beside beside(const ExposedPoint& exposed, const thermal::Pose& pose, std::uint64_t key,
+                std::span<const math::Vec3> directions, std::span<const std::uint8_t> is_free) const;
+
   std::shared_ptr<const thermal::SurfaceClasses> classes_;
   PastScene scene_;
+  std::shared_ptr<const Neighbours> neighbours_;
   double sun_radius_rad_;
   std::vector<std::size_t> changed_rows_;  ///< of the series, about which something is not as it is now
 };

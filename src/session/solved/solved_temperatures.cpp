@@ -9,6 +9,7 @@
 #include "atmosphere/weather_series.h"
 #include "core/parallel.h"
 #include "exposure/ground_beside.h"
+#include "exposure/neighbours.h"
 #include "exposure/past_scene.h"
 #include "geometry/world.h"
 #include "io/document/document.h"
@@ -295,10 +296,15 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
         thermal_of(document, document.scene.materials[material], scene, material, about.mean_air_k);
     solved.classes = std::make_shared<const thermal::SurfaceClasses>(
         kept, thermal::ClassSurface{solved.thermal.solid, solved.thermal.skin, stand, solved.thermal.start},
-        threads, past.changes(), past.highest_m());
-    scene.solved[material] =
-        std::make_shared<const exposure::SolvedSurface>(solved.classes, past, kSunRadius_rad);
+        threads, past.changes(), past.highest_m(), true);
   }
+  exposure::Neighbours::ByNumber by_number(scene.solved.size());
+  for (const auto& [material, solved] : by_material) by_number[material] = solved.classes;
+  const auto neighbours =
+      std::make_shared<const exposure::Neighbours>(scene::Scene(scene), std::move(by_number), kSunRadius_rad);
+  for (const auto& [material, solved] : by_material)
+    scene.solved[material] =
+        std::make_shared<const exposure::SolvedSurface>(solved.classes, past, kSunRadius_rad, neighbours);
 
   TemperatureErrors errors;
   for (const auto& [material, solved] : by_material) {
