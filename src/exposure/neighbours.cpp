@@ -14,7 +14,6 @@
 namespace ifov::exposure {
 namespace {
 
-constexpr int kDepth = 1;
 constexpr int kTimes = 8;  // that may have warmed a neighbour, of which one is asked for
 constexpr double kUpright = 1e-6;
 
@@ -136,7 +135,7 @@ thermal::FromBeside Neighbours::sent(const geometry::SurfacePoint& met, std::siz
 
 Neighbours::Change Neighbours::change(const ExposedPoint& point, const thermal::Pose& pose,
                                       const thermal::SurfaceClasses& classes, math::Vec3 direction,
-                                      std::uint64_t key) const {
+                                      std::uint64_t key, int depth) const {
   if (!point.leaves(direction)) return {};
   const math::Ray ray = point.ray(direction);
   geometry::SurfacePoint met;
@@ -151,8 +150,33 @@ Neighbours::Change Neighbours::change(const ExposedPoint& point, const thermal::
     if (was_free != 0) return {};
   }
   const double more_w_m2 =
-      classes.more_than_ground_w_m2(sent(met, past.row, kDepth, sampling::hash(key, Of::further)), past.row);
+      classes.more_than_ground_w_m2(sent(met, past.row, depth, sampling::hash(key, Of::further)), past.row);
   return {past.in_shade_k * more_w_m2, past.of_sun_k * more_w_m2};
+}
+
+void Neighbours::changes(std::span<const Time> by_time, const ExposedPoint& point, const thermal::Pose& pose,
+                         math::Vec3 direction, std::uint64_t key, std::span<Change> changes) {
+  static thread_local std::vector<const thermal::SurfaceClasses*> classes;
+  static thread_local std::vector<thermal::SurfaceClasses::PastRow> past;
+  std::fill(changes.begin(), changes.end(), Change{});
+  if (!point.leaves(direction)) return;
+  const math::Ray ray = point.ray(direction);
+  geometry::SurfacePoint met;
+  by_time.front().neighbours->scene_.world->intersect({&ray, 1}, {&met, 1});
+  if (!met.hit()) return;
+  classes.clear();
+  for (const Time& time : by_time) classes.push_back(time.classes);
+  past.resize(by_time.size());
+  const std::size_t drawn =
+      thermal::SurfaceClasses::draw_past(classes, pose,
+                                         {number(key, Of::past, 0), number(key, Of::past, 1),
+                                          number(key, Of::past, 2), number(key, Of::past, 3)},
+                                         past);
+  const double more_w_m2 = classes[drawn]->more_than_ground_w_m2(
+      by_time[drawn].neighbours->sent(met, past[drawn].row, kDepth, sampling::hash(key, Of::further)),
+      past[drawn].row);
+  for (std::size_t t = 0; t < changes.size(); ++t)
+    changes[t] = {past[t].in_shade_k * more_w_m2, past[t].of_sun_k * more_w_m2};
 }
 
 }  // namespace ifov::exposure

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "exposure/past_scene.h"
@@ -31,8 +32,19 @@ class Neighbours {
   struct Change {
     double in_shade_k = 0.0, of_sun_k = 0.0;
   };
+  /// `depth`: how many surfaces behind the one that is met light and warm it; what is beyond them is level ground.
+  static constexpr int kDepth = 1;
   Change change(const ExposedPoint& point, const thermal::Pose& pose, const thermal::SurfaceClasses& classes,
-                math::Vec3 direction, std::uint64_t key) const;
+                math::Vec3 direction, std::uint64_t key, int depth = kDepth) const;
+
+  /// The same at several times of one scene, in which nothing came or went, by one row of the past for all. `by_time`: one material's classes, with
+  /// the neighbours of each time.
+  struct Time {
+    const thermal::SurfaceClasses* classes = nullptr;
+    const Neighbours* neighbours = nullptr;
+  };
+  static void changes(std::span<const Time> by_time, const ExposedPoint& point, const thermal::Pose& pose,
+                      math::Vec3 direction, std::uint64_t key, std::span<Change> changes);
 
   const ByNumber& classes() const { return classes_; }
   const scene::Scene& scene() const { return scene_; }

@@ -53,6 +53,13 @@ class SolvedSurface final : public scene::SolvedTemperature {
   /// The same sum as at(), of all of it.
   double temperature_k(const geometry::SurfacePoint& point, const Exposure& exposure) const;
 
+  /// By how much what is about a point warms it, beyond level ground: mean of what at() takes for it over some draws. 0 without neighbours.
+  double beside_k(const geometry::SurfacePoint& point, const Exposure& exposure, std::uint64_t key, int draws,
+                  int depth) const;
+  /// What the Sun was worth to a point of what it is worth where it is always seen.
+  double sun_share(const geometry::SurfacePoint& point, const Exposure& exposure) const;
+  /// The same where what hides the sky is taken to be as the ground.
+  SolvedSurface without_neighbours() const { return {classes_, scene_, sun_radius_rad_}; }
   /// Null: what hides the sky is taken to be as the ground.
   const std::shared_ptr<const Neighbours>& neighbours() const { return neighbours_; }
   const thermal::SurfaceClasses& classes() const { return *classes_; }
@@ -79,14 +86,20 @@ class SolvedSurface final : public scene::SolvedTemperature {
   std::vector<double> past_free_sky(const ExposedPoint& exposed,
                                     std::span<const math::Vec3> directions) const;
 
-  /// By what the scene's surfaces warm a point in place of level ground: with half of the Sun that the point had, half of it to come; the
-  /// first numbers are by direction to the sky, 0 where that is free.
+  /// By what the scene's surfaces warm a point in place of level ground, in shade and by what always Sun adds: by ray to the sky, 0 where that
+  /// is free, then of a pair to below the horizon.
   struct Beside {
-    std::array<double, 2 * kSkyPairs> in_shade_k{}, of_sun_k{};
-    std::array<double, 2> below_in_shade_k{}, below_of_sun_k{};
+    std::array<double, 2 * kSkyPairs + 2> in_shade_k{}, of_sun_k{};
+    double kelvin(std::size_t ray, double sun_share) const {
+      return in_shade_k[ray] + sun_share * of_sun_k[ray];
+    }
+    /// Of all, to second order, by what a point is warmer for it than `from_k`.
+    double warms_k(const thermal::SurfaceClasses& classes, const thermal::Pose& pose, double from_k,
+                   double sun_share) const;
   };
   Beside beside(const ExposedPoint& exposed, const thermal::Pose& pose, std::uint64_t key,
-                std::span<const math::Vec3> directions, std::span<const std::uint8_t> is_free) const;
+                std::span<const math::Vec3> directions, std::span<const std::uint8_t> is_free,
+                int depth) const;
 
   std::shared_ptr<const thermal::SurfaceClasses> classes_;
   PastScene scene_;

@@ -79,6 +79,7 @@ class SurfaceClasses {
   std::size_t sunlit_rows() const { return rows_.size(); }
   double step_s() const { return series_->step_s; }
   std::size_t rows() const { return series_->rows.size(); }
+  double end_s() const { return series_->begin_s + step_s() * static_cast<double>(rows() - 1); }
   /// Seconds from the end of the series, 0 or below, of a row of it and some steps after it (-1 to 1).
   double time_s(std::size_t row, double steps) const;
   /// To where the Sun stood, by row and steps after it (-1 to 1), unit; below the horizon it may be, too.
@@ -117,6 +118,10 @@ class SurfaceClasses {
   };
   /// Three numbers from 0 to 1. Rows of much light are drawn more often.
   PastRow draw_past(const Pose& pose, std::array<double, 3> by_chance) const;
+  /// The same at several times, of the classes of one material, with one row for all: drawn as one of the times has it, by the chance that all of them
+  /// give it. `row`: of that time's series, whose number is returned.
+  static std::size_t draw_past(std::span<const SurfaceClasses* const> by_time, const Pose& pose,
+                               std::array<double, 4> by_chance, std::span<PastRow> found);
   /// Rows before another, drawn by what a gain there is worth to it: as the same time before the series' end is to that.
   std::size_t draw_lag(const Pose& pose, double which, double how_long) const;
   /// By bin, kelvins now per W m-2 of gain throughout it: in shade, and by what always Sun adds.
@@ -128,6 +133,9 @@ class SurfaceClasses {
   Then then(const Pose& pose, double free_sky, std::size_t bin) const;
   /// The same throughout the past, a mean of sunlit and shaded.
   double worth_of_all_k(const Pose& pose) const;
+  /// Of what a gain throughout the past adds to a surface that had `kelvin` without it, its square is lost: a warmer surface emits more than in
+  /// proportion, 6 e sigma T^2 of the square, and what that is worth. Per kelvin.
+  double bend_of_gain(const Pose& pose, double kelvin) const;
   double ground_reflectance() const { return surface_.stand.ground_reflectance; }
   FromBeside from_ground(std::size_t row) const { return of_level_ground(outdoors(row), surface_.stand); }
   const Skin& skin() const { return surface_.skin; }

@@ -93,6 +93,38 @@ SurfaceClasses::PastRow SurfaceClasses::draw_past(const Pose& pose, std::array<d
   return found;
 }
 
+std::size_t SurfaceClasses::draw_past(std::span<const SurfaceClasses* const> by_time, const Pose& pose,
+                                      std::array<double, 4> by_chance, std::span<PastRow> found) {
+  const auto drawn = std::min(by_time.size() - 1,
+                              static_cast<std::size_t>(by_chance[3] * static_cast<double>(by_time.size())));
+  const SurfaceClasses& of = *by_time[drawn];
+  const std::size_t place = of.corner_by(of.corners(pose), by_chance[0]).place;
+  const std::size_t bin = found_in(of.node_at(place).drawn, by_chance[1]);
+  const auto [first, count] = of.rows_of_bin(bin);
+  const std::size_t row =
+      first - std::min(count - 1, static_cast<std::size_t>(by_chance[2] * static_cast<double>(count)));
+  double chance = 0.0;
+  for (std::size_t t = 0; t < by_time.size(); ++t) {
+    const SurfaceClasses& one = *by_time[t];
+    found[t] = {row};
+    const double at =
+        static_cast<double>(row) + std::round((of.series_->begin_s - one.series_->begin_s) / of.step_s());
+    if (at < 0.0 || at >= static_cast<double>(one.rows())) continue;
+    const std::size_t then = one.bin_of_row(static_cast<std::size_t>(at));
+    const Node& node = one.node_at(place);
+    const double rows = static_cast<double>(one.rows_of_bin(then).count);
+    chance += static_cast<double>(node.drawn[then] - (then > 0 ? node.drawn[then - 1] : 0.0f)) /
+              (static_cast<double>(node.drawn.back()) * rows * static_cast<double>(by_time.size()));
+    found[t].in_shade_k = static_cast<double>(node.worth[then]) / rows;
+    found[t].of_sun_k = static_cast<double>(node.worth_of_sun[then]) / rows;
+  }
+  for (std::size_t t = 0; t < by_time.size(); ++t) {
+    found[t].in_shade_k = chance > 0.0 ? found[t].in_shade_k / chance : 0.0;
+    found[t].of_sun_k = chance > 0.0 ? found[t].of_sun_k / chance : 0.0;
+  }
+  return drawn;
+}
+
 std::size_t SurfaceClasses::draw_lag(const Pose& pose, double which, double how_long) const {
   const Corners all = corners(pose);
   const Node& node = *corner_by(all, which).node;
@@ -121,6 +153,10 @@ double SurfaceClasses::worth_of_all_k(const Pose& pose) const {
   for (const Corner& corner : corners(pose))
     sum_k += corner.share * static_cast<double>(corner.node->lagged.back());
   return sum_k;
+}
+
+double SurfaceClasses::bend_of_gain(const Pose& pose, double kelvin) const {
+  return worth_of_all_k(pose) * 6.0 * surface_.skin.emissivity * kStefanBoltzmann_w_m2_k4 * kelvin * kelvin;
 }
 
 SurfaceClasses::Then SurfaceClasses::then(const Pose& pose, double free_sky, std::size_t bin) const {

@@ -92,7 +92,8 @@ struct Measured {
   int chosen_for = 0;     ///< 1, 2: for a past that was mixed, that changed
   double height_m = 0.0;  ///< above ground
   double off_k = 0.0;
-  double beside_k = 0.0;  ///< by what the second pass changes it
+  bool with_beside = false;  ///< one of those few of the material at which what is about them is looked at
+  BesideOff beside;
   std::optional<double>
       ground_k;  ///< by what its temperature would be another if the ground were that beside
 };
@@ -162,7 +163,10 @@ std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor
     const auto& found = of_material[material];
     const std::size_t share = all > kMeasured ? kMeasured * found.size() / all : found.size();
     const std::size_t count = std::min(found.size(), std::max(share, kLeastMeasured));
-    for (std::size_t k = 0; k < count; ++k) points.emplace_back(solved, *found[k * found.size() / count]);
+    for (std::size_t k = 0; k < count; ++k) {
+      points.emplace_back(solved, *found[k * found.size() / count]);
+      points.back().with_beside = k * kLeastMeasured % count < kLeastMeasured;
+    }
     // As high as what is seen of the material, else anywhere.
     for (std::size_t k = count; k < kLeastMeasured; ++k)
       points.emplace_back(solved, made_up_point(k),
@@ -195,8 +199,9 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
     point.off_k = surface.temperature_k(point.at, exposure) - full_k;
     point.height_m = exposure.height_m;
     if (point.made_up) return;
-    point.beside_k =
-        second_pass_k(about, *point.solved, point.at, static_cast<std::uint64_t>(k), exposure, full_k);
+    if (point.with_beside)
+      point.beside = beside_off(about, *point.solved->surface, *point.solved, point.at,
+                                static_cast<std::uint64_t>(k), exposure, full_k);
     if (exposure.height_m > 0.0) return;
     exposure.height_m =
         exposure::height_above_ground_beside_m(past, point.at.position_m, thermal::kLowestWind_m);
@@ -204,7 +209,7 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
   });
   double worst_half_width_k = 0.0;
   for (const auto& [material, solved] : about.by_material) {
-    double sum_k = 0.0, squares_k2 = 0.0, count = 0.0, beside_k2 = 0.0;
+    double sum_k = 0.0, squares_k2 = 0.0, count = 0.0, beside_k2 = 0.0, further_k2 = 0.0;
     std::array<std::pair<double, double>, 2> chosen{};  // squares, points
     for (const Measured& point : points) {
       if (point.solved != &solved) continue;
@@ -222,7 +227,12 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
       ++(point.made_up ? errors.made_up : errors.points);
       if (point.made_up) continue;
       ++errors.by_material[material].seen;
-      beside_k2 += point.beside_k * point.beside_k;
+      if (point.with_beside) {
+        ++errors.by_material[material].beside;
+        // What both are off by, without what their rays scatter.
+        beside_k2 += point.beside.off_k[0] * point.beside.off_k[1];
+        further_k2 += point.beside.further_k * point.beside.further_k;
+      }
       errors.lowest_m = errors.points == 1 ? point.height_m : std::min(errors.lowest_m, point.height_m);
       errors.highest_m = std::max(errors.highest_m, point.height_m);
       if (!point.ground_k) continue;
@@ -234,7 +244,7 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
     TemperatureErrors::OfMaterial& own = errors.by_material[material];
     own.rms_k = std::sqrt(squares_k2 / count);
     own.points = count;
-    own.beside_k = std::sqrt(beside_k2 / std::max(own.seen, 1));
+    own.beside_k = std::sqrt((std::max(0.0, beside_k2) + further_k2) / std::max(own.beside, 1));
     for (const auto& [squares, number] : chosen)
       own.unsettled_k = std::max(own.unsettled_k, std::sqrt(squares / std::max(number, 1.0)));
     if (!errors.material.empty() && own.half_width_k() < worst_half_width_k) continue;
@@ -302,8 +312,8 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
   for (const auto& [material, solved] : by_material) by_number[material] = solved.classes;
   const auto neighbours =
       std::make_shared<const exposure::Neighbours>(scene::Scene(scene), std::move(by_number), kSunRadius_rad);
-  for (const auto& [material, solved] : by_material)
-    scene.solved[material] =
+  for (auto& [material, solved] : by_material)
+    scene.solved[material] = solved.surface =
         std::make_shared<const exposure::SolvedSurface>(solved.classes, past, kSunRadius_rad, neighbours);
 
   TemperatureErrors errors;
