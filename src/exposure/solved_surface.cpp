@@ -204,6 +204,17 @@ double SolvedSurface::beside_k(const geometry::SurfacePoint& point, const Exposu
   return sum_k / draws;
 }
 
+bool SolvedSurface::sees_surfaces(const geometry::SurfacePoint& point, std::uint64_t key) const {
+  constexpr int kPairs = 4;
+  const ExposedPoint exposed(scene_, point);
+  if (0.5 * (1.0 - exposed.normal().z) >= kLeastBelow) return true;
+  std::vector<math::Vec3> directions;
+  exposed.sky_directions(sampling::hash(key, Draw::sky), kPairs, directions);
+  std::vector<std::uint8_t> is_free(directions.size());
+  exposed.free(directions, {}, is_free);
+  return std::find(is_free.begin(), is_free.end(), std::uint8_t{0}) != is_free.end();
+}
+
 SolvedSurface::PastSky SolvedSurface::past_sky(const ExposedPoint& exposed, const thermal::Pose& pose,
                                                std::uint64_t key, std::span<const math::Vec3> directions,
                                                std::span<const std::uint8_t> is_free, double of_sky_k) const {

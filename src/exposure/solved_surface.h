@@ -58,6 +58,8 @@ class SolvedSurface final : public scene::SolvedTemperature {
                   int depth) const;
   /// What the Sun was worth to a point of what it is worth where it is always seen.
   double sun_share(const geometry::SurfacePoint& point, const Exposure& exposure) const;
+  /// Whether a few rays, which `key` draws, meet anything.
+  bool sees_surfaces(const geometry::SurfacePoint& point, std::uint64_t key) const;
   /// The same where what hides the sky is taken to be as the ground.
   SolvedSurface without_neighbours() const { return {classes_, scene_, sun_radius_rad_}; }
   /// Null: what hides the sky is taken to be as the ground.

@@ -101,11 +101,11 @@ std::map<std::uint32_t, std::vector<double>> off_by_material(const Parts& parts,
     std::vector<thermal::FromBeside> beside;
     if (with_neighbours)
       beside = beside_of({parts.scene, surface.scene(), by_material, series, stand, kSunRadius_rad}, hit,
-                         exposure, key, 16, 1);
+                         exposure, key, 40, 1);
     const double full_k = full_solution(solved, series, stand, {0.0, 0.0, 1.0}, exposure, beside)
                               .history.nodes.back()
                               .surface_k;
-    const double of_beside_k = with_neighbours ? surface.beside_k(hit, exposure, key, 64, 1) : 0.0;
+    const double of_beside_k = with_neighbours ? surface.beside_k(hit, exposure, key, 256, 1) : 0.0;
     off_k[by - 1].push_back(surface.temperature_k(hit, exposure) + of_beside_k - full_k);
   }
   return off_k;
@@ -133,9 +133,9 @@ TEST(ImageHalfWidths, CoverPixelsOfAGoodMaterialAndOfABadOne) {
     }
     return static_cast<double>(count) / static_cast<double>(off_k.size());
   };
-  const auto off_k = off_by_material(parts, 16, true);
-  ASSERT_GT(off_k.at(kLawn).size(), 100u);
-  ASSERT_GT(off_k.at(kRoof).size(), 30u);
+  const auto off_k = off_by_material(parts, 10, true);
+  ASSERT_GT(off_k.at(kLawn).size(), 50u);
+  ASSERT_GT(off_k.at(kRoof).size(), 12u);
   EXPECT_GE(covered(off_k.at(kLawn), channel.emitted_of[kLawn]), 0.93);
   EXPECT_GE(covered(off_k.at(kRoof), channel.emitted_of[kRoof]), 0.93);
   // A fault: a pixel of the lawn that is told as one of tiles.

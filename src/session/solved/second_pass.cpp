@@ -6,6 +6,7 @@
 #include "exposure/exposed_point.h"
 #include "exposure/neighbours.h"
 #include "geometry/world.h"
+#include "io/document/document.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
 #include "scene/scene.h"
@@ -111,6 +112,16 @@ math::Vec3 outward_normal(const geometry::SurfacePoint& point) {
 
 }  // namespace
 
+ByMaterial solved_materials(const io::Document& document, const scene::Scene& scene, double deep_k) {
+  ByMaterial by_material;
+  for (std::uint32_t number = 0; number < scene.solved.size(); ++number)
+    if (auto surface = std::dynamic_pointer_cast<const exposure::SolvedSurface>(scene.solved[number]))
+      by_material[number] = {*assemble_thermal(document.sources, document.scene.materials[number],
+                                               scene.materials[number], deep_k),
+                             surface->shared_classes(), surface};
+  return by_material;
+}
+
 thermal::SurfaceSolution full_solution(const SolvedMaterial& solved, const thermal::OutdoorsSeries& series,
                                        thermal::Stand stand, math::Vec3 normal,
                                        const exposure::SolvedSurface::Exposure& exposure,
@@ -161,6 +172,7 @@ BesideOff beside_off(const Neighbourhood& about, const exposure::SolvedSurface& 
                                          sum_of(about, beside, exposure, 0.5 * (1.0 + normal.z), own, kDepth))
                                .history.nodes.back()
                                .surface_k;
+    found.taken_k[half] = linear_k;
     found.off_k[half] = full_k + linear_k - there_k;
   }
   found.further_k = surface.beside_k(point, exposure, key, kDrawsOfPoint, kDepth + 1) -

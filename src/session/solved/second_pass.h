@@ -8,6 +8,9 @@
 #include "exposure/solved_surface.h"
 #include "session/assembly/surfaces/thermal_assembly.h"
 
+namespace ifov::io {
+struct Document;
+}
 namespace ifov::scene {
 struct Scene;
 }
@@ -21,6 +24,9 @@ struct SolvedMaterial {
   std::shared_ptr<const exposure::SolvedSurface> surface{};  ///< what images ask
 };
 using ByMaterial = std::map<std::uint32_t, SolvedMaterial>;
+
+/// Of a scene whose temperatures are solved, by the number of the material. `deep_k`: as assemble_thermal.
+ByMaterial solved_materials(const io::Document& document, const scene::Scene& scene, double deep_k);
 
 /// A point that is solved in full by itself. `beside`: what comes from all but the sky, where it is known.
 thermal::SurfaceSolution full_solution(const SolvedMaterial& solved, const thermal::OutdoorsSeries& series,
@@ -49,6 +55,8 @@ std::vector<thermal::FromBeside> beside_of(const Neighbourhood& about, const geo
 /// by how much they are off. And by how much they would change with one more surface behind those that are met.
 struct BesideOff {
   std::array<double, 2> off_k{};
+  std::array<double, 2>
+      taken_k{};  ///< of these, what images add for what is about the point: without it they are off by what is left
   double further_k = 0.0;
 };
 BesideOff beside_off(const Neighbourhood& about, const exposure::SolvedSurface& surface,

@@ -29,6 +29,7 @@ constexpr int kAcross = 24;                                // rays along each si
 constexpr std::size_t kMeasured = 64, kLeastMeasured = 8;  // points, of all materials and of each
 constexpr double kLeastUnsettled_k = 0.2;
 constexpr int kSkyPairs = 128;
+constexpr int kForBeside = 3;
 
 thermal::Stand open_stand(const DocumentOutdoors& about) {
   thermal::Stand stand;
@@ -89,10 +90,9 @@ struct Measured {
   const SolvedMaterial* solved;
   geometry::SurfacePoint at;
   bool made_up = false;   ///< the camera sees too few of the material
-  int chosen_for = 0;     ///< 1, 2: for a past that was mixed, that changed
+  int chosen_for = 0;     ///< 1, 2: for a past that was mixed, that changed; kForBeside
   double height_m = 0.0;  ///< above ground
   double off_k = 0.0;
-  bool with_beside = false;  ///< one of those few of the material at which what is about them is looked at
   BesideOff beside;
   std::optional<double>
       ground_k;  ///< by what its temperature would be another if the ground were that beside
@@ -144,6 +144,19 @@ void add_unsettled(std::vector<Measured>& points, const SolvedMaterial& solved,
   }
 }
 
+/// Of what is seen of a material a few that see something else than the sky.
+void add_beside(std::vector<Measured>& points, const SolvedMaterial& solved,
+                std::span<const geometry::SurfacePoint* const> seen) {
+  std::vector<const geometry::SurfacePoint*> found;
+  for (std::size_t k = 0; k < seen.size(); ++k)
+    if (solved.surface->sees_surfaces(*seen[k], k)) found.push_back(seen[k]);
+  const std::size_t count = std::min(found.size(), kLeastMeasured);
+  for (std::size_t k = 0; k < count; ++k) {
+    points.emplace_back(solved, *found[k * found.size() / count]);
+    points.back().chosen_for = kForBeside;
+  }
+}
+
 /// Points that the camera sees, evenly over the image, of each material about as many as it fills; made up where those are few.
 std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor::Camera& camera,
                                          const ByMaterial& by_material, const exposure::PastScene& past) {
@@ -163,10 +176,7 @@ std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor
     const auto& found = of_material[material];
     const std::size_t share = all > kMeasured ? kMeasured * found.size() / all : found.size();
     const std::size_t count = std::min(found.size(), std::max(share, kLeastMeasured));
-    for (std::size_t k = 0; k < count; ++k) {
-      points.emplace_back(solved, *found[k * found.size() / count]);
-      points.back().with_beside = k * kLeastMeasured % count < kLeastMeasured;
-    }
+    for (std::size_t k = 0; k < count; ++k) points.emplace_back(solved, *found[k * found.size() / count]);
     // As high as what is seen of the material, else anywhere.
     for (std::size_t k = count; k < kLeastMeasured; ++k)
       points.emplace_back(solved, made_up_point(k),
@@ -174,6 +184,7 @@ std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor
                                         : past.height_above_ground_m(found[k % found.size()]->position_m,
                                                                      thermal::kLowestWind_m));
     add_unsettled(points, solved, found, past);
+    add_beside(points, solved, found);
   }
   return points;
 }
@@ -199,7 +210,7 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
     point.off_k = surface.temperature_k(point.at, exposure) - full_k;
     point.height_m = exposure.height_m;
     if (point.made_up) return;
-    if (point.with_beside)
+    if (point.chosen_for == kForBeside)
       point.beside = beside_off(about, *point.solved->surface, *point.solved, point.at,
                                 static_cast<std::uint64_t>(k), exposure, full_k);
     if (exposure.height_m > 0.0) return;
@@ -214,6 +225,14 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
     for (const Measured& point : points) {
       if (point.solved != &solved) continue;
       errors.worst_k = std::max(errors.worst_k, std::abs(point.off_k));
+      if (point.chosen_for == kForBeside) {
+        ++errors.by_material[material].beside;
+        // With what their rays scatter, which makes it more.
+        const double mean_k = 0.5 * (point.beside.off_k[0] + point.beside.off_k[1]);
+        beside_k2 += mean_k * mean_k;
+        further_k2 += point.beside.further_k * point.beside.further_k;
+        continue;
+      }
       if (point.chosen_for > 0) {
         auto& [squares, number] = chosen[static_cast<std::size_t>(point.chosen_for - 1)];
         squares += point.off_k * point.off_k;
@@ -227,12 +246,6 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
       ++(point.made_up ? errors.made_up : errors.points);
       if (point.made_up) continue;
       ++errors.by_material[material].seen;
-      if (point.with_beside) {
-        ++errors.by_material[material].beside;
-        // What both are off by, without what their rays scatter.
-        beside_k2 += point.beside.off_k[0] * point.beside.off_k[1];
-        further_k2 += point.beside.further_k * point.beside.further_k;
-      }
       errors.lowest_m = errors.points == 1 ? point.height_m : std::min(errors.lowest_m, point.height_m);
       errors.highest_m = std::max(errors.highest_m, point.height_m);
       if (!point.ground_k) continue;
@@ -244,7 +257,7 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
     TemperatureErrors::OfMaterial& own = errors.by_material[material];
     own.rms_k = std::sqrt(squares_k2 / count);
     own.points = count;
-    own.beside_k = std::sqrt((std::max(0.0, beside_k2) + further_k2) / std::max(own.beside, 1));
+    own.beside_k = std::sqrt((beside_k2 + further_k2) / std::max(own.beside, 1));
     for (const auto& [squares, number] : chosen)
       own.unsettled_k = std::max(own.unsettled_k, std::sqrt(squares / std::max(number, 1.0)));
     if (!errors.material.empty() && own.half_width_k() < worst_half_width_k) continue;

@@ -23,6 +23,8 @@ struct SolvedScene::Inside {
   session::DocumentOutdoors about;
   std::vector<std::unique_ptr<session::ThermalMaterial>> thermal{};  ///< by material; null: not solved
 
+  session::ByMaterial by_material{};
+
   explicit Inside(session::Session loaded)
       : session(std::move(loaded)),
         about(session::outdoors_of_document(session.parts().document, *session.parts().weather)) {}
@@ -40,6 +42,7 @@ SolvedScene::SolvedScene(const io::Document& document, const std::string& name, 
       thermal[k] = std::make_unique<session::ThermalMaterial>(
           *session::assemble_thermal(all.document.sources, all.document.scene.materials[k],
                                      all.scene.materials[k], inside->about.mean_air_k));
+  inside->by_material = session::solved_materials(all.document, all.scene, inside->about.mean_air_k);
   inside_ = std::move(inside);
 }
 
@@ -59,6 +62,25 @@ double SolvedScene::half_width_k(std::size_t material) const {
       inside_->session.parts().temperature_errors->by_material.at(static_cast<std::uint32_t>(material));
   error.beside_k = 0.0;
   return error.half_width_k();
+}
+
+double SolvedScene::whole_half_width_k(std::size_t material) const {
+  return inside_->session.parts()
+      .temperature_errors->by_material.at(static_cast<std::uint32_t>(material))
+      .half_width_k();
+}
+
+session::BesideOff SolvedScene::beside_off(std::size_t material, const geometry::SurfacePoint& point,
+                                           std::uint64_t key,
+                                           const exposure::SolvedSurface::Exposure& exposure,
+                                           double full_k) const {
+  const scene::Scene& scene = inside_->session.parts().scene;
+  const exposure::SolvedSurface& of = *surface(material);
+  thermal::Stand stand;
+  stand.terrain = inside_->about.terrain;
+  return session::beside_off({scene, of.scene(), inside_->by_material, series(), stand, kStudySun_rad}, of,
+                             inside_->by_material.at(static_cast<std::uint32_t>(material)), point, key,
+                             exposure, full_k);
 }
 
 const exposure::SolvedSurface* SolvedScene::surface(std::size_t material) const {
