@@ -47,7 +47,7 @@ void ExposedPoint::free(std::span<const math::Vec3> directions, std::span<const 
   scratch.owner.clear();
   for (std::size_t k = 0; k < directions.size(); ++k) {
     is_free[k] = 0;
-    if (!(math::dot(directions[k], outward_) > 0.0) || !(math::dot(directions[k], normal_) > 0.0)) continue;
+    if (!leaves(directions[k])) continue;
     scratch.rays.push_back({.origin_m = origin_m_, .direction = directions[k]});
     if (!times_s.empty()) scratch.rays.back().time_s = time_here_s(times_s[k]);
     scratch.owner.push_back(k);
@@ -57,7 +57,25 @@ void ExposedPoint::free(std::span<const math::Vec3> directions, std::span<const 
   for (std::size_t k = 0; k < scratch.owner.size(); ++k) is_free[scratch.owner[k]] = scratch.blocked[k] == 0;
 }
 
+bool ExposedPoint::leaves(math::Vec3 direction) const {
+  return math::dot(direction, outward_) > 0.0 && math::dot(direction, normal_) > 0.0;
+}
+
+math::Ray ExposedPoint::ray(math::Vec3 direction) const {
+  return {.origin_m = origin_m_, .direction = direction};
+}
+
 void ExposedPoint::sky_directions(std::uint64_t key, int pairs, std::vector<math::Vec3>& directions) const {
+  this->directions(key, pairs, true, directions);
+}
+
+void ExposedPoint::ground_directions(std::uint64_t key, int pairs,
+                                     std::vector<math::Vec3>& directions) const {
+  this->directions(key, pairs, false, directions);
+}
+
+void ExposedPoint::directions(std::uint64_t key, int pairs, bool up,
+                              std::vector<math::Vec3>& directions) const {
   directions.clear();
   const sampling::TangentFrame frame(normal_);
   // Strata that a tilted surface's horizon cuts would not have the same share of its sky.
@@ -70,7 +88,7 @@ void ExposedPoint::sky_directions(std::uint64_t key, int pairs, std::vector<math
                    y = sampling::unit_double(sampling::hash(key, k, attempt, 1));
       const math::Vec3 direction =
           frame.to_world(sampling::cosine_hemisphere({x, level ? (stratum + y) / pairs : y}));
-      if (!(direction.z > 0.0)) continue;
+      if ((direction.z > 0.0) != up) continue;
       directions.push_back(direction);
       found = true;
     }

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "math/ray.h"
 #include "math/vec3.h"
 #include "thermal/surface_classes.h"
 
@@ -25,6 +26,9 @@ class ExposedPoint {
   /// That, and how high above ground the point is, which may take a ray.
   thermal::Pose pose() const;
 
+  /// Whether a direction does; and its ray.
+  bool leaves(math::Vec3 direction) const;
+  math::Ray ray(math::Vec3 direction) const;
   /// 1 where nothing stands in a direction that leaves the surface, 0 where something does or it does not leave. `times_s`: when,
   /// after the picture's time; empty: now. A point of what was elsewhere then is told how it was at the nearest time at which
   /// that was there.
@@ -36,8 +40,12 @@ class ExposedPoint {
   /// Pairs of directions to the sky above the point's own horizon, as it sees it (by their cosines), by chance: each pair in a
   /// stratum of its own where the surface is level. None where hardly any sky is above it.
   void sky_directions(std::uint64_t key, int pairs, std::vector<math::Vec3>& directions) const;
+  /// The same to below the horizon.
+  void ground_directions(std::uint64_t key, int pairs, std::vector<math::Vec3>& directions) const;
 
  private:
+  void directions(std::uint64_t key, int pairs, bool up, std::vector<math::Vec3>& found) const;
+
   const PastScene& scene_;
   const geometry::Presence* presence_ = nullptr;  ///< of the point's object; null: it was always there
   math::Point3 origin_m_;

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "exposure/exposed_point.h"
+#include "exposure/neighbours.h"
 #include "geometry/surface_point.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
@@ -14,7 +15,9 @@
 namespace ifov::exposure {
 namespace {
 
-enum class Draw { sky, sun, past_sky };
+enum class Draw { sky, sun, past_sky, beside, below };
+
+constexpr double kLeastBelow = 0.002;  // of the view, that is below the horizon
 
 struct Directions {
   std::vector<math::Vec3> directions;
@@ -42,8 +45,11 @@ std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 }  // namespace
 
 SolvedSurface::SolvedSurface(std::shared_ptr<const thermal::SurfaceClasses> classes, PastScene scene,
-                             double sun_radius_rad)
-    : classes_(std::move(classes)), scene_(std::move(scene)), sun_radius_rad_(sun_radius_rad) {
+                             double sun_radius_rad, std::shared_ptr<const Neighbours> neighbours)
+    : classes_(std::move(classes)),
+      scene_(std::move(scene)),
+      neighbours_(std::move(neighbours)),
+      sun_radius_rad_(sun_radius_rad) {
   if (!scene_.changes()) return;
   // The last row stands for all that follows it.
   for (std::size_t row = 0; row < classes_->rows(); ++row)
@@ -80,6 +86,12 @@ scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& poin
   sums_k.resize(classes_->sunlit_rows());
   const auto [shaded_k, of_sky_k] = classes_->shaded(pose, sky.mean, sums_k);
   double variance_k2 = sky.variance * of_sky_k * of_sky_k;
+  Beside beside;
+  if (neighbours_ != nullptr)
+    beside = this->beside(exposed, pose, key, directions, scratch.is_free, Neighbours::kDepth);
+  std::array<std::uint8_t, 2 * kSkyPairs> sky_free{};
+  std::copy_n(scratch.is_free.begin(), directions.size(), sky_free.begin());
+  const bool has_sky = !directions.empty();
   PastSky past;
   if (!changed_rows_.empty() && !directions.empty()) {
     past = past_sky(exposed, pose, key, directions, scratch.is_free, of_sky_k);
@@ -87,7 +99,21 @@ scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& poin
   }
   std::partial_sum(sums_k.begin(), sums_k.end(), sums_k.begin());
   const double rise_k = sums_k.empty() ? 0.0 : sums_k.back();
-  if (!(rise_k > 0.0)) return {shaded_k + past.in_shade_k, std::sqrt(variance_k2)};
+  // What the pairs of rays to what hides the sky tell goes with what they tell of the sky itself.
+  const auto with_beside = [&](double kelvin, double sun_share) {
+    if (neighbours_ == nullptr) return scene::EstimatedTemperature{kelvin, std::sqrt(variance_k2)};
+    const bool of_sky_too = has_sky && past.variance_k2 == 0.0;
+    if (of_sky_too) variance_k2 -= sky.variance * of_sky_k * of_sky_k;
+    for (std::size_t k = 0; k < beside.in_shade_k.size(); k += 2) {
+      double apart_k = beside.kelvin(k, sun_share) - beside.kelvin(k + 1, sun_share);
+      if (of_sky_too && k < sky_free.size())
+        apart_k += of_sky_k * (sky_free[k] - sky_free[k + 1]) / (2.0 * kSkyPairs);
+      variance_k2 += apart_k * apart_k;
+    }
+    return scene::EstimatedTemperature{kelvin + beside.warms_k(*classes_, pose, kelvin, sun_share),
+                                       std::sqrt(std::max(0.0, variance_k2))};
+  };
+  if (!(rise_k > 0.0)) return with_beside(shaded_k + past.in_shade_k, 0.0);
   directions.clear();
   scratch.times_s.clear();
   for (int k = 0; k < 2 * kSunPairs; ++k) {
@@ -114,7 +140,79 @@ scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& poin
         second -= 0.25 * rise_k * scratch.per_pair[std::max(scratch.rows[j], scratch.rows[k])] /
                   (kSunPairs * kSunPairs);
   const double past_k = past.in_shade_k + 0.5 * sun.mean * past.of_sun_k;
-  return {shaded_k + past_k + (sun.mean + second) * rise_k, std::sqrt(variance_k2)};
+  return with_beside(shaded_k + past_k + (sun.mean + second) * rise_k, sun.mean);
+}
+
+double SolvedSurface::Beside::warms_k(const thermal::SurfaceClasses& classes, const thermal::Pose& pose,
+                                      double from_k, double sun_share) const {
+  std::array<double, 2> sum_k{};
+  for (std::size_t k = 0; k < in_shade_k.size(); ++k) sum_k[k % 2] += kelvin(k, sun_share);
+  // The first and the second rays of all pairs are two estimates of half of it.
+  return sum_k[0] + sum_k[1] - 4.0 * classes.bend_of_gain(pose, from_k) * sum_k[0] * sum_k[1];
+}
+
+SolvedSurface::Beside SolvedSurface::beside(const ExposedPoint& exposed, const thermal::Pose& pose,
+                                            std::uint64_t key, std::span<const math::Vec3> directions,
+                                            std::span<const std::uint8_t> is_free, int depth) const {
+  Beside found;
+  const double above = 0.5 * (1.0 + pose.normal.z), below = 1.0 - above;
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    if (is_free[k] != 0) continue;
+    const auto change = neighbours_->change(exposed, pose, *classes_, directions[k],
+                                            sampling::hash(key, Draw::beside, k), depth);
+    found.in_shade_k[k] = above / static_cast<double>(directions.size()) * change.in_shade_k;
+    found.of_sun_k[k] = above / static_cast<double>(directions.size()) * change.of_sun_k;
+  }
+  if (below < kLeastBelow) return found;
+  static thread_local std::vector<math::Vec3> downward;
+  exposed.ground_directions(sampling::hash(key, Draw::below), 1, downward);
+  for (std::size_t k = 0; k < downward.size(); ++k) {
+    const auto change = neighbours_->change(exposed, pose, *classes_, downward[k],
+                                            sampling::hash(key, Draw::below, k), depth);
+    found.in_shade_k[2 * kSkyPairs + k] = 0.5 * below * change.in_shade_k;
+    found.of_sun_k[2 * kSkyPairs + k] = 0.5 * below * change.of_sun_k;
+  }
+  return found;
+}
+
+double SolvedSurface::sun_share(const geometry::SurfacePoint& point, const Exposure& exposure) const {
+  std::vector<double> weight_k(classes_->sunlit_rows());
+  classes_->shaded({normal_at(point), exposure.height_m}, exposure.free_sky, weight_k);
+  double all_k = 0.0, lit_k = 0.0;
+  for (std::size_t k = 0; k < weight_k.size(); ++k) {
+    all_k += weight_k[k];
+    lit_k += weight_k[k] * exposure.visibility[k];
+  }
+  return all_k > 0.0 ? lit_k / all_k : 0.0;
+}
+
+double SolvedSurface::beside_k(const geometry::SurfacePoint& point, const Exposure& exposure,
+                               std::uint64_t key, int draws, int depth) const {
+  if (neighbours_ == nullptr) return 0.0;
+  const ExposedPoint exposed(scene_, point);
+  const thermal::Pose pose(exposed.normal(), exposure.height_m);
+  const double sun = sun_share(point, exposure), kelvin = temperature_k(point, exposure);
+  std::vector<math::Vec3> directions;
+  std::vector<std::uint8_t> is_free(2 * kSkyPairs);
+  double sum_k = 0.0;
+  for (int draw = 0; draw < draws; ++draw) {
+    const std::uint64_t own = sampling::hash(key, draw);
+    exposed.sky_directions(sampling::hash(own, Draw::sky), kSkyPairs, directions);
+    if (!directions.empty()) exposed.free(directions, {}, is_free);
+    sum_k += beside(exposed, pose, own, directions, is_free, depth).warms_k(*classes_, pose, kelvin, sun);
+  }
+  return sum_k / draws;
+}
+
+bool SolvedSurface::sees_surfaces(const geometry::SurfacePoint& point, std::uint64_t key) const {
+  constexpr int kPairs = 4;
+  const ExposedPoint exposed(scene_, point);
+  if (0.5 * (1.0 - exposed.normal().z) >= kLeastBelow) return true;
+  std::vector<math::Vec3> directions;
+  exposed.sky_directions(sampling::hash(key, Draw::sky), kPairs, directions);
+  std::vector<std::uint8_t> is_free(directions.size());
+  exposed.free(directions, {}, is_free);
+  return std::find(is_free.begin(), is_free.end(), std::uint8_t{0}) != is_free.end();
 }
 
 SolvedSurface::PastSky SolvedSurface::past_sky(const ExposedPoint& exposed, const thermal::Pose& pose,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -11,6 +12,7 @@
 namespace ifov::exposure {
 
 class ExposedPoint;
+class Neighbours;
 
 /// The temperature of points of one material: its classes (thermal/surface_classes.h) by the point's own direction, the share
 /// of the sky that is free over it, and its own visibility of the Sun in the past, both asked by rays. 2 kSunPairs of these
@@ -24,7 +26,7 @@ class SolvedSurface final : public scene::SolvedTemperature {
   /// Keeps the references to the scene. `sun_radius_rad`: of the Sun's disc. Where things come and go, the classes have a
   /// `past_sky`.
   SolvedSurface(std::shared_ptr<const thermal::SurfaceClasses> classes, PastScene scene,
-                double sun_radius_rad);
+                double sun_radius_rad, std::shared_ptr<const Neighbours> neighbours = nullptr);
 
   scene::EstimatedTemperature at(const geometry::SurfacePoint& point, std::uint64_t draw) const override;
   double coldest_k() const override { return classes_->coldest_k(); }
@@ -51,6 +53,17 @@ class SolvedSurface final : public scene::SolvedTemperature {
   /// The same sum as at(), of all of it.
   double temperature_k(const geometry::SurfacePoint& point, const Exposure& exposure) const;
 
+  /// By how much what is about a point warms it, beyond level ground: mean of what at() takes for it over some draws. 0 without neighbours.
+  double beside_k(const geometry::SurfacePoint& point, const Exposure& exposure, std::uint64_t key, int draws,
+                  int depth) const;
+  /// What the Sun was worth to a point of what it is worth where it is always seen.
+  double sun_share(const geometry::SurfacePoint& point, const Exposure& exposure) const;
+  /// Whether a few rays, which `key` draws, meet anything.
+  bool sees_surfaces(const geometry::SurfacePoint& point, std::uint64_t key) const;
+  /// The same where what hides the sky is taken to be as the ground.
+  SolvedSurface without_neighbours() const { return {classes_, scene_, sun_radius_rad_}; }
+  /// Null: what hides the sky is taken to be as the ground.
+  const std::shared_ptr<const Neighbours>& neighbours() const { return neighbours_; }
   const thermal::SurfaceClasses& classes() const { return *classes_; }
   const std::shared_ptr<const thermal::SurfaceClasses>& shared_classes() const { return classes_; }
   const PastScene& scene() const { return scene_; }
@@ -75,8 +88,24 @@ class SolvedSurface final : public scene::SolvedTemperature {
   std::vector<double> past_free_sky(const ExposedPoint& exposed,
                                     std::span<const math::Vec3> directions) const;
 
+  /// By what the scene's surfaces warm a point in place of level ground, in shade and by what always Sun adds: by ray to the sky, 0 where that
+  /// is free, then of a pair to below the horizon.
+  struct Beside {
+    std::array<double, 2 * kSkyPairs + 2> in_shade_k{}, of_sun_k{};
+    double kelvin(std::size_t ray, double sun_share) const {
+      return in_shade_k[ray] + sun_share * of_sun_k[ray];
+    }
+    /// Of all, to second order, by what a point is warmer for it than `from_k`.
+    double warms_k(const thermal::SurfaceClasses& classes, const thermal::Pose& pose, double from_k,
+                   double sun_share) const;
+  };
+  Beside beside(const ExposedPoint& exposed, const thermal::Pose& pose, std::uint64_t key,
+                std::span<const math::Vec3> directions, std::span<const std::uint8_t> is_free,
+                int depth) const;
+
   std::shared_ptr<const thermal::SurfaceClasses> classes_;
   PastScene scene_;
+  std::shared_ptr<const Neighbours> neighbours_;
   double sun_radius_rad_;
   std::vector<std::size_t> changed_rows_;  ///< of the series, about which something is not as it is now
 };

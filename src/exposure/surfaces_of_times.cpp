@@ -16,7 +16,10 @@ namespace {
 
 using thermal::ClassesOfTimes;
 
-enum class Asked { sky, sun };
+enum class Asked { sky, sun, beside, below };
+
+constexpr std::size_t kShareRows = 8;         // times
+constexpr double kLeastBelowHorizon = 0.002;  // of the view
 
 struct Pairs {
   ClassesOfTimes::At at;
@@ -131,21 +134,73 @@ void add_mixed(Pairs& pairs, std::size_t bins, std::size_t lanes) {
 
 }  // namespace
 
+/// By ray and time: what it meets that is not sky; those to the sky first, then two to below the horizon.
+struct SurfacesOfTimes::Beside {
+  std::vector<Neighbours::Change> changes;
+  std::size_t above = 0, below = 0;  ///< rays
+};
+
 SurfacesOfTimes::SurfacesOfTimes(const std::map<std::size_t, ByTime>& by_number, PastScene scene,
-                                 double sun_radius_rad)
-    : scene_(std::move(scene)), times_(by_number.begin()->second.size()) {
+                                 double sun_radius_rad,
+                                 std::vector<std::shared_ptr<const Neighbours>> neighbours)
+    : neighbours_(std::move(neighbours)), scene_(std::move(scene)), times_(by_number.begin()->second.size()) {
   classes_.resize(by_number.rbegin()->first + 1);
   suns_.resize(classes_.size());
   for (const auto& [number, by_time] : by_number) {
     classes_[number] = std::make_unique<const ClassesOfTimes>(by_time);
     suns_[number] = std::make_unique<const PastSuns>(*classes_[number], sun_radius_rad);
   }
+  if (neighbours_.empty()) return;
+  const ByTime& any = by_number.begin()->second;
+  std::vector<std::size_t> order(times_);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return any[a]->end_s() < any[b]->end_s(); });
+  for (std::size_t k = 0; k < times_; k += kShareRows)
+    groups_.emplace_back(order.begin() + static_cast<std::ptrdiff_t>(k),
+                         order.begin() + static_cast<std::ptrdiff_t>(std::min(times_, k + kShareRows)));
+  asked_.resize(classes_.size());
+  for (const auto& [number, by_time] : by_number)
+    for (const std::vector<std::size_t>& group : groups_) {
+      asked_[number].emplace_back();
+      for (const std::size_t time : group)
+        asked_[number].back().push_back({by_time[time].get(), neighbours_[time].get()});
+    }
+}
+
+void SurfacesOfTimes::ask_beside(std::size_t number, const ExposedPoint& exposed, const thermal::Pose& pose,
+                                 std::uint64_t key, std::span<const math::Vec3> directions,
+                                 std::span<const std::uint8_t> is_free, Beside& beside) const {
+  static thread_local std::vector<math::Vec3> downward;
+  static thread_local std::vector<Neighbours::Change> of_group;
+  const double above = 0.5 * (1.0 + pose.normal.z), below = 1.0 - above;
+  downward.clear();
+  if (below >= kLeastBelowHorizon) exposed.ground_directions(sampling::hash(key, Asked::below), 1, downward);
+  beside.above = directions.size();
+  beside.below = downward.size();
+  beside.changes.assign((beside.above + beside.below) * times_, {});
+  for (std::size_t ray = 0; ray < beside.above + beside.below; ++ray) {
+    const bool is_above = ray < beside.above;
+    if (is_above && is_free[ray] != 0) continue;
+    const math::Vec3 direction = is_above ? directions[ray] : downward[ray - beside.above];
+    const double share =
+        is_above ? above / static_cast<double>(beside.above) : below / static_cast<double>(beside.below);
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      of_group.resize(groups_[g].size());
+      Neighbours::changes(asked_[number][g], exposed, pose, direction,
+                          sampling::hash(key, Asked::beside, ray, g), of_group);
+      for (std::size_t k = 0; k < of_group.size(); ++k)
+        beside.changes[ray * times_ + groups_[g][k]] = {share * of_group[k].in_shade_k,
+                                                        share * of_group[k].of_sun_k};
+    }
+  }
 }
 
 std::unique_ptr<const SurfacesOfTimes> SurfacesOfTimes::of(std::span<const scene::Scene* const> by_time) {
   std::map<std::size_t, ByTime> by_number;
   const SolvedSurface* any = nullptr;
-  for (const scene::Scene* scene : by_time) {
+  std::vector<std::shared_ptr<const Neighbours>> neighbours;
+  for (const scene::Scene* const& scene : by_time) {
     if (scene->world != by_time.front()->world || scene->solved.size() != by_time.front()->solved.size())
       return nullptr;
     for (std::size_t number = 0; number < scene->solved.size(); ++number) {
@@ -154,12 +209,16 @@ std::unique_ptr<const SurfacesOfTimes> SurfacesOfTimes::of(std::span<const scene
       if (surface->scene().changes()) return nullptr;
       by_number[number].push_back(surface->shared_classes());
       if (any == nullptr) any = surface;
+      if (neighbours.size() < static_cast<std::size_t>(&scene - by_time.data()) + 1)
+        neighbours.push_back(surface->neighbours());
     }
   }
   if (any == nullptr) return nullptr;
   for (const auto& [number, classes] : by_number)
     if (classes.size() != by_time.size() || !ClassesOfTimes::serves(classes)) return nullptr;
-  return std::make_unique<const SurfacesOfTimes>(by_number, any->scene(), any->sun_radius_rad());
+  if (neighbours.size() != by_time.size() || neighbours.front() == nullptr) neighbours.clear();
+  return std::make_unique<const SurfacesOfTimes>(by_number, any->scene(), any->sun_radius_rad(),
+                                                 std::move(neighbours));
 }
 
 void SurfacesOfTimes::at(std::size_t number, const geometry::SurfacePoint& point, std::uint64_t draw,
@@ -181,7 +240,15 @@ void SurfacesOfTimes::at(std::size_t number, const geometry::SurfacePoint& point
       if (pairs.is_free[k] != pairs.is_free[k + 1]) sky_variance += 1.0 / static_cast<double>(count * count);
     }
   }
-  classes.at(exposed.pose(), sky, pairs.at);
+  const thermal::Pose pose = exposed.pose();
+  classes.at(pose, sky, pairs.at);
+  static thread_local Beside beside;
+  static thread_local std::vector<std::uint8_t> sky_free;
+  if (!groups_.empty()) {
+    sky_free.assign(pairs.is_free.begin(),
+                    pairs.is_free.begin() + static_cast<std::ptrdiff_t>(pairs.directions.size()));
+    ask_beside(number, exposed, pose, key, pairs.directions, sky_free, beside);
+  }
   pairs.directions.clear();
   pairs.suns = suns_[number]->draw(sampling::hash(key, Asked::sun));
   for (std::size_t b = 0; b < bins; ++b)
@@ -191,14 +258,42 @@ void SurfacesOfTimes::at(std::size_t number, const geometry::SurfacePoint& point
   see_behind(pairs, exposed.normal());
   pairs.kelvin = pairs.at.shaded_k;
   pairs.variance.resize(lanes);
+  const bool has_beside = !groups_.empty();
   for (std::size_t t = 0; t < lanes; ++t)
-    pairs.variance[t] = static_cast<float>(sky_variance) * pairs.at.of_sky_k[t] * pairs.at.of_sky_k[t];
+    pairs.variance[t] =
+        has_beside ? 0.0f : static_cast<float>(sky_variance) * pairs.at.of_sky_k[t] * pairs.at.of_sky_k[t];
   const auto seen =
       static_cast<std::size_t>(std::count(pairs.is_free.begin(), pairs.is_free.end(), std::uint8_t{1}));
   if (seen > 0 && seen < 2 * bins)
     add_mixed(pairs, bins, lanes);
   else if (seen > 0)
     for (std::size_t t = 0; t < lanes; ++t) pairs.kelvin[t] += pairs.at.all_k[t];
+  for (std::size_t t = 0; has_beside && t < by_time.size(); ++t) {
+    const double all_k = static_cast<double>(pairs.at.all_k[t]),
+                 sun =
+                     all_k > 0.0 ? static_cast<double>(pairs.kelvin[t] - pairs.at.shaded_k[t]) / all_k : 0.0;
+    std::array<double, 2> sum_k{};
+    double variance_k2 = 0.0;
+    for (std::size_t ray = 0; ray + 1 < beside.above + beside.below; ray += 2) {
+      const auto of = [&](std::size_t one) {
+        const Neighbours::Change& change = beside.changes[one * times_ + t];
+        return change.in_shade_k + sun * change.of_sun_k;
+      };
+      double apart_k = of(ray) - of(ray + 1);
+      if (ray < beside.above)
+        apart_k += static_cast<double>(pairs.at.of_sky_k[t]) * (sky_free[ray] - sky_free[ray + 1]) /
+                   static_cast<double>(beside.above);
+      sum_k[0] += of(ray);
+      sum_k[1] += of(ray + 1);
+      variance_k2 += apart_k * apart_k;
+    }
+    double more_k = sum_k[0] + sum_k[1];
+    if (more_k != 0.0)
+      more_k -= 4.0 * sum_k[0] * sum_k[1] *
+                classes.of_time(t).bend_of_gain(pose, static_cast<double>(pairs.kelvin[t]));
+    pairs.kelvin[t] += static_cast<float>(more_k);
+    pairs.variance[t] += static_cast<float>(variance_k2);
+  }
   for (std::size_t t = 0; t < by_time.size(); ++t)
     by_time[t] = {static_cast<double>(pairs.kelvin[t]),
                   std::sqrt(std::max(0.0, static_cast<double>(pairs.variance[t])))};

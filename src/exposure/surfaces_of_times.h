@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "exposure/neighbours.h"
 #include "exposure/past_scene.h"
 #include "exposure/past_suns.h"
 #include "scene/temperature_scope.h"
@@ -23,14 +24,15 @@ namespace ifov::exposure {
 ///   sum of w_k V over the bin = (V_1 + V_2) / 2 W + (f_1 - f_2) (V_1 - V_2) / 2,   variance (V_1 - V_2)^2 ((f_1^2 + f_2^2) - W^2) / 4,
 ///
 /// with W the sum of w_k and f its density over the ray's, both without bias. The sky, and how high a point stands, are the same
-/// at all times.
+/// at all times. What a ray meets that is not sky was another at each: times that follow each other share a row of the past at which that is asked for.
 class SurfacesOfTimes final : public scene::TemperaturesOfTimes {
  public:
   static constexpr int kSkyPairs = 2;  // as SolvedSurface
 
   using ByTime = std::vector<std::shared_ptr<const thermal::SurfaceClasses>>;
   /// `by_number`: as Scene::solved, those that are solved. Keeps the references to the scene.
-  SurfacesOfTimes(const std::map<std::size_t, ByTime>& by_number, PastScene scene, double sun_radius_rad);
+  SurfacesOfTimes(const std::map<std::size_t, ByTime>& by_number, PastScene scene, double sun_radius_rad,
+                  std::vector<std::shared_ptr<const Neighbours>> neighbours = {});
   /// Of scenes of one world, by time; null where their pasts have no rows in common, something came or went, or nothing is solved.
   static std::unique_ptr<const SurfacesOfTimes> of(std::span<const scene::Scene* const> by_time);
 
@@ -43,8 +45,17 @@ class SurfacesOfTimes final : public scene::TemperaturesOfTimes {
  private:
   std::vector<std::unique_ptr<const thermal::ClassesOfTimes>> classes_;  ///< null: not solved
   std::vector<std::unique_ptr<const PastSuns>> suns_;                    ///< of each of them
+  /// Which times share rows, in their order; by number of Scene::solved what they ask. Empty without neighbours.
+  std::vector<std::vector<std::size_t>> groups_;
+  std::vector<std::vector<std::vector<Neighbours::Time>>> asked_;
+  std::vector<std::shared_ptr<const Neighbours>> neighbours_;  ///< by time
   PastScene scene_;
   std::size_t times_;
+
+  struct Beside;
+  void ask_beside(std::size_t number, const ExposedPoint& exposed, const thermal::Pose& pose,
+                  std::uint64_t key, std::span<const math::Vec3> directions,
+                  std::span<const std::uint8_t> is_free, Beside& beside) const;
 };
 
 }  // namespace ifov::exposure

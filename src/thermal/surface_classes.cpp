@@ -35,7 +35,7 @@ math::Vec3 facing(double tilt_rad, double azimuth_rad) {
 }  // namespace
 
 SurfaceClasses::SurfaceClasses(std::shared_ptr<const OutdoorsSeries> series, ClassSurface surface,
-                               int threads, bool past_sky, double highest_m)
+                               int threads, bool past_sky, double highest_m, bool neighbours)
     : series_(std::move(series)),
       surface_(std::move(surface)),
       levels_(surface_.stand.terrain),
@@ -53,6 +53,7 @@ SurfaceClasses::SurfaceClasses(std::shared_ptr<const OutdoorsSeries> series, Cla
                      sun_of(series_->rows[std::min(i + 1, count - 1)]),
                      surface_.skin.solar_absorptance * now.direct_w_m2});
   }
+  if (neighbours) make_bins();
   // Up, down, and to four sides half and wholly upright, in the weakest wind and the strongest.
   constexpr std::array<int, 4> kRings{0, kTilts, kTilts / 4, kTilts / 2};
   constexpr int kBounding = 2 + 2 * kSides;
@@ -106,6 +107,7 @@ void SurfaceClasses::solve(Node& node, double height_m, double tilt_rad, double 
       node.past_kernel[row] += static_cast<float>(0.25 * (at_shade[row] + at_sun[row]));
       node.past_difference[row] += static_cast<float>(0.5 * difference(row));
     }
+    if (bins() > 0) keep_past(node, sky, shaded, sunlit, at_shade, at_sun);
     double sum_k = 0.0, of_difference_k = 0.0;
     const auto gain_w_m2 = [&](const Row& row) {
       return row.absorbed_w_m2 * std::max(0.0, math::dot(normal, row.sun));

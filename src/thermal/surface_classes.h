@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -70,13 +71,15 @@ class SurfaceClasses {
 
   /// `past_sky`: whether the s_k will be asked for, which takes the kernel of all rows. `highest_m`: no surface is asked for that
   /// stands higher above ground. Throws InputError as solve_surface does.
+  /// `neighbours`: whether histories and what the past is worth are kept, by which surfaces warm each other (surface_past.cpp).
   SurfaceClasses(std::shared_ptr<const OutdoorsSeries> series, ClassSurface surface, int threads,
-                 bool past_sky = false, double highest_m = 0.0);
+                 bool past_sky = false, double highest_m = 0.0, bool neighbours = false);
 
   /// Of the times at which the Sun shone, in order.
   std::size_t sunlit_rows() const { return rows_.size(); }
   double step_s() const { return series_->step_s; }
   std::size_t rows() const { return series_->rows.size(); }
+  double end_s() const { return series_->begin_s + step_s() * static_cast<double>(rows() - 1); }
   /// Seconds from the end of the series, 0 or below, of a row of it and some steps after it (-1 to 1).
   double time_s(std::size_t row, double steps) const;
   /// To where the Sun stood, by row and steps after it (-1 to 1), unit; below the horizon it may be, too.
@@ -95,6 +98,50 @@ class SurfaceClasses {
   /// The row of the series that a sunlit row is.
   std::size_t row_of_series(std::size_t sunlit_row) const { return rows_[sunlit_row].index; }
 
+  // What surfaces send to each other; only with `neighbours`. The past is told in bins, the last row first, a sixth of what lies behind
+  // them long and half an hour at most.
+  std::size_t bins() const { return past_.begin.empty() ? 0 : past_.begin.size() - 1; }
+  /// Rows of the series of a bin: `first` and older ones.
+  struct BinRows {
+    std::size_t first = 0, count = 0;
+  };
+  BinRows rows_of_bin(std::size_t bin) const;
+  std::size_t bin_of_row(std::size_t row) const { return past_.of_lag[rows() - 1 - row]; }
+  const Outdoors& outdoors(std::size_t row) const { return series_->rows[row]; }
+  /// The sunlit row that one of the series is; -1: the Sun did not shine.
+  std::int32_t sunlit_row_of(std::size_t row) const { return past_.sunlit[row]; }
+  /// A row of the past, drawn by what a gain there is worth, and kelvins now per W m-2 of gain there over the chance of it: in shade,
+  /// and by what always Sun adds to that.
+  struct PastRow {
+    std::size_t row = 0;
+    double in_shade_k = 0.0, of_sun_k = 0.0;
+  };
+  /// Three numbers from 0 to 1. Rows of much light are drawn more often.
+  PastRow draw_past(const Pose& pose, std::array<double, 3> by_chance) const;
+  /// The same at several times, of the classes of one material, with one row for all: drawn as one of the times has it, by the chance that all of them
+  /// give it. `row`: of that time's series, whose number is returned.
+  static std::size_t draw_past(std::span<const SurfaceClasses* const> by_time, const Pose& pose,
+                               std::array<double, 4> by_chance, std::span<PastRow> found);
+  /// Rows before another, drawn by what a gain there is worth to it: as the same time before the series' end is to that.
+  std::size_t draw_lag(const Pose& pose, double which, double how_long) const;
+  /// By bin, kelvins now per W m-2 of gain throughout it: in shade, and by what always Sun adds.
+  void worth(const Pose& pose, std::span<double> in_shade_k, std::span<double> of_sun_k) const;
+  /// The surface's temperature in the middle of a bin, always shaded, and by how much the Sun warms it.
+  struct Then {
+    double shaded_k = 0.0, rise_k = 0.0;
+  };
+  Then then(const Pose& pose, double free_sky, std::size_t bin) const;
+  /// The same throughout the past, a mean of sunlit and shaded.
+  double worth_of_all_k(const Pose& pose) const;
+  /// Of what a gain throughout the past adds to a surface that had `kelvin` without it, its square is lost: a warmer surface emits more than in
+  /// proportion, 6 e sigma T^2 of the square, and what that is worth. Per kelvin.
+  double bend_of_gain(const Pose& pose, double kelvin) const;
+  double ground_reflectance() const { return surface_.stand.ground_reflectance; }
+  FromBeside from_ground(std::size_t row) const { return of_level_ground(outdoors(row), surface_.stand); }
+  const Skin& skin() const { return surface_.skin; }
+  /// What the surface gains more by what comes from some of its view, W m-2 of that, than by the ground it is taken for.
+  double more_than_ground_w_m2(const FromBeside& comes, std::size_t row) const;
+
   /// Of all that can come out: of ten directions, with a margin for those between them.
   double coldest_k() const { return coldest_k_; }
   double hottest_k() const { return hottest_k_; }
@@ -111,6 +158,10 @@ class SurfaceClasses {
     std::array<std::vector<float>, 2> kernel, difference;  ///< by sunlit row: K, not below 0; K_1 - K_0
     /// By row of the series, of both skies: mean of K_0 and K_1, and K_1 - K_0; empty without `past_sky`.
     std::vector<float> past_kernel, past_difference;
+    /// By bin of the past; by sky where there are two. Sums of the kernels over the bin, K_0 and K_1 - K_0, and shares of sums of them up to
+    /// it: by what they are worth under the light of the time, and alone.
+    std::array<std::vector<float>, 2> shaded_then_k, rise_then_k;
+    std::vector<float> worth, worth_of_sun, drawn, lagged;
   };
   struct Corner {
     const Node* node = nullptr;
@@ -124,6 +175,10 @@ class SurfaceClasses {
     const Corner* begin() const { return all.data(); }
     const Corner* end() const { return all.data() + count; }
   };
+  void keep_past(Node& node, std::size_t sky, const SurfaceSolution& shaded, const SurfaceSolution& sunlit,
+                 std::span<const double> at_shade, std::span<const double> at_sun) const;
+  void make_bins();
+  const Corner& corner_by(const Corners& corners, double by_chance) const;
   struct Place {
     std::once_flag once;
     std::atomic<bool> solved = false;
@@ -156,6 +211,13 @@ class SurfaceClasses {
   int top_level_;
   std::vector<double> of_free_sky_w_m2_;  ///< g by row of the series; empty without `past_sky`
   std::vector<Row> rows_;
+  struct PastBins {
+    std::vector<std::size_t> begin;  ///< rows before the last; one more than there are bins
+    std::vector<std::uint16_t> of_lag;
+    std::vector<std::int32_t> sunlit;
+    std::vector<double> light;  ///< by bin, by which they are drawn more often
+  };
+  PastBins past_;
   mutable std::vector<Place> places_;  ///< level by level: facing up, facing down, and rings between
   double coldest_k_ = 0.0, hottest_k_ = 0.0;
 };

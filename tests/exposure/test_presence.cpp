@@ -75,6 +75,12 @@ geometry::SurfacePoint below(const scene::Scene& scene, double x, double y) {
   return hit;
 }
 
+/// By what came and went alone: what stands about it counts as ground.
+exposure::SolvedSurface road_alone(const Session& session) {
+  return dynamic_cast<const exposure::SolvedSurface&>(*session.parts().scene.solved.at(0))
+      .without_neighbours();
+}
+
 double mean_k(const scene::SolvedTemperature& of, const geometry::SurfacePoint& point, int draws) {
   double sum = 0.0;
   for (int k = 0; k < draws; ++k) sum += of.at(point, static_cast<std::uint64_t>(k)).kelvin / draws;
@@ -89,7 +95,7 @@ TEST(Presence, ACarThatLeftLeavesItsShadow) {
     const Session session =
         load(weather, format(R"(, "present": [["2026-06-21T06:10Z", "2026-06-21T{}Z"]])", left));
     const scene::Scene& scene = session.parts().scene;
-    const exposure::SolvedSurface& road = dynamic_cast<const exposure::SolvedSurface&>(*scene.solved.at(0));
+    const exposure::SolvedSurface road = road_alone(session);
     // The same with nothing that ever stood there.
     const auto classes = std::shared_ptr<const thermal::SurfaceClasses>(&road.classes(), [](const auto*) {});
     const exposure::SolvedSurface never(classes, exposure::PastScene(*scene.world), 0.00465);
@@ -110,7 +116,7 @@ TEST(Presence, AVisitWithinTheLastStepHidesTheSky) {
   const ClearDays weather("presence", 2.5);
   const Session minutes = load(weather, "", "1 min");
   const Session session = load(weather, R"(, "present": [["2026-06-21T14:55:10Z", "2026-06-21T14:59:50Z"]])");
-  const scene::SolvedTemperature& road = *session.parts().scene.solved.at(0);
+  const exposure::SolvedSurface road = road_alone(session);
   // Beside the car where it is in the Sun.
   for (const auto& [x, y] : {std::pair{0.0, -1.0}, {-2.3, 0.0}}) {
     const double visited_k = alone_k(minutes, x, y, 4.8, 0.2), never_k = alone_k(minutes, x, y, -1.0, -2.0);
@@ -127,7 +133,7 @@ TEST(Presence, ACarThatJustCameDidNotShadeBefore) {
   for (const auto& [x, y] : {std::pair{0.5, 1.1}, {2.4, 0.5}}) {  // in its shadow of now
     const geometry::SurfacePoint point = below(session.parts().scene, x, y);
     const double expected_k = alone_k(minutes, x, y, 30.0, -1.0);
-    EXPECT_NEAR(mean_k(*session.parts().scene.solved.at(0), point, 8000), expected_k, 0.12) << x << " " << y;
+    EXPECT_NEAR(mean_k(road_alone(session), point, 8000), expected_k, 0.12) << x << " " << y;
     EXPECT_GT(std::abs(mean_k(*minutes.parts().scene.solved.at(0), point, 200) - expected_k), 0.5) << x;
   }
   // The car itself is in the picture.

@@ -79,7 +79,7 @@ TEST(SurfacesOfTimes, MeansAreThoseOfExactSums) {
     math::Vec3 along;
   };
   const math::Vec3 down{0.0, 0.0, -1.0};
-  constexpr int kDraws = 20000;
+  constexpr int kDraws = 20000, kBesideDraws = 8000;
   double farthest_k = 0.0, misplaced_k = 0.0;
   for (const Place& place :
        {Place{"open", 0, {-9.0, -7.0, 9.0}, down}, Place{"north", 0, {0.0, 1.8, 9.0}, down},
@@ -100,17 +100,21 @@ TEST(SurfacesOfTimes, MeansAreThoseOfExactSums) {
     }
     for (std::size_t t = 0; t < 12; ++t) {
       const exposure::SolvedSurface& own = times.surface(t, place.number);
-      const double exact_k = own.temperature_k(point, own.exposure(point, 5, 10000, 1000));
+      const auto exposure = own.exposure(point, 5, 10000, 1000);
+      const double exact_k =
+          own.temperature_k(point, exposure) + own.beside_k(point, exposure, 9, kBesideDraws, 1);
       const double spread_k2 = std::max(0.0, squares_k2[t] - mean_k[t] * mean_k[t]);
-      const double error_k = std::sqrt(spread_k2 / kDraws);
+      // What is about points scatters by a kelvin at most.
+      const double error_k = std::hypot(std::sqrt(spread_k2 / kDraws), 1.0 / std::sqrt(kBesideDraws));
       EXPECT_NEAR(mean_k[t], exact_k, 0.03 + 4.0 * error_k) << place.name << " " << t;
       farthest_k = std::max(farthest_k, std::abs(mean_k[t] - exact_k));
       // What is told of the spread is its mean square; what the second-order term scatters by is not in it, as of one time alone.
       EXPECT_GT(told_k2[t], 0.85 * spread_k2 - 1e-4) << place.name << " " << t;
       EXPECT_LT(told_k2[t], 1.5 * spread_k2 + 1e-3) << place.name << " " << t;
       const exposure::SolvedSurface& other = times.surface((t + 1) % 12, place.number);
-      misplaced_k = std::max(
-          misplaced_k, std::abs(other.temperature_k(point, other.exposure(point, 5, 64, 4)) - mean_k[t]));
+      misplaced_k =
+          std::max(misplaced_k, std::abs(other.temperature_k(point, other.exposure(point, 5, 64, 4)) +
+                                         other.beside_k(point, exposure, 9, 500, 1) - mean_k[t]));
     }
   }
   EXPECT_GT(misplaced_k, 10.0 * farthest_k);  // the planted fault: a time taken for the next one

@@ -15,7 +15,7 @@ double TemperatureErrors::OfMaterial::half_width_k() const {
     return sampling::two_sided_student(kConfidence, std::max(count, 1.0));
   };
   const double of_all_k = of_points(points) * rms_k, of_chosen_k = 2.0 * unsettled_k,
-               of_beside_k = beside_k > 0.0 ? of_points(seen) * beside_k : 0.0;
+               of_beside_k = beside_k > 0.0 ? of_points(beside) * beside_k : 0.0;
   return std::hypot(std::max(of_all_k, of_chosen_k), 2.0 * step_k, of_beside_k) + ground_k;
 }
 
@@ -28,8 +28,8 @@ double TemperatureErrors::half_width_k() const {
 std::string TemperatureErrors::statement() const {
   return format(
       "solved temperatures: at {} points that the camera sees, each solved in full by itself{}, off by {:.2f} K "
-      "(root mean square, of '{}', the material that is off most), {:.2f} K at worst, {:+.3f} K on average{}; steps of time {:.3f} K{}{}; what "
-      "hides the sky counts as level ground at the air's temperature, {:.2f} K by a second pass over what is there",
+      "(root mean square, of '{}', the material that is off most), {:.2f} K at worst, {:+.3f} K on average{}; steps of time {:.3f} K{}{}; what is "
+      "about them, lit and shaded as it was, {:.2f} K against the same solved in full",
       points, made_up > 0 ? format(", and {} more of materials that it hardly sees", made_up) : "", rms_k,
       material, worst_k, bias_k,
       unsettled > 0

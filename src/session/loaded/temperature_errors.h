@@ -15,21 +15,21 @@ struct TemperatureErrors {
     /// Root mean square of points that were chosen for a past unlike that of most: half lit, or about which things came and went; of these
     /// two the larger.
     double unsettled_k = 0.0;
-    /// Root mean square of what a second pass changes by: of what is beside the points in place of level ground at the air's temperature.
-    double beside_k = 0.0;
+    double beside_k =
+        0.0;  ///< root mean square of what is made of surfaces about points, against these solved in full
     double ground_k =
         0.0;  ///< largest, of the wind of points below which nothing faces up, with ground at the foot of a drop beside
     /// Of what two standard deviations hold, 95.45 %: Student's t of as many points times the root mean square, or twice that of those that were
     /// chosen, and twice the steps'.
     /// What the ground makes uncertain comes on top, as it is no matter of chance.
     double half_width_k() const;
-    int seen = 0;  ///< of the points, those that the camera sees
+    int seen = 0, beside = 0;  ///< of the points, those that the camera sees; more of these, of `beside_k`
   };
   int points = 0, made_up = 0, unsettled = 0;
   double rms_k = 0.0, bias_k = 0.0;  ///< root mean square and mean, of the material of the largest half-width
   std::string material;              ///< its name
   double unsettled_k = 0.0;          ///< likewise, of those that were chosen
-  double beside_k = 0.0;             ///< likewise, by a second pass
+  double beside_k = 0.0;             ///< likewise, of what is about them
   double worst_k = 0.0;
   double step_k = 0.0;                     ///< of the steps of time, by those of twice the length
   double lowest_m = 0.0, highest_m = 0.0;  ///< above ground, of those that the camera sees

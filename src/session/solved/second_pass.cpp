@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exposure/exposed_point.h"
+#include "exposure/neighbours.h"
 #include "geometry/world.h"
+#include "io/document/document.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
 #include "scene/scene.h"
@@ -12,12 +15,13 @@
 namespace ifov::session {
 namespace {
 
-constexpr int kRays = 12, kSkyPairsOfNeighbour = 8;
-constexpr double kLeastOfView = 0.01;  // that is not sky
+constexpr int kRays = 6, kRaysBeyond = 2, kSkyPairsOfNeighbour = 8;
+constexpr int kDrawsOfRay = 48, kDrawsOfPoint = 48, kTriesOfRay = 40;
+constexpr double kLeastOfView = 0.002;  // that is not sky
 
 /// What a surface sends to all sides by row of the series, W m-2.
 std::vector<thermal::FromBeside> sent_by(const Neighbourhood& about, const geometry::SurfacePoint& hit,
-                                         std::uint64_t key) {
+                                         std::uint64_t key, int depth) {
   const scene::Constituent main = about.scene.resolve_without_temperature(hit).constituents[0];
   const scene::SurfaceState& state = about.scene.states[main.state];
   const bool is_solved = state.solved > 0;
@@ -25,8 +29,10 @@ std::vector<thermal::FromBeside> sent_by(const Neighbourhood& about, const geome
       is_solved ? about.by_material.at(state.solved - 1) : about.by_material.begin()->second;
   const exposure::SolvedSurface surface(solved.classes, about.past, about.sun_radius_rad);
   const auto exposure = surface.exposure(hit, key, kSkyPairsOfNeighbour, 1);
-  const thermal::SurfaceSolution solution =
-      full_solution(solved, about.series, about.stand, surface.normal_at(hit), exposure);
+  const thermal::SurfaceSolution solution = full_solution(
+      solved, about.series, about.stand, surface.normal_at(hit), exposure,
+      depth > 0 ? beside_of(about, hit, exposure, sampling::hash(key, depth), kRaysBeyond, depth - 1)
+                : std::vector<thermal::FromBeside>());
   const double absorbed = solution.balance.skin().solar_absorptance;
   const double reflected = is_solved ? 1.0 - absorbed : about.stand.ground_reflectance;
   const double of_light = absorbed > 0.0 ? reflected / absorbed : 0.0;
@@ -34,7 +40,9 @@ std::vector<thermal::FromBeside> sent_by(const Neighbourhood& about, const geome
   const double given_k = main.mapped_temperature_k > 0.0 ? main.mapped_temperature_k : state.temperature_k;
   std::vector<thermal::FromBeside> sent(about.series.rows.size());
   for (std::size_t row = 0; row < sent.size(); ++row) {
-    const double surface_k = is_solved ? solution.surface_k(row) : given_k;
+    const double surface_k = is_solved       ? solution.surface_k(row)
+                             : given_k > 0.0 ? given_k
+                                             : about.series.rows[row].air.temperature_k;
     const thermal::Fluxes fluxes = solution.balance.fluxes(
         about.series.begin_s + about.series.step_s * static_cast<double>(row), solution.surface_k(row));
     sent[row].sunlight_w_m2 = of_light * (fluxes.sun + fluxes.sky + fluxes.reflected);
@@ -46,7 +54,73 @@ std::vector<thermal::FromBeside> sent_by(const Neighbourhood& about, const geome
   return sent;
 }
 
+/// Rays by their cosines to all but the sky; of the ground behind the horizon nothing is met.
+struct Beside {
+  double view = 0.0;  ///< share of all that is seen
+  std::vector<math::Vec3> directions;
+  std::vector<geometry::SurfacePoint> hits;
+};
+Beside rays_beside(const Neighbourhood& about, const geometry::SurfacePoint& point, math::Vec3 normal,
+                   double free_sky, std::uint64_t key, int rays) {
+  Beside found;
+  found.view = 1.0 - free_sky * 0.5 * (1.0 + normal.z);
+  if (!(found.view > kLeastOfView)) return found;
+  const sampling::TangentFrame frame(normal);
+  const math::Vec3 outward =
+      point.front ? point.geometric_normal.as_vector() : -point.geometric_normal.as_vector();
+  for (int k = 0; k < kTriesOfRay * rays && found.hits.size() < static_cast<std::size_t>(rays); ++k) {
+    const double x = sampling::unit_double(sampling::hash(key, k, 0)),
+                 y = sampling::unit_double(sampling::hash(key, k, 1));
+    const math::Vec3 along = frame.to_world(sampling::cosine_hemisphere({(k % rays + x) / rays, y}));
+    if (!(math::dot(along, outward) > 0.0)) continue;
+    const math::Ray ray{.origin_m = point.position_m + point.offset_m * outward, .direction = along};
+    geometry::SurfacePoint hit;
+    about.scene.world->intersect({&ray, 1}, {&hit, 1});
+    if (!hit.hit() && along.z > 0.0) continue;
+    found.directions.push_back(along);
+    found.hits.push_back(hit);
+  }
+  return found;
+}
+
+std::vector<thermal::FromBeside> sum_of(const Neighbourhood& about, const Beside& beside,
+                                        const exposure::SolvedSurface::Exposure& exposure, double open,
+                                        std::uint64_t key, int depth) {
+  std::vector<thermal::FromBeside> sum;
+  if (beside.hits.empty()) return sum;
+  sum.resize(about.series.rows.size());
+  const auto count = static_cast<double>(beside.hits.size());
+  for (std::size_t k = 0; k < beside.hits.size(); ++k) {
+    std::vector<thermal::FromBeside> sent;
+    if (beside.hits[k].hit()) sent = sent_by(about, beside.hits[k], sampling::hash(key, k, 2), depth);
+    for (std::size_t row = 0; row < sum.size(); ++row) {
+      const thermal::FromBeside one =
+          sent.empty() ? thermal::of_level_ground(about.series.rows[row], about.stand) : sent[row];
+      const double view =
+          exposure.past_free_sky.empty() ? beside.view : 1.0 - exposure.past_free_sky[row] * open;
+      sum[row].sunlight_w_m2 += view / count * one.sunlight_w_m2;
+      sum[row].longwave_w_m2 += view / count * one.longwave_w_m2;
+    }
+  }
+  return sum;
+}
+
+math::Vec3 outward_normal(const geometry::SurfacePoint& point) {
+  const math::Vec3 normal = point.shading_normal.as_vector();
+  return point.front ? normal : -normal;
+}
+
 }  // namespace
+
+ByMaterial solved_materials(const io::Document& document, const scene::Scene& scene, double deep_k) {
+  ByMaterial by_material;
+  for (std::uint32_t number = 0; number < scene.solved.size(); ++number)
+    if (auto surface = std::dynamic_pointer_cast<const exposure::SolvedSurface>(scene.solved[number]))
+      by_material[number] = {*assemble_thermal(document.sources, document.scene.materials[number],
+                                               scene.materials[number], deep_k),
+                             surface->shared_classes(), surface};
+  return by_material;
+}
 
 thermal::SurfaceSolution full_solution(const SolvedMaterial& solved, const thermal::OutdoorsSeries& series,
                                        thermal::Stand stand, math::Vec3 normal,
@@ -64,54 +138,46 @@ thermal::SurfaceSolution full_solution(const SolvedMaterial& solved, const therm
                                 std::move(beside));
 }
 
-double second_pass_k(const Neighbourhood& about, const SolvedMaterial& solved,
-                     const geometry::SurfacePoint& point, std::uint64_t key,
-                     const exposure::SolvedSurface::Exposure& exposure, double first_pass_k) {
-  const math::Vec3 normal =
-      exposure::SolvedSurface(solved.classes, about.past, about.sun_radius_rad).normal_at(point);
-  const double view = 1.0 - exposure.free_sky * 0.5 * (1.0 + normal.z);
-  if (!(view > kLeastOfView)) return 0.0;
-  const sampling::TangentFrame frame(normal);
-  const math::Vec3 outward =
-      point.front ? point.geometric_normal.as_vector() : -point.geometric_normal.as_vector();
-  std::vector<math::Ray> rays;
-  for (int k = 0; k < kRays; ++k) {
-    const double x = sampling::unit_double(sampling::hash(key, k, 0)),
-                 y = sampling::unit_double(sampling::hash(key, k, 1));
-    const math::Vec3 along = frame.to_world(sampling::cosine_hemisphere({(k + x) / kRays, y}));
-    if (math::dot(along, outward) > 0.0)
-      rays.push_back({.origin_m = point.position_m + point.offset_m * outward, .direction = along});
-  }
-  std::vector<geometry::SurfacePoint> hits(rays.size());
-  about.scene.world->intersect(rays, hits);
-  std::vector<thermal::FromBeside> beside(about.series.rows.size());
-  double count = 0.0;
-  for (std::size_t k = 0; k < rays.size(); ++k) {
-    if (!hits[k].hit() && rays[k].direction.z > 0.0) continue;  // sky
-    count += 1.0;
-    if (hits[k].hit()) {
-      const std::vector<thermal::FromBeside> sent = sent_by(about, hits[k], sampling::hash(key, k, 2));
-      for (std::size_t row = 0; row < beside.size(); ++row) {
-        beside[row].sunlight_w_m2 += sent[row].sunlight_w_m2;
-        beside[row].longwave_w_m2 += sent[row].longwave_w_m2;
+std::vector<thermal::FromBeside> beside_of(const Neighbourhood& about, const geometry::SurfacePoint& point,
+                                           const exposure::SolvedSurface::Exposure& exposure,
+                                           std::uint64_t key, int rays, int depth) {
+  const math::Vec3 normal = outward_normal(point);
+  return sum_of(about, rays_beside(about, point, normal, exposure.free_sky, key, rays), exposure,
+                0.5 * (1.0 + normal.z), key, depth);
+}
+
+BesideOff beside_off(const Neighbourhood& about, const exposure::SolvedSurface& surface,
+                     const SolvedMaterial& solved, const geometry::SurfacePoint& point, std::uint64_t key,
+                     const exposure::SolvedSurface::Exposure& exposure, double full_k) {
+  constexpr int kDepth = exposure::Neighbours::kDepth;
+  BesideOff found;
+  const math::Vec3 normal = outward_normal(point);
+  const exposure::ExposedPoint exposed(about.past, point);
+  const thermal::Pose pose(normal, exposure.height_m);
+  const double sun = surface.sun_share(point, exposure);
+  for (std::size_t half = 0; half < found.off_k.size(); ++half) {
+    const std::uint64_t own = sampling::hash(key, half);
+    const Beside beside = rays_beside(about, point, normal, exposure.free_sky, own, kRays);
+    if (beside.hits.empty()) return found;
+    double linear_k = 0.0;
+    for (std::size_t k = 0; k < beside.hits.size(); ++k)
+      for (int draw = 0; draw < kDrawsOfRay; ++draw) {
+        const auto change = surface.neighbours()->change(exposed, pose, *solved.classes, beside.directions[k],
+                                                         sampling::hash(own, k, draw));
+        linear_k += (change.in_shade_k + sun * change.of_sun_k) / kDrawsOfRay;
       }
-      continue;
-    }
-    for (std::size_t row = 0; row < beside.size(); ++row) {
-      const thermal::FromBeside ground = thermal::of_level_ground(about.series.rows[row], about.stand);
-      beside[row].sunlight_w_m2 += ground.sunlight_w_m2;
-      beside[row].longwave_w_m2 += ground.longwave_w_m2;
-    }
+    linear_k *= beside.view / static_cast<double>(beside.hits.size());
+    linear_k -= solved.classes->bend_of_gain(pose, full_k) * linear_k * linear_k;
+    const double there_k = full_solution(solved, about.series, about.stand, normal, exposure,
+                                         sum_of(about, beside, exposure, 0.5 * (1.0 + normal.z), own, kDepth))
+                               .history.nodes.back()
+                               .surface_k;
+    found.taken_k[half] = linear_k;
+    found.off_k[half] = full_k + linear_k - there_k;
   }
-  if (!(count > 0.0)) return 0.0;
-  for (thermal::FromBeside& row : beside) {
-    row.sunlight_w_m2 *= view / count;
-    row.longwave_w_m2 *= view / count;
-  }
-  return full_solution(solved, about.series, about.stand, normal, exposure, std::move(beside))
-             .history.nodes.back()
-             .surface_k -
-         first_pass_k;
+  found.further_k = surface.beside_k(point, exposure, key, kDrawsOfPoint, kDepth + 1) -
+                    surface.beside_k(point, exposure, key, kDrawsOfPoint, kDepth);
+  return found;
 }
 
 }  // namespace ifov::session

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -7,6 +8,9 @@
 #include "exposure/solved_surface.h"
 #include "session/assembly/surfaces/thermal_assembly.h"
 
+namespace ifov::io {
+struct Document;
+}
 namespace ifov::scene {
 struct Scene;
 }
@@ -17,8 +21,12 @@ namespace ifov::session {
 struct SolvedMaterial {
   ThermalMaterial thermal;
   std::shared_ptr<const thermal::SurfaceClasses> classes;
+  std::shared_ptr<const exposure::SolvedSurface> surface{};  ///< what images ask
 };
 using ByMaterial = std::map<std::uint32_t, SolvedMaterial>;
+
+/// Of a scene whose temperatures are solved, by the number of the material. `deep_k`: as assemble_thermal.
+ByMaterial solved_materials(const io::Document& document, const scene::Scene& scene, double deep_k);
 
 /// A point that is solved in full by itself. `beside`: what comes from all but the sky, where it is known.
 thermal::SurfaceSolution full_solution(const SolvedMaterial& solved, const thermal::OutdoorsSeries& series,
@@ -36,11 +44,23 @@ struct Neighbourhood {
   double sun_radius_rad;
 };
 
-/// By what a point that is solved in full becomes warmer where what it sees of the scene is not level ground as warm as the air, but what is
-/// there: each of a few surfaces, met by rays, solved in full by itself (first pass), and this point again with their light and their heat
-/// (second). What has a temperature of its own has that, and reflects as the ground does.
-double second_pass_k(const Neighbourhood& about, const SolvedMaterial& solved,
-                     const geometry::SurfacePoint& point, std::uint64_t key,
-                     const exposure::SolvedSurface::Exposure& exposure, double first_pass_k);
+/// What comes to a point from all but the sky, by row of the series: its view of that times the mean of what surfaces send that `rays` meet,
+/// each solved in full by itself, with what comes to it likewise by a few rays `depth` times more. What has a temperature of its own has that,
+/// what has none that of the air, and they reflect as the ground does. Empty where hardly anything but sky is seen.
+std::vector<thermal::FromBeside> beside_of(const Neighbourhood& about, const geometry::SurfacePoint& point,
+                                           const exposure::SolvedSurface::Exposure& exposure,
+                                           std::uint64_t key, int rays, int depth);
+
+/// What images make of the surfaces about a point, against two full solutions with what is about it, each by other rays: two estimates of
+/// by how much they are off. And by how much they would change with one more surface behind those that are met.
+struct BesideOff {
+  std::array<double, 2> off_k{};
+  std::array<double, 2>
+      taken_k{};  ///< of these, what images add for what is about the point: without it they are off by what is left
+  double further_k = 0.0;
+};
+BesideOff beside_off(const Neighbourhood& about, const exposure::SolvedSurface& surface,
+                     const SolvedMaterial& solved, const geometry::SurfacePoint& point, std::uint64_t key,
+                     const exposure::SolvedSurface::Exposure& exposure, double full_k);
 
 }  // namespace ifov::session

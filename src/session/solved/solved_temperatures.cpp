@@ -9,6 +9,7 @@
 #include "atmosphere/weather_series.h"
 #include "core/parallel.h"
 #include "exposure/ground_beside.h"
+#include "exposure/neighbours.h"
 #include "exposure/past_scene.h"
 #include "geometry/world.h"
 #include "io/document/document.h"
@@ -28,6 +29,7 @@ constexpr int kAcross = 24;                                // rays along each si
 constexpr std::size_t kMeasured = 64, kLeastMeasured = 8;  // points, of all materials and of each
 constexpr double kLeastUnsettled_k = 0.2;
 constexpr int kSkyPairs = 128;
+constexpr int kForBeside = 3;
 
 thermal::Stand open_stand(const DocumentOutdoors& about) {
   thermal::Stand stand;
@@ -88,10 +90,10 @@ struct Measured {
   const SolvedMaterial* solved;
   geometry::SurfacePoint at;
   bool made_up = false;   ///< the camera sees too few of the material
-  int chosen_for = 0;     ///< 1, 2: for a past that was mixed, that changed
+  int chosen_for = 0;     ///< 1, 2: for a past that was mixed, that changed; kForBeside
   double height_m = 0.0;  ///< above ground
   double off_k = 0.0;
-  double beside_k = 0.0;  ///< by what the second pass changes it
+  BesideOff beside;
   std::optional<double>
       ground_k;  ///< by what its temperature would be another if the ground were that beside
 };
@@ -142,6 +144,19 @@ void add_unsettled(std::vector<Measured>& points, const SolvedMaterial& solved,
   }
 }
 
+/// Of what is seen of a material a few that see something else than the sky.
+void add_beside(std::vector<Measured>& points, const SolvedMaterial& solved,
+                std::span<const geometry::SurfacePoint* const> seen) {
+  std::vector<const geometry::SurfacePoint*> found;
+  for (std::size_t k = 0; k < seen.size(); ++k)
+    if (solved.surface->sees_surfaces(*seen[k], k)) found.push_back(seen[k]);
+  const std::size_t count = std::min(found.size(), kLeastMeasured);
+  for (std::size_t k = 0; k < count; ++k) {
+    points.emplace_back(solved, *found[k * found.size() / count]);
+    points.back().chosen_for = kForBeside;
+  }
+}
+
 /// Points that the camera sees, evenly over the image, of each material about as many as it fills; made up where those are few.
 std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor::Camera& camera,
                                          const ByMaterial& by_material, const exposure::PastScene& past) {
@@ -169,6 +184,7 @@ std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor
                                         : past.height_above_ground_m(found[k % found.size()]->position_m,
                                                                      thermal::kLowestWind_m));
     add_unsettled(points, solved, found, past);
+    add_beside(points, solved, found);
   }
   return points;
 }
@@ -194,8 +210,9 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
     point.off_k = surface.temperature_k(point.at, exposure) - full_k;
     point.height_m = exposure.height_m;
     if (point.made_up) return;
-    point.beside_k =
-        second_pass_k(about, *point.solved, point.at, static_cast<std::uint64_t>(k), exposure, full_k);
+    if (point.chosen_for == kForBeside)
+      point.beside = beside_off(about, *point.solved->surface, *point.solved, point.at,
+                                static_cast<std::uint64_t>(k), exposure, full_k);
     if (exposure.height_m > 0.0) return;
     exposure.height_m =
         exposure::height_above_ground_beside_m(past, point.at.position_m, thermal::kLowestWind_m);
@@ -203,11 +220,19 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
   });
   double worst_half_width_k = 0.0;
   for (const auto& [material, solved] : about.by_material) {
-    double sum_k = 0.0, squares_k2 = 0.0, count = 0.0, beside_k2 = 0.0;
+    double sum_k = 0.0, squares_k2 = 0.0, count = 0.0, beside_k2 = 0.0, further_k2 = 0.0;
     std::array<std::pair<double, double>, 2> chosen{};  // squares, points
     for (const Measured& point : points) {
       if (point.solved != &solved) continue;
       errors.worst_k = std::max(errors.worst_k, std::abs(point.off_k));
+      if (point.chosen_for == kForBeside) {
+        ++errors.by_material[material].beside;
+        // With what their rays scatter, which makes it more.
+        const double mean_k = 0.5 * (point.beside.off_k[0] + point.beside.off_k[1]);
+        beside_k2 += mean_k * mean_k;
+        further_k2 += point.beside.further_k * point.beside.further_k;
+        continue;
+      }
       if (point.chosen_for > 0) {
         auto& [squares, number] = chosen[static_cast<std::size_t>(point.chosen_for - 1)];
         squares += point.off_k * point.off_k;
@@ -221,7 +246,6 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
       ++(point.made_up ? errors.made_up : errors.points);
       if (point.made_up) continue;
       ++errors.by_material[material].seen;
-      beside_k2 += point.beside_k * point.beside_k;
       errors.lowest_m = errors.points == 1 ? point.height_m : std::min(errors.lowest_m, point.height_m);
       errors.highest_m = std::max(errors.highest_m, point.height_m);
       if (!point.ground_k) continue;
@@ -233,7 +257,7 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
     TemperatureErrors::OfMaterial& own = errors.by_material[material];
     own.rms_k = std::sqrt(squares_k2 / count);
     own.points = count;
-    own.beside_k = std::sqrt(beside_k2 / std::max(own.seen, 1));
+    own.beside_k = std::sqrt((beside_k2 + further_k2) / std::max(own.beside, 1));
     for (const auto& [squares, number] : chosen)
       own.unsettled_k = std::max(own.unsettled_k, std::sqrt(squares / std::max(number, 1.0)));
     if (!errors.material.empty() && own.half_width_k() < worst_half_width_k) continue;
@@ -295,10 +319,15 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
         thermal_of(document, document.scene.materials[material], scene, material, about.mean_air_k);
     solved.classes = std::make_shared<const thermal::SurfaceClasses>(
         kept, thermal::ClassSurface{solved.thermal.solid, solved.thermal.skin, stand, solved.thermal.start},
-        threads, past.changes(), past.highest_m());
-    scene.solved[material] =
-        std::make_shared<const exposure::SolvedSurface>(solved.classes, past, kSunRadius_rad);
+        threads, past.changes(), past.highest_m(), true);
   }
+  exposure::Neighbours::ByNumber by_number(scene.solved.size());
+  for (const auto& [material, solved] : by_material) by_number[material] = solved.classes;
+  const auto neighbours =
+      std::make_shared<const exposure::Neighbours>(scene::Scene(scene), std::move(by_number), kSunRadius_rad);
+  for (auto& [material, solved] : by_material)
+    scene.solved[material] = solved.surface =
+        std::make_shared<const exposure::SolvedSurface>(solved.classes, past, kSunRadius_rad, neighbours);
 
   TemperatureErrors errors;
   for (const auto& [material, solved] : by_material) {

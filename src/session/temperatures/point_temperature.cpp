@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "core/names.h"
+#include "exposure/neighbours.h"
 #include "exposure/solved_surface.h"
 #include "io/document/document.h"
 #include "math/angle.h"
@@ -10,6 +11,7 @@
 #include "session/assembly/surfaces/thermal_assembly.h"
 #include "session/session.h"
 #include "session/solved/document_outdoors.h"
+#include "session/solved/second_pass.h"
 #include "session/temperatures/looked_for_point.h"
 #include "session/temperatures/reported_day.h"
 #include "session/temperatures/temperature_survey.h"
@@ -19,7 +21,7 @@ namespace {
 
 using Exposure = exposure::SolvedSurface::Exposure;
 
-constexpr int kSkyPairs = 512, kSunRays = 64;
+constexpr int kSkyPairs = 512, kSunRays = 64, kRaysBeside = 64, kDrawsBeside = 512;
 
 std::size_t object_of(const io::Document& document, const std::string& name) {
   std::vector<std::string> names;
@@ -93,9 +95,10 @@ io::TemperatureReport point_temperature(const io::Document& document, const Poin
   stand.tilt_rad = std::acos(std::clamp(normal.z, -1.0, 1.0));
   stand.azimuth_rad = std::atan2(normal.x, normal.y);
   stand.height_m = exposure.height_m;
-  const auto solve = [&](std::vector<double> visibility, std::vector<double> free_sky) {
+  const auto solve = [&](std::vector<double> visibility, std::vector<double> free_sky,
+                         std::vector<thermal::FromBeside> beside = {}) {
     return thermal::solve_surface(thermal->solid, thermal->skin, stand, series, thermal->start,
-                                  std::move(visibility), std::move(free_sky));
+                                  std::move(visibility), std::move(free_sky), std::move(beside));
   };
   io::TemperatureReport report = report_about(document.sources.file_name, about);
   const thermal::SurfaceSolution sunlit = solve(std::vector<double>(series.rows.size(), 1.0), {});
@@ -103,20 +106,29 @@ io::TemperatureReport point_temperature(const io::Document& document, const Poin
   const std::vector<double> seen = sun_seen(*surface, exposure);
   std::vector<double> free_sky = exposure.past_free_sky;
   if (free_sky.empty()) free_sky.assign(series.rows.size(), exposure.free_sky);
-  const thermal::SurfaceSolution here = solve(seen, free_sky);
+  const ByMaterial by_material = solved_materials(document, session.parts().scene, about.mean_air_k);
+  thermal::Stand open;
+  open.terrain = about.terrain;
+  const thermal::SurfaceSolution here = solve(seen, free_sky,
+                                              beside_of({session.parts().scene, surface->scene(), by_material,
+                                                         series, open, surface->sun_radius_rad()},
+                                                        met, exposure, 0, kRaysBeside, 1));
 
   double azimuth_deg = stand.azimuth_rad / math::kDegree;
   if (azimuth_deg < 0.0) azimuth_deg += 360.0;
   report.notes.push_back(format(
       "the point {} of {}: it slopes by {:.1f} deg{}, {}; {} rays to the sky and {} to the Sun at each step, from as many "
-      "places of its disc",
+      "places of its disc; up to {} to what is about it, each solved in full",
       place_text(met), title_of(document.scene.objects, point.object), stand.tilt_rad / math::kDegree,
       stand.tilt_rad > 0.5 * math::kDegree ? format(" and faces {:.0f} deg from north", azimuth_deg) : "",
-      wind_text(stand), 2 * kSkyPairs, kSunRays));
+      wind_text(stand), 2 * kSkyPairs, kSunRays, kRaysBeside));
   const double own_k = here.surface_k(series.rows.size() - 1);
   report.notes.push_back(format(
       "at the document's time: {:.2f} degC; images, which know it by its class, have {:.2f} degC, and state +-{:.2f} K for its material",
-      own_k - 273.15, surface->temperature_k(met, exposure) - 273.15, point.half_width_k));
+      own_k - 273.15,
+      surface->temperature_k(met, exposure) +
+          surface->beside_k(met, exposure, 0, kDrawsBeside, exposure::Neighbours::kDepth) - 273.15,
+      point.half_width_k));
   const std::size_t shown = report.time_s.size();
   report.materials.push_back({document.scene.materials[point.material].name,
                               thermal->description,

@@ -105,6 +105,16 @@ ReportSection suburb_section(const SectionOptions& options) {
   section.figures.at_least(
       "suburb_covered_by_image", found.covered_by_image, 0.93, "",
       "share within the half-width that is stated of the image, by the material that is off most");
+  const double beside_within_k = 0.02 + 3.0 * found.beside_error_k;
+  section.figures.at_most(
+      "suburb_beside_rms", found.beside_rms_k, 0.15, "K",
+      "every tenth of them with the surfaces about it as lit and shaded as they were, each solved in full");
+  section.figures.between("suburb_beside_bias", found.beside_bias_k, -beside_within_k, beside_within_k, "K",
+                          "their mean, beyond chance");
+  section.figures.at_least("suburb_beside_covered", found.beside_covered, 0.93, "",
+                           "share of them that half-widths hold");
+  section.figures.at_least("fault_suburb_beside", found.without_beside_rms_k, 0.15, "K",
+                           "a planted fault: what is about points taken for level ground as warm as the air");
   for (std::size_t hour = 0; hour < kSuburbHours.size(); ++hour)
     section.figures.report(format("suburb_half_width_{}", std::string(kSuburbHours[hour]).substr(0, 2)),
                            found.half_width_k[hour], "K",

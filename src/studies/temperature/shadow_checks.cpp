@@ -52,7 +52,9 @@ PlacesOffK pole_shadow(const StudyOptions& options, Fault fault) {
 
   const std::unique_ptr<const exposure::SolvedSurface> other =
       scene.surface_under(0, planted(scene.series(), fault));
-  const exposure::SolvedSurface& asked = fault == Fault::none ? *scene.surface(0) : *other;
+  // By its shadow alone: one dimension has nothing beside it.
+  const exposure::SolvedSurface asked =
+      (fault == Fault::none ? *scene.surface(0) : *other).without_neighbours();
   std::vector<std::pair<double, double>> places_m;  // north of the pole
   for (const double y_m : {0.7, 1.3, 1.9, 2.5, 3.1})
     for (const double x_m : {-1.0, 0.0, 1.0}) places_m.emplace_back(x_m, y_m);
@@ -100,9 +102,9 @@ CarTrace car_trace(int left_min, const StudyOptions& options) {
     }
     const double expected_k = minutes.full_k(0, {}, sun, sky);
     const geometry::SurfacePoint point = scene.from_above(x_m, y_m);
-    trace.worst_k =
-        std::max(trace.worst_k,
-                 std::abs(mean_estimate_k(*scene.surface(0), point, kDraws, options.seed) - expected_k));
+    trace.worst_k = std::max(trace.worst_k, std::abs(mean_estimate_k(scene.surface(0)->without_neighbours(),
+                                                                     point, kDraws, options.seed) -
+                                                     expected_k));
     trace.without_k =
         std::max(trace.without_k, std::abs(mean_estimate_k(*never, point, 100, options.seed) - expected_k));
   }

@@ -2,9 +2,7 @@
 
 #include "exposure/solved_surface.h"
 #include "geometry/world.h"
-#include "io/document/document.h"
 #include "scene/scene.h"
-#include "session/assembly/surfaces/thermal_assembly.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
 #include "session/solved/document_outdoors.h"
@@ -21,7 +19,8 @@ constexpr double kStudySun_rad = 0.00465;  // radius of the disc
 struct SolvedScene::Inside {
   session::Session session;
   session::DocumentOutdoors about;
-  std::vector<std::unique_ptr<session::ThermalMaterial>> thermal{};  ///< by material; null: not solved
+
+  session::ByMaterial by_material{};
 
   explicit Inside(session::Session loaded)
       : session(std::move(loaded)),
@@ -32,14 +31,7 @@ SolvedScene::SolvedScene(const io::Document& document, const std::string& name, 
   auto inside =
       std::make_unique<Inside>(session::Session::load(kept_document(document, name, options), nullptr));
   const session::Parts& all = inside->session.parts();
-
-  std::vector<std::unique_ptr<session::ThermalMaterial>>& thermal = inside->thermal;
-  thermal.resize(all.document.scene.materials.size());
-  for (std::size_t k = 0; k < thermal.size(); ++k)
-    if (k < all.scene.solved.size() && all.scene.solved[k] != nullptr)
-      thermal[k] = std::make_unique<session::ThermalMaterial>(
-          *session::assemble_thermal(all.document.sources, all.document.scene.materials[k],
-                                     all.scene.materials[k], inside->about.mean_air_k));
+  inside->by_material = session::solved_materials(all.document, all.scene, inside->about.mean_air_k);
   inside_ = std::move(inside);
 }
 
@@ -59,6 +51,25 @@ double SolvedScene::half_width_k(std::size_t material) const {
       inside_->session.parts().temperature_errors->by_material.at(static_cast<std::uint32_t>(material));
   error.beside_k = 0.0;
   return error.half_width_k();
+}
+
+double SolvedScene::whole_half_width_k(std::size_t material) const {
+  return inside_->session.parts()
+      .temperature_errors->by_material.at(static_cast<std::uint32_t>(material))
+      .half_width_k();
+}
+
+session::BesideOff SolvedScene::beside_off(std::size_t material, const geometry::SurfacePoint& point,
+                                           std::uint64_t key,
+                                           const exposure::SolvedSurface::Exposure& exposure,
+                                           double full_k) const {
+  const scene::Scene& scene = inside_->session.parts().scene;
+  const exposure::SolvedSurface& of = *surface(material);
+  thermal::Stand stand;
+  stand.terrain = inside_->about.terrain;
+  return session::beside_off({scene, of.scene(), inside_->by_material, series(), stand, kStudySun_rad}, of,
+                             inside_->by_material.at(static_cast<std::uint32_t>(material)), point, key,
+                             exposure, full_k);
 }
 
 const exposure::SolvedSurface* SolvedScene::surface(std::size_t material) const {
@@ -89,7 +100,7 @@ double SolvedScene::full_k(std::size_t material, thermal::Stand stand, std::vect
 
 double SolvedScene::full_k(std::size_t material, thermal::Stand stand, const thermal::OutdoorsSeries& series,
                            std::vector<double> visibility, std::vector<double> free_sky) const {
-  const session::ThermalMaterial& of = *inside_->thermal[material];
+  const session::ThermalMaterial& of = inside_->by_material.at(static_cast<std::uint32_t>(material)).thermal;
   stand.terrain = inside_->about.terrain;
   return thermal::solve_surface(of.solid, of.skin, stand, series, of.start, std::move(visibility),
                                 std::move(free_sky))
@@ -99,7 +110,7 @@ double SolvedScene::full_k(std::size_t material, thermal::Stand stand, const the
 
 std::unique_ptr<const exposure::SolvedSurface> SolvedScene::surface_under(
     std::size_t material, const thermal::OutdoorsSeries& series) const {
-  const session::ThermalMaterial& of = *inside_->thermal[material];
+  const session::ThermalMaterial& of = inside_->by_material.at(static_cast<std::uint32_t>(material)).thermal;
   thermal::Stand stand;
   stand.terrain = inside_->about.terrain;
   const exposure::PastScene past(*inside_->session.parts().scene.world);

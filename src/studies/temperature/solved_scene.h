@@ -6,12 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "exposure/solved_surface.h"
 #include "geometry/surface_point.h"
+#include "session/solved/second_pass.h"
 #include "thermal/surface_balance.h"
 
-namespace ifov::exposure {
-class SolvedSurface;
-}
 namespace ifov::io {
 struct Document;
 }
@@ -28,8 +27,7 @@ class SolvedScene {
   ~SolvedScene();
 
   const thermal::OutdoorsSeries& series() const;
-  double half_width_k()
-      const;  ///< that is stated of the image, without what a second pass over neighbours adds
+  double half_width_k() const;  ///< that is stated of the image, without what surfaces about points add
   double half_width_k(std::size_t material) const;
   /// Of a material that is solved; null of another.
   const exposure::SolvedSurface* surface(std::size_t material) const;
@@ -46,6 +44,10 @@ class SolvedScene {
                 std::vector<double> free_sky = {}) const;
   double full_k(std::size_t material, thermal::Stand stand, const thermal::OutdoorsSeries& series,
                 std::vector<double> visibility, std::vector<double> free_sky = {}) const;
+  /// A point that is solved in full with the surfaces about it, each solved in full by itself, against what images make of these (session/solved/second_pass.h).
+  session::BesideOff beside_off(std::size_t material, const geometry::SurfacePoint& point, std::uint64_t key,
+                                const exposure::SolvedSurface::Exposure& exposure, double full_k) const;
+  double whole_half_width_k(std::size_t material) const;  ///< with what is about points
   /// The same material under other weather, in a scene in which nothing came or went.
   std::unique_ptr<const exposure::SolvedSurface> surface_under(std::size_t material,
                                                                const thermal::OutdoorsSeries& series) const;

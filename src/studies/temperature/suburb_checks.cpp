@@ -19,6 +19,7 @@ namespace ifov::studies {
 namespace {
 
 constexpr int kSkyPairs = 128, kTimeRays = 512, kDrawsOfPoint = 16;
+constexpr std::size_t kOneIn = 10;                      // points, with what is about them
 constexpr double kSteepest_rad = 60.0 * math::kDegree;  // of the rays that look for points
 
 /// A surface that is solved for, somewhere in the suburb, from above at up to 60 degrees: roads and roofs, walls too.
@@ -65,6 +66,7 @@ SuburbPoints suburb_points(std::size_t points_an_hour, std::span<const char* con
   SuburbPoints found;
   double squares_k2 = 0.0, estimates_k = 0.0, estimate_squares_k2 = 0.0, covered = 0.0;
   double covered_by_image = 0.0, covered_by_half = 0.0;
+  double besides = 0.0, beside_k2 = 0.0, beside_mean_k2 = 0.0, without_k2 = 0.0;
   for (std::size_t hour = 0; hour < hours.size(); ++hour) {
     if (options.cancel != nullptr && options.cancel->cancelled()) throw Cancelled();
     const std::string name = format("suburb_{}{}", std::string(hours[hour]).substr(0, 2),
@@ -74,6 +76,7 @@ SuburbPoints suburb_points(std::size_t points_an_hour, std::span<const char* con
     found.half_width_k.push_back(scene.half_width_k());
     const std::vector<FoundPoint> points = random_points(scene, points_an_hour, options.seed + hour);
     std::vector<double> full_k(points.size()), off_k(points.size()), estimate_k(points.size());
+    std::vector<session::BesideOff> beside(points.size());
     parallel_for(static_cast<std::int64_t>(points.size()), options.threads, [&](std::int64_t index) {
       const auto k = static_cast<std::size_t>(index);
       const exposure::SolvedSurface& surface = *scene.surface(points[k].material);
@@ -82,10 +85,24 @@ SuburbPoints suburb_points(std::size_t points_an_hour, std::span<const char* con
                                              std::max(1, (kTimeRays + rows - 1) / rows));
       full_k[k] = full_point_k(scene, points[k], exposure);
       off_k[k] = surface.temperature_k(points[k].at, exposure) - full_k[k];
-      estimate_k[k] =
-          mean_estimate_k(surface, points[k].at, kDrawsOfPoint, sampling::hash(options.seed, index) >> 24) -
-          full_k[k];
+      estimate_k[k] = mean_estimate_k(surface.without_neighbours(), points[k].at, kDrawsOfPoint,
+                                      sampling::hash(options.seed, index) >> 24) -
+                      full_k[k];
+      if (k % kOneIn == 0)
+        beside[k] = scene.beside_off(points[k].material, points[k].at, sampling::hash(options.seed, index, 1),
+                                     exposure, full_k[k]);
     });
+    for (std::size_t k = 0; k < points.size(); k += kOneIn) {
+      const auto& [off, taken, further] = beside[k];
+      const double mean_k = 0.5 * (off[0] + off[1]);
+      besides += 1.0;
+      // Products of two that scatter alone have no share of it.
+      beside_k2 += off[0] * off[1];
+      without_k2 += (off[0] - taken[0]) * (off[1] - taken[1]);
+      found.beside_bias_k += mean_k;
+      beside_mean_k2 += mean_k * mean_k;
+      found.beside_covered += std::abs(off_k[k] + mean_k) <= scene.whole_half_width_k(points[k].material);
+    }
     for (std::size_t k = 0; k < points.size(); ++k) {
       squares_k2 += off_k[k] * off_k[k];
       found.bias_k += off_k[k];
@@ -108,6 +125,11 @@ SuburbPoints suburb_points(std::size_t points_an_hour, std::span<const char* con
   found.covered_by_half = covered_by_half / count;
   found.estimate_bias_k = estimates_k / count;
   found.estimate_error_k = std::sqrt(estimate_squares_k2 / count / count);
+  found.beside_rms_k = std::sqrt(std::max(0.0, beside_k2) / besides);
+  found.without_beside_rms_k = std::sqrt(std::max(0.0, without_k2) / besides);
+  found.beside_bias_k /= besides;
+  found.beside_error_k = std::sqrt(beside_mean_k2) / besides;
+  found.beside_covered /= besides;
   return found;
 }
 

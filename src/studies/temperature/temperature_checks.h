@@ -82,6 +82,10 @@ struct SuburbPoints {
   double estimate_bias_k = 0.0,
          estimate_error_k = 0.0;  ///< of what rays by chance tell, and its standard error
   double covered = 0.0;           ///< by the half-width that is stated of their material
+  /// Of every tenth point, with the surfaces about it as they are, each solved in full: root mean square and mean of what images are off by,
+  /// its standard error, and the share that half-widths hold; and the root mean square were these surfaces ground.
+  double beside_rms_k = 0.0, beside_bias_k = 0.0, beside_error_k = 0.0, beside_covered = 0.0,
+         without_beside_rms_k = 0.0;
   double covered_by_image = 0.0,
          covered_by_half = 0.0;      ///< by that of the image; by half of their material's
   std::vector<double> half_width_k;  ///< stated of the image, by hour

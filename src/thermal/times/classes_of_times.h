@@ -27,6 +27,7 @@ class ClassesOfTimes {
   static bool serves(std::span<const std::shared_ptr<const SurfaceClasses>> by_time);
 
   std::size_t times() const { return classes_.size(); }
+  const SurfaceClasses& of_time(std::size_t time) const { return *classes_[time]; }
   std::size_t lanes() const { return lanes_; }  ///< times, and up to a whole number of registers
   std::size_t bins() const { return bins_.size(); }
 

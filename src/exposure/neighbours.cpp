@@ -1,0 +1,182 @@
+#include "exposure/neighbours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "exposure/exposed_point.h"
+#include "geometry/surface_point.h"
+#include "geometry/world.h"
+#include "sampling/random.h"
+#include "sampling/warp.h"
+#include "thermal/sky_longwave.h"
+
+namespace ifov::exposure {
+namespace {
+
+constexpr int kTimes = 8;  // that may have warmed a neighbour, of which one is asked for
+constexpr double kUpright = 1e-6;
+
+enum class Of { past, row, now, warmed, times, around, further, further_past };
+
+double number(std::uint64_t key, Of of, int k = 0) {
+  return sampling::unit_double(sampling::hash(key, of, k));
+}
+
+}  // namespace
+
+Neighbours::Neighbours(scene::Scene scene, ByNumber classes, double sun_radius_rad)
+    : scene_(std::move(scene)),
+      past_(*scene_.world, scene_.departed.get()),
+      classes_(std::move(classes)),
+      sun_radius_rad_(sun_radius_rad) {
+  for (const auto& one : classes_)
+    if (any_ == nullptr) any_ = one.get();
+}
+
+bool Neighbours::sees_sun(const ExposedPoint& point, std::size_t row, std::uint64_t key) const {
+  const std::int32_t sunlit = any_->sunlit_row_of(row);
+  if (sunlit < 0) return false;
+  const double steps = number(key, Of::row, 0) + number(key, Of::row, 1) - 1.0;
+  const math::Vec3 middle = any_->sun_at(static_cast<std::size_t>(sunlit), steps);
+  const math::Vec3 direction = sampling::UniformCone(sun_radius_rad_)
+                                   .sample(middle, {number(key, Of::row, 2), number(key, Of::row, 3)});
+  const double time_s = any_->time_s(row, steps);
+  std::uint8_t is_free = 0;
+  point.free({&direction, 1}, past_.changes() ? std::span(&time_s, 1) : std::span<const double>(),
+             {&is_free, 1});
+  return is_free != 0;
+}
+
+bool Neighbours::warmed_by_sun(const ExposedPoint& point, const thermal::Pose& pose,
+                               const thermal::SurfaceClasses& classes, std::size_t row,
+                               std::uint64_t key) const {
+  std::array<std::size_t, kTimes> rows;
+  std::array<double, kTimes> until_w_m2;
+  double sum_w_m2 = 0.0;
+  const auto gain_w_m2 = [&](std::size_t of) {
+    const std::int32_t sunlit = classes.sunlit_row_of(of);
+    if (sunlit < 0) return 0.0;
+    return classes.outdoors(of).direct_w_m2 *
+           std::max(0.0, math::dot(pose.normal, classes.sun_at(static_cast<std::size_t>(sunlit), 0.0)));
+  };
+  for (int k = 0; k < kTimes; ++k) {
+    const std::size_t lag = classes.draw_lag(pose, number(key, Of::times, 2 * k),
+                                             (k + number(key, Of::times, 2 * k + 1)) / kTimes);
+    rows[static_cast<std::size_t>(k)] = row - std::min(row, lag);
+    until_w_m2[static_cast<std::size_t>(k)] = sum_w_m2 += gain_w_m2(row - std::min(row, lag));
+  }
+  std::size_t warmed = row;
+  if (sum_w_m2 > 0.0) {
+    const double place = sum_w_m2 * number(key, Of::warmed);
+    warmed = rows[static_cast<std::size_t>(std::upper_bound(until_w_m2.begin(), until_w_m2.end() - 1, place) -
+                                           until_w_m2.begin())];
+  } else {
+    while (warmed > 0 && !(gain_w_m2(warmed) > 0.0)) --warmed;  // the last evening
+  }
+  return sees_sun(point, warmed, sampling::hash(key, Of::warmed, 1));
+}
+
+thermal::FromBeside Neighbours::sent(const geometry::SurfacePoint& met, std::size_t row, int depth,
+                                     std::uint64_t key) const {
+  const scene::Constituent main = scene_.resolve_without_temperature(met).constituents[0];
+  const scene::SurfaceState& state = scene_.states[main.state];
+  const thermal::SurfaceClasses* const own = state.solved > 0 ? classes_[state.solved - 1].get() : nullptr;
+  const thermal::SurfaceClasses& classes = own != nullptr ? *own : *any_;
+  const thermal::Outdoors& now = classes.outdoors(row);
+  const thermal::FromBeside ground = classes.from_ground(row);
+  const ExposedPoint point(past_, met);
+  const thermal::Pose pose = point.pose();
+
+  double light_w_m2 = 0.0;
+  if (const std::int32_t sunlit = classes.sunlit_row_of(row); sunlit >= 0) {
+    const double cosine = math::dot(pose.normal, classes.sun_at(static_cast<std::size_t>(sunlit), 0.0));
+    if (cosine > 0.0 && sees_sun(point, row, sampling::hash(key, Of::now)))
+      light_w_m2 += now.direct_w_m2 * cosine;
+  }
+  // One direction tells what is about it: sky, a further surface, or the ground.
+  const math::Vec3 around =
+      sampling::TangentFrame(pose.normal)
+          .to_world(sampling::cosine_hemisphere({number(key, Of::around, 0), number(key, Of::around, 1)}));
+  geometry::SurfacePoint beyond;
+  if (point.leaves(around)) {
+    const math::Ray ray = point.ray(around);
+    scene_.world->intersect({&ray, 1}, {&beyond, 1});
+  }
+  const bool is_sky = around.z > 0.0 && !beyond.hit(), goes_on = beyond.hit() && depth > 0;
+  thermal::FromBeside comes = ground;
+  if (is_sky) comes = {now.diffuse_w_m2, now.longwave_w_m2};
+  if (goes_on) comes = sent(beyond, row, depth - 1, sampling::hash(key, Of::further));
+  light_w_m2 += comes.sunlight_w_m2;
+  if (own == nullptr) {
+    double given_k = main.mapped_temperature_k > 0.0 ? main.mapped_temperature_k : state.temperature_k;
+    if (!(given_k > 0.0)) given_k = now.air.temperature_k;
+    return {classes.ground_reflectance() * light_w_m2,
+            thermal::kStefanBoltzmann_w_m2_k4 * std::pow(given_k, 4)};
+  }
+  const double open = 0.5 * (1.0 + pose.normal.z);
+  const auto then = own->then(pose, is_sky && open > kUpright ? 1.0 / open : 0.0, own->bin_of_row(row));
+  double surface_k = then.shaded_k;
+  if (then.rise_k != 0.0 && warmed_by_sun(point, pose, *own, row, sampling::hash(key, Of::warmed)))
+    surface_k += then.rise_k;
+  if (goes_on) {
+    const std::size_t lag =
+        own->draw_lag(pose, number(key, Of::further_past, 0), number(key, Of::further_past, 1));
+    const std::size_t then_row = row - std::min(row, lag);
+    surface_k += own->worth_of_all_k(pose) *
+                 own->more_than_ground_w_m2(
+                     sent(beyond, then_row, depth - 1, sampling::hash(key, Of::further_past, 2)), then_row);
+  }
+  const thermal::Skin& skin = own->skin();
+  return {(1.0 - skin.solar_absorptance) * light_w_m2,
+          skin.emissivity * thermal::kStefanBoltzmann_w_m2_k4 * std::pow(surface_k, 4) +
+              (1.0 - skin.emissivity) * comes.longwave_w_m2};
+}
+
+Neighbours::Change Neighbours::change(const ExposedPoint& point, const thermal::Pose& pose,
+                                      const thermal::SurfaceClasses& classes, math::Vec3 direction,
+                                      std::uint64_t key, int depth) const {
+  if (!point.leaves(direction)) return {};
+  const math::Ray ray = point.ray(direction);
+  geometry::SurfacePoint met;
+  scene_.world->intersect({&ray, 1}, {&met, 1});
+  if (!met.hit()) return {};
+  const thermal::SurfaceClasses::PastRow past =
+      classes.draw_past(pose, {number(key, Of::past, 0), number(key, Of::past, 1), number(key, Of::past, 2)});
+  if (past_.changes()) {
+    const double time_s = classes.time_s(past.row, 0.0);
+    std::uint8_t was_free = 0;
+    point.free({&direction, 1}, {&time_s, 1}, {&was_free, 1});
+    if (was_free != 0) return {};
+  }
+  const double more_w_m2 =
+      classes.more_than_ground_w_m2(sent(met, past.row, depth, sampling::hash(key, Of::further)), past.row);
+  return {past.in_shade_k * more_w_m2, past.of_sun_k * more_w_m2};
+}
+
+void Neighbours::changes(std::span<const Time> by_time, const ExposedPoint& point, const thermal::Pose& pose,
+                         math::Vec3 direction, std::uint64_t key, std::span<Change> changes) {
+  static thread_local std::vector<const thermal::SurfaceClasses*> classes;
+  static thread_local std::vector<thermal::SurfaceClasses::PastRow> past;
+  std::fill(changes.begin(), changes.end(), Change{});
+  if (!point.leaves(direction)) return;
+  const math::Ray ray = point.ray(direction);
+  geometry::SurfacePoint met;
+  by_time.front().neighbours->scene_.world->intersect({&ray, 1}, {&met, 1});
+  if (!met.hit()) return;
+  classes.clear();
+  for (const Time& time : by_time) classes.push_back(time.classes);
+  past.resize(by_time.size());
+  const std::size_t drawn =
+      thermal::SurfaceClasses::draw_past(classes, pose,
+                                         {number(key, Of::past, 0), number(key, Of::past, 1),
+                                          number(key, Of::past, 2), number(key, Of::past, 3)},
+                                         past);
+  const double more_w_m2 = classes[drawn]->more_than_ground_w_m2(
+      by_time[drawn].neighbours->sent(met, past[drawn].row, kDepth, sampling::hash(key, Of::further)),
+      past[drawn].row);
+  for (std::size_t t = 0; t < changes.size(); ++t)
+    changes[t] = {past[t].in_shade_k * more_w_m2, past[t].of_sun_k * more_w_m2};
+}
+
+}  // namespace ifov::exposure

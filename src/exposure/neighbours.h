@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "exposure/past_scene.h"
+#include "scene/scene.h"
+#include "thermal/surface_classes.h"
+
+namespace ifov::geometry {
+struct SurfacePoint;
+}
+
+namespace ifov::exposure {
+
+class ExposedPoint;
+
+/// What surfaces send to each other: light of the Sun and sky that they reflect, as lit or shaded as they were, and the heat of their
+/// own temperature. Each is known by its class and a few rays: whether it saw the Sun at the time that is asked of and at the time that
+/// warmed it, and what one ray by its cosine meets.
+class Neighbours {
+ public:
+  /// By number of Scene::solved; null: not solved.
+  using ByNumber = std::vector<std::shared_ptr<const thermal::SurfaceClasses>>;
+  /// `scene`: a copy, whose own solved temperatures are not asked for.
+  Neighbours(scene::Scene scene, ByNumber classes, double sun_radius_rad);
+
+  /// By what a point of these classes is warmer now for what a ray in a direction meets, were all its view of that, than were it level
+  /// ground: an estimate of one draw, in shade and by what always Sun adds to it. None where nothing is met.
+  struct Change {
+    double in_shade_k = 0.0, of_sun_k = 0.0;
+  };
+  /// `depth`: how many surfaces behind the one that is met light and warm it; what is beyond them is level ground.
+  static constexpr int kDepth = 1;
+  Change change(const ExposedPoint& point, const thermal::Pose& pose, const thermal::SurfaceClasses& classes,
+                math::Vec3 direction, std::uint64_t key, int depth = kDepth) const;
+
+  /// The same at several times of one scene, in which nothing came or went, by one row of the past for all. `by_time`: one material's classes, with
+  /// the neighbours of each time.
+  struct Time {
+    const thermal::SurfaceClasses* classes = nullptr;
+    const Neighbours* neighbours = nullptr;
+  };
+  static void changes(std::span<const Time> by_time, const ExposedPoint& point, const thermal::Pose& pose,
+                      math::Vec3 direction, std::uint64_t key, std::span<Change> changes);
+
+  const ByNumber& classes() const { return classes_; }
+  const scene::Scene& scene() const { return scene_; }
+
+ private:
+  /// What a surface that was met sends at a row of the series, W m-2; `depth`: of further surfaces that light and warm it.
+  thermal::FromBeside sent(const geometry::SurfacePoint& met, std::size_t row, int depth,
+                           std::uint64_t key) const;
+  bool sees_sun(const ExposedPoint& point, std::size_t row, std::uint64_t key) const;
+  /// Whether the Sun was seen at a time that warmed the surface until a row; false where none did.
+  bool warmed_by_sun(const ExposedPoint& point, const thermal::Pose& pose,
+                     const thermal::SurfaceClasses& classes, std::size_t row, std::uint64_t key) const;
+
+  scene::Scene scene_;
+  PastScene past_;
+  ByNumber classes_;
+  const thermal::SurfaceClasses* any_ = nullptr;  ///< of the same series as all
+  double sun_radius_rad_;
+};
+
+}  // namespace ifov::exposure
