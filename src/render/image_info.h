@@ -9,6 +9,7 @@
 #include "render/tolerance/atmosphere_half_width.h"
 
 namespace ifov::sensor {
+class BrightnessScale;
 struct Detector;
 struct ViewList;
 }  // namespace ifov::sensor
@@ -25,6 +26,9 @@ struct ChannelInfo {
   std::shared_ptr<const sensor::Detector> detector = {};  ///< of which that is the noise; null: none
   /// By Sun and sky on a level surface, W m-2 um-1, for reflectance factors of single views; 0: none is told.
   double irradiance = 0.0;
+  /// By the Sun alone on a level surface above the air, W m-2 um-1; 0: it does not shine, or is not known there.
+  double toa_irradiance = 0.0;
+  std::shared_ptr<const sensor::BrightnessScale> brightness = {};  ///< null: the response is not known
 };
 
 /// What every product says of itself.
