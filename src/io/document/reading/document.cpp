@@ -65,6 +65,7 @@ Document parse_document(std::string text, const std::string& file_name,
   } else {
     document.output.folder = usual_output_folder(file_name);
   }
+  if (!parts.instrument.empty()) document.output.folder += "/" + parts.instrument;
   mount_camera(document);
   check_references(document);
   return document;
@@ -72,6 +73,11 @@ Document parse_document(std::string text, const std::string& file_name,
 
 Document read_document(const std::string& path, std::span<const DocumentOverride> overrides) {
   return parse_document(read_document_text(path), path, overrides);
+}
+
+std::vector<std::string> instruments_in(const std::string& path,
+                                        std::span<const DocumentOverride> overrides) {
+  return names_of_instruments(read_document_text(path), path, overrides);
 }
 
 InputError document_error(const DocumentSources& sources, const SourcePosition& position,
