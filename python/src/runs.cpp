@@ -20,8 +20,9 @@ DetectedQuantity detected_quantity(const std::string& name) {
   if (name == "counts") return DetectedQuantity::counts;
   if (name == "kelvins") return DetectedQuantity::kelvins;
   if (name == "toa_reflectance") return DetectedQuantity::toa_reflectance;
-  throw nb::value_error(
-      ("quantities: found '" + name + "', expected 'radiance', 'kelvins', 'toa_reflectance', 'electrons' or 'counts'").c_str());
+  throw nb::value_error(("quantities: found '" + name +
+                         "', expected 'radiance', 'kelvins', 'toa_reflectance', 'electrons' or 'counts'")
+                            .c_str());
 }
 
 }  // namespace

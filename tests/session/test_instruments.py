@@ -7,7 +7,7 @@ import subprocess
 import tempfile
 import unittest
 
-from images import PROGRAM
+from images import PROGRAM, ROOT, np
 
 CHANNELS = {"red": {"name": "red", "gaussian": {"center": "0.65 um", "fwhm": "40 nm"}},
             "warm": {"name": "warm", "top_hat": {"from": "10 um", "to": "12 um"}}}
@@ -97,6 +97,29 @@ class Instruments(unittest.TestCase):
         self.assertRegex(self.call("check", document()).stdout, r"(?s)instrument oli:\n.*12 x 10 pixels.*instrument tirs:\n.*6 x 5 pixels")
         self.assertRegex(self.call("sensor", document()).stdout, r"(?s)instrument oli\n12 x 10 pixels.*instrument tirs\n6 x 5 pixels")
         self.assertNotIn("oli", self.call("check", document(), "--set", "instrument=tirs").stdout)
+
+    @unittest.skipIf(np is None, "numpy is missing")
+    def test_the_example_of_landsat_8(self):
+        """Things of the document are where it has them, in the light and at the temperatures that they should have."""
+        done = subprocess.run([PROGRAM, "render", ROOT / "examples/landsat_8.json", "-o", self.folder / "out", "--no-cache"],
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        means = {}
+        for name, word, bands, size in (("oli", "toa_reflectance", 9, 40), ("tirs", "brightness_temperature", 2, 12)):
+            place = np.fromfile(self.folder / f"out/{name}/image_location.img", "<f8").reshape(size, 3, size)
+            values = np.fromfile(self.folder / f"out/{name}/image_{word}.img", "<f4").reshape(size, bands, size)
+            x, y = place[:, 0], place[:, 1]
+            self.assertLess(np.abs([x.mean(), y.mean()]).max(), 60.0)
+            for thing, (east, north) in {"lake": (-260, 260), "town": (245, -240), "depots": (-285, -265), "pasture": (150, 300)}.items():
+                near = np.hypot(x - east, y - north) < (60.0 if name == "oli" else 75.0)
+                self.assertTrue(near.any(), (name, thing))
+                means[name, thing] = values.transpose(1, 0, 2)[:, near].mean(axis=1)
+        self.assertGreater(means["oli", "pasture"][4], 4.0 * means["oli", "lake"][4])
+        self.assertGreater(means["oli", "depots"][1], 1.5 * means["oli", "pasture"][1])
+        self.assertGreater(means["oli", "lake"][0], means["oli", "lake"][4] + 0.04, "blue air over dark water")
+        kelvin = {thing: means["tirs", thing][0] for thing in ("lake", "pasture", "depots", "town")}
+        self.assertEqual(sorted(kelvin, key=kelvin.get), ["lake", "pasture", "depots", "town"])
+        self.assertLess(kelvin["town"], 273.15 + 41.0)
 
     def test_what_is_refused(self):
         for command, described, more, told in (

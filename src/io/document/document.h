@@ -57,10 +57,6 @@ struct Document {
 /// with an excerpt), SystemError where the file cannot be read.
 Document read_document(const std::string& path, std::span<const DocumentOverride> overrides = {});
 
-/// Names of the instruments of such a document that has several, in its order, where none of them is chosen; else none.
-std::vector<std::string> instruments_in(const std::string& path,
-                                        std::span<const DocumentOverride> overrides = {});
-
 /// The same from text; `file_name` is used in messages and its folder for relative paths.
 Document parse_document(std::string text, const std::string& file_name,
                         std::span<const DocumentOverride> overrides = {});

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "io/document/document.h"
+#include "io/json/document_parts.h"
 #include "session/facade/access.h"
 #include "session/facade/document_inside.h"
 #include "session/shared_scene.h"
@@ -57,7 +58,7 @@ std::vector<std::string> instruments_of(const std::filesystem::path& file,
                                         const std::vector<std::string>& set) {
   std::vector<io::DocumentOverride> overrides;
   for (const std::string& written : set) overrides.push_back(io::read_override(written));
-  return io::instruments_in(file.string(), overrides);
+  return io::names_of_instruments(io::read_document_text(file.string()), file.string(), overrides);
 }
 
 InstrumentsOutcome render_instruments(const std::filesystem::path& file, const std::vector<std::string>& set,

@@ -75,11 +75,6 @@ Document read_document(const std::string& path, std::span<const DocumentOverride
   return parse_document(read_document_text(path), path, overrides);
 }
 
-std::vector<std::string> instruments_in(const std::string& path,
-                                        std::span<const DocumentOverride> overrides) {
-  return names_of_instruments(read_document_text(path), path, overrides);
-}
-
 InputError document_error(const DocumentSources& sources, const SourcePosition& position,
                           std::string_view message) {
   for (const auto& source : sources.texts)
