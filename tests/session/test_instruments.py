@@ -80,6 +80,13 @@ class Instruments(unittest.TestCase):
             record = json.loads((self.folder / f"three/{name}/image_run.json").read_text())
             self.assertEqual([channel["name"] for channel in record["channels"]], ["renamed"])
 
+    def test_who_looks_at_the_folder_of_all_is_told_where_runs_are(self):
+        self.call("render", document())
+        for command in (["info", "scene.out"], ["detect", "scene.out"], ["info", "scene.out", "--region", "0,0,2,2"]):
+            done = subprocess.run([PROGRAM, *command], cwd=self.folder, capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("; its folders 'oli' and 'tirs' hold runs", done.stderr)
+
     def test_one_of_an_included_document(self):
         (self.folder / "base.json").write_text(json.dumps(document()))
         self.call("render", {"ifov": 1, "include": "base.json", "instruments": {"oli": None}}, "-o", "left")
