@@ -17,6 +17,7 @@ enum class DetectedQuantity {
   electrons,  ///< float: the signal before it is digitised
   counts,  ///< 16 or 32 bits without a sign; the header's "data gain values" and "data offset values" make radiance of them
   kelvins,  ///< float: brightness temperatures of that radiance, by the channels' responses; not a number without light
+  toa_reflectance,  ///< float: that radiance over the Sun's light on a level surface above the air, as the run's record tells it
 };
 
 struct DetectOptions {
@@ -42,7 +43,7 @@ struct Detection {
   };
   std::vector<Channel> channels;
   std::vector<std::filesystem::path>
-      cubes;  ///< NAME_noisy_SEED.img, NAME_electrons_SEED.img, NAME_counts_SEED.img
+      cubes;  ///< NAME_noisy_SEED.img, NAME_electrons_SEED.img, NAME_counts_SEED.img, ...
 };
 
 /// Draws what the sensor makes of the radiance of a finished run, without a ray: with a detector's physics where channels have one

@@ -17,6 +17,7 @@
 #include "ifov/document.h"
 #include "ifov/error.h"
 #include "ifov/gas_model.h"
+#include "ifov/instruments.h"
 #include "ifov/materials.h"
 #include "ifov/outcome.h"
 #include "ifov/products.h"

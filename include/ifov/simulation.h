@@ -18,6 +18,7 @@
 
 namespace ifov {
 
+struct FacadeAccess;
 class Ranks;
 
 /// How a document is loaded. Pointers may be null, and what they point to must live as long as the call.
@@ -150,6 +151,7 @@ class IFOV_API Simulation {
   Outcome render_tiles(TileSink& sink, const TileOptions& options = {}) const;
 
  private:
+  friend struct FacadeAccess;
   struct Inside;
   explicit Simulation(std::unique_ptr<const Inside> inside);
   std::unique_ptr<const Inside> inside_;

@@ -236,8 +236,8 @@ def detect(
     set: Sequence[str] = (),
     threads: int = 0,
 ) -> list[pathlib.Path]:
-    """Draws what the sensor makes of a finished run, ``count`` times with seeds from ``seed`` on: ``"radiance"`` and ``"kelvins"``, and where
-    channels have a detector ``"electrons"`` and ``"counts"``. document: whose channels tell the noise; else the run's, with the values of ``set``
+    """Draws what the sensor makes of a finished run, ``count`` times with seeds from ``seed`` on: ``"radiance"``, ``"kelvins"`` and, of
+    runs with the Sun up, ``"toa_reflectance"``, and where channels have a detector ``"electrons"`` and ``"counts"``. document: whose channels tell the noise; else the run's, with the values of ``set``
     (``"sensor.detector.integration_time=2 ms"``) in place of its own. Returns the cubes; ``load`` has those of radiance as
     ``noisy_SEED``."""
     other = None

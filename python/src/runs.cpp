@@ -19,8 +19,10 @@ DetectedQuantity detected_quantity(const std::string& name) {
   if (name == "electrons") return DetectedQuantity::electrons;
   if (name == "counts") return DetectedQuantity::counts;
   if (name == "kelvins") return DetectedQuantity::kelvins;
-  throw nb::value_error(
-      ("quantities: found '" + name + "', expected 'radiance', 'kelvins', 'electrons' or 'counts'").c_str());
+  if (name == "toa_reflectance") return DetectedQuantity::toa_reflectance;
+  throw nb::value_error(("quantities: found '" + name +
+                         "', expected 'radiance', 'kelvins', 'toa_reflectance', 'electrons' or 'counts'")
+                            .c_str());
 }
 
 }  // namespace

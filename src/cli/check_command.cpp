@@ -7,6 +7,7 @@
 #include "cli/terminal/say.h"
 #include "core/error.h"
 #include "core/format.h"
+#include "ifov/instruments.h"
 #include "ifov/simulation.h"
 
 namespace ifov::cli {
@@ -18,11 +19,10 @@ struct CheckArguments {
   bool quiet = false, no_cache = false, strict = false;
 };
 
-std::string description_of(const CheckArguments& arguments, const std::string& file, Console& console,
+std::string description_of(const CheckArguments& arguments, const Document& document, Console& console,
                            std::size_t& warnings) {
   const Simulation simulation =
-      Simulation::load(arguments.input.read(file),
-                       {.scene_cache = !arguments.no_cache, .progress = &console, .log = &console});
+      Simulation::load(document, {.scene_cache = !arguments.no_cache, .progress = &console, .log = &console});
   std::string text = simulation.description();
   warnings += simulation.warnings().size();
   console.finish();
@@ -41,9 +41,14 @@ ExitCode check(const CheckArguments& arguments) {
   };
   for (const std::string& file : arguments.files) {
     try {
-      const std::string text = description_of(arguments, file, console, warnings);
-      const std::string title = arguments.files.size() > 1 ? format("{}:\n", file) : std::string();
-      if (!arguments.quiet) say(title + text);
+      std::string text = arguments.files.size() > 1 ? format("{}:\n", file) : std::string();
+      const std::vector<std::string> instruments = instruments_of(file, arguments.input.set);
+      for (const std::string& name : instruments)
+        text += format("instrument {}:\n{}", name,
+                       description_of(arguments, arguments.input.read(file, name), console, warnings));
+      if (instruments.empty())
+        text += description_of(arguments, arguments.input.read(file), console, warnings);
+      if (!arguments.quiet) say(text);
     } catch (const InputError& error) {
       complain(error.what());
       note(ExitCode::input);

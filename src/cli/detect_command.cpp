@@ -65,13 +65,14 @@ Command add_detect_command(CLI::App& app) {
   parser
       ->add_option(
           "--quantity", arguments->quantities,
-          "What is written: radiance, electrons, counts, kelvins, or several with commas between them")
+          "What is written: radiance, electrons, counts, kelvins, toa_reflectance, or several with commas between them")
       ->delimiter(',')
-      ->transform(CLI::CheckedTransformer(
-          std::vector<std::pair<std::string, DetectedQuantity>>{{"radiance", DetectedQuantity::radiance},
-                                                                {"electrons", DetectedQuantity::electrons},
-                                                                {"counts", DetectedQuantity::counts},
-                                                                {"kelvins", DetectedQuantity::kelvins}}))
+      ->transform(CLI::CheckedTransformer(std::vector<std::pair<std::string, DetectedQuantity>>{
+          {"radiance", DetectedQuantity::radiance},
+          {"electrons", DetectedQuantity::electrons},
+          {"counts", DetectedQuantity::counts},
+          {"kelvins", DetectedQuantity::kelvins},
+          {"toa_reflectance", DetectedQuantity::toa_reflectance}}))
       ->default_str("radiance");
   parser->add_option("-o,--output", arguments->output, "Folder of the cubes, in place of the run's");
   parser->add_option("-j,--threads", arguments->threads, "Threads; 0: all cores")

@@ -13,4 +13,10 @@ void DocumentArguments::add_to(CLI::App& parser) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+Document DocumentArguments::read(const std::string& file, const std::string& instrument) const {
+  std::vector<std::string> with = set;
+  with.push_back("instrument=" + instrument);
+  return Document::read(file, with);
+}
+
 }  // namespace ifov::cli

@@ -14,6 +14,8 @@ struct DocumentArguments {
 
   void add_to(CLI::App& parser);
   Document read(const std::string& file) const { return Document::read(file, set); }
+  /// The same of one of its instruments.
+  Document read(const std::string& file, const std::string& instrument) const;
 };
 
 }  // namespace ifov::cli

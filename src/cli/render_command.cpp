@@ -16,6 +16,7 @@
 #include "cli/terminal/say.h"
 #include "core/error.h"
 #include "core/format.h"
+#include "ifov/instruments.h"
 #include "ifov/runs.h"
 #include "ifov/series.h"
 #include "ifov/simulation.h"
@@ -151,6 +152,22 @@ ExitCode render(const RenderArguments& arguments) {
       if (watchdog) watchdog->over();
       const SeriesOutcome outcome =
           render_series(arguments.input.read(arguments.document), arguments.times, options);
+      console.finish();
+      if (!arguments.quiet) print_summary(outcome);
+      return static_cast<ExitCode>(outcome.verdict);
+    }
+    const bool takes_all = ranks == nullptr && arguments.tiles.empty() && !arguments.dry_run;
+    if (takes_all && !instruments_of(arguments.document, arguments.input.set).empty()) {
+      InstrumentsOptions options{{.scene_cache = !arguments.no_cache,
+                                  .threads = arguments.threads,
+                                  .cancel = &cancel,
+                                  .progress = &console,
+                                  .log = &console},
+                                 options_of(arguments, cancel, console),
+                                 arguments.strict};
+      options.render.deadline = deadline;
+      if (watchdog) watchdog->over();
+      const InstrumentsOutcome outcome = render_instruments(arguments.document, arguments.input.set, options);
       console.finish();
       if (!arguments.quiet) print_summary(outcome);
       return static_cast<ExitCode>(outcome.verdict);

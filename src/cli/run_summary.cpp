@@ -53,4 +53,12 @@ void print_summary(const SeriesOutcome& outcome) {
   say(text);
 }
 
+void print_summary(const InstrumentsOutcome& outcome) {
+  for (const InstrumentsOutcome::One& one : outcome.instruments) {
+    say(format("{}:\n", one.name));
+    print_summary(one.outcome);
+  }
+  if (outcome.left > 0) say(format("Stopped by the time limit: {} instruments are left.\n", outcome.left));
+}
+
 }  // namespace ifov::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ifov/instruments.h"
 #include "ifov/outcome.h"
 #include "ifov/series.h"
 
@@ -8,5 +9,6 @@ namespace ifov::cli {
 /// Prints what a run made, what it cost and what accuracy it reached.
 void print_summary(const Outcome& outcome);
 void print_summary(const SeriesOutcome& outcome);
+void print_summary(const InstrumentsOutcome& outcome);
 
 }  // namespace ifov::cli

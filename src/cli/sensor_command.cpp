@@ -5,6 +5,7 @@
 #include "cli/run_commands.h"
 #include "cli/terminal/say.h"
 #include "core/format.h"
+#include "ifov/instruments.h"
 #include "ifov/sensor.h"
 
 namespace ifov::cli {
@@ -44,6 +45,12 @@ void say_channel(const SensorDescription::Channel& channel) {
   if (channel.nedt) line("NEdT", format("{:.4g} K at {:.4g} K", *channel.nedt, *channel.nedt_at_k));
 }
 
+void say_sensor(const Document& document) {
+  const SensorDescription sensor = describe_sensor(document);
+  say_camera(sensor);
+  for (const SensorDescription::Channel& channel : sensor.channels) say_channel(channel);
+}
+
 ExitCode list_presets(const std::string& name) {
   if (!name.empty()) {
     const SensorPresetInfo preset = find_sensor_preset(name);
@@ -78,9 +85,13 @@ Command add_sensor_command(CLI::App& app) {
       "  ifov sensor scene.json\n"
       "  ifov sensor scene.json --set sensor.detector.reference='{\"reflectance\": 0.3, \"sun_zenith\": \"40 deg\"}'");
   return {parser, [arguments] {
-            const SensorDescription sensor = describe_sensor(arguments->input.read(arguments->document));
-            say_camera(sensor);
-            for (const SensorDescription::Channel& channel : sensor.channels) say_channel(channel);
+            const std::vector<std::string> instruments =
+                instruments_of(arguments->document, arguments->input.set);
+            for (const std::string& name : instruments) {
+              say(format("instrument {}\n", name));
+              say_sensor(arguments->input.read(arguments->document, name));
+            }
+            if (instruments.empty()) say_sensor(arguments->input.read(arguments->document));
             return ExitCode::ok;
           }};
 }

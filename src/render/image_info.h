@@ -9,6 +9,7 @@
 #include "render/tolerance/atmosphere_half_width.h"
 
 namespace ifov::sensor {
+class BrightnessScale;
 struct Detector;
 struct ViewList;
 }  // namespace ifov::sensor
@@ -18,13 +19,13 @@ namespace ifov::render {
 /// Name, centre and width of an output channel.
 struct ChannelInfo {
   std::string name;
-  double centre_um = 0.0;
-  double fwhm_um = 0.0;
+  double centre_um = 0.0, fwhm_um = 0.0;
   std::optional<AtmosphereHalfWidth> air = {};  ///< where the atmosphere knows its error
   double noise = 0.0;  ///< standard deviation of the sensor's noise as a radiance; 0: none is told
   std::shared_ptr<const sensor::Detector> detector = {};  ///< of which that is the noise; null: none
-  /// By Sun and sky on a level surface, W m-2 um-1, for reflectance factors of single views; 0: none is told.
-  double irradiance = 0.0;
+  double irradiance = 0.0;      ///< by Sun and sky on a level surface, of single views; 0: none is told
+  double toa_irradiance = 0.0;  ///< by the Sun alone on a level surface above the air; 0: none is told
+  std::shared_ptr<const sensor::BrightnessScale> brightness = {};  ///< null: the response is not known
 };
 
 /// What every product says of itself.
@@ -41,8 +42,7 @@ struct ImageInfo {
   double map_rotation_rad = 0.0;  ///< azimuth of the upward direction of the image, clockwise from north
   std::string map_projection;     ///< "Arbitrary" for a local ENU frame, else well-known text
   std::shared_ptr<const sensor::ViewList> views;  ///< null: the pixels are those of a picture
-  int sweep_lines =
-      0;  ///< of a scanner that one sweep makes, of a rolling shutter that flies 1: tiles keep them apart; 0: one picture
+  int sweep_lines = 0;  ///< of a sweep, of a flying rolling shutter 1: tiles keep them apart; 0: one picture
   double footprint_px = 1.0;  ///< sampling::response_area_px(): pixels that share what one of them sees
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "io/document/atmosphere_document.h"
 #include "io/document/document.h"
 #include "sampling/footprint_groups.h"
 #include "sampling/means/region_interval.h"
@@ -11,6 +12,7 @@
 #include "sensor/along_track.h"
 #include "sensor/camera.h"
 #include "sensor/channel_footprints.h"
+#include "sensor/detector/brightness_scale.h"
 #include "sensor/psf.h"
 #include "sensor/psf_wings.h"
 #include "session/assembly/whole/noise_assembly.h"
@@ -107,10 +109,32 @@ void assemble_response(Parts& parts) {
   parts.groups = std::make_unique<sampling::FootprintGroups>(std::move(groups), std::move(group_of_channel));
 }
 
+namespace {
+
+/// What a level surface above the air has of the Sun; nothing where it is down, or where only what reaches the ground is told.
+void tell_sunlight(Parts& p) {
+  const std::optional<scene::Sun>& sun = p.scene.sun;
+  const bool told_at_ground =
+      p.document.atmosphere.simple || p.document.atmosphere.uniform || p.document.atmosphere.four_curve;
+  if (!sun || sun->is_moon || !sun->is_up() || told_at_ground) return;
+  for (std::size_t c = 0; c < p.channels.size(); ++c)
+    p.info.channels[c].toa_irradiance =
+        sun->direction.z * radiometry::channel_mean(p.channels[c], sun->irradiance);
+}
+
+void tell_responses(Parts& p) {
+  for (std::size_t c = 0; c < p.channels.size(); ++c)
+    p.info.channels[c].brightness = std::make_shared<const sensor::BrightnessScale>(p.channels[c]);
+}
+
+}  // namespace
+
 void tell_of_image(Parts& p) {
   const io::Document& document = p.document;
   p.info = image_info(document.scene.origin, *p.camera, p.channels, p.scene, p.map_offset_m);
   tell_irradiance(p);
+  tell_sunlight(p);
+  tell_responses(p);
   tell_noise(document.sources, document.sensor, p.channels, p.info.channels);
   p.info.stokes = document.sensor.stokes;
   p.info.footprint_px = sampling::response_area_px(*p.footprint);

@@ -113,7 +113,7 @@ class Install(unittest.TestCase):
             self.skipTest("nm and readelf (binutils) are not there")
         names = [line.split(" ", 2)[2] for line in done("nm", "-DC", "--defined-only", self.library).splitlines()]
         plain = {re.sub(r"^(?:vtable|typeinfo|typeinfo name) for ", "", name) for name in names}
-        of_facade = re.compile(r"ifov::(?:Document|Simulation|render_series|InputError|SystemError|Cancelled|LogSink|ProgressSink|TileSink"
+        of_facade = re.compile(r"ifov::(?:Document|Simulation|render_series|render_instruments|instruments_of|InputError|SystemError|Cancelled|LogSink|ProgressSink|TileSink"
                                r"|Assets|AtmosphereReport|InputsBelow|Ranks|check|version|document_schema|document_reference|exit_code_of"
                                r"|reason_name|survey_atmosphere|make_gas_model|invert_radiance|run_status|merge|mpi_library|run_info|cube_info|products_in"
                                r"|region_means|series_info|detect|record_of|write_file|mapped_input_at|search_materials|curves_of|materials_list"

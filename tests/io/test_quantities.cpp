@@ -7,6 +7,7 @@
 #include <string>
 
 #include "io/products/quantity_header.h"
+#include "io/quantities/converted_quantities.h"
 #include "io/quantities/geometry_quantities.h"
 #include "io/quantities/identity_quantities.h"
 #include "io/quantities/location_quantities.h"
@@ -65,7 +66,8 @@ TEST(Quantities, RowsAreWhatTheyWrite) {
     EXPECT_FALSE(quantity->what.empty());
     const bool radiance =
         quantity->bands == Quantity::Bands::stokes ||
-        (quantity->is_spectral() && !quantity->needs.stokes && quantity->name.find("transmittance") != 0);
+        (quantity->is_spectral() && !quantity->needs.stokes && quantity->name.find("transmittance") != 0 &&
+         !quantity->needs.sunlight && !quantity->needs.responses);
     EXPECT_EQ(quantity->unit.empty(), radiance) << quantity->name;
     EXPECT_EQ(quantity->band_names.empty(), quantity->bands != Quantity::Bands::named) << quantity->name;
     Counting sink;
@@ -117,22 +119,38 @@ TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
   image.channels[1].air.emplace();
   EXPECT_FALSE(possible_quantities(QuantitySet::all(), image).has(quantities::kDolp));
   image.stokes = true;
+  EXPECT_FALSE(possible_quantities(QuantitySet::all(), image).has(quantities::kToaReflectance));
+  image.channels[1].toa_irradiance = 1200.0;
   EXPECT_EQ(possible_quantities(QuantitySet::all(), image).size(), all_quantities().size());
   image.materials.clear();
   image.stokes = false;
+  image.channels[1].toa_irradiance = 0.0;
   const QuantitySet bare = possible_quantities(QuantitySet::all(), image, false);
-  EXPECT_TRUE(bare == QuantitySet({&quantities::kRadiance,      &quantities::kSamples,
-                                   &quantities::kQuality,       &quantities::kReasons,
-                                   &quantities::kQualityClass,  &quantities::kLocation,
-                                   &quantities::kTrueLocation,  &quantities::kViewAngles,
-                                   &quantities::kTemperature,   &quantities::kRange,
-                                   &quantities::kNormal,        &quantities::kSlope,
-                                   &quantities::kGsd,           &quantities::kTime,
-                                   &quantities::kSunAngles,     &quantities::kShadow,
-                                   &quantities::kSkyView,       &quantities::kObjectClass,
-                                   &quantities::kInstance,      &quantities::kEmittedRadiance,
-                                   &quantities::kSunRadiance,   &quantities::kSkyRadiance,
-                                   &quantities::kSceneRadiance, &quantities::kPathRadiance,
+  EXPECT_TRUE(bare == QuantitySet({&quantities::kRadiance,
+                                   &quantities::kBrightnessTemperature,
+                                   &quantities::kSamples,
+                                   &quantities::kQuality,
+                                   &quantities::kReasons,
+                                   &quantities::kQualityClass,
+                                   &quantities::kLocation,
+                                   &quantities::kTrueLocation,
+                                   &quantities::kViewAngles,
+                                   &quantities::kTemperature,
+                                   &quantities::kRange,
+                                   &quantities::kNormal,
+                                   &quantities::kSlope,
+                                   &quantities::kGsd,
+                                   &quantities::kTime,
+                                   &quantities::kSunAngles,
+                                   &quantities::kShadow,
+                                   &quantities::kSkyView,
+                                   &quantities::kObjectClass,
+                                   &quantities::kInstance,
+                                   &quantities::kEmittedRadiance,
+                                   &quantities::kSunRadiance,
+                                   &quantities::kSkyRadiance,
+                                   &quantities::kSceneRadiance,
+                                   &quantities::kPathRadiance,
                                    &quantities::kTransmittance}));
   EXPECT_TRUE(possible_quantities({}, image).has(quantities::kRadiance));
 }

@@ -83,7 +83,7 @@ TEST(DocumentMessages, UnknownKeys) {
       message_with("\"seed\": 7", "\"sead\": 7"),
       "folder/a.json:4:3: unknown key 'sead' in the document; did you mean 'seed'? Known keys: 'ifov', "
       "'$schema', "
-      "'include', 'seed', 'time', 'scene', 'light', 'atmosphere', 'weather', 'temperatures', 'platform', 'sensor', 'sampling' and 'output'\n"
+      "'include', 'seed', 'time', 'scene', 'light', 'atmosphere', 'weather', 'temperatures', 'platform', 'sensor', 'instruments', 'instrument', 'sampling' and 'output'\n"
       "    4 |   \"sead\": 7,\n"
       "      |   ^");
   EXPECT_EQ(
@@ -172,7 +172,7 @@ TEST(DocumentMessages, WrongTypesCountsAndWords) {
   EXPECT_EQ(
       message_with("\"output\": {", "\"output\": {\"formats\": [\"tiff\"], "),
       "folder/a.json:42:26: 'output.formats[0]' is the text \"tiff\", expected 'envi', 'geotiff', 'netcdf', "
-      "'png' or 'html'\n"
+      "'glt', 'vrt', 'png' or 'html'\n"
       "   42 |   \"output\": {\"formats\": [\"tiff\"], \"folder\": \"products\", \"quicklook\": "
       "{\"channels\": [\"red\"]}}\n"
       "      |                          ^");
@@ -206,9 +206,10 @@ TEST(DocumentMessages, ProductsHavePlainNames) {
   EXPECT_EQ(
       first_line_with(given, "\"products\": [\"half_width\", \"radiances\"]"),
       "folder/a.json:42:41: 'output.products[1]' is the text \"radiances\", expected 'radiance', "
-      "'standard_error', 'half_width', 'air_half_width', 'air_model_error', 'samples', 'quality', 'reasons', 'quality_class', 'abundance', "
-      "'abundance_half_width', 'location', 'true_location', 'view_angles', 'temperature', 'range', 'normal', 'slope', 'gsd', 'time', 'sun_angles', "
-      "'shadow', 'sky_view', 'material_class' and 26 more; did you mean 'radiance'?");
+      "'standard_error', 'half_width', 'air_half_width', 'air_model_error', 'toa_reflectance', 'toa_reflectance_half_width', "
+      "'brightness_temperature', 'brightness_temperature_half_width', 'samples', 'quality', 'reasons', 'quality_class', 'abundance', "
+      "'abundance_half_width', 'location', 'true_location', 'view_angles', 'temperature', 'range', 'normal', 'slope', 'gsd', 'time' "
+      "and 30 more; did you mean 'radiance'?");
 }
 
 TEST(DocumentMessages, NamesThatAreNotDeclared) {

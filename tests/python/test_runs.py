@@ -151,7 +151,7 @@ class Runs(scenes.InFolder):
         [twice] = ifov.detect("out", seed=3, quantities=["electrons"], set=["sensor.detector.integration_time=2 ms"], folder="twice")
         ratio = np.fromfile(twice, "<f4").mean() / np.fromfile(electrons, "<f4").mean()
         self.assertAlmostEqual(ratio, 2.0, delta=0.02)
-        with self.assertRaisesRegex(ValueError, "found 'photons', expected 'radiance', 'kelvins', 'electrons' or 'counts'"):
+        with self.assertRaisesRegex(ValueError, "found 'photons', expected 'radiance', 'kelvins', 'toa_reflectance', 'electrons' or 'counts'"):
             ifov.detect("out", quantities=["photons"])
 
 

@@ -4,10 +4,15 @@
 #include <filesystem>
 
 #include "core/format.h"
+#include "core/names.h"
 #include "io/files/input_file.h"
 #include "io/json/json_writer.h"
 
 namespace ifov::io {
+
+namespace {
+constexpr const char *kInstruments = "instruments", *kInstrument = "instrument";
+}
 
 /// Copies nodes of several trees into one.
 class NodeMerger {
@@ -22,6 +27,27 @@ class NodeMerger {
                                                    const std::vector<Override>& overrides) {
     auto root = std::unique_ptr<DocumentNode>(new DocumentNode());
     fill(*root, layers, overrides, 0);
+    root->read_ = true;
+    return root;
+  }
+
+  /// The same document with one of its instruments as its sensor; `overrides` are of that.
+  static std::unique_ptr<const DocumentNode> with_sensor(const DocumentNode& document,
+                                                         const DocumentNode& instrument,
+                                                         const std::vector<Override>& overrides) {
+    auto root = std::unique_ptr<DocumentNode>(new DocumentNode());
+    root->source_ = document.source_, root->offset_ = document.offset_, root->type_ = Type::object;
+    root->children_.reserve(document.children_.size() + 1);
+    const auto add = [&](const std::string& key, const DocumentNode& value,
+                         const std::vector<Override>& within_it) {
+      DocumentNode& child = root->children_.emplace_back(DocumentNode());
+      child.parent_ = root.get();
+      child.key_ = key;
+      fill(child, {&value}, within_it, 1);
+    };
+    for (const DocumentNode& child : document.children_)
+      if (child.key_ != kInstruments && child.key_ != kInstrument) add(child.key_, child, {});
+    add("sensor", instrument, overrides);
     root->read_ = true;
     return root;
   }
@@ -194,35 +220,112 @@ bool is_json_text(std::string_view value) {
   return value.find_first_not_of("0123456789+-.eE") == std::string_view::npos;
 }
 
+/// What stands in a document's files and the command line, before an instrument is chosen.
+class Gathered {
+ public:
+  Gathered(std::string text, const std::string& file_name, std::span<const DocumentOverride> overrides) {
+    Gatherer gatherer;
+    gatherer.gather(std::move(text), file_name, {});
+    trees_ = std::move(gatherer.trees_);
+    parts_.is_one_text = trees_.size() == 1 && overrides.empty();
+    std::vector<const DocumentNode*> layers;
+    bool has_several = false;
+    for (const DocumentTree& tree : trees_) {
+      if (tree.root->type() != DocumentNode::Type::object) tree.root->fail_expected("an object");
+      has_several = has_several || tree.root->find(kInstruments) != nullptr;
+      layers.push_back(tree.root.get());
+      parts_.sources.push_back(tree.source);
+    }
+    parts_.included = std::move(gatherer.files_);
+    std::vector<NodeMerger::Override> replacing;
+    values_.reserve(overrides.size());
+    for (const DocumentOverride& one : overrides) {
+      const std::string json = is_json_text(one.value) ? one.value : json_string(one.value);
+      values_.push_back(parse_json(json, format("--set {}", one.path)));
+      auto& list = has_several && one.steps.front().key == "sensor" ? of_sensor_ : replacing;
+      list.push_back({&one, values_.back().root.get()});
+      parts_.sources.push_back(values_.back().source);
+    }
+    if (parts_.is_one_text)
+      parts_.root = std::move(trees_.front().root);
+    else
+      parts_.root = NodeMerger::merge(layers, replacing);
+    find_instruments();
+  }
+
+  /// Of several; empty where there are none or one is chosen.
+  std::vector<std::string> choices() const {
+    return chosen_ == nullptr && names_.size() > 1 ? names_ : std::vector<std::string>{};
+  }
+
+  DocumentParts whole() {
+    if (instruments_ == nullptr) return std::move(parts_);
+    const DocumentNode* const one = instruments_->find(chosen_ != nullptr ? chosen_->text() : names_.front());
+    if (!choices().empty())
+      instruments_->fail(format(
+          "the document has {} instruments, {}: choose one, as --set {}={} does; ifov render, check and sensor take all of them",
+          names_.size(), list_names(names_, "and"), kInstrument, names_.front()));
+    if (one == nullptr)
+      chosen_->fail(format("{} is '{}'; expected {}{}", chosen_->title(), chosen_->text(), list_names(names_),
+                           did_you_mean(chosen_->text(), names_)));
+    parts_.instrument = one->key();
+    parts_.is_one_text = false;
+    parts_.root = NodeMerger::with_sensor(*parts_.root, *one, of_sensor_);
+    return std::move(parts_);
+  }
+
+ private:
+  void find_instruments() {
+    instruments_ = parts_.root->find(kInstruments);
+    chosen_ = parts_.root->find(kInstrument);
+    if (chosen_ != nullptr && chosen_->type() != DocumentNode::Type::text)
+      chosen_->fail_expected("the name of one of the 'instruments'");
+    if (instruments_ == nullptr) {
+      if (chosen_ != nullptr)
+        chosen_->fail(
+            format("an instrument '{}' is chosen, and there are no 'instruments'", chosen_->text()));
+      return;
+    }
+    if (instruments_->type() != DocumentNode::Type::object || instruments_->members().empty())
+      instruments_->fail_expected("an object with a sensor under the name of each instrument");
+    for (const DocumentNode& one : instruments_->members()) {
+      if (!is_plain_name(one.key()))
+        one.fail_at_key(format(
+            "an instrument is called '{}'; expected letters, digits, '-' and '_', at most 100, as it names a folder",
+            one.key()));
+      names_.push_back(one.key());
+    }
+    if (const DocumentNode* const sensor = parts_.root->find("sensor"))
+      sensor->fail_at_key("'sensor' and 'instruments' are given; give one of them");
+  }
+
+  static bool is_plain_name(const std::string& name) {
+    const auto plain = [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+             c == '_';
+    };
+    return !name.empty() && name.size() <= 100 && name.front() != '-' &&
+           std::all_of(name.begin(), name.end(), plain);
+  }
+
+  std::vector<DocumentTree> trees_, values_;
+  std::vector<NodeMerger::Override> of_sensor_;
+  DocumentParts parts_;
+  const DocumentNode* instruments_ = nullptr;
+  const DocumentNode* chosen_ = nullptr;
+  std::vector<std::string> names_;
+};
+
 }  // namespace
 
 DocumentParts put_together(std::string text, const std::string& file_name,
                            std::span<const DocumentOverride> overrides) {
-  Gatherer gatherer;
-  gatherer.gather(std::move(text), file_name, {});
-  std::vector<DocumentTree>& trees = gatherer.trees_;
-  DocumentParts parts;
-  parts.is_one_text = trees.size() == 1 && overrides.empty();
-  std::vector<const DocumentNode*> layers;
-  for (const DocumentTree& tree : trees) {
-    if (tree.root->type() != DocumentNode::Type::object) tree.root->fail_expected("an object");
-    layers.push_back(tree.root.get());
-    parts.sources.push_back(tree.source);
-  }
-  parts.included = std::move(gatherer.files_);
-  std::vector<DocumentTree> values;
-  std::vector<NodeMerger::Override> replacing;
-  for (const DocumentOverride& one : overrides) {
-    const std::string json = is_json_text(one.value) ? one.value : json_string(one.value);
-    values.push_back(parse_json(json, format("--set {}", one.path)));
-    replacing.push_back({&one, values.back().root.get()});
-    parts.sources.push_back(values.back().source);
-  }
-  if (parts.is_one_text)
-    parts.root = std::move(trees.front().root);
-  else
-    parts.root = NodeMerger::merge(layers, replacing);
-  return parts;
+  return Gathered(std::move(text), file_name, overrides).whole();
+}
+
+std::vector<std::string> names_of_instruments(std::string text, const std::string& file_name,
+                                              std::span<const DocumentOverride> overrides) {
+  return Gathered(std::move(text), file_name, overrides).choices();
 }
 
 std::string read_document_text(const std::string& path, std::size_t max_bytes) {

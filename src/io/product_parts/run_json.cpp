@@ -88,6 +88,7 @@ void write_channel(JsonWriter& json, const render::ChannelInfo& channel, const C
   if (channel.noise > 0.0) json.member("noise", channel.noise);
   json.member("not_finite", s.not_finite);
   json.member("standard_deviation", s.standard_deviation);
+  if (channel.toa_irradiance > 0.0) json.member("toa_irradiance", channel.toa_irradiance);
 }
 
 void write_cost(JsonWriter& json, const RunRecord& record) {

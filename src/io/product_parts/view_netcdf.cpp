@@ -1,5 +1,6 @@
 #include <mutex>
 
+#include "core/format.h"
 #include "io/product_parts/netcdf_file.h"
 #include "io/product_parts/run_record.h"
 #include "io/product_parts/view_values.h"

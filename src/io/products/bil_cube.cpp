@@ -310,6 +310,14 @@ RasterView BilCube::view() const {
       }};
 }
 
+WideView BilCube::wide_view() const {
+  if (values_ != Values::wide) return {};
+  return {width_, height_, bands_, [this](int line, int band, std::span<double> values) {
+            file_.read_at(value_bytes_ * (product(line, bands_) + product(band)) * product(width_),
+                          values.data(), value_bytes_ * product(width_));
+          }};
+}
+
 void read_bil_tile(const std::function<void(std::uint64_t offset, void* to, std::size_t bytes)>& read_at,
                    int width, int bands, sampling::PixelRect tile, std::span<float> values) {
   const std::size_t across = product(tile.width()), all_bands = product(bands);

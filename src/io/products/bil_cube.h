@@ -69,6 +69,8 @@ class BilCube {
   /// After flush(): one line of one band as floats; integer cubes are converted. Valid as long as the cube
   /// is.
   RasterView view() const;
+  /// The same of a cube of doubles; of others empty.
+  WideView wide_view() const;
 
   PartFile& file() { return file_; }
   const PartFile& file() const { return file_; }

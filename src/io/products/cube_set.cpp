@@ -180,6 +180,11 @@ RasterView CubeSet::view(const Quantity& quantity) const {
   return chosen != nullptr ? chosen->raster.view() : RasterView{};
 }
 
+WideView CubeSet::wide_view(const Quantity& quantity) const {
+  const Cube* const chosen = cube(quantity);
+  return chosen != nullptr ? chosen->raster.wide_view() : WideView{};
+}
+
 std::vector<std::filesystem::path> CubeSet::part_files() const {
   std::vector<std::filesystem::path> paths;
   for (const auto& cube : cubes_) paths.push_back(cube->raster.file().part_path());

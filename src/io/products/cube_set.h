@@ -41,6 +41,7 @@ class CubeSet {
 
   /// Empty where the selection leaves the cube away.
   RasterView view(const Quantity& quantity) const;
+  WideView wide_view(const Quantity& quantity) const;
   std::vector<std::filesystem::path> part_files() const;
   /// Where the cubes would be that the selection leaves away, and their headers.
   std::vector<std::filesystem::path> unselected_files() const;

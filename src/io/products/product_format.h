@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +25,10 @@ struct FormatInput {
   const RunRecord& record;
   const std::vector<int>& picture_channels;              ///< as of ProductOptions::quicklook_channels
   std::function<RasterView(const Quantity&)> values_of;  ///< empty where the run keeps no such cube
+  /// The same of cubes in double precision.
+  std::function<WideView(const Quantity&)> wide_values_of;
+  /// Of formats that have a header: its text, for a file of that ending and ".hdr". Comes once.
+  std::function<void(const std::string& text)> put_header;
 };
 
 /// A kind of product: one file beside the cubes, or the cubes themselves.
@@ -40,6 +45,9 @@ struct ProductFormat {
 
   /// Disk space that this takes at most while it is made, of cubes of these quantities; null where it is small.
   std::uint64_t (*bytes)(const render::ImageInfo& image, const QuantitySet& cubes) = nullptr;
+
+  bool has_header = false;          ///< a file beside it, of its ending and ".hdr"
+  const Quantity* needs = nullptr;  ///< a cube that it is made of, and that whoever asks for it has too
 };
 
 /// ProductFormat::suits of what makes a picture: not of single views.
@@ -47,6 +55,10 @@ bool is_picture(const render::ImageInfo& image);
 
 /// All there are, in the order of documents and in that in which they are made.
 std::span<const ProductFormat* const> all_product_formats();
+
+namespace formats {
+extern const ProductFormat kGlt, kGeolocatedVrt;  // geolocation_formats.cpp
+}
 
 /// Null where no document can ask for one of this name.
 const ProductFormat* find_product_format(std::string_view name);

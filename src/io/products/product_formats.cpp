@@ -12,6 +12,7 @@
 #include "io/products/quicklook.h"
 #include "io/products/report_format.h"
 #include "io/products/view_formats.h"
+#include "io/quantities/quantity_set.h"
 #include "render/image_info.h"
 
 namespace ifov::io {
@@ -23,6 +24,8 @@ constexpr ProductFormat kEnvi{.name = "envi"};
 constexpr std::array kFormats{&kEnvi,
                               &formats::kGeotiff,
                               &formats::kNetcdf,
+                              &formats::kGlt,
+                              &formats::kGeolocatedVrt,
                               &formats::kQgisStyle,
                               &formats::kViewCsv,
                               &formats::kViewNetcdf,
@@ -50,6 +53,12 @@ std::vector<const ProductFormat*> ProductFormats::list() const {
   for (const ProductFormat* format : kFormats)
     if (has(*format)) chosen.push_back(format);
   return chosen;
+}
+
+void ProductFormats::add_needed(const render::ImageInfo& image, QuantitySet& cubes) const {
+  for (const ProductFormat* format : list())
+    if (format->needs != nullptr && (format->suits == nullptr || format->suits(image)))
+      cubes.add(*format->needs);
 }
 
 std::uint64_t ProductFormats::bytes(const render::ImageInfo& image, const QuantitySet& cubes) const {

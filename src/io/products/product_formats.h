@@ -25,6 +25,9 @@ class ProductFormats {
   void add(const ProductFormat& format) { asked_.push_back(&format); }
   std::vector<const ProductFormat*> list() const;
 
+  /// Adds the cubes that they are made of.
+  void add_needed(const render::ImageInfo& image, QuantitySet& cubes) const;
+
   /// Of the files, which are not small.
   std::uint64_t bytes(const render::ImageInfo& image, const QuantitySet& cubes) const;
 

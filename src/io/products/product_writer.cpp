@@ -58,8 +58,7 @@ struct ProductWriter::State {
   }
 
   std::vector<std::unique_ptr<PartFile>> derive(RunRecord& record, std::optional<SystemError>& failure) const;
-  void publish(const RunRecord& record, std::vector<std::unique_ptr<PartFile>>& derived,
-               PartFile& record_file);
+  void publish(std::vector<std::unique_ptr<PartFile>>& derived, PartFile& record_file);
 };
 
 /// The products that are made from the cubes. One that cannot be written is left away and does not harm the
@@ -71,25 +70,34 @@ std::vector<std::unique_ptr<PartFile>> ProductWriter::State::derive(
     std::unique_ptr<PartFile> file;
     try {
       file = std::make_unique<PartFile>(path(format.ending));
-      format.write(*file, input);
+      std::unique_ptr<PartFile> header;
+      FormatInput own = input;
+      own.put_header = [&](const std::string& text) {
+        header = std::make_unique<PartFile>(path(format.ending) += ".hdr");
+        write_part(*header, text);
+      };
+      format.write(*file, own);
       file->sync();
       const std::uint64_t bytes = std::filesystem::file_size(file->part_path());
       record.files.push_back({file->final_path(), std::string(format.what), bytes, checksum(*file, bytes)});
       files.push_back(std::move(file));
+      if (header) files.push_back(std::move(header));
     } catch (const SystemError& error) {
       if (file) file->discard();
       if (!failure) failure = error;
     }
   };
-  const FormatInput input{record, options.quicklook_channels,
-                          [&](const Quantity& quantity) { return cubes->view(quantity); }};
+  const FormatInput input{record,
+                          options.quicklook_channels,
+                          [&](const Quantity& quantity) { return cubes->view(quantity); },
+                          [&](const Quantity& quantity) { return cubes->wide_view(quantity); },
+                          {}};
   for (const ProductFormat* format : options.formats.list())
     if (format->write != nullptr && (format->suits == nullptr || format->suits(info))) make(*format, input);
   return files;
 }
 
-void ProductWriter::State::publish(const RunRecord& record, std::vector<std::unique_ptr<PartFile>>& derived,
-                                   PartFile& record_file) {
+void ProductWriter::State::publish(std::vector<std::unique_ptr<PartFile>>& derived, PartFile& record_file) {
   // The old record goes first and the new one comes last: in between nothing looks complete.
   std::error_code ignored;
   std::filesystem::remove(record_file.final_path(), ignored);
@@ -98,11 +106,13 @@ void ProductWriter::State::publish(const RunRecord& record, std::vector<std::uni
 
   // What an earlier run of this name left and this one does not replace would not belong to its cubes.
   auto leftovers = cubes->unselected_files();
-  for (const ProductFormat* format : all_product_formats())
+  for (const ProductFormat* format : all_product_formats()) {
     if (format->write != nullptr) leftovers.push_back(path(format->ending));
+    if (format->has_header) leftovers.push_back(path(format->ending) += ".hdr");
+  }
   for (const auto& leftover : leftovers)
-    if (std::none_of(record.files.begin(), record.files.end(),
-                     [&](const ProductFile& file) { return file.path == leftover; }))
+    if (std::none_of(derived.begin(), derived.end(),
+                     [&](const auto& file) { return file->final_path() == leftover; }))
       std::filesystem::remove(leftover, ignored);
   sync_folder(options.folder);
   record_file.publish();
@@ -171,7 +181,7 @@ RunRecord ProductWriter::finish(const RunOutcome& outcome) {
   PartFile record_file(s.path("_run.json"));
   const std::string text = to_json(record);
   write_part(record_file, text);
-  s.publish(record, derived, record_file);
+  s.publish(derived, record_file);
   record.files.push_back({record_file.final_path(), "run record", text.size(), ""});
   s.finished = true;
   if (failure)

@@ -3,7 +3,9 @@
 #include <cctype>
 
 #include "core/format.h"
+#include "io/product_parts/map_info.h"
 #include "io/product_parts/product_headers.h"
+#include "io/quantities/location_quantities.h"
 
 namespace ifov::io {
 namespace {
@@ -39,6 +41,8 @@ EnviHeader header_of(const Quantity& quantity, const render::ImageInfo& image, c
       !held.empty() && quantity.role == Quantity::Role::error)
     header.other["ifov interval"] = held;
   if (quantity.needs.stokes) add_stokes_convention(header, identity.acquisition.camera);
+  const bool is_place = &quantity == &quantities::kLocation || &quantity == &quantities::kTrueLocation;
+  if (is_place && !image.has_map) header.coordinate_system = esri_coordinate_system_text(image);
   if (quantity.complete_header != nullptr) quantity.complete_header(header, image);
   return header;
 }

@@ -59,13 +59,16 @@ QuantitySet possible_quantities(const QuantitySet& choice, const render::ImageIn
                                 bool knows_errors) {
   const bool air = std::any_of(image.channels.begin(), image.channels.end(),
                                [](const render::ChannelInfo& channel) { return channel.air.has_value(); });
+  const bool sunlight =
+      std::any_of(image.channels.begin(), image.channels.end(),
+                  [](const render::ChannelInfo& channel) { return channel.toa_irradiance > 0.0; });
   const bool points = image.views != nullptr && image.views->kind == sensor::ViewList::Kind::points;
   QuantitySet possible{&quantities::kRadiance};
   for (const Quantity* quantity : choice) {
     const Quantity::Needs& needs = quantity->needs;
     if ((!needs.errors || knows_errors) && (!needs.air || air) &&
         (!needs.materials || !image.materials.empty()) && (!needs.stokes || image.stokes) &&
-        (!needs.parts || !points))
+        (!(needs.parts || needs.radiance) || !points) && (!needs.sunlight || sunlight))
       possible.add(*quantity);
   }
   return possible;

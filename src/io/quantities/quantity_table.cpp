@@ -1,5 +1,6 @@
 #include <array>
 
+#include "io/quantities/converted_quantities.h"
 #include "io/quantities/geometry_quantities.h"
 #include "io/quantities/identity_quantities.h"
 #include "io/quantities/location_quantities.h"
@@ -20,6 +21,10 @@ constexpr std::array kQuantities{&quantities::kRadiance,
                                  &quantities::kHalfWidth,
                                  &quantities::kAtmosphereHalfWidth,
                                  &quantities::kAtmosphereModelError,
+                                 &quantities::kToaReflectance,
+                                 &quantities::kToaReflectanceHalfWidth,
+                                 &quantities::kBrightnessTemperature,
+                                 &quantities::kBrightnessTemperatureHalfWidth,
                                  &quantities::kSamples,
                                  &quantities::kQuality,
                                  &quantities::kReasons,

@@ -10,6 +10,8 @@
 #include "io/products/product_format.h"
 #include "io/quantities/identity_quantities.h"
 #include "io/run_state/run_plan.h"
+#include "radiometry/channel.h"
+#include "sensor/detector/brightness_scale.h"
 #include "sensor/view_list.h"
 
 namespace ifov::io {
@@ -67,7 +69,35 @@ std::shared_ptr<const sensor::ViewList> views_of(const JsonView& v) {
   return list;
 }
 
-void write_members(JsonWriter& json, const render::ImageInfo& image, bool with_objects) {
+/// A table of the response to energy; of a single wavelength none.
+void write_response(JsonWriter& json, const radiometry::Channel& channel) {
+  json.object("response", [&] {
+    json.member("wavelength_um", channel.response.wavelength_um());
+    json.member("values", channel.response.values());
+  });
+}
+
+std::vector<double> numbers_of(const JsonView& v) {
+  std::vector<double> numbers;
+  for (const JsonView& value : v.items()) numbers.push_back(value.number());
+  return numbers;
+}
+
+radiometry::Channel channel_of(const JsonView& v, const render::ChannelInfo& of) {
+  const std::vector<double> wavelength_um = numbers_of(v["wavelength_um"]), values = numbers_of(v["values"]);
+  return {of.name,
+          wavelength_um.empty()
+              ? radiometry::Spectrum::constant(values.at(0))
+              : radiometry::Spectrum(wavelength_um, values, radiometry::OutsideRange::zero, of.name),
+          of.centre_um, of.fwhm_um};
+}
+
+/// What of an image only some runs' products need.
+struct WrittenWith {
+  bool objects = false, responses = false;
+};
+
+void write_members(JsonWriter& json, const render::ImageInfo& image, WrittenWith with) {
   json.member("width_px", image.width_px);
   json.member("height_px", image.height_px);
   if (image.sweep_lines > 0) json.member("sweep_lines", image.sweep_lines);
@@ -80,6 +110,8 @@ void write_members(JsonWriter& json, const render::ImageInfo& image, bool with_o
         json.member("centre_um", channel.centre_um);
         json.member("fwhm_um", channel.fwhm_um);
         if (channel.irradiance > 0.0) json.member("irradiance", channel.irradiance);
+        if (channel.toa_irradiance > 0.0) json.member("toa_irradiance", channel.toa_irradiance);
+        if (with.responses && channel.brightness) write_response(json, channel.brightness->channel());
         if (channel.air)
           json.object("air", [&] {
             for (const auto& [key, member] : kAtmosphereKeys) json.member(key, (*channel.air).*member);
@@ -88,7 +120,7 @@ void write_members(JsonWriter& json, const render::ImageInfo& image, bool with_o
   });
   if (image.stokes) json.member("stokes", true);
   json.member("materials", image.materials);
-  if (with_objects)
+  if (with.objects)
     json.list("objects", [&] {
       for (std::size_t k = 0; k < image.objects.size(); ++k)
         json.object([&] {
@@ -117,6 +149,10 @@ render::ImageInfo image_of(const JsonView& v) {
   for (const JsonView& c : v["channels"].items()) {
     image.channels.push_back({c["name"].text(), c["centre_um"].number(), c["fwhm_um"].number()});
     if (c["irradiance"].is_there()) image.channels.back().irradiance = c["irradiance"].number();
+    if (c["toa_irradiance"].is_there()) image.channels.back().toa_irradiance = c["toa_irradiance"].number();
+    if (c["response"].is_there())
+      image.channels.back().brightness =
+          std::make_shared<const sensor::BrightnessScale>(channel_of(c["response"], image.channels.back()));
     if (!c["air"].is_there()) continue;
     render::AtmosphereHalfWidth& air = image.channels.back().air.emplace();
     for (const auto& [key, member] : kAtmosphereKeys) air.*member = c["air"][key].number();
@@ -184,7 +220,12 @@ void write_members(JsonWriter& json, const RunPlan& plan) {
     json.member("number", plan.share.number);
     json.member("count", plan.share.count);
   });
-  json.object("image", [&] { write_members(json, plan.image, plan.cubes.has(quantities::kObjectClass)); });
+  json.object("image", [&] {
+    write_members(json, plan.image,
+                  {plan.cubes.has(quantities::kObjectClass),
+                   std::any_of(plan.cubes.begin(), plan.cubes.end(),
+                               [](const Quantity* quantity) { return quantity->needs.responses; })});
+  });
   json.list("files", [&] {
     for (const FileStamp& file : plan.files)
       json.object([&] {

@@ -18,13 +18,16 @@ struct TemperatureReport;
 }  // namespace ifov::io
 namespace ifov::session {
 class Coordinator;
-}
+class SharedScene;
+}  // namespace ifov::session
 
 namespace ifov {
 
 class AtmosphereReport;
 class BrdfReport;
+struct LoadOptions;
 class Ranks;
+class Simulation;
 class TemperatureReport;
 
 /// What public classes keep, for the functions of the facade alone. Each `Inside` is defined where its class is, that of a
@@ -35,6 +38,8 @@ struct FacadeAccess {
   /// What is read for a document, and how it is read anew with another time in place of its own.
   static std::shared_ptr<const Call::Data> inputs(const Document& document);
   static std::function<io::Document(const std::string& time)> at_times(const Document& document);
+  /// As Simulation::load; null: the scene is its own.
+  static Simulation load(const Document& document, const LoadOptions& options, session::SharedScene* shared);
   static const io::Assets& inside(const Assets& assets);
   /// Of the rank that leads; null on the others, and for null.
   static session::Coordinator* coordinator(const Ranks* ranks);

@@ -58,6 +58,14 @@ std::vector<render::ChannelInfo> channels_of(const std::filesystem::path& record
   return channels;
 }
 
+/// As the run had it, whatever document tells the noise.
+void tell_sunlight(const std::filesystem::path& record, std::span<render::ChannelInfo> channels) {
+  const session::RunRecordFile file(record);
+  const std::vector<session::Record> told = file.root()["channels"].items();
+  for (std::size_t c = 0; c < std::min(told.size(), channels.size()); ++c)
+    channels[c].toa_irradiance = told[c]["toa_irradiance"].number();
+}
+
 /// What the run's record holds, with values in place of its own.
 Document written_document(const std::filesystem::path& record, const std::vector<std::string>& set) {
   const RunInfo run = run_info(record);
@@ -93,6 +101,7 @@ const char* word_of(DetectedQuantity quantity) {
     case DetectedQuantity::electrons: return "electrons";
     case DetectedQuantity::counts: return "counts";
     case DetectedQuantity::kelvins: return "kelvins";
+    case DetectedQuantity::toa_reflectance: return "toa_reflectance";
   }
   return "noisy";
 }
@@ -106,12 +115,13 @@ Detection detect(const std::filesystem::path& run, const DetectOptions& options)
     throw InputError(format("threads: {} was asked for; 0 takes all cores", options.threads));
   const std::filesystem::path record = record_of(run);
   const std::optional<Document> other = document_of(record, options);
-  const std::vector<render::ChannelInfo> channels = other ? channels_of(*other) : channels_of(record);
+  std::vector<render::ChannelInfo> channels = other ? channels_of(*other) : channels_of(record);
   std::string name = record.filename().string();
   name.resize(name.size() - kRecordEnding.size());
   const io::EnviReader radiance(record.parent_path() / (name + "_radiance.img"));
   session::require_channels(radiance, channels, render::ImageInfo().radiance_unit,
                             other ? other->name() : record.string());
+  tell_sunlight(record, channels);
   for (const DetectedQuantity quantity : options.quantities)
     session::require_quantity(quantity, channels, other ? other->name() : record.string());
 

@@ -108,8 +108,9 @@ std::vector<std::filesystem::path> products_in(const std::filesystem::path& fold
   }
   std::vector<std::filesystem::path>& found = records.empty() ? cubes : records;
   if (found.empty())
-    throw InputError(format("'{}' holds no product: neither a run record (run.json) nor an ENVI file (.img)",
-                            folder.string()));
+    throw InputError(
+        format("'{}' holds no product: neither a run record (run.json) nor an ENVI file (.img){}",
+               folder.string(), session::where_runs_are(folder)));
   std::sort(found.begin(), found.end());
   return found;
 }

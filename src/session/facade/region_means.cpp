@@ -77,8 +77,9 @@ std::filesystem::path record_of(const std::filesystem::path& path) {
   for (const auto& entry : std::filesystem::directory_iterator(path))
     if (entry.path().filename().string().ends_with(kRecordEnding)) records.push_back(entry.path());
   if (records.size() != 1)
-    throw InputError(format("expected the products of one run; '{}' holds {} run records (NAME{})",
-                            path.string(), records.size(), kRecordEnding));
+    throw InputError(format("expected the products of one run; '{}' holds {} run records (NAME{}){}",
+                            path.string(), records.size(), kRecordEnding,
+                            records.empty() ? session::where_runs_are(path) : std::string()));
   return records.front();
 }
 

@@ -74,6 +74,11 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
 
 Simulation Simulation::load(const Document& document, const LoadOptions& options) {
+  return FacadeAccess::load(document, options, nullptr);
+}
+
+Simulation FacadeAccess::load(const Document& document, const LoadOptions& options,
+                              session::SharedScene* shared) {
   require_threads(options.threads);
   const auto& source = FacadeAccess::inside(document);
   if (options.ranks != nullptr && source.inputs->assets)
@@ -83,12 +88,14 @@ Simulation Simulation::load(const Document& document, const LoadOptions& options
   const session::LoadOptions load{.scene_cache = options.scene_cache,
                                   .threads = options.threads,
                                   .cancel = options.cancel,
-                                  .progress = options.progress};
+                                  .progress = options.progress,
+                                  .shared = shared};
   session::Coordinator* const coordinator = FacadeAccess::coordinator(options.ranks);
   session::Session session = coordinator != nullptr
                                  ? coordinator->load(source.document, options.log, load)
                                  : session::Session::load(source.document, options.log, load);
-  return Simulation(std::make_unique<const Inside>(Inside{std::move(session), source.inputs}));
+  return Simulation(
+      std::make_unique<const Simulation::Inside>(Simulation::Inside{std::move(session), source.inputs}));
 }
 
 ImageDescription Simulation::image() const {

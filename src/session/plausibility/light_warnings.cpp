@@ -5,8 +5,10 @@
 #include <numbers>
 
 #include "core/format.h"
+#include "core/names.h"
 #include "geometry/world.h"
 #include "io/document/document.h"
+#include "io/quantities/quantity.h"
 #include "materials/bsdf/bsdf.h"
 #include "sampling/sequence.h"
 #include "sampling/warp.h"
@@ -49,6 +51,18 @@ void warn_of_cold_surfaces(const Parts& parts, LogSink& log) {
   if (!names.empty())
     log.warn(
         format("there are thermal channels, and no temperature for {}: what has none emits nothing", names));
+}
+
+/// Products that are over sunlight, where a document names them and the Sun is down.
+void warn_of_no_sunlight(const Parts& parts, LogSink& log) {
+  const auto& products = parts.document.output.products;
+  const auto& sun = parts.scene.sun;
+  if (!products || *products == io::QuantitySet::all() || (sun && !sun->is_moon && sun->is_up())) return;
+  std::vector<std::string> names;
+  for (const io::Quantity* quantity : *products)
+    if (quantity->needs.sunlight) names.emplace_back(quantity->name);
+  if (!names.empty())
+    log.warn(format("there will be no {}: the Sun is below the horizon", list_names(names, "and")));
 }
 
 void warn_of_sun(const Parts& parts, LogSink& log) {
@@ -197,6 +211,7 @@ std::string surroundings_statement(const Parts& parts) {
 void warn_of_light_left_out(const Parts& parts, LogSink& log) {
   warn_of_cold_surfaces(parts, log);
   warn_of_sun(parts, log);
+  warn_of_no_sunlight(parts, log);
   warn_of_sky(parts, log);
   warn_of_surroundings(parts, log);
   warn_of_depth(parts, log);

@@ -72,13 +72,16 @@ io::EnviHeader detected_header(io::EnviHeader header, DetectedQuantity quantity,
       header.description = drawn("with the sensor's noise as brightness temperatures,");
       header.data_units = std::string("K");
       break;
+    case DetectedQuantity::toa_reflectance:
+      header.description = drawn("with the sensor's noise as reflectance at the sensor,");
+      header.data_units = std::string("1");
+      break;
   }
   return header;
 }
 
 void append_detected(const sensor::Detector& detector, DetectedQuantity quantity, io::EnviType type,
-                     std::span<const double> signal, const sensor::BrightnessScale* scale,
-                     std::vector<std::byte>& values) {
+                     std::span<const double> signal, const RadianceAs& as, std::vector<std::byte>& values) {
   const auto count = [&](std::size_t k) { return detector.count(signal[k]); };
   const auto radiance = [&](std::size_t k) {
     const bool rounds = detector.digitises() && !std::isnan(signal[k]);
@@ -99,18 +102,21 @@ void append_detected(const sensor::Detector& detector, DetectedQuantity quantity
       break;
     case DetectedQuantity::kelvins:
       append<float>(
-          signal.size(), [&](std::size_t k) { return scale->kelvin(radiance(k)); }, values);
+          signal.size(), [&](std::size_t k) { return as.scale->kelvin(radiance(k)); }, values);
+      break;
+    case DetectedQuantity::toa_reflectance:
+      append<float>(
+          signal.size(), [&](std::size_t k) { return as.factor * radiance(k); }, values);
       break;
   }
 }
 
-void append_values(std::span<const float> radiance, const sensor::BrightnessScale* scale,
-                   std::vector<std::byte>& values) {
+void append_values(std::span<const float> radiance, const RadianceAs& as, std::vector<std::byte>& values) {
   append<float>(
       radiance.size(),
       [&](std::size_t k) {
-        return scale == nullptr ? static_cast<double>(radiance[k])
-                                : scale->kelvin(static_cast<double>(radiance[k]));
+        const double value = static_cast<double>(radiance[k]);
+        return as.scale == nullptr ? as.factor * value : as.scale->kelvin(value);
       },
       values);
 }

@@ -25,12 +25,16 @@ io::EnviHeader detected_header(io::EnviHeader header, DetectedQuantity quantity,
                                std::span<const render::ChannelInfo> channels, const std::string& radiance,
                                std::uint64_t seed);
 
-/// Appends signals, in electrons, as the quantity of a cube of such a type; `scale`: for kelvins.
+/// What a radiance is told as: kelvins on a scale, or a multiple of it.
+struct RadianceAs {
+  const sensor::BrightnessScale* scale = nullptr;
+  double factor = 1.0;
+};
+
+/// Appends signals, in electrons, as the quantity of a cube of such a type.
 void append_detected(const sensor::Detector& detector, DetectedQuantity quantity, io::EnviType type,
-                     std::span<const double> signal, const sensor::BrightnessScale* scale,
-                     std::vector<std::byte>& values);
-/// Appends radiance as it is; on a scale as kelvins.
-void append_values(std::span<const float> radiance, const sensor::BrightnessScale* scale,
-                   std::vector<std::byte>& values);
+                     std::span<const double> signal, const RadianceAs& as, std::vector<std::byte>& values);
+/// Appends radiance.
+void append_values(std::span<const float> radiance, const RadianceAs& as, std::vector<std::byte>& values);
 
 }  // namespace ifov::session

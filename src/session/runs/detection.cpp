@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <numbers>
 
 #include "core/error.h"
 #include "ifov/detect.h"
@@ -70,9 +71,13 @@ class Drawing {
     return channels_[c].detector ? *channels_[c].detector : none;
   }
 
-  /// Of a channel in a cube; null: it has no kelvins.
-  const sensor::BrightnessScale* scale(std::size_t cube, std::size_t c) const {
-    return told_[cube].quantity == DetectedQuantity::kelvins ? &scales_[c] : nullptr;
+  /// Of a channel in a cube.
+  RadianceAs radiance_as(std::size_t cube, std::size_t c) const {
+    RadianceAs as;
+    if (told_[cube].quantity == DetectedQuantity::kelvins) as.scale = &scales_[c];
+    if (told_[cube].quantity == DetectedQuantity::toa_reflectance)
+      as.factor = std::numbers::pi / channels_[c].toa_irradiance;
+    return as;
   }
 
   /// How many pixels are saturated.
@@ -83,7 +88,7 @@ class Drawing {
     radiance_.read(line, static_cast<int>(c), mean);
     if (!channels_[c].detector) {
       noise_.add(line, static_cast<int>(c), channels_[c].noise, mean);
-      for (std::size_t k = 0; k < cubes_.size(); ++k) append_values(mean, scale(k, c), values[k]);
+      for (std::size_t k = 0; k < cubes_.size(); ++k) append_values(mean, radiance_as(k, c), values[k]);
       return 0;
     }
     const sensor::Detector& of = detector(c);
@@ -92,7 +97,8 @@ class Drawing {
     std::vector<double> signal(width);
     signals_[c].draw(line, mean, slow, signal);
     for (std::size_t k = 0; k < cubes_.size(); ++k)
-      append_detected(of, told_[k].quantity, cubes_[k]->header().data_type, signal, scale(k, c), values[k]);
+      append_detected(of, told_[k].quantity, cubes_[k]->header().data_type, signal, radiance_as(k, c),
+                      values[k]);
     // What is full reads less by read noise.
     const double most = of.largest_signal() - 0.5 * of.gain - 4.0 * of.read_noise;
     return static_cast<std::uint64_t>(
@@ -149,6 +155,14 @@ std::vector<sensor::BrightnessScale> brightness_scales(const io::DocumentSources
 void require_quantity(DetectedQuantity quantity, std::span<const render::ChannelInfo> channels,
                       const std::string& document) {
   if (quantity == DetectedQuantity::radiance || quantity == DetectedQuantity::kelvins) return;
+  if (quantity == DetectedQuantity::toa_reflectance) {
+    for (const render::ChannelInfo& channel : channels)
+      if (!(channel.toa_irradiance > 0.0))
+        throw InputError(format(
+            "{}: the run tells no sunlight above the air in channel '{}', which reflectance at the sensor is over: ask for radiance",
+            document, channel.name));
+    return;
+  }
   for (const render::ChannelInfo& channel : channels) {
     if (!channel.detector)
       throw InputError(format("{}: channel '{}' has no 'detector' that makes electrons: ask for radiance",

@@ -73,6 +73,7 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
   plan.cubes = document.output.products.value_or(io::usual_quantities(map_tells, document.sensor.stokes));
   if (plan.image.views)
     io::add_view_quantities(plan.image.views->kind == sensor::ViewList::Kind::points, plan.cubes);
+  plan.formats.add_needed(plan.image, plan.cubes);
   for (const io::DocumentName& channel : document.output.quicklook_channels)
     for (std::size_t c = 0; c < document.sensor.channels.size(); ++c)
       if (document.sensor.channels[c].name == channel.name)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "io/json/json_view.h"
 
@@ -18,5 +19,8 @@ class RunRecordFile {
  private:
   io::DocumentTree tree_;
 };
+
+/// For messages that a folder holds no run: "; its folders 'oli' and 'tirs' hold runs", or nothing.
+std::string where_runs_are(const std::filesystem::path& folder);
 
 }  // namespace ifov::session

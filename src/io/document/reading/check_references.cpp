@@ -8,6 +8,7 @@
 #include "core/format.h"
 #include "core/names.h"
 #include "core/overloaded.h"
+#include "io/document/atmosphere_document.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/cameras/view_settings.h"
 #include "io/document/detector_document.h"
@@ -102,6 +103,7 @@ class ReferenceCheck {
               "output.products has {}: sensor.points measures irradiance, whose parts are not told; that of "
               "cameras, distant, hemisphere and rays is radiance",
               list_names(parts, "and")));
+    check_sunlight(named(&Quantity::Needs::sunlight));
     const std::vector<std::string> without =
         document_.sensor.stokes ? std::vector<std::string>{} : named(&Quantity::Needs::stokes);
     if (!without.empty())
@@ -110,6 +112,23 @@ class ReferenceCheck {
           format(
               "output.products has {}: that takes a sensor with \"stokes\": true, and sensor.stokes is not given or false",
               list_names(without, "and")));
+  }
+
+  /// Reflectance above the air is over the light of the Sun there.
+  void check_sunlight(const std::vector<std::string>& products) const {
+    if (products.empty()) return;
+    const AtmosphereDocument& air = document_.atmosphere;
+    std::string why;
+    if (!document_.light.sun)
+      why = "light.sun is not given";
+    else if (air.simple || air.uniform || air.four_curve)
+      why = format("atmosphere.{} tells of sunlight at the ground alone", air.simple    ? "simple"
+                                                                          : air.uniform ? "uniform"
+                                                                                        : "four_curve");
+    if (!why.empty())
+      throw document_error(document_.sources, document_.output.position,
+                           format("output.products has {}: that takes sunlight above the air, and {}",
+                                  list_names(products, "and"), why));
   }
 
   /// What a mirror that turns does to polarization behind it is not known; and sweeps are pictures of their own, so that none knows the image's error.

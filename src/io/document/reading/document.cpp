@@ -65,6 +65,7 @@ Document parse_document(std::string text, const std::string& file_name,
   } else {
     document.output.folder = usual_output_folder(file_name);
   }
+  if (!parts.instrument.empty()) document.output.folder += "/" + parts.instrument;
   mount_camera(document);
   check_references(document);
   return document;

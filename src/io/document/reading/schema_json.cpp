@@ -154,10 +154,15 @@ std::string schema_json() {
   json.object([&] {
     json.member("$schema", "http://json-schema.org/draft-07/schema#");
     json.member("title", "ifov document");
-    // What a document that includes others may leave out, only the program can say.
+    // What a document that includes others, or has several sensors, may leave out, only the program can say.
     json.object("if", [&] {
-      json.member("type", "object");
-      write_required(json, {"include"});
+      json.list("anyOf", [&] {
+        for (const char* key : {"include", "instruments"})
+          json.object([&] {
+            json.member("type", "object");
+            write_required(json, {key});
+          });
+      });
     });
     json.object("else",
                 [&] { json.list("allOf", [&] { json.object([&] { write_schema(json, document); }); }); });

@@ -83,6 +83,14 @@ SchemaType<Document> document_type() {
                     temperatures_type(), "{}", "how `ifov temperature` solves for those of surfaces")
       .optional("platform", shared(&Document::platform), platform_type(), "what carries a camera that scans")
       .required("sensor", &Document::sensor, sensor_type(), "camera and channels")
+      .optional(
+          "instruments",
+          only_read([](Document&, const std::vector<std::pair<std::string, SensorDocument>>&) {}),
+          map_of(sensor_type(), "instruments", 100),
+          "in place of `sensor` several of them on one platform, by name: each has its products in a folder of its name")
+      .optional(
+          "instrument", only_read([](Document&, const std::string&) {}), label(),
+          "which of the `instruments` this document is of; without it `ifov render`, `check` and `sensor` take all of them")
       .with_default("sampling", &Document::sampling, sampling_type(), "{}", "rays")
       .with_default("output", &Document::output, output_type(), "{}", "products");
   const SchemaType<Document> type = record.type();

@@ -1,0 +1,124 @@
+#include "io/quantities/converted_quantities.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "core/format.h"
+#include "render/image_info.h"
+#include "sampling/tile.h"
+#include "sensor/detector/brightness_scale.h"
+
+namespace ifov::io::quantities {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Of a radiance, or of how far it may be off: reflectance is a multiple of it.
+void put_over_sunlight(const FinishedTile& of, std::span<const float> radiance, ValueSink& sink) {
+  const auto& channels = of.image.channels;
+  std::vector<float> values(radiance.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double sunlight = channels[i % channels.size()].toa_irradiance;
+    values[i] = static_cast<float>(
+        sunlight > 0.0 ? std::numbers::pi * static_cast<double>(radiance[i]) / sunlight : kUnknown);
+  }
+  sink.put(values);
+}
+
+void put_toa_reflectance(const FinishedTile& of, ValueSink& sink) {
+  put_over_sunlight(of, of.tile.mean, sink);
+}
+
+void put_toa_half_width(const FinishedTile& of, ValueSink& sink) {
+  put_over_sunlight(of, of.tile.half_width, sink);
+}
+
+double kelvin(const render::ChannelInfo& channel, double radiance) {
+  return channel.brightness ? channel.brightness->kelvin(radiance) : kUnknown;
+}
+
+void put_brightness(const FinishedTile& of, ValueSink& sink) {
+  const auto& channels = of.image.channels;
+  std::vector<float> values(of.tile.mean.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] =
+        static_cast<float>(kelvin(channels[i % channels.size()], static_cast<double>(of.tile.mean[i])));
+  sink.put(values);
+}
+
+/// The further of the ends of the radiance's interval: temperature rises with radiance, so that it holds the true one as often.
+void put_brightness_half_width(const FinishedTile& of, ValueSink& sink) {
+  const auto& channels = of.image.channels;
+  std::vector<float> values(of.tile.half_width.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const render::ChannelInfo& channel = channels[i % channels.size()];
+    const double radiance = static_cast<double>(of.tile.mean[i]),
+                 reach = static_cast<double>(of.tile.half_width[i]), middle = kelvin(channel, radiance);
+    const double low = radiance > reach ? kelvin(channel, radiance - reach) : 0.0;
+    values[i] = static_cast<float>(std::max(middle - low, kelvin(channel, radiance + reach) - middle));
+  }
+  sink.put(values);
+}
+
+/// What makes reflectance of radiance and back.
+void tell_sunlight(EnviHeader& header, const render::ImageInfo& image) {
+  std::string list;
+  for (const render::ChannelInfo& channel : image.channels)
+    list += format("{}{:.9g}", list.empty() ? "" : ", ", channel.toa_irradiance);
+  header.other["toa irradiance (W m-2 um-1)"] = list;
+}
+
+}  // namespace
+
+constinit const Quantity kToaReflectance{.name = "toa_reflectance",
+                                         .what = "reflectance at the sensor",
+                                         .unit = "1",
+                                         .role = Quantity::Role::radiance,
+                                         .statistic = Quantity::Statistic::mean,
+                                         .type = EnviType::float32,
+                                         .bands = Quantity::Bands::channels,
+                                         .band_names = {},
+                                         .needs = {.radiance = true, .sunlight = true},
+                                         .values = put_toa_reflectance,
+                                         .complete_header = tell_sunlight};
+
+constinit const Quantity kToaReflectanceHalfWidth{
+    .name = "toa_reflectance_half_width",
+    .what = "half-width of the interval of the reflectance at the sensor",
+    .unit = "1",
+    .role = Quantity::Role::error,
+    .statistic = Quantity::Statistic::half_width,
+    .type = EnviType::float32,
+    .bands = Quantity::Bands::channels,
+    .band_names = {},
+    .needs = {.errors = true, .radiance = true, .sunlight = true},
+    .values = put_toa_half_width,
+    .complete_header = tell_sunlight};
+
+constinit const Quantity kBrightnessTemperature{.name = "brightness_temperature",
+                                                .what = "brightness temperature by the channel's response",
+                                                .unit = "K",
+                                                .role = Quantity::Role::radiance,
+                                                .statistic = Quantity::Statistic::mean,
+                                                .type = EnviType::float32,
+                                                .bands = Quantity::Bands::channels,
+                                                .band_names = {},
+                                                .needs = {.radiance = true, .responses = true},
+                                                .values = put_brightness};
+
+constinit const Quantity kBrightnessTemperatureHalfWidth{
+    .name = "brightness_temperature_half_width",
+    .what = "half-width of the interval of the brightness temperature",
+    .unit = "K",
+    .role = Quantity::Role::error,
+    .statistic = Quantity::Statistic::half_width,
+    .type = EnviType::float32,
+    .bands = Quantity::Bands::channels,
+    .band_names = {},
+    .needs = {.errors = true, .radiance = true, .responses = true},
+    .values = put_brightness_half_width};
+
+}  // namespace ifov::io::quantities
