@@ -29,6 +29,8 @@ struct AtmosphereHalfWidth {
   /// By the model's own error (docs/theory/atmosphere_model_error.md); model_counted 1: intervals hold it.
   double model_surface = 0.0, model_sunlight = 0.0, model_path = 0.0, model_emission = 0.0, model_sky = 0.0,
          model_counted = 0.0;
+  /// 1: there are clouds, which it was found without; channels have a gas model in place of the bands that it was found with.
+  double model_without_clouds = 0.0, model_of_bands = 0.0;
   double of_model(double radiance, double before = 0.0) const;
   double in_interval(double radiance, double before = 0.0) const;
   /// All that an interval holds of the air: numbers, and the model where it is counted.
