@@ -6,7 +6,8 @@ namespace {
 constexpr const char* kNumbers = "intervals hold the error of the air's numbers, not of its model";
 constexpr const char* kNumbersAndModel = "intervals hold the error of the air's numbers and of its model";
 constexpr const char* kWithoutClouds = ", as it is without clouds: what clouds add is not known";
-constexpr const char* kOfBands = ", as it is of the built-in bands: of spectra behind a gas model it is not known";
+constexpr const char* kOfBands =
+    ", as it is of the built-in bands: of spectra behind a gas model it is not known";
 
 }  // namespace
 
@@ -18,8 +19,8 @@ AirInIntervals air_in_intervals(const ImageInfo& image) {
 
 AirInIntervals air_in_intervals(const std::string& sentence) {
   return sentence.starts_with(kNumbersAndModel) ? AirInIntervals::numbers_and_model
-         : sentence == kNumbers       ? AirInIntervals::numbers
-                                      : AirInIntervals::none;
+         : sentence == kNumbers                 ? AirInIntervals::numbers
+                                                : AirInIntervals::none;
 }
 
 std::string what_intervals_hold(const ImageInfo& image) {
