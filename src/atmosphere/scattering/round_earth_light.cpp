@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atmosphere/scattering/layer_cuts.h"
 #include "atmosphere/scattering/scattering_column.h"
 #include "atmosphere/scattering/shell_orders.h"
 #include "math/angle.h"

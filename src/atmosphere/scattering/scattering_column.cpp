@@ -5,9 +5,9 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "atmosphere/scattering/layer_cuts.h"
 #include "atmosphere/scattering/phase/phase_function.h"
 #include "atmosphere/spherical_shells.h"
-#include "math/angle.h"
 
 namespace ifov::atmosphere {
 
@@ -79,24 +79,6 @@ class ForwardPeaks {
 };
 
 }  // namespace
-
-double level_beam_depth(double top_km, double bottom_km, double depth) {
-  return depth * half_chord_km(kEarthRadius_km + top_km, kEarthRadius_km + bottom_km) / (top_km - bottom_km);
-}
-
-double bend_of_cuts(double top_km, double bottom_km, double depth, double sun_zenith_rad) {
-  constexpr double kFirst_rad = 86.0 * math::kDegree, kAll_rad = 89.0 * math::kDegree, kBent = 0.5,
-                   kMostBent = 2.0;
-  if (sun_zenith_rad <= kFirst_rad) return 0.0;
-  const double low = std::min(1.0, (sun_zenith_rad - kFirst_rad) / (kAll_rad - kFirst_rad));
-  return low *
-         std::clamp((level_beam_depth(top_km, bottom_km, depth) - kBent) / (kMostBent - kBent), 0.0, 1.0);
-}
-
-double place_of_cut(int part, int parts, double bend) {
-  const double share = static_cast<double>(part) / parts;
-  return share * (1.0 - bend * (1.0 - share));
-}
 
 ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad,
                                    const ScatteringOptions& options, std::span<const int> given_parts)

@@ -14,15 +14,6 @@ namespace ifov::atmosphere {
 /// Lowest Sun that a column about a round Earth is solved for: at 8 degrees below the horizon what the air scatters is dark.
 inline constexpr double kLowestSun_rad = 98.0 / 180.0 * std::numbers::pi;
 
-/// Depth of a beam that is level at the bottom of a layer of this vertical depth, from the layer's top.
-double level_beam_depth(double top_km, double bottom_km, double depth);
-
-/// Under a Sun near the horizon the depth of its beam goes with the root of how far below a layer's top it is, and where the layer is
-/// deep most of what it scatters is scattered just below the top: the layer is cut finely there. 0: cut evenly, to 1.
-double bend_of_cuts(double top_km, double bottom_km, double depth, double sun_zenith_rad);
-/// Share of the layer above the cut before `part` of `parts`.
-double place_of_cut(int part, int parts, double bend);
-
 /// A column of layers cut into sublayers, from the top down, with the depth of the sunbeam at every boundary.
 ///
 /// Depths marked `true` are those of LayerOptics. All others are delta-M scaled (Wiscombe 1977): the part

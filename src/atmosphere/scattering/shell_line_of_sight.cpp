@@ -100,6 +100,11 @@ ShellLineOfSight::ShellLineOfSight(std::span<const double> altitude_km, bool sph
   if (sunbeams) add_beams(place_km);
 }
 
+bool ShellLineOfSight::bends() const {
+  constexpr double kLow = 0.1;
+  return spherical_ && !sun_mu_.empty() && *std::min_element(sun_mu_.begin(), sun_mu_.end()) < kLow;
+}
+
 template <class Add>
 void ShellLineOfSight::beam_slants(double radius, double mu, const Add& add) const {
   const double place = radius - kEarthRadius_km;

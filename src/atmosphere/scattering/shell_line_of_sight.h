@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -39,10 +38,7 @@ class ShellLineOfSight {
   const std::vector<double>& from_mu() const { return from_mu_; }
   const Propagation& direction() const { return direction_; }
   /// Whether the beam's depth is far from linear along pieces: the Sun is low about a round Earth.
-  bool bends() const {
-    constexpr double kLow = 0.1;
-    return spherical_ && !sun_mu_.empty() && *std::min_element(sun_mu_.begin(), sun_mu_.end()) < kLow;
-  }
+  bool bends() const;
   double scattering_cosine() const { return scattering_cosine_; }
 
   /// Optical depths of the sunbeam that arrives at the ends of pieces, from depths of the layers (vertical, from the top
