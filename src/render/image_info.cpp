@@ -5,6 +5,9 @@ namespace {
 
 constexpr const char* kNumbers = "intervals hold the error of the air's numbers, not of its model";
 constexpr const char* kNumbersAndModel = "intervals hold the error of the air's numbers and of its model";
+constexpr const char* kWithoutClouds = ", as it is without clouds: what clouds add is not known";
+constexpr const char* kOfBands =
+    ", as it is of the built-in bands: of spectra behind a gas model it is not known";
 
 }  // namespace
 
@@ -15,16 +18,20 @@ AirInIntervals air_in_intervals(const ImageInfo& image) {
 }
 
 AirInIntervals air_in_intervals(const std::string& sentence) {
-  return sentence == kNumbersAndModel ? AirInIntervals::numbers_and_model
-         : sentence == kNumbers       ? AirInIntervals::numbers
-                                      : AirInIntervals::none;
+  return sentence.starts_with(kNumbersAndModel) ? AirInIntervals::numbers_and_model
+         : sentence == kNumbers                 ? AirInIntervals::numbers
+                                                : AirInIntervals::none;
 }
 
 std::string what_intervals_hold(const ImageInfo& image) {
   switch (air_in_intervals(image)) {
     case AirInIntervals::none: break;
     case AirInIntervals::numbers: return kNumbers;
-    case AirInIntervals::numbers_and_model: return kNumbersAndModel;
+    case AirInIntervals::numbers_and_model: {
+      const AtmosphereHalfWidth& air = *image.channels.front().air;
+      return std::string(kNumbersAndModel) + (air.model_without_clouds > 0.0 ? kWithoutClouds : "") +
+             (air.model_of_bands > 0.0 ? kOfBands : "");
+    }
   }
   return {};
 }

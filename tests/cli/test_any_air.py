@@ -86,6 +86,24 @@ def impossible(row, sun_deg):
     return found
 
 
+def one_sided(there, back, mirrored):
+    """What is not the same of light that goes the other way, and of its mirror image."""
+    def differs(one, other, least, share):
+        return abs(one - other) > share * max(abs(one), abs(other), least)
+
+    found = []
+    if differs(there["path_reflectance"], back["path_reflectance"], 1e-6, 0.005):
+        found.append("path_reflectance")
+    down = there["direct_transmittance_down"] + there["diffuse_transmittance_down"]
+    if differs(down, back["direct_transmittance_up"] + back["diffuse_transmittance_up"], 1e-6, 0.004):
+        found.append("transmittance")
+    path = there["solar_path_radiance"]
+    for key, sign in (("solar_path_radiance", 1), ("path_q", 1), ("path_u", -1), ("ground_diffuse", 1)):
+        if differs(there[key], sign * mirrored[key], 0.01 * path, 2e-3):
+            found.append("mirrored " + key)
+    return found
+
+
 class AnyAir(unittest.TestCase):
     def rows(self, document, options):
         with tempfile.TemporaryDirectory() as folder:
@@ -140,6 +158,28 @@ class AnyAir(unittest.TestCase):
         below, above = (self.rows(document, ["--view", "30,90", "--altitude", height])[0] for height in ("2.995", "3.005"))
         for key in ("solar_path_radiance", "sensor_up"):
             self.assertAlmostEqual(float(below[key]) / float(above[key]), 1, delta=0.02, msg=key)
+
+    def test_light_goes_both_ways_alike(self):
+        """Sun and sensor change places (Chandrasekhar 1950, section 52), all is turned, and mirrored at the Sun's vertical plane: IFOV_AIRS as above."""
+        for number in range(max(3, int(os.environ.get("IFOV_AIRS", "0")) // 8)):
+            draw = random.Random(7000 + number)
+            document, _ = made(draw.randrange(10**6))
+            document["atmosphere"]["gases"] = {gas: "off" for gas in ("h2o", "co2", "o3", "n2o", "co", "ch4", "o2", "nh3", "no", "no2", "so2", "n2")}
+            um = draw.choice([0.42, 0.55, 0.87, 1.04, 1.6, 2.2])
+            document["sensor"]["channels"] = [{"name": "one", "gaussian": {"center": f"{um} um", "fwhm": f"{10 * um:g} nm"}}]
+            low, high, turn, north = draw.choice([5, 20, 40]), draw.choice([45, 58, 65]), draw.choice([35, 90, 140]), draw.choice([0, 77, 225])
+
+            def seen(sun, view, azimuth):
+                return {key: float(text) for key, text in self.rows(document, ["--sun", f"{sun},{north}", "--view", f"{view},{(azimuth + north) % 360}"])[0].items()
+                        if key != "channel"}
+
+            there, back, mirrored = seen(low, high, turn), seen(high, low, turn), seen(low, high, 360 - turn)
+            with self.subTest(number=number, air=document["atmosphere"], um=um, sun=low, view=high, turn=turn):
+                self.assertEqual(one_sided(there, back, mirrored), [])
+                for key, less in (("path_reflectance", 0.02 * there["path_reflectance"]), ("diffuse_transmittance_up", 0.01)):  # twins
+                    self.assertEqual(len(one_sided(there, {**back, key: back[key] - less}, mirrored)), 1, key)
+                other = {**mirrored, "path_u": mirrored["path_u"] + 0.01 * there["solar_path_radiance"]}
+                self.assertEqual(one_sided(there, back, other), ["mirrored path_u"])
 
     def test_impossible_air_is_seen(self):
         document, options = made(0)

@@ -1,5 +1,6 @@
 """Clouds and twilight in documents: what they do to light, what is said of them, and what is refused."""
 
+import json
 import math
 import re
 import unittest
@@ -128,6 +129,20 @@ class Said(unittest.TestCase):
                 done = run("check", "yard.json", cwd=folder)
             self.assertEqual(words in done.stderr, warned, interval + done.stderr)
         self.assertIn("and more with them; intervals do not hold it", done.stdout)
+
+    def test_headers_say_what_intervals_do_not_hold(self):
+        """They once said that they hold the error of the model, whatever clouds there were."""
+        unknown = "intervals hold the error of the air's numbers and of its model, as it is without clouds: what clouds add is not known"
+        for air, known in ((CLOUD % (STRATUS % 10), False), (CLEAR, True)):
+            text = (RED % air).rstrip()[:-1] + ', "sampling": {"accuracy": {"error": "30 %"}}, "output": {"folder": "out"}}'
+            with Folder(yard=text) as folder:
+                done = run("render", "yard.json", "-o", "out", cwd=folder)
+                self.assertIn(done.returncode, (0, 5, 6), done.stderr)
+                header = (folder / "out/image_half_width.img.hdr").read_text()
+                record = json.loads((folder / "out/image_run.json").read_text())["channels"][0]["air_half_width"]["model"]
+            self.assertEqual(unknown in header, not known, header)
+            self.assertEqual(unknown[1:] in done.stdout + done.stderr, not known, done.stdout)
+            self.assertEqual((record["in_interval"], record["found_without_clouds"], record["found_with_bands_alone"]), (True, not known, False))
 
     def test_droplets_and_crystals_where_they_cannot_be(self):
         wrong = '{"kind": "water", "base": "9 km", "top": "11 km", "optical_depth": 1}, {"kind": "ice", "base": "1 km", "top": "2 km", "optical_depth": 1}'

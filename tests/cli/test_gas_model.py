@@ -157,7 +157,7 @@ class Used(Folded):
             self.assertIn("10 steps of 1 cm-1", done.stderr)
 
     def test_renders_and_goes_on_the_same(self):
-        with Folder(own=SCENE % (USED + ', "interval": "numerical"', ""), unsaid=SCENE % (USED, "")) as folder:
+        with Folder(own=SCENE % (USED + ', "interval": "numerical"', ""), unsaid=(SCENE % (USED, "")).replace('"single": {}', '"accuracy": {"error": "50 %"}')) as folder:
             self.made(folder)
             for threads in ("1", "2"):
                 done = run("render", "own.json", "-q", "-j", threads, "-o", "out" + threads, cwd=folder)
@@ -170,6 +170,9 @@ class Used(Folded):
             said = run("check", "unsaid.json", cwd=folder)
             self.assertEqual(said.returncode, 6, said.stderr)
             self.assertIn("which was found with the built-in bands: with a gas model they are those of the bands still", said.stderr)
+            run("render", "unsaid.json", "-q", "-o", "out", cwd=folder)
+            header = (folder / "out" / "image_half_width.img.hdr").read_text()
+            self.assertIn("and of its model, as it is of the built-in bands: of spectra behind a gas model it is not known", header)
 
     def test_other_channels_have_the_bands(self):
         outside = ', {"name": "red", "gaussian": {"center": "0.65 um", "fwhm": "0.04 um"}}'

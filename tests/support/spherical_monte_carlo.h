@@ -32,6 +32,7 @@ class SphericalMonteCarlo {
     for (std::size_t k = 0; k < depth.size(); ++k)
       extinction_.push_back(depth[k] / (altitude_km[k + 1] - altitude_km[k]));
     haze_share_.assign(depth.size(), 0.0);
+    albedo_.assign(depth.size(), 1.0);
   }
 
   /// Haze beside the molecules: scattering depths of the layers, and its asymmetry.
@@ -41,6 +42,15 @@ class SphericalMonteCarlo {
       const double haze = depth[k] / (radius_[k + 1] - radius_[k]);
       extinction_[k] += haze;
       haze_share_[k] = extinction_[k] > 0.0 ? haze / extinction_[k] : 0.0;
+    }
+  }
+
+  /// Gas, or what haze absorbs: absorption depths of the layers. After haze.
+  void add_absorption(const std::vector<double>& depth) {
+    for (std::size_t k = 0; k < depth.size(); ++k) {
+      const double taken = depth[k] / (radius_[k + 1] - radius_[k]), all = extinction_[k] + taken;
+      if (all > 0.0) albedo_[k] *= extinction_[k] / all;
+      extinction_[k] = all;
     }
   }
 
@@ -182,17 +192,18 @@ class SphericalMonteCarlo {
           double place = draw(engine);
           if (event == 0) place = (static_cast<double>(path) + place) / static_cast<double>(kBatch);
           double left = -std::log1p(-place * scattered), length = 0.0,
-                 haze = haze_share_[line.pieces.back().layer];
+                 haze = haze_share_[line.pieces.back().layer], albedo = albedo_[line.pieces.back().layer];
           for (const Piece& piece : line.pieces) {
             const double depth = extinction_[piece.layer] * piece.length;
             if (left <= depth) {
               length += left / extinction_[piece.layer];
-              haze = haze_share_[piece.layer];
+              haze = haze_share_[piece.layer], albedo = albedo_[piece.layer];
               break;
             }
             left -= depth;
             length += piece.length;
           }
+          weight *= albedo;
           at = moved(at, along, length);
           trace(at, sun_, sunbeam);
           if (!sunbeam.ground) {
@@ -222,7 +233,8 @@ class SphericalMonteCarlo {
     return {average, std::sqrt(variance), first / (count * static_cast<double>(kBatch))};
   }
 
-  std::vector<double> radius_, extinction_, haze_share_;
+  std::vector<double> radius_, extinction_, haze_share_,
+      albedo_;  // haze's share of what scatters; what scatters of extinction
   double asymmetry_ = 0.0;
   Vector sun_;
 };

@@ -12,17 +12,31 @@ struct RoundEarthError {
   double path = 0.0, sky = 0.0;
 };
 
-/// `cloudy`: of paths over clouds and skies below them, whose ratio comes of thinner ones.
-inline RoundEarthError round_earth_error(double sun_zenith_rad, bool cloudy) {
+/// What stands between the Sun and the air that it lights.
+struct RoundEarthAir {
+  bool cloudy = false;  ///< ratios come of thinner clouds
+  double molecules =
+      1.0;  ///< vertical scattering depth: where there is little, light at dusk is what grazes haze and clouds
+  double haze = 0.0;  ///< that of aerosol
+};
+
+inline RoundEarthError round_earth_error(double sun_zenith_rad, const RoundEarthAir& air) {
   constexpr double kLow_deg = 80.0, kPath = 0.0008, kSky = 0.0014;  // by degree
-  constexpr double kLastDusk_deg = 95.0, kLastDusk = 0.02;
+  constexpr double kLastDusk_deg = 95.0, kLastDusk = 0.02, kBright = 0.05;
   const double sun_deg = sun_zenith_rad / math::kDegree;
   const auto risen = [&](double from_deg, double to_deg) {
     return std::clamp((sun_deg - from_deg) / (to_deg - from_deg), 0.0, 1.0);
   };
   const double lower = std::max(0.0, sun_deg - kLow_deg);
   double both = kLastDusk * risen(kLastDusk_deg, kLastDusk_deg + 1.0);
-  if (cloudy) both += 0.02 * risen(70.0, 80.0) + 0.04 * risen(89.0, 90.5);
+  const double dark = std::clamp(1.0 - air.molecules / kBright, 0.0, 1.0);
+  // Within a degree of sunset light in haze and clouds falls to a tenth.
+  const double sunset = risen(89.0, 90.0) * (1.0 - risen(90.5, 91.0));
+  if (air.cloudy)
+    both += 0.02 * risen(70.0, 80.0) + 0.05 * risen(89.0, 90.0) + 0.2 * risen(92.0, 94.0) +
+            dark * (0.65 * sunset + 0.25 * risen(90.5, 91.0));
+  else
+    both += 0.2 * dark * std::min(1.0, air.haze) * sunset;
   return {kPath * lower + both, kSky * lower + both};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atmosphere/scattering/layer_cuts.h"
 #include "atmosphere/scattering/scattering_column.h"
 #include "atmosphere/scattering/shell_orders.h"
 #include "math/angle.h"
@@ -60,8 +61,9 @@ double thin(ScatteringColumn& column) {
 
 /// Layers of haze and cloud that a low Sun does not get through are cut: sunlight that is scattered once is straight between
 /// boundaries, and all of it is scattered where the beam comes in.
-void cut(ScatteringColumn& column) {
+void cut(ScatteringColumn& column, double lowest_sun_rad) {
   constexpr double kBeamDepth = 0.5, kDark = 12.0, kLeastScattered = 0.01;
+  constexpr double kLevel_rad = 89.0 * math::kDegree;  // somewhere the Sun is level
   constexpr int kMostParts = 16;
   const ScatteringColumn whole = column;
   column.layer_altitude_km = {whole.layer_altitude_km.front()};
@@ -74,14 +76,19 @@ void cut(ScatteringColumn& column) {
     const bool scatters = whole.layer_depth[i] * mixture.aerosol * (1.0 - mixture.peak) > kLeastScattered;
     const double near = std::min(kDark, whole.beam_depth[top]),
                  far = std::min(kDark, whole.beam_depth[sublayer]);
-    const int parts = scatters ? static_cast<int>(std::clamp(std::floor(std::abs(far - near) / kBeamDepth),
-                                                             1.0, static_cast<double>(kMostParts)))
-                               : 1;
     const double high_km = whole.layer_altitude_km[i], low_km = whole.layer_altitude_km[i + 1];
+    const double level = lowest_sun_rad > kLevel_rad
+                             ? std::min(kDark, level_beam_depth(high_km, low_km, whole.layer_depth[i]))
+                             : 0.0;
+    const int parts =
+        scatters ? static_cast<int>(std::clamp(std::floor(std::max(level, std::abs(far - near)) / kBeamDepth),
+                                               1.0, static_cast<double>(kMostParts)))
+                 : 1;
+    const double bend = bend_of_cuts(high_km, low_km, whole.layer_depth[i], lowest_sun_rad);
     for (int part = 1; part <= parts; ++part) {
-      column.layer_altitude_km.push_back(part == parts ? low_km
-                                                       : high_km + (low_km - high_km) * part / parts);
-      column.layer_depth.push_back(whole.layer_depth[i] / parts);
+      const double from = place_of_cut(part - 1, parts, bend), to = place_of_cut(part, parts, bend);
+      column.layer_altitude_km.push_back(part == parts ? low_km : high_km + (low_km - high_km) * to);
+      column.layer_depth.push_back(whole.layer_depth[i] * (to - from));
       column.mixtures.push_back(mixture);
     }
   }
@@ -99,12 +106,12 @@ double between(const std::vector<double>& altitude_km, double z, std::size_t str
 }  // namespace
 
 RoundEarthLight::RoundEarthLight(const ScatteringColumn& whole) {
-  ScatteringColumn column = whole;
-  cut(column);
-  const double thinned = thin(column);
   std::size_t own = 0;
-  const double sun_rad = std::acos(column.sun_mu);
+  const double sun_rad = std::acos(whole.sun_mu);
   angle_rad_ = angles_about(sun_rad, own);
+  ScatteringColumn column = whole;
+  cut(column, sun_rad < kTurns_rad ? sun_rad : angle_rad_.back());
+  const double thinned = thin(column);
   const std::size_t angles = angle_rad_.size();
   const double own_rad[] = {sun_rad};
   const ShellOrders flat(column, {false, false}, own_rad, 0, {});

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "atmosphere/scattering/layer_cuts.h"
 #include "atmosphere/scattering/phase/phase_function.h"
 #include "atmosphere/spherical_shells.h"
 
@@ -113,10 +114,14 @@ ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& opti
         given_parts.empty()
             ? static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(options.most_sublayers)))
             : given_parts[layer];
+    const double top_km = levels.altitude_km[layer + 1];
+    const double bend =
+        spherical ? bend_of_cuts(top_km, levels.altitude_km[layer], kept, sun_zenith_rad) : 0.0;
     for (int part = 0; part < parts; ++part) {
-      altitude_km.push_back(levels.altitude_km[layer + 1] - height * part / parts);
-      depth.push_back(kept / parts);
-      true_depth.push_back(all / parts);
+      const double from = place_of_cut(part, parts, bend), to = place_of_cut(part + 1, parts, bend);
+      altitude_km.push_back(top_km - height * from);
+      depth.push_back(kept * (to - from));
+      true_depth.push_back(all * (to - from));
       mixture_of.push_back(i);
     }
   }

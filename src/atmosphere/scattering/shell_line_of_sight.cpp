@@ -29,7 +29,10 @@ void add_shadow_edges(double start, double mu, double sun_mu, double along, doub
 
 ShellLineOfSight::ShellLineOfSight(std::span<const double> altitude_km, bool spherical, double sun_mu,
                                    const Propagation& direction, const Ends& ends, bool sunbeams)
-    : direction_(direction), scattering_cosine_(atmosphere::scattering_cosine({-sun_mu, 0.0}, direction)) {
+    : spherical_(spherical),
+      altitude_km_(altitude_km.begin(), altitude_km.end()),
+      direction_(direction),
+      scattering_cosine_(atmosphere::scattering_cosine({-sun_mu, 0.0}, direction)) {
   const double lower = std::max(ends.lower_km, altitude_km.back()),
                upper = std::min(ends.upper_km, altitude_km.front()), mu = std::abs(direction.mu);
   const bool looks_up = direction.mu <= 0.0;
@@ -37,6 +40,7 @@ ShellLineOfSight::ShellLineOfSight(std::span<const double> altitude_km, bool sph
   // Cosine between the line, from its lower end up, and the direction to the Sun.
   const double towards = looks_up ? scattering_cosine_ : -scattering_cosine_;
   const double start = kEarthRadius_km + lower, earth = kEarthRadius_km + altitude_km.back();
+  start_ = start, rise_ = mu, sun_at_start_ = sun_mu, towards_ = towards;
   const auto length_to = [&](double shell_km) {
     return spherical ? length_to_shell_km(lower, mu, shell_km) : (shell_km - lower) / mu;
   };
@@ -90,34 +94,57 @@ ShellLineOfSight::ShellLineOfSight(std::span<const double> altitude_km, bool sph
     std::reverse(sun_mu_.begin(), sun_mu_.end());
     std::reverse(from_mu_.begin(), from_mu_.end());
     std::reverse(place_km.begin(), place_km.end());
+    std::reverse(at.begin(), at.end());
   }
-  if (sunbeams) add_beams(altitude_km, spherical, place_km);
+  length_ = std::move(at);
+  if (sunbeams) add_beams(place_km);
 }
 
-void ShellLineOfSight::add_beams(std::span<const double> altitude_km, bool spherical,
-                                 std::span<const double> place_km) {
-  const std::size_t layers = altitude_km.size() - 1, places = place_km.size();
-  sun_slant_.assign(layers * places, 0.0);
-  std::vector<double> chord(layers + 1);
-  for (std::size_t e = 0; e < places; ++e) {
-    const double radius = kEarthRadius_km + place_km[e], mu = sun_mu_[e];
-    const double nearest = std::max(radius * std::sqrt(std::max(0.0, 1.0 - mu * mu)),
-                                    mu < 0.0 ? kEarthRadius_km + altitude_km.back() : 0.0);
-    const double here = half_chord_km(radius, nearest);
-    for (std::size_t k = 0; k <= layers; ++k)
-      chord[k] = half_chord_km(kEarthRadius_km + altitude_km[k], nearest);
-    for (std::size_t k = 0; k < layers; ++k) {
-      const double thickness = altitude_km[k] - altitude_km[k + 1];
-      double& slant = sun_slant_[k * places + e];
-      if (!spherical) {
-        slant = std::clamp((altitude_km[k] - place_km[e]) / thickness, 0.0, 1.0) / mu;
-        continue;
-      }
-      const double ahead = std::max(0.0, chord[k] - (mu < 0.0 ? chord[k + 1] : std::max(here, chord[k + 1])));
-      const double back = mu < 0.0 ? std::max(0.0, std::min(here, chord[k]) - chord[k + 1]) : 0.0;
-      slant = (ahead + back) / thickness;
+bool ShellLineOfSight::bends() const {
+  constexpr double kLow = 0.1;
+  return spherical_ && !sun_mu_.empty() && *std::min_element(sun_mu_.begin(), sun_mu_.end()) < kLow;
+}
+
+template <class Add>
+void ShellLineOfSight::beam_slants(double radius, double mu, const Add& add) const {
+  const double place = radius - kEarthRadius_km;
+  const double nearest = std::max(radius * std::sqrt(std::max(0.0, 1.0 - mu * mu)),
+                                  mu < 0.0 ? kEarthRadius_km + altitude_km_.back() : 0.0);
+  const auto chord = [&](double altitude) { return half_chord_km(kEarthRadius_km + altitude, nearest); };
+  const double here = half_chord_km(radius, nearest);
+  double above = chord(altitude_km_.front());
+  for (std::size_t k = 0; k + 1 < altitude_km_.size(); ++k) {
+    const double thickness = altitude_km_[k] - altitude_km_[k + 1];
+    if (!spherical_) {
+      add(k, std::clamp((altitude_km_[k] - place) / thickness, 0.0, 1.0) / mu);
+      continue;
     }
+    const double below = chord(altitude_km_[k + 1]);
+    const double ahead = std::max(0.0, above - (mu < 0.0 ? below : std::max(here, below)));
+    const double back = mu < 0.0 ? std::max(0.0, std::min(here, above) - below) : 0.0;
+    add(k, (ahead + back) / thickness);
+    above = below;
   }
+}
+
+void ShellLineOfSight::add_beams(std::span<const double> place_km) {
+  const std::size_t layers = altitude_km_.size() - 1, places = place_km.size();
+  sun_slant_.assign(layers * places, 0.0);
+  for (std::size_t e = 0; e < places; ++e)
+    beam_slants(kEarthRadius_km + place_km[e], sun_mu_[e],
+                [&](std::size_t k, double slant) { sun_slant_[k * places + e] = slant; });
+}
+
+double ShellLineOfSight::beam_depth_within(std::size_t piece, double share,
+                                           std::span<const double> depth) const {
+  const double length = (1.0 - share) * length_[piece] + share * length_[piece + 1];
+  const double radius = spherical_ ? std::sqrt(start_ * start_ + length * (length + 2.0 * start_ * rise_))
+                                   : start_ + length * rise_;
+  const double mu = spherical_ ? std::clamp((start_ * sun_at_start_ + length * towards_) / radius, -1.0, 1.0)
+                               : sun_at_start_;
+  double sum = 0.0;
+  beam_slants(radius, mu, [&](std::size_t k, double slant) { sum += depth[k] * slant; });
+  return sum;
 }
 
 std::vector<double> ShellLineOfSight::beam_depths(std::span<const double> depth) const {

@@ -37,15 +37,28 @@ class ShellLineOfSight {
   /// Likewise of the direction that the light comes from, with the vertical there.
   const std::vector<double>& from_mu() const { return from_mu_; }
   const Propagation& direction() const { return direction_; }
+  /// Whether the beam's depth is far from linear along pieces: the Sun is low about a round Earth.
+  bool bends() const;
   double scattering_cosine() const { return scattering_cosine_; }
 
   /// Optical depths of the sunbeam that arrives at the ends of pieces, from depths of the layers (vertical, from the top
   /// down). Where the Earth is in the way: as if it ended just below the beam.
   std::vector<double> beam_depths(std::span<const double> depth) const;
+  /// The same within a piece, at a share of its length from its near end.
+  double beam_depth_within(std::size_t piece, double share, std::span<const double> depth) const;
 
  private:
-  void add_beams(std::span<const double> altitude_km, bool spherical, std::span<const double> place_km);
+  /// Of the beam that arrives at this radius under this cosine, in each layer, length over thickness: told to add(layer, slant).
+  template <class Add>
+  void beam_slants(double radius, double mu, const Add& add) const;
+  void add_beams(std::span<const double> place_km);
 
+  bool spherical_;
+  std::vector<double> altitude_km_;  ///< of the layers' boundaries
+  double start_ = 0.0, rise_ = 0.0;  ///< at the lower end: radius, cosine between the line and the vertical
+  double sun_at_start_ = 1.0,
+         towards_ = 1.0;        ///< of the Sun there, and cosine between it and the line from there up
+  std::vector<double> length_;  ///< of the ends of pieces from the lower end
   Propagation direction_;
   double scattering_cosine_ = 1.0;
   std::vector<Piece> pieces_;

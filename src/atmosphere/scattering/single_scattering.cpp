@@ -1,5 +1,6 @@
 #include "atmosphere/scattering/single_scattering.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -109,14 +110,31 @@ PathLight single_scattering(const ScatteringColumn& column, double aerosol_polar
                             const ShellLineOfSight& line, const SunCell& cell) {
   SingleScattering sum(column, aerosol_polarization, line.direction(), cell);
   const std::vector<double> beam = line.beam_depths(column.layer_depth);
+  const double shallowest = *std::min_element(beam.begin(), beam.end());
   for (std::size_t p = 0; p < line.pieces().size(); ++p) {
     const ShellLineOfSight::Piece& piece = line.pieces()[p];
     const double depth = piece.slant * column.layer_depth[piece.layer],
                  true_depth = piece.slant * column.layer_true_depth[piece.layer];
-    if (piece.lit)
-      sum.add(column.mixtures[piece.layer], depth, true_depth, beam[p], beam[p + 1]);
-    else
+    if (!piece.lit) {
       sum.pass(depth, true_depth);
+      continue;
+    }
+    // Where a low Sun's beam is weakened much within the piece, its depth goes with the root of the way below the layer's top.
+    const auto add = [&](const auto& again, double from, double to, double near, double far,
+                         int halvings) -> void {
+      constexpr double kWeakened = 0.3, kDarker = 12.0, kStraight = 0.02;
+      if (halvings > 0 && std::abs(far - near) > kWeakened && std::min(near, far) < shallowest + kDarker) {
+        const double half = 0.5 * (from + to), middle = line.beam_depth_within(p, half, column.layer_depth);
+        if (std::abs(middle - 0.5 * (near + far)) > kStraight) {
+          again(again, from, half, near, middle, halvings - 1);
+          again(again, half, to, middle, far, halvings - 1);
+          return;
+        }
+      }
+      sum.add(column.mixtures[piece.layer], (to - from) * depth, (to - from) * true_depth, near, far);
+    };
+    constexpr int kHalvings = 10;
+    add(add, 0.0, 1.0, beam[p], beam[p + 1], line.bends() ? kHalvings : 0);
   }
   return sum.light();
 }

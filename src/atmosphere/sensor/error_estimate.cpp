@@ -48,6 +48,19 @@ std::vector<double> scattered_once(const AtmosphereColumn& column, const Channel
   return once;
 }
 
+RoundEarthAir round_earth_air(const ChannelPoints& points) {
+  RoundEarthAir air{points.cloudy(), 0.0, 0.0};
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const LayerOptics& layers = points.points[p].layers();
+    const auto sum = [](const std::vector<double>& depth) {
+      return std::accumulate(depth.begin(), depth.end(), 0.0);
+    };
+    air.molecules += points.share[p] * sum(layers.rayleigh_scattering);
+    air.haze += points.share[p] * sum(layers.aerosol_scattering);
+  }
+  return air;
+}
+
 /// What is known at every point without a solution: means over the channel.
 struct ExactLight {
   double surface = 0.0;   ///< of the grey surface, in the direct beam and its own light and the air's
@@ -179,7 +192,7 @@ class Estimate {
         given.checks->against(given.scattered, given.emitted ? &*given.emitted : nullptr);
     if (question_.scattering.spherical_earth && question_.geometry.sun_zenith_rad) {
       const RoundEarthError round =
-          round_earth_error(*question_.geometry.sun_zenith_rad, given.points.cloudy());
+          round_earth_error(*question_.geometry.sun_zenith_rad, round_earth_air(given.points));
       errors.path += round.path;
       errors.sky_irradiance += round.sky;
     }

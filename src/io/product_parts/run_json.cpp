@@ -42,6 +42,10 @@ void write_accuracy(JsonWriter& json, const RunRecord& record) {
 void write_air(JsonWriter& json, const render::AtmosphereHalfWidth& air) {
   json.object("model", [&] {
     json.member("emission", air.model_emission);
+    if (air.model_counted > 0.0) {
+      json.member("found_with_bands_alone", air.model_of_bands > 0.0);
+      json.member("found_without_clouds", air.model_without_clouds > 0.0);
+    }
     json.member("in_interval", air.model_counted > 0.0);
     json.member("of_grey_surface", air.of_model(air.grey_radiance));
     json.member("path", air.model_path);

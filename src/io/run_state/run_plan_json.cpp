@@ -44,7 +44,9 @@ constexpr std::pair<const char*, double render::AtmosphereHalfWidth::*> kAtmosph
     {"model_path", &render::AtmosphereHalfWidth::model_path},
     {"model_emission", &render::AtmosphereHalfWidth::model_emission},
     {"model_sky", &render::AtmosphereHalfWidth::model_sky},
-    {"model_counted", &render::AtmosphereHalfWidth::model_counted}};
+    {"model_counted", &render::AtmosphereHalfWidth::model_counted},
+    {"model_without_clouds", &render::AtmosphereHalfWidth::model_without_clouds},
+    {"model_of_bands", &render::AtmosphereHalfWidth::model_of_bands}};
 
 void write_views(JsonWriter& json, const sensor::ViewList& list) {
   json.object("views", [&] {
