@@ -53,6 +53,8 @@ void CurveVerifier::verify(std::vector<std::uint32_t>& cells) {
 }
 
 void CurveVerifier::begin(CurveCheck& check) {
+  const Curve& curve = model_.curve_of(tree_[check.cell]);
+  check.has_corners = queries_.materials_of_one_object(curve.inner, curve.outer);
   switch (predictor_.predict(check)) {
     case CurvePredictor::Verdict::look: break;
     case CurvePredictor::Verdict::accept: accept(check); break;
@@ -72,7 +74,8 @@ void CurveVerifier::weigh_answers(CurveCheck& check, const std::uint32_t* seen) 
       if (beyond && before) {
         check.confirmed = true;
         check.stage = CurveCheck::Stage::legs;
-        if (!check.corner && (check.smooth || check.chord <= 6.0 * check.tolerance)) accept(check);
+        if (!check.corner && !check.may_be_corner() && (check.smooth || check.chord <= 6.0 * check.tolerance))
+          accept(check);
       } else if (beyond == before || (!beyond && seen[0] != check.near) ||
                  (!before && seen[1] != check.far)) {
         refuse(check);
@@ -103,10 +106,15 @@ void CurveVerifier::weigh_answers(CurveCheck& check, const std::uint32_t* seen) 
       check.stage = CurveCheck::Stage::legs;
       if (check.middle() > 1.001 * check.most || check.middle() < 1.001 * check.least)
         refuse(check);
-      else if (!check.corner && check.chord <= 6.0 * check.tolerance)
+      else if (!check.corner && !check.may_be_corner() && check.chord <= 6.0 * check.tolerance)
         accept(check);
       return;
     case CurveCheck::Stage::legs:
+      if (check.may_be_corner() && check.corners_seen(seen + 4) == 2) {
+        check.apex = check.centre + check.middle() * check.normal;
+        check.try_corner();
+        return;
+      }
       if (seen[0] == check.far && seen[1] == check.near && seen[2] == check.far && seen[3] == check.near)
         accept(check);
       else
