@@ -114,8 +114,7 @@ struct SurfaceAssignment {
   bool mixes_materials() const;  ///< by one of its patterns
   bool bends_normals() const;    ///< by one of its patterns
   const materials::TemperatureMap* temperature_map(std::size_t index, bool inner) const;  ///< null: none
-  std::vector<const materials::NumberedMap*> maps()
-      const;  ///< all that say what is where, each once, in the order given; holes count
+  std::vector<const materials::NumberedMap*> maps() const;  ///< all, once, in the order given; holes count
 };
 
 /// The immutable assembly of geometry, materials and light. Answers "what is at this point" and "what lights it";

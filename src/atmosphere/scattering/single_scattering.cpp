@@ -109,6 +109,7 @@ PathLight single_scattering(const ScatteringColumn& column, double aerosol_polar
 PathLight single_scattering(const ScatteringColumn& column, double aerosol_polarization,
                             const ShellLineOfSight& line, const SunCell& cell) {
   SingleScattering sum(column, aerosol_polarization, line.direction(), cell);
+  if (line.pieces().empty()) return sum.light();
   const std::vector<double> beam = line.beam_depths(column.layer_depth);
   const double shallowest = *std::min_element(beam.begin(), beam.end());
   for (std::size_t p = 0; p < line.pieces().size(); ++p) {

@@ -7,9 +7,9 @@
 #include "io/document/shapes/box_primitive.h"
 #include "io/document/shapes/flat_primitives.h"
 #include "io/document/shapes/round_primitives.h"
-#include "io/products/part_file.h"
 #include "radiometry/planck.h"
 #include "studies/common/study_document.h"
+#include "studies/common/study_files.h"
 #include "studies/surfaces/surface_rendering.h"
 #include "studies/surfaces/surface_sections.h"
 
@@ -76,9 +76,7 @@ void write_furnace_table(const std::filesystem::path& folder) {
           rows += format(
               "{},{},{},{},{:.9g}\n", light_deg, view_deg, azimuth_deg, um,
               (0.3 + 0.4 * std::cos(light_deg * kDegree) * std::cos(view_deg * kDegree)) / std::numbers::pi);
-  io::PartFile file(folder / "furnace_table.csv");
-  io::write_part(file, rows);
-  file.publish();
+  write_file(folder / "furnace_table.csv", rows);
 }
 
 FurnaceRoom render_furnace(const StudySurface& surface, const StudyOptions& options, int paths_across,
