@@ -1,5 +1,7 @@
 #include "studies/common/suburb_scene.h"
 
+#include <filesystem>
+
 #include "io/document/document.h"
 #include "landscape/landscapes.h"
 
@@ -14,9 +16,10 @@ constexpr const char* kDocument = "render_vswir.json";
 }  // namespace
 
 io::Document suburb_document(const StudyOptions& options, bool quick) {
-  if (!options.scene.empty()) return io::read_document(options.scene.string());
+  // Files are called by whole names: studies write documents elsewhere that are made of this one.
+  if (!options.scene.empty()) return io::read_document(std::filesystem::absolute(options.scene).string());
   landscape::MakeOptions scene;
-  scene.folder = options.output_folder / "scene";
+  scene.folder = std::filesystem::absolute(options.output_folder / "scene");
   scene.size_m = quick ? kQuickSize_m : kSize_m;
   scene.seed = kSeed;
   scene.replace = true;
