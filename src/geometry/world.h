@@ -58,6 +58,8 @@ class World {
     /// From the centre to the sides of the box in the object's own frame, longest first; 0 for planes.
     std::array<math::Vec3, 3> half_sides_m;
     bool compact = false;  ///< one connected thing, not a leaf or part of a larger object
+    bool cornered =
+        false;  ///< its outline may turn sharply: not that of a ball, cylinder, disk, plane or terrain
   };
   virtual std::size_t object_count() const = 0;
   virtual PlacedObject object(std::size_t number) const = 0;

@@ -105,6 +105,8 @@ class Field {
   /// Number of the object that a label belongs to, as TileProblem::pilot_objects counts them.
   static constexpr std::uint32_t kNoObject = ~std::uint32_t{0};
   virtual std::uint32_t object_of(Label) const { return kNoObject; }
+  /// Whether the border between two labels may turn sharply, as those of squares and of a map's cells do.
+  virtual bool may_have_corners(Label, Label) const { return false; }
 
   virtual RayCounts counts() const = 0;
 };

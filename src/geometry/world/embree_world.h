@@ -72,6 +72,7 @@ class EmbreeWorld final : public World, private HoleTest {
     World::Bounds bounds{};
     HalfSides half_sides_m{};
     math::Point3 set_origin_m;  ///< of the frame of its set
+    bool cornered = false;
   };
   struct Object {
     std::uint32_t of = 0;            ///< template

@@ -77,6 +77,7 @@ class SceneField final : public sampling::Field {
   }
   /// The instance, where labels hold its whole number.
   std::uint32_t object_of(sampling::Label label) const override;
+  bool may_have_corners(sampling::Label a, sampling::Label b) const override;
   const BlendColumns& blends() const { return blends_; }
   const UnseenLight& unseen() const { return unseen_; }
   /// Null where the camera stands still while a point is exposed.

@@ -32,6 +32,21 @@ void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<
   label_hits(points, hits_, detail_, labels);
 }
 
+bool SceneField::may_have_corners(sampling::Label a, sampling::Label b) const {
+  // Who throws a shadow, or what a mirror shows, is not known, and a map's cells turn anywhere.
+  const std::uint32_t object = object_of(a);
+  if (SurfaceLabel::sun_of(a) != SurfaceLabel::sun_of(b) || through_.any() ||
+      (object == object_of(b) && material_of(a) != material_of(b)))
+    return true;
+  const geometry::World& world = *scene_.scene().world;
+  const auto is_cornered = [&](sampling::Label label) {
+    if (SurfaceLabel::material_of(label) == SurfaceLabel::kSky) return false;
+    const std::uint32_t number = object_of(label);
+    return number >= world.object_count() || world.object(number).cornered;
+  };
+  return is_cornered(a) || is_cornered(b);
+}
+
 void SceneField::meet(std::span<const sampling::FocalPoint> points) {
   rays_.resize(points.size());
   hits_.resize(points.size());

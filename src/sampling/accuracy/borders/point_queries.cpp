@@ -24,12 +24,8 @@ void PointQueries::ask(const std::vector<FocalPoint>& points, std::vector<std::u
   first_values_.take(wanted, at);
 }
 
-bool PointQueries::materials_of_one_object(std::uint32_t a, std::uint32_t b) const {
-  const Field& field = ledger_.field();
-  const Label one = table_.label(a), other = table_.label(b);
-  const std::uint32_t object = field.object_of(one);
-  return object != Field::kNoObject && object == field.object_of(other) &&
-         field.material_of(one) != field.material_of(other);
+bool PointQueries::may_have_corners(std::uint32_t a, std::uint32_t b) const {
+  return ledger_.field().may_have_corners(table_.label(a), table_.label(b));
 }
 
 }  // namespace ifov::sampling

@@ -26,8 +26,8 @@ class PointQueries {
     return labels_;
   }
 
-  /// Whether two labels are of unlike materials of one object, as those of a map's classes are.
-  bool materials_of_one_object(std::uint32_t a, std::uint32_t b) const;
+  /// Field::may_have_corners of labels by their numbers.
+  bool may_have_corners(std::uint32_t a, std::uint32_t b) const;
 
   /// Labels of other points.
   void ask(const std::vector<FocalPoint>& points, std::vector<std::uint32_t>& labels, Purpose purpose);

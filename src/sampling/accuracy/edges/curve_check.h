@@ -18,15 +18,15 @@ constexpr double kLooseCurve = 0.05;
 /// A corner is looked for between these multiples of the predicted distance from the chord.
 constexpr double kCornerNear = 0.4, kCornerFar = 1.5;
 
-/// Where a border may have corners anywhere, as those of a map's cells do, an arc whose middle is farther from its chord than this
-/// share of it may be one, too: rays between the two at a quarter of the way from each end, where an arc is at 3/4 of its height and
-/// a corner at 1/2, tell which it is.
-constexpr double kSteep = 0.1, kBetweenArcAndCorner = 0.625;
+/// Where a border may have corners anywhere, an arc whose middle is farther from its chord than this share of it may be one, too:
+/// rays between the two at a quarter of the way from each end, where an arc is at 3/4 of its height and a corner at 1/2, tell which
+/// it is, once the height is known to this share of itself (an arc of 5/6 of the height is where the rays are).
+constexpr double kSteep = 0.1, kBetweenArcAndCorner = 0.625, kKnownHeight = 1.0 / 3.0;
 
 /// One tentative curve on its way through verification. Its middle is looked for on a line through the
 /// chord's middle; beyond the curve on that line the label is `far`, before it `near`. It is `guessed` where nothing predicts it.
 struct CurveCheck {
-  enum class Stage { middle, far_side, bisect, legs, done };
+  enum class Stage { middle, far_side, bisect, arc_or_corner, legs, done };
   std::uint32_t cell = 0;
   Stage stage = Stage::middle;
   CurveEnds ends;
@@ -34,18 +34,29 @@ struct CurveCheck {
   double chord = 0.0, least = 0.0, most = 0.0, tolerance = 0.0, predicted = 0.0;
   double low = 0.0, high = 0.0, blur = 0.0;
   std::uint32_t far = 0, near = 0;
-  bool has_corners = false;  ///< the border is one of cells
+  bool may_have_corners = false;  ///< the border
+  bool corner_matters = false;    ///< the neighbours leave room for one that would
   bool smooth = false, guessed = false, beyond_wrong = false, has_apex = false, corner = false,
        confirmed = false, measured = false;
   Point2 apex;
   std::size_t first_point = 0;
 
   double middle() const { return 0.5 * (low + high); }
-  bool may_be_corner() const { return has_corners && !corner && std::abs(middle()) > kSteep * chord; }
-  /// Of the rays between arc and corner, in the order in which they are asked.
+  bool may_be_corner() const { return may_have_corners && !corner && std::abs(middle()) > kSteep * chord; }
+  bool knows_height() const { return high - low <= 1.000001 * kKnownHeight * std::abs(middle()); }
+  /// How many of the rays between arc and corner saw the latter: one, where its apex is not over the chord's middle.
   int corners_seen(const std::uint32_t* seen) const {
     const std::uint32_t of_corner = middle() > 0.0 ? far : near;
     return (seen[0] == of_corner ? 1 : 0) + (seen[1] == of_corner ? 1 : 0);
+  }
+  /// Where neither did: an arc is not lower than where they were. False where a corner may be so high that they missed it.
+  bool note_arc() {
+    const double asked = kBetweenArcAndCorner * middle(), least_height = asked / 0.75;
+    if (middle() > 0.0)
+      low = std::max(low, least_height);
+    else
+      high = std::min(high, least_height);
+    return 0.5 * std::max(high, -low) <= std::abs(asked);
   }
 
   /// From an arc to two legs that meet at the apex.
@@ -73,6 +84,10 @@ struct CurveCheck {
         break;
       case Stage::far_side: on_line(beyond_wrong ? high : low); break;
       case Stage::bisect: on_line(middle()); break;
+      case Stage::arc_or_corner:
+        for (const Point2 end : {ends.a, ends.b})
+          add(points, 0.5 * (centre + end) + (kBetweenArcAndCorner * middle()) * normal);
+        break;
       case Stage::legs: add_leg_points(points); break;
       case Stage::done: break;
     }
@@ -101,9 +116,6 @@ struct CurveCheck {
       add(points, foot + margin * across);
       add(points, foot - margin * across);
     }
-    if (!may_be_corner()) return;
-    for (const Point2 end : {ends.a, ends.b})
-      add(points, 0.5 * (centre + end) + (kBetweenArcAndCorner * middle()) * normal);
   }
 };
 

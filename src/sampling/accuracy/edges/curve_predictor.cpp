@@ -142,6 +142,7 @@ CurvePredictor::Verdict CurvePredictor::predict(CurveCheck& check) const {
   // is, by rays between them; else what is claimed reaches from one to the other.
   const double cut_off = std::max(0.0, 0.75 * corner.height - std::abs(check.predicted));
   const bool corner_matters = 2.0 / 3.0 * check.chord * cut_off * contrast > kLooseCurve * allowed;
+  check.corner_matters = corner_matters;
   if (corner_matters)
     check.tolerance = std::min(check.tolerance,
                                std::max(0.5 * (corner.at_middle - std::abs(check.predicted)), 0.75 * blur));

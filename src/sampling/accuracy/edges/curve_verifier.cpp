@@ -54,7 +54,7 @@ void CurveVerifier::verify(std::vector<std::uint32_t>& cells) {
 
 void CurveVerifier::begin(CurveCheck& check) {
   const Curve& curve = model_.curve_of(tree_[check.cell]);
-  check.has_corners = queries_.materials_of_one_object(curve.inner, curve.outer);
+  check.may_have_corners = queries_.may_have_corners(curve.inner, curve.outer);
   switch (predictor_.predict(check)) {
     case CurvePredictor::Verdict::look: break;
     case CurvePredictor::Verdict::accept: accept(check); break;
@@ -73,9 +73,7 @@ void CurveVerifier::weigh_answers(CurveCheck& check, const std::uint32_t* seen) 
       check.high = check.predicted + check.tolerance;
       if (beyond && before) {
         check.confirmed = true;
-        check.stage = CurveCheck::Stage::legs;
-        if (!check.corner && !check.may_be_corner() && (check.smooth || check.chord <= 6.0 * check.tolerance))
-          accept(check);
+        follow(check);
       } else if (beyond == before || (!beyond && seen[0] != check.near) ||
                  (!before && seen[1] != check.far)) {
         refuse(check);
@@ -103,18 +101,28 @@ void CurveVerifier::weigh_answers(CurveCheck& check, const std::uint32_t* seen) 
       // Halves of twice the tolerance are not to depend on rounding.
       if (check.high - check.low > 1.000001 * check.tolerance) return;
       check.measured = true;
-      check.stage = CurveCheck::Stage::legs;
       if (check.middle() > 1.001 * check.most || check.middle() < 1.001 * check.least)
         refuse(check);
-      else if (!check.corner && !check.may_be_corner() && check.chord <= 6.0 * check.tolerance)
-        accept(check);
+      else
+        follow(check);
       return;
-    case CurveCheck::Stage::legs:
-      if (check.may_be_corner() && check.corners_seen(seen + 4) == 2) {
+    case CurveCheck::Stage::arc_or_corner:
+      if (check.corners_seen(seen) == 0) {
+        if (check.note_arc())
+          follow_arc(check);
+        else
+          check.stage = CurveCheck::Stage::legs;
+      } else if (check.corners_seen(seen) == 1) {
+        check.stage = CurveCheck::Stage::legs;
+      } else if (!check.knows_height()) {
+        check.tolerance = std::min(check.tolerance, kKnownHeight * std::abs(check.middle()));
+        check.stage = CurveCheck::Stage::bisect;
+      } else {
         check.apex = check.centre + check.middle() * check.normal;
         check.try_corner();
-        return;
       }
+      return;
+    case CurveCheck::Stage::legs:
       if (seen[0] == check.far && seen[1] == check.near && seen[2] == check.far && seen[3] == check.near)
         accept(check);
       else
@@ -122,6 +130,21 @@ void CurveVerifier::weigh_answers(CurveCheck& check, const std::uint32_t* seen) 
       return;
     case CurveCheck::Stage::done: return;
   }
+}
+
+/// Its middle is known: whether it is bent as it is taken to be.
+void CurveVerifier::follow(CurveCheck& check) {
+  if (check.may_be_corner())
+    check.stage = CurveCheck::Stage::arc_or_corner;
+  else
+    follow_arc(check);
+}
+
+void CurveVerifier::follow_arc(CurveCheck& check) {
+  check.stage = CurveCheck::Stage::legs;
+  if (check.may_have_corners && check.corner_matters) return;
+  if (!check.corner && ((check.confirmed && check.smooth) || check.chord <= 6.0 * check.tolerance))
+    accept(check);
 }
 
 /// The curve is not where it was looked for: a corner instead of an arc, then smaller cells, unless what may

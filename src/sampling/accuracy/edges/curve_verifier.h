@@ -36,6 +36,8 @@ class CurveVerifier {
  private:
   void begin(CurveCheck& check);
   void weigh_answers(CurveCheck& check, const std::uint32_t* seen);
+  void follow(CurveCheck& check);
+  void follow_arc(CurveCheck& check);
   void refuse(CurveCheck& check);
   void accept(CurveCheck& check);
   bool may_leave_pixel(const CurveCheck& check, std::uint32_t pixel) const;
