@@ -28,6 +28,8 @@ constexpr double kTrustedAnyway = 0.16;
 constexpr double kSeenWidth = 0.5;
 /// Only borders that go on, and gently so, may stay unverified: sagitta over chord, by either neighbour.
 constexpr double kGentleBend = 0.1;
+/// Likewise the cosine of the turn from a neighbour's chord, where borders may have corners.
+constexpr double kGentleTurn = 0.93;
 /// What the phase of a guessed middle is keyed by, beside its cell.
 constexpr std::uint64_t kMiddleDither = 0x6d6964646c65ull;
 
@@ -95,6 +97,7 @@ CurvePredictor::Verdict CurvePredictor::predict(CurveCheck& check) const {
   int neighbours = 0;
   PossibleCorner corner;
   bool continued = false;
+  double turn_cosine = 1.0;  // of the sharper turn from a neighbour's chord to this one
   for (int end = 0; end < 2; ++end) {
     if (!model_.neighbour_end(curve.bracket[end], curve.cell, beyond[end])) continue;
     continued = true;
@@ -104,8 +107,9 @@ CurvePredictor::Verdict CurvePredictor::predict(CurveCheck& check) const {
                               : menger_curvature(middles.a, middles.b, beyond[1], span, reach);
     weights[end] = std::min(reach, check.chord);
     const Point2 here = end == 0 ? a : b, along = here - beyond[end];
-    corner = PossibleCorner::right_angled(
-        check.chord, (end == 0 ? 1.0 : -1.0) * dot(along, d) / (length(along) * check.chord));
+    const double cosine = (end == 0 ? 1.0 : -1.0) * dot(along, d) / (length(along) * check.chord);
+    turn_cosine = std::min(turn_cosine, cosine);
+    corner = PossibleCorner::right_angled(check.chord, cosine);
     ++neighbours;
   }
   const double blur = model_.blur(curve);
@@ -160,7 +164,9 @@ CurvePredictor::Verdict CurvePredictor::predict(CurveCheck& check) const {
     return (feature == INFINITY && neighbours > 0) ||
            (continued && cannot_hide && hidden < kTrustedAnyway * allowed);
   };
-  if (unverified_width <= curve.wanted_middle && bend < kGentleBend && !corner_matters && trusted()) {
+  // A circle through a long chord and a short one beside it is flat, however sharp the turn: as much of that may be a corner here.
+  const bool turns = check.may_have_corners && turn_cosine < kGentleTurn;
+  if (unverified_width <= curve.wanted_middle && bend < kGentleBend && !turns && !corner_matters && trusted()) {
     check.predicted = std::clamp(check.predicted, check.least, check.most);
     check.low = check.predicted - 0.5 * unverified_width;
     check.high = check.predicted + 0.5 * unverified_width;
@@ -183,7 +189,7 @@ CurvePredictor::Verdict CurvePredictor::predict(CurveCheck& check) const {
     check.guessed = true;
     check.predicted = (2.0 * dither_.phase(key) - 1.0) * check.tolerance;
   }
-  check.smooth = neighbours == 2 && disagreement <= std::max(1.5 * std::max(check.tolerance, blur),
+  check.smooth = neighbours == 2 && !turns && disagreement <= std::max(1.5 * std::max(check.tolerance, blur),
                                                              0.35 * std::abs(check.predicted));
   return Verdict::look;
 }
