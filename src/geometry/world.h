@@ -48,8 +48,7 @@ class World {
   };
   virtual Heights heights() const = 0;
 
-  /// A placed object, by its instance number: centre and radius of a bounding sphere (radius
-  /// infinite for planes). Seeds of small compact objects come from here.
+  /// A placed object, by its instance number, with a bounding sphere (infinite for planes). Seeds of small ones come from here.
   struct PlacedObject {
     math::Point3 centre_m;
     double radius_m = 0.0;
@@ -57,9 +56,8 @@ class World {
                                  ///< largest face for open meshes, the centre for solids)
     /// From the centre to the sides of the box in the object's own frame, longest first; 0 for planes.
     std::array<math::Vec3, 3> half_sides_m;
-    bool compact = false;  ///< one connected thing, not a leaf or part of a larger object
-    bool cornered =
-        false;  ///< its outline may turn sharply: not that of a ball, cylinder, disk, plane or terrain
+    bool compact = false;   ///< one connected thing, not a leaf or part of a larger object
+    bool cornered = false;  ///< no ball, cylinder, disk, plane or terrain: its outline may turn
   };
   virtual std::size_t object_count() const = 0;
   virtual PlacedObject object(std::size_t number) const = 0;

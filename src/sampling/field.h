@@ -21,20 +21,17 @@ struct FocalPoint {
 /// facing and sun state. Opaque to samplers. Labels steer where rays go; they never enter an estimate as truth.
 using Label = std::uint64_t;
 
-/// One path: through `point`, with the random numbers of element `index` of the scrambled sequence `sequence`.
-/// Dimension pair 0 of the sequence is the sampler's (where in the stratum the point lies); paths use 1 and up, so
-/// that positions and paths are stratified together.
+/// One path: through `point`, with the random numbers of element `index` of the scrambled sequence `sequence`. Dimension pair 0 is
+/// the sampler's (where in the stratum the point lies); paths use 1 and up, so that both are stratified together.
 struct PathRequest {
   FocalPoint point;
   std::uint64_t sequence = 0;
   std::uint32_t index = 0;
 };
 
-/// Rays traced so far on behalf of a sampler, by kind.
+/// Rays traced so far on behalf of a sampler: from the camera, one a label or value; to the Sun; leaving surfaces.
 struct RayCounts {
-  std::uint64_t primary = 0;       ///< rays from the camera: one a label or value
-  std::uint64_t shadow = 0;        ///< rays to the Sun, for labels and for radiance
-  std::uint64_t continuation = 0;  ///< rays leaving surfaces
+  std::uint64_t primary = 0, shadow = 0, continuation = 0;
   std::uint64_t total() const { return primary + shadow + continuation; }
   RayCounts& operator+=(const RayCounts& other);
 };
@@ -90,7 +87,7 @@ class Field {
   /// Means and spreads of groups of values in two levels (sampling/image/levels.h). Here: of values(), all of it direct.
   virtual void levels(const LevelRequests& requests, LevelSums& sums);
 
-  /// What is known, without a search, of the detail of these pixels; nothing where the field cannot tell.
+  /// What is known, without a search, of the detail of these pixels.
   virtual void known_detail(const FieldRect& pixels, KnownDetail& detail);
 
   /// What maps say of the surface of this label that the ray through `seen` meets, by a few rays; null: nothing that differs.

@@ -21,9 +21,8 @@ struct SurfaceLabel {
   static constexpr std::uint32_t kSunOfSky = 1;  ///< "patch" of the sky where the Sun's disc stands
   static constexpr std::uint32_t kMoving = (1u << 25) - 1;  ///< "instance" of what may move
   static constexpr std::uint32_t kMaximumMaterials = (1u << 15) - 3;
-  static constexpr std::uint32_t kBlend =
-      (1u << 15) - 2;  ///< "material" of surface assignments that mix materials
-  static constexpr std::uint32_t kSky = (1u << 15) - 1;  ///< "material" of a ray that met nothing
+  static constexpr std::uint32_t kBlend = (1u << 15) - 2;  ///< "material" of assignments that mix
+  static constexpr std::uint32_t kSky = (1u << 15) - 1;    ///< "material" of a ray that met nothing
 
   constexpr sampling::Label pack() const {
     return (static_cast<std::uint64_t>(instance & 0x1ffffffu) << 39) |
@@ -37,8 +36,7 @@ struct SurfaceLabel {
     return SurfaceLabel{kMoving, 0, kBlend, true, SunState::penumbra}.pack();
   }
 
-  /// The label of the same hit in a state of MirrorLight, which is folded into the bits of the patch; `uneven` takes
-  /// the highest of them.
+  /// The label of the same hit in a state of MirrorLight, folded into the bits of the patch; `uneven` takes the highest.
   static constexpr sampling::Label with_mirrored(sampling::Label label, std::uint64_t state, bool uneven) {
     return (label ^ (state & 0xfffffu) << 18) | (uneven ? kUneven : 0);
   }

@@ -17,6 +17,9 @@ constexpr double kRefusedShare = 0.12;
 constexpr double kLooseCurve = 0.05;
 /// A corner is looked for between these multiples of the predicted distance from the chord.
 constexpr double kCornerNear = 0.4, kCornerFar = 1.5;
+/// Its legs are looked at here, from their outer ends: nearer the apex than the middle, as the apex of a narrow tip is seldom quite on
+/// the line on which it is sought.
+constexpr double kAlongLeg = 2.0 / 3.0;
 
 /// Where a border may have corners anywhere, an arc whose middle is farther from its chord than this share of it may be one, too:
 /// rays between the two at a quarter of the way from each end, where an arc is at 3/4 of its height and a corner at 1/2, tell which
@@ -104,7 +107,7 @@ struct CurveCheck {
       if (corner) {
         const Point2 tip = centre + middle() * normal, leg = tip - end;
         const double reach = length(leg);
-        foot = 0.5 * (tip + end);
+        foot = end + kAlongLeg * (tip - end);
         across = reach > 0.0 ? Point2{-leg.y / reach, leg.x / reach} : normal;
         if (dot(across, normal) < 0.0) across = -1.0 * across;
         margin = std::max(margin, blur);
