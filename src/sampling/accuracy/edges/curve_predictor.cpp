@@ -166,7 +166,8 @@ CurvePredictor::Verdict CurvePredictor::predict(CurveCheck& check) const {
   };
   // A circle through a long chord and a short one beside it is flat, however sharp the turn: as much of that may be a corner here.
   const bool turns = check.may_have_corners && turn_cosine < kGentleTurn;
-  if (unverified_width <= curve.wanted_middle && bend < kGentleBend && !turns && !corner_matters && trusted()) {
+  if (unverified_width <= curve.wanted_middle && bend < kGentleBend && !turns && !corner_matters &&
+      trusted()) {
     check.predicted = std::clamp(check.predicted, check.least, check.most);
     check.low = check.predicted - 0.5 * unverified_width;
     check.high = check.predicted + 0.5 * unverified_width;
@@ -189,8 +190,9 @@ CurvePredictor::Verdict CurvePredictor::predict(CurveCheck& check) const {
     check.guessed = true;
     check.predicted = (2.0 * dither_.phase(key) - 1.0) * check.tolerance;
   }
-  check.smooth = neighbours == 2 && !turns && disagreement <= std::max(1.5 * std::max(check.tolerance, blur),
-                                                             0.35 * std::abs(check.predicted));
+  check.smooth =
+      neighbours == 2 && !turns &&
+      disagreement <= std::max(1.5 * std::max(check.tolerance, blur), 0.35 * std::abs(check.predicted));
   return Verdict::look;
 }
 
