@@ -1,6 +1,7 @@
 #include "render/picture.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/error.h"
 #include "geometry/world.h"
@@ -13,6 +14,7 @@
 #include "render/tolerance/atmosphere_budget.h"
 #include "render/tolerance/node_budget.h"
 #include "render/truth_layers.h"
+#include "render/wings/cut_room.h"
 #include "render/wings/wing_light.h"
 #include "render/wings/wing_maps.h"
 #include "render/wings/wing_spots.h"
@@ -166,11 +168,15 @@ sampling::TileResult Picture::tile(const sampling::PixelRect& tile, std::size_t 
   const auto later = unsampled_.tell(problem.tile, static_cast<std::size_t>(field.blends().first_column()));
   problem.later = later.get();
   sampling::TileResult result;
+  const std::vector<double> cut = cut_by_column(job_.cut, field);
+  std::optional<CutRoom> room;
+  if (job_.tolerance != nullptr && leaves_out(cut))
+    problem.tolerance = &room.emplace(*job_.tolerance, cut, problem, field);
   job_.sampler.sample(problem, field, result);
   const std::vector<sampling::Reasons> sampled = result.reasons;
   if (!job_.wings.empty())
     add_wings(job_.wings, problem, job_.tolerance, spot_light_ ? &*spot_light_ : nullptr, field, result);
-  widen_by_cut(cut_by_column(job_.cut, field), problem.later, job_.tolerance, result);
+  widen_by_cut(cut, problem.later, job_.tolerance, result);
   result.rays = field.counts();
   result.rays += before.rays;
   field.unseen().settle(job_.tolerance, problem.later, result);

@@ -8,6 +8,7 @@
 #include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/channel_brightness.h"
+#include "render/wings/cut_room.h"
 #include "render/wings/wing_light.h"
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "sensor/airy_aperture.h"
@@ -244,6 +245,33 @@ TEST(WingLight, WhatACutMakesTooWideSaysSo) {
   EXPECT_NEAR(tile.worst_ratio[1], 0.1 / 1.01, 1e-6);
   EXPECT_EQ(tile.reasons[0], sampling::bit(sampling::Reason::psf_cut));
   EXPECT_EQ(tile.reasons[1], 0);
+}
+
+// A pixel of the darker side that is as wide as it may be is within what was asked for when the cut is in.
+TEST(WingLight, ThereIsRoomForWhatACutLeavesOut) {
+  const std::vector<radiometry::Channel> channels{radiometry::Channel::monochromatic("red", 0.6)};
+  const auto nodes = radiometry::SpectralNodes::build(channels, radiometry::Spectrum(), {});
+  const ChannelBrightness brightness(nodes);
+  const AccuracyTolerance percent({}, brightness, {0.0}, 2);
+  EdgeField field(0.1, 0.9, 11.3, 5.0, 0.0);
+  sampling::TileProblem problem;
+  problem.tile = problem.image = {0, 0, 16, 16};
+  const std::vector<double> left_out(1, 5e-4), dark(1, 0.1);
+  const CutRoom room(percent, left_out, problem, field);
+  std::vector<double> limit(1), asked(1);
+  room.limits(dark, limit);
+  percent.asked(dark, asked);
+  EXPECT_LT(limit[0], 0.9 * asked[0]);
+  sampling::TileResult tile;
+  tile.reset({0, 0, 2, 1}, 1);
+  tile.mean = {0.1f, 0.9f};
+  tile.reasons.assign(2, 0);
+  for (const bool with_room : {true, false}) {
+    tile.half_width[0] = static_cast<float>(with_room ? limit[0] : asked[0]);
+    tile.bound.assign(2, 0.0f);
+    widen_by_cut(left_out, nullptr, &percent, tile);
+    EXPECT_EQ(tile.worst_ratio[0] <= 1.0f, with_room);
+  }
 }
 
 }  // namespace

@@ -85,7 +85,8 @@ void AccuracyTolerance::leave_hidden_channels(const std::vector<double>& path_ra
   if (std::find(seen.begin(), seen.end(), 1) != seen.end()) judged_ = std::move(seen);
 }
 
-void AccuracyTolerance::limits(std::span<const double> mean, std::span<double> limit) const {
+void AccuracyTolerance::limits_beside(std::span<const double> bounds, std::span<const double> mean,
+                                      std::span<double> limit) const {
   asked(mean, limit);
   for (std::size_t c = 0; c < judged_columns(limit.size()); ++c) {
     if (std::isinf(limit[c])) continue;  // not judged
@@ -94,6 +95,7 @@ void AccuracyTolerance::limits(std::span<const double> mean, std::span<double> l
     if (!air_.empty())
       of_air = c == channel ? air_[c].all_of(mean[c]) : air_[channel].of_polarization(mean[channel]);
     other += of_air;
+    if (!bounds.empty()) other += bounds[c];
     if (!nodes_.empty())
       other += nodes_[channel].counted(std::abs(mean[channel]), limit[c], nodes_[channel].given_up);
     const double of_rays = of_air > limit[c] ? kShareOfAir * of_air : 0.0;

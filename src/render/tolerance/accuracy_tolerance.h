@@ -50,7 +50,12 @@ class AccuracyTolerance final : public sampling::Tolerance {
   /// What is left for paths and edges: what makes what is asked for with what the air, the nodes and a cut may be wrong by
   /// (sampling::BoundedError), but never less than kLeastShare of it, because no number of rays makes up for those. Where the air alone is wrong by more
   /// than what is asked for, nor less than kShareOfAir of that: what rays add is then little beside it.
-  void limits(std::span<const double> mean, std::span<double> limit) const override;
+  void limits(std::span<const double> mean, std::span<double> limit) const override {
+    limits_beside({}, mean, limit);
+  }
+  /// The same beside bounds of a pixel's own, by column; empty: none.
+  void limits_beside(std::span<const double> bounds, std::span<const double> mean,
+                     std::span<double> limit) const;
   /// What is asked for.
   void asked(std::span<const double> mean, std::span<double> limit) const;
   static constexpr double kLeastShare = 0.5, kShareOfAir = 1.0 / 3.0;

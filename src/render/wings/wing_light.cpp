@@ -299,10 +299,13 @@ void add_wings(std::span<const PsfWings* const> wings, const sampling::TileProbl
   tile.halo_samples += around_tile.paths() - 4 * tile.samples.size();
 }
 
+bool leaves_out(std::span<const double> left_out) {
+  return std::any_of(left_out.begin(), left_out.end(), [](double share) { return share > 0.0; });
+}
+
 void widen_by_cut(std::span<const double> left_out, const sampling::LaterLight* later,
                   const AccuracyTolerance* tolerance, sampling::TileResult& tile) {
-  if (std::none_of(left_out.begin(), left_out.end(), [](double share) { return share > 0.0; })) return;
-  if (!tile.has_errors()) return;
+  if (!leaves_out(left_out) || !tile.has_errors()) return;
   const std::size_t columns = static_cast<std::size_t>(tile.columns), pixels = tile.samples.size();
   std::vector<double> darkest(columns, std::numeric_limits<double>::infinity()),
       brightest(columns, -darkest[0]);

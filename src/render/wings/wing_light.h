@@ -27,6 +27,9 @@ void add_wings(std::span<const sensor::PsfWings* const> wings, const sampling::T
                const AccuracyTolerance* tolerance, const SpotLight* spots, sampling::Field& field,
                sampling::TileResult& tile);
 
+/// Whether a cut leaves out anything of any column.
+bool leaves_out(std::span<const double> left_out);
+
 /// For a cut without wings: half-widths grow by `left_out` of the energy, by column, times the largest difference to any other pixel
 /// of the tile, and pixels that are too wide for it get Reason::psf_cut. Nothing where it is empty or all 0. `later`: light that will
 /// join them; may be null.
