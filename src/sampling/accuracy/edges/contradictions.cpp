@@ -13,6 +13,8 @@ namespace {
 
 /// Share of the allowed standard error below which a strip as wide as a cell, from side to side of a pixel, may be wrong.
 constexpr double kNegligible = 0.1;
+/// Allowed standard errors that a tip may hide where nothing is followed from beyond.
+constexpr double kTip = 0.5;
 
 }  // namespace
 
@@ -28,6 +30,11 @@ bool Contradictions::disagrees(FocalPoint point, std::uint32_t label, double sla
 bool Contradictions::matters(std::uint32_t pixel, std::uint32_t a, std::uint32_t b) const {
   return a != b && model_.tree().lattice().side_px(0) * contrast_(pixel, a, b) * kUniformSpread >
                        kNegligible * pixels_.allowed_deviation(pixel);
+}
+
+double Contradictions::tip_that_matters(std::uint32_t pixel, std::uint32_t a, std::uint32_t b) const {
+  const double contrast = contrast_(pixel, a, b);
+  return contrast > 0.0 ? std::sqrt(2.0 * kTip / contrast) : INFINITY;
 }
 
 double Contradictions::dismissed(FocalPoint point, std::uint32_t label) const {

@@ -18,6 +18,8 @@ namespace {
 /// Width of the error of a middle that was predicted but not verified, as a share of the chord. Where the
 /// tolerance can bear it, no ray is spent.
 constexpr double kUnverifiedWidth = 0.25;
+/// The same where none is far enough to tell a direction and borders may have corners: a tip as high as the chord.
+constexpr double kVagueWidth = 1.0;
 /// The same where both neighbours predict it: this and so many times the sagitta that they predict.
 constexpr double kAgreedWidth = 0.06, kBendWidth = 2.0;
 /// A curve in a narrow feature, or one whose neighbours are too near to tell its direction, may stay
@@ -156,7 +158,8 @@ CurvePredictor::Verdict CurvePredictor::predict(CurveCheck& check) const {
   const double bend = std::max(std::abs(curvature[0]), std::abs(curvature[1])) * check.chord / 8.0;
   const double unverified_width =
       std::max(check.chord * (neighbours == 2 ? std::min(kUnverifiedWidth, kAgreedWidth + kBendWidth * bend)
-                                              : kUnverifiedWidth),
+                              : neighbours == 0 && check.may_have_corners ? kVagueWidth
+                                                                          : kUnverifiedWidth),
                2.0 * cut_off);
   const auto trusted = [&] {
     const double feature = features_.width_at(cell), spacing = lattice.side_px(0);

@@ -129,6 +129,10 @@ double EdgeTracer::narrowest_met(std::uint32_t pixel) const {
   return parts_->edge_cells.crossed(pixel) ? parts_->features.narrowest_met(pixel) : INFINITY;
 }
 
+bool EdgeTracer::may_have_corners(std::uint32_t a, std::uint32_t b) const {
+  return parts_->queries.may_have_corners(a, b);
+}
+
 double EdgeTracer::leaf_side_px(FocalPoint point) const {
   return lattice_.side_px(parts_->tree[parts_->tree.leaf_at(point)].level);
 }

@@ -46,6 +46,7 @@ class EdgeTracer {
   /// Width of the narrowest feature that one of the pixel's vertices on the lattice lies in; infinite where none is
   /// narrower than the lattice is fine. Such a feature was met by chance.
   double narrowest_met(std::uint32_t pixel) const;
+  bool may_have_corners(std::uint32_t a, std::uint32_t b) const;  ///< Field::may_have_corners
   /// Side of the smallest cell that holds the point: about the width of what was traced there.
   double leaf_side_px(FocalPoint point) const;
 

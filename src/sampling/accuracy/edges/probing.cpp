@@ -205,8 +205,8 @@ std::vector<Prober::Met> Prober::seen_in(int pixel) const {
 }
 
 /// Points of a traced pixel along its side towards one of clutter, as close as what the clutter holds and the pixel has not
-/// met is wide; none where it has met it all.
-void Prober::points_along_side(int pixel, int dx, int dy, const std::vector<Met>& beyond,
+/// met is wide, and as tips of what either holds that would matter; along another side, as tips whose borders may have corners.
+void Prober::points_along_side(int pixel, int dx, int dy, const std::vector<Met>& beyond, bool clutter,
                                std::vector<FocalPoint>& points) const {
   const PixelRect& domain = tracer_.lattice().domain();
   const std::vector<Met> seen = seen_in(pixel);
@@ -216,8 +216,17 @@ void Prober::points_along_side(int pixel, int dx, int dy, const std::vector<Met>
     if (std::none_of(seen.begin(), seen.end(), [&](const Met& m) { return m.label == met.label; }))
       least = std::min(least, met.count);
   }
-  if (least == ~std::uint32_t{0}) return;
-  const int count = std::min(static_cast<int>((all + least - 1) / least), kMostAlongSide);
+  double tip = INFINITY;
+  for (const Met& met : beyond)
+    for (const Met& own : seen)
+      if (clutter || tracer_.may_have_corners(met.label, own.label))
+        tip = std::min(tip, tracer_.contradictions().tip_that_matters(static_cast<std::uint32_t>(pixel),
+                                                                      met.label, own.label));
+  int count = 0;
+  if (clutter && least != ~std::uint32_t{0}) count = static_cast<int>((all + least - 1) / least);
+  // Wider ones show on the lattice.
+  if (tip < tracer_.lattice().side_px(0)) count = std::max(count, static_cast<int>(std::ceil(1.0 / tip)));
+  count = std::min(count, kMostAlongSide);
   const int x = domain.x0 + pixel % domain.width(), y = domain.y0 + pixel / domain.width();
   const std::uint64_t key = hash(seed_, kSideKey, x, y, 3 * dy + dx);
   for (int i = 0; i < count; ++i) {
@@ -225,6 +234,32 @@ void Prober::points_along_side(int pixel, int dx, int dy, const std::vector<Met>
     const auto at = [&](int d) { return d < 0 ? into : d > 0 ? 1.0 - into : along; };
     points.push_back({x + at(dx), y + at(dy)});
   }
+}
+
+/// Nor is anything followed in from beyond the image: by what the pixels along its rim hold.
+void Prober::look_along_rim(const std::vector<std::uint8_t>& worth) {
+  const PixelRect& domain = tracer_.lattice().domain();
+  const int width = domain.width(), height = domain.height();
+  const auto inside = [&](int x, int y) { return x >= 0 && y >= 0 && x < width && y < height; };
+  std::vector<FocalPoint> points;
+  for (int p = 0; p < domain.count(); ++p) {
+    if (!worth[p] || tracer_.pixels().abandoned(static_cast<std::uint32_t>(p))) continue;
+    const int x = p % width, y = p / width;
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+      if (inside(x + dx, y + dy)) continue;
+      std::vector<Met> beside;
+      for (const int side : {-1, 1})
+        if (inside(x + side * dy, y + side * dx)) {
+          const std::vector<Met> seen = seen_in(p + side * (dx * width + dy));
+          beside.insert(beside.end(), seen.begin(), seen.end());
+        }
+      points_along_side(p, dx, dy, beside, false, points);
+    }
+  }
+  if (points.empty()) return;
+  std::vector<std::uint32_t> labels;
+  tracer_.ask_at(points, labels, Purpose::probe);
+  take_in(points, labels, reconcile(points, labels));
 }
 
 /// Nothing is followed out of clutter: what it holds is sought in the traced pixels beside it, and beside those that become
@@ -245,7 +280,7 @@ void Prober::look_beside_clutter(const std::vector<std::uint8_t>& worth) {
         if (x < 0 || y < 0 || x >= domain.width() || y >= domain.height() || !worth[q] ||
             tracer_.pixels().abandoned(static_cast<std::uint32_t>(q)))
           continue;
-        points_along_side(q, -dx, -dy, seen, points);
+        points_along_side(q, -dx, -dy, seen, true, points);
       }
     }
     if (points.empty()) return;
@@ -268,6 +303,7 @@ void Prober::probe_until_clean(const std::vector<std::uint8_t>& worth) {
     if (met < narrow_px)
       wanted_[p] = std::max(wanted_[p], static_cast<int>(std::min<double>(kSurety / met, kMostWanted)));
   }
+  look_along_rim(worth);
   look_beside_clutter(worth);
   std::vector<FocalPoint> points;
   std::vector<std::uint32_t> labels;

@@ -63,8 +63,9 @@ class Prober {
   void note(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels);
   void want_around(int pixel, int rays);
   std::vector<Met> seen_in(int pixel) const;
-  void points_along_side(int pixel, int dx, int dy, const std::vector<Met>& beyond,
+  void points_along_side(int pixel, int dx, int dy, const std::vector<Met>& beyond, bool clutter,
                          std::vector<FocalPoint>& points) const;
+  void look_along_rim(const std::vector<std::uint8_t>& worth);
   void look_beside_clutter(const std::vector<std::uint8_t>& worth);
   void take_in(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels,
                const std::vector<std::uint8_t>& contradicted);
