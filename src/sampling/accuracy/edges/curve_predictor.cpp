@@ -18,7 +18,7 @@ namespace {
 /// Width of the error of a middle that was predicted but not verified, as a share of the chord. Where the
 /// tolerance can bear it, no ray is spent.
 constexpr double kUnverifiedWidth = 0.25;
-/// The same where none is far enough to tell a direction and borders may have corners: a tip as high as the chord.
+/// The same where not both are far enough to tell a direction, and borders may have corners: a tip as high as the chord.
 constexpr double kVagueWidth = 1.0;
 /// The same where both neighbours predict it: this and so many times the sagitta that they predict.
 constexpr double kAgreedWidth = 0.06, kBendWidth = 2.0;
@@ -45,9 +45,9 @@ struct PossibleCorner {
     return {height, height * 0.5 * chord / longer};
   }
   /// The border goes on straight from one end, at an angle of this cosine to the chord, and turns by a right angle towards the
-  /// other end.
+  /// other end; by more, to a tip as high as the chord, where it sets out away from that.
   static PossibleCorner right_angled(double chord, double cosine) {
-    if (cosine <= 0.0) return {};
+    if (cosine <= 0.0) return over(chord, chord, 0.5 * chord);
     const double square = std::min(1.0, cosine * cosine);
     return over(chord, chord * std::sqrt(square * (1.0 - square)), chord * square);
   }
@@ -158,7 +158,7 @@ CurvePredictor::Verdict CurvePredictor::predict(CurveCheck& check) const {
   const double bend = std::max(std::abs(curvature[0]), std::abs(curvature[1])) * check.chord / 8.0;
   const double unverified_width =
       std::max(check.chord * (neighbours == 2 ? std::min(kUnverifiedWidth, kAgreedWidth + kBendWidth * bend)
-                              : neighbours == 0 && check.may_have_corners ? kVagueWidth
+                              : check.may_have_corners ? kVagueWidth
                                                                           : kUnverifiedWidth),
                2.0 * cut_off);
   const auto trusted = [&] {
