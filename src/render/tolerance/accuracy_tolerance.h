@@ -18,20 +18,17 @@ namespace ifov::render {
 
 class ChannelBrightness;
 
-/// Limits by channel for a pixel's radiance L. The white reference W is a level white Lambertian's radiance
-/// under the scene's Sun and sky plus a black body's of 288.15 K, so that it means something in every
-/// channel. Percent: max(error * |L|, floor * W). Kelvin: error * dL/dT at the pixel's own brightness
-/// temperature, taken no colder than that of floor * W. Reflectance: error * the white Lambertian's reflected
-/// radiance; channels in which that is less than a hundredth of the path's are not judged, because the air hides
-/// the surface (unless all are such). Noise: error * the channel's noise. Polarization: limits of I, Q and U within which the
-/// degree of linear polarization is sure to err by no more than error (degree_limits()), of a pixel taken no darker than
-/// floor * W; V is not judged. So dark channels and pixels finish. None
-/// is below 1e-5 of |L|, which single precision can bear.
+/// Limits by channel for a pixel's radiance L. The white reference W is a level white Lambertian's radiance under the scene's Sun and
+/// sky plus a black body's of 288.15 K, so that it means something in every channel. Percent: max(error * |L|, floor * W). Kelvin:
+/// error * dL/dT at the pixel's own brightness temperature, taken no colder than that of floor * W. Reflectance: error * the white
+/// Lambertian's reflected radiance; channels in which that is less than a hundredth of the path's are not judged, because the air
+/// hides the surface (unless all are such). Noise: error * the channel's noise. Polarization: limits of I, Q and U within which the
+/// degree of linear polarization is sure to err by no more than error (degree_limits()), of a pixel taken no darker than floor * W;
+/// V is not judged. So dark channels and pixels finish. None is below 1e-5 of |L|, which single precision can bear.
 class AccuracyTolerance final : public sampling::Tolerance {
  public:
-  /// By channel: `white_reflected`, the radiance of a level white Lambertian lit by Sun and sky, and
-  /// `path_radiance`, what the path to the sensor adds (empty: nothing). `pixel_count` counts for simultaneous
-  /// confidence only.
+  /// By channel: `white_reflected`, the radiance of a level white Lambertian lit by Sun and sky, and `path_radiance`, what the path
+  /// to the sensor adds (empty: nothing). `pixel_count` counts for simultaneous confidence only.
   AccuracyTolerance(AccuracyRequest request, const ChannelBrightness& brightness,
                     std::vector<double> white_reflected_w_m2_sr_um, std::int64_t pixel_count,
                     const std::vector<double>& path_radiance_w_m2_sr_um = {},
@@ -56,8 +53,7 @@ class AccuracyTolerance final : public sampling::Tolerance {
   /// The same beside bounds of a pixel's own, by column; empty: none.
   void limits_beside(std::span<const double> bounds, std::span<const double> mean,
                      std::span<double> limit) const;
-  /// What is asked for.
-  void asked(std::span<const double> mean, std::span<double> limit) const;
+  void asked(std::span<const double> mean, std::span<double> limit) const;  ///< what is asked for
   static constexpr double kLeastShare = 0.5, kShareOfAir = 1.0 / 3.0;
   /// What the air may be wrong by over what is asked for, in a judged channel: up to most_bounded() it can be reached.
   double atmosphere_share(std::size_t channel, double radiance) const;

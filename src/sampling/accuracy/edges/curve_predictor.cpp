@@ -159,7 +159,7 @@ CurvePredictor::Verdict CurvePredictor::predict(CurveCheck& check) const {
   const double unverified_width =
       std::max(check.chord * (neighbours == 2 ? std::min(kUnverifiedWidth, kAgreedWidth + kBendWidth * bend)
                               : check.may_have_corners ? kVagueWidth
-                                                                          : kUnverifiedWidth),
+                                                       : kUnverifiedWidth),
                2.0 * cut_off);
   const auto trusted = [&] {
     const double feature = features_.width_at(cell), spacing = lattice.side_px(0);

@@ -40,8 +40,7 @@ class EdgeTracer {
   /// Labels of further points, for pilot rays and probes.
   void ask_at(const std::vector<FocalPoint>& points, std::vector<std::uint32_t>& labels, Purpose purpose);
 
-  /// About how wide the narrowest feature is that was followed into the pixel across the sides of its cells; infinite where
-  /// none was.
+  /// About how wide the narrowest feature is that was followed into the pixel across the sides of its cells; infinite: none.
   double narrowest_followed(std::uint32_t pixel) const;
   /// Width of the narrowest feature that one of the pixel's vertices on the lattice lies in; infinite where none is
   /// narrower than the lattice is fine. Such a feature was met by chance.
