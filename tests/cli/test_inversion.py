@@ -73,7 +73,7 @@ class RoundTrip(unittest.TestCase):
         self.closes("hyperspectral")
 
     def test_other_air_does_not_close(self):
-        bands = SENSORS["oli"]
+        bands = NARROW
         with Folder(air=document(bands), other=document(bands).replace("30 km", "10 km")) as folder:
             run("render", "air.json", "--quiet", cwd=folder)
             done = run("atmosphere", "other.json", "--invert", "out", "--to", "other", cwd=folder)
