@@ -117,6 +117,28 @@ TEST(Mie, AmplitudesOfWiscombe) {
   }
 }
 
+// Four at once are as each alone, however unlike they are: the small ones end long before the large.
+TEST(Mie, SpheresMadeTogetherAreAsEachAlone) {
+  const std::array<double, 6> sizes{700.0, 1e-3, 3.0, 40.0, 0.2, 1500.0};
+  const Complex index{1.45, 0.02};
+  const std::vector<MieSphere> together = MieSphere::of(sizes, index);
+  ASSERT_EQ(together.size(), sizes.size());
+  const std::vector<double> cosine = cosines_of(7, 30.0);
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    const MieSphere alone(sizes[k], index);
+    EXPECT_NEAR(together[k].extinction() / alone.extinction(), 1.0, 1e-9) << sizes[k];
+    EXPECT_NEAR(together[k].scattering() / alone.scattering(), 1.0, 1e-9) << sizes[k];
+    EXPECT_NEAR(together[k].asymmetry(), alone.asymmetry(), 1e-9) << sizes[k];
+    std::vector<Complex> s1(7), s2(7), other1(7), other2(7);
+    together[k].amplitudes(cosine, s1, s2);
+    alone.amplitudes(cosine, other1, other2);
+    for (std::size_t c = 0; c < 7; ++c) {
+      EXPECT_LT(std::abs(s1[c] - other1[c]), 1e-8 * std::abs(other1[0])) << sizes[k];
+      EXPECT_LT(std::abs(s2[c] - other2[c]), 1e-8 * std::abs(other2[0])) << sizes[k];
+    }
+  }
+}
+
 // Forward amplitudes tell extinction (the optical theorem), squares of all tell scattering.
 TEST(Mie, AmplitudesAddUp) {
   const GaussNodes gauss = gauss_nodes(120);

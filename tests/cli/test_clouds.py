@@ -47,7 +47,7 @@ class Light(unittest.TestCase):
 
     def test_of_the_beam_is_what_its_depth_leaves(self):
         # At the wavelength by which depth is told.
-        text = RED.replace("0.65 um", "0.55 um")
+        text = RED.replace("0.665 um", "0.55 um")
         self.assertNotEqual(text, RED)
         clear, thin = rows(looked_at(text % CLEAR)), rows(looked_at(text % (CLOUD % (STRATUS % 1))))
         self.assertAlmostEqual(-math.log(thin["red"][1] / clear["red"][1]) * math.cos(math.radians(30)), 1.0, delta=0.002)

@@ -22,7 +22,7 @@ class Told(unittest.TestCase):
     def test_without_ozone_red_is_brighter(self):
         with_ozone = rows(looked_at(GASES % '"o3": {"column": "0.3 atm-cm"}').stdout)["red"]
         without = rows(looked_at(GASES % '"o3": "off"').stdout)["red"]
-        # Chappuis's bands take some 0.02 of a vertical beam at 0.65 um.
+        # Chappuis's bands take some 0.015 of a vertical beam at 0.665 um.
         self.assertTrue(1.01 < without[2] / with_ozone[2] < 1.04)
 
     def test_what_a_profile_leaves_open_is_said(self):

@@ -139,8 +139,8 @@ class Told(unittest.TestCase):
         with Folder(yard=YARD % (HAZE % (OWN + ', "asymmetry": 0.65')), clear=YARD % (HAZE % '"type": "none"')) as folder:
             hazy = rows(run("atmosphere", "yard.json", cwd=folder).stdout)
             clear = rows(run("atmosphere", "clear.json", cwd=folder).stdout)
-        # Depth 0.307 (with the stratosphere's) down at 30 degrees: to e^-0.309/cos 30 at 0.55 um, here at 0.65.
-        expected = math.exp(-0.3 * (0.65 / 0.55) ** -1.3 / math.cos(math.radians(30)))
+        # Depth 0.307 (with the stratosphere's) down at 30 degrees: to e^-0.309/cos 30 at 0.55 um, here at 0.665.
+        expected = math.exp(-0.3 * (0.665 / 0.55) ** -1.3 / math.cos(math.radians(30)))
         self.assertAlmostEqual(hazy["red"][1] / clear["red"][1] / expected, 1.0, delta=0.015)
 
     def test_of_a_table_as_of_its_asymmetry(self):

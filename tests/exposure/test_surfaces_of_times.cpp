@@ -74,7 +74,7 @@ TEST(SurfacesOfTimes, MeansAreThoseOfExactSums) {
   ASSERT_EQ(shared->times(), 12u);
   struct Place {
     const char* name;
-    std::size_t number;
+    std::size_t number, first;
     math::Point3 from;
     math::Vec3 along;
   };
@@ -82,10 +82,11 @@ TEST(SurfacesOfTimes, MeansAreThoseOfExactSums) {
   constexpr int kDraws = 20000, kBesideDraws = 8000;
   double farthest_k = 0.0, misplaced_k = 0.0;
   for (const Place& place :
-       {Place{"open", 0, {-9.0, -7.0, 9.0}, down}, Place{"north", 0, {0.0, 1.8, 9.0}, down},
-        Place{"east", 0, {2.6, 0.2, 9.0}, down}, Place{"roof", 0, {0.3, 0.2, 9.0}, down},
-        Place{"wall", 0, {0.4, -9.0, 1.3}, {0.0, 1.0, 0.0}},
-        Place{"west wall", 0, {-9.0, 0.1, 1.3}, {1.0, 0.0, 0.0}}, Place{"metal", 1, {0.2, 3.6, 9.0}, down}}) {
+       {Place{"open", 0, 0, {-9.0, -7.0, 9.0}, down}, Place{"north", 0, 1, {0.0, 1.8, 9.0}, down},
+        Place{"east", 0, 0, {2.6, 0.2, 9.0}, down}, Place{"roof", 0, 1, {0.3, 0.2, 9.0}, down},
+        Place{"wall", 0, 0, {0.4, -9.0, 1.3}, {0.0, 1.0, 0.0}},
+        Place{"west wall", 0, 1, {-9.0, 0.1, 1.3}, {1.0, 0.0, 0.0}},
+        Place{"metal", 1, 0, {0.2, 3.6, 9.0}, down}}) {
     const geometry::SurfacePoint point = times.hit(place.from, place.along);
     ASSERT_TRUE(point.hit()) << place.name;
     std::vector<double> mean_k(12, 0.0), squares_k2(12, 0.0), told_k2(12, 0.0);
@@ -98,7 +99,7 @@ TEST(SurfacesOfTimes, MeansAreThoseOfExactSums) {
         told_k2[t] += one[t].deviation_k * one[t].deviation_k / kDraws;
       }
     }
-    for (std::size_t t = 0; t < 12; ++t) {
+    for (std::size_t t = place.first; t < 12; t += 2) {  // exact sums take as long as all else here
       const exposure::SolvedSurface& own = times.surface(t, place.number);
       const auto exposure = own.exposure(point, 5, 10000, 1000);
       const double exact_k =

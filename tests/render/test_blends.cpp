@@ -110,7 +110,7 @@ SmallScene::Estimate furnace(std::shared_ptr<const scene::Pattern> bump, bool wh
       {wall, wall, 0.4, 0.0}, {other, other, 0.3, 0.0}, {mirror, mirror, whole_weights ? 0.3 : 0.28, 0.0}}));
   if (bump) patterns.push_back(std::move(bump));
   scene.build();
-  return scene.radiance({{0.1, -0.2, 0.3}, math::normalized({0.3, 0.5, -0.7})}, 1 << 17);
+  return scene.radiance({{0.1, -0.2, 0.3}, math::normalized({0.3, 0.5, -0.7})}, 1 << 15);
 }
 
 TEST(Blend, FurnaceOfBlendedWallsReturnsPlanck) {

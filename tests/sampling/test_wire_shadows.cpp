@@ -68,6 +68,8 @@ class WireShadow final : public Field {
   }
   /// Mean over pixel (i, j).
   double mean(int i, int j) const {
+    // Most pixels lie wholly beside the shadow, by more than half of their diagonal.
+    if (std::abs(across({i + 0.5, j + 0.5})) > half_px_ + sun_px_ + 0.71) return kLit;
     constexpr int kAlong = 60, kAcross = 400;
     const auto area = [](double s) {
       s = std::clamp(s, -1.0, 1.0);

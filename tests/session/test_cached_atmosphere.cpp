@@ -55,7 +55,7 @@ class CachedAtmosphere : public testing::Test {
       "atmosphere": {{"profile": "US standard 1976", "aerosol": {{"visibility": "{} km"}}}},
       "sensor": {{"camera": {{"orthographic": {{"gsd": "1 m", "pixels": [6, 6]}}}},
                  "channels": [{{"name": "v", "series": {{"gaussian":
-                   {{"from": "0.70 um", "to": "0.98 um", "count": 8, "fwhm": "12 nm"}}}}}}]}},
+                   {{"from": "0.70 um", "to": "0.98 um", "count": 8, "fwhm": "3 nm"}}}}}}]}},
       "sampling": {{"grid": {{"elements": [2, 2]}}, "max_depth": 2}}}})",
                                                             visibility_km),
                                                      (folder_ / "scene.json").string());

@@ -39,7 +39,7 @@ OBJECTS = [
 ]
 SUN = {"disc": {"zenith": "35 deg", "azimuth": "160 deg"}}
 LAMPS = [{"sphere": {"at": ["-2 m", "0.8 m", "1.5 m"], "radius": "8 cm", "flux": "20000 lm", "temperature": "2900 K"}}]
-CHANNELS = [{"name": "red", "gaussian": {"center": "0.65 um", "fwhm": "30 nm"}},
+CHANNELS = [{"name": "red", "gaussian": {"center": "0.65 um", "fwhm": "4 nm"}},
             {"name": "middle", "gaussian": {"center": "3.9 um", "fwhm": "0.2 um"}},
             {"name": "thermal", "gaussian": {"center": "10.5 um", "fwhm": "0.5 um"}}]
 CAMERA = {"frame": {"pixels": [6, 5], "focal_length": "20 mm", "pitch": "1.5 mm", "position": ["0 m", "-9 m", "9 m"], "look_at": ["-0.3 m", "0 m", "0 m"]}}
@@ -47,8 +47,8 @@ MODELLED = {"profile": "mid-latitude summer", "aerosol": {"type": "rural", "visi
 TABULATED = {"tabulated": {"transmittance": 0.8, "path_radiance": "2 W m-2 sr-1 um-1"}}
 SAMPLERS = {"single": {"single": {}}, "grid": {"grid": {"elements": [4, 4]}},
             "adaptive": {"adaptive": {"sub_elements": [3, 3], "allowed_difference": "2 %", "max_samples": 60}},
-            "pixel": {"accuracy": {"error": "6 %"}}, "image": {"accuracy": {"error": "6 %", "of": "image"}},
-            "pooled": {"accuracy": {"error": "6 %", "of": "image", "pooling": True}}}
+            "pixel": {"accuracy": {"error": "12 %"}}, "image": {"accuracy": {"error": "12 %", "of": "image"}},
+            "pooled": {"accuracy": {"error": "12 %", "of": "image", "pooling": True}}}
 
 
 def yard(sampling, **more):
@@ -167,7 +167,7 @@ class LightParts(unittest.TestCase):
         for product in PRODUCTS:
             self.assertEqual(*((self.folder / out / f"image_{product}.img").read_bytes() for out in ("whole", "merged")), product)
         self.run_program(asked, "--keep", out="kept")
-        asked["sampling"]["accuracy"]["error"] = "3 %"
+        asked["sampling"]["accuracy"]["error"] = "6 %"
         self.run_program(asked, "--refine", out="kept")
         values = {name: self.cube(name, "kept") for name in ("radiance", *PARTS)}
         self.assertLessEqual(self.sums_off(values), 1e-6)

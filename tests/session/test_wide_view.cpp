@@ -45,7 +45,7 @@ class WideView : public testing::Test {
                    "light": {{"sun": {{"point": {{"zenith": "35 deg", "azimuth": "130 deg"}}}}}},
                    "atmosphere": {{"profile": "mid-latitude summer"}},
                    "sensor": {{"camera": {{{}}},
-                     "channels": [{{"name": "blue", "gaussian": {{"center": "0.45 um", "fwhm": "10 nm"}}}},
+                     "channels": [{{"name": "blue", "gaussian": {{"center": "0.45 um", "fwhm": "2 nm"}}}},
                                   {{"name": "thermal", "gaussian": {{"center": "10.5 um", "fwhm": "500 nm"}}}}]}},
                    "sampling": {}}})",
             reflectance, more, camera, sampling),

@@ -138,7 +138,7 @@ TEST(DirectionalModels, FurnaceReturnsPlanck) {
   scene.build();
   const double expected = radiometry::planck_w_m2_sr_um(SmallScene::kWavelength_um, 300.0);
   for (const Vec3 towards : {Vec3{0.3, 0.5, -0.7}, {0.9, 0.05, 0.1}, {0.2, 0.6, -0.9}}) {
-    const auto estimate = scene.radiance({{0.1, -0.2, 0.3}, math::normalized(towards)}, 1 << 17);
+    const auto estimate = scene.radiance({{0.1, -0.2, 0.3}, math::normalized(towards)}, 1 << 15);
     EXPECT_LT(estimate.standard_error, 2e-3 * expected);
     EXPECT_NEAR(estimate.mean, expected, 3.0 * estimate.standard_error + 3e-4 * expected);
   }
@@ -158,7 +158,7 @@ TEST(DirectionalModels, FurnaceOfLandReturnsPlanck) {
   scene.build();
   const double expected = radiometry::planck_w_m2_sr_um(SmallScene::kWavelength_um, 300.0);
   for (const Vec3 towards : {Vec3{0.3, 0.5, -0.7}, {0.9, 0.05, 0.1}, {0.2, 0.6, -0.9}}) {
-    const auto estimate = scene.radiance({{0.1, -0.2, 0.3}, math::normalized(towards)}, 1 << 17);
+    const auto estimate = scene.radiance({{0.1, -0.2, 0.3}, math::normalized(towards)}, 1 << 15);
     EXPECT_LT(estimate.standard_error, 2e-3 * expected);
     EXPECT_NEAR(estimate.mean, expected, 3.0 * estimate.standard_error + 5e-4 * expected);
   }
@@ -181,7 +181,7 @@ TEST(DirectionalModels, FurnaceOfSoilReturnsPlanck) {
   scene.build();
   const double expected = radiometry::planck_w_m2_sr_um(SmallScene::kWavelength_um, 300.0);
   for (const Vec3 towards : {Vec3{0.3, 0.5, -0.7}, {0.9, 0.05, 0.1}, {-0.5, 0.5, 0.2}}) {
-    const auto estimate = scene.radiance({{0.1, -0.2, 0.3}, math::normalized(towards)}, 1 << 17);
+    const auto estimate = scene.radiance({{0.1, -0.2, 0.3}, math::normalized(towards)}, 1 << 15);
     EXPECT_LT(estimate.standard_error, 2e-3 * expected);
     EXPECT_NEAR(estimate.mean, expected, 3.0 * estimate.standard_error + 2e-3 * expected);
   }

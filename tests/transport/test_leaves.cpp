@@ -45,7 +45,7 @@ SmallScene::Estimate furnace(double reflectance, double transmittance, double lo
   if (loss > 0.0) scene.scene().assignments[leaf].patterns.push_back(std::make_shared<Loss>(loss));
   scene.build();
   const math::Point3 eye{0.2, -0.3, 0.9};
-  return scene.radiance({eye, math::normalized(math::Point3{0.0, 0.0, 0.1} - eye)}, 1 << 19);
+  return scene.radiance({eye, math::normalized(math::Point3{0.0, 0.0, 0.1} - eye)}, 1 << 17);
 }
 
 TEST(Leaf, FurnaceReturnsPlanck) {

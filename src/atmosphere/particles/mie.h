@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,9 @@ class MieSphere {
   static constexpr double kLargest = 50000.0;  ///< x
   /// Throws std::invalid_argument unless 0 < x <= 50000, n > 0 and k >= 0.
   MieSphere(double size_parameter, std::complex<double> index);
+  /// Spheres of one index, in the time of one for each `kAtOnce` of them that are of about one size.
+  static std::vector<MieSphere> of(std::span<const double> size_parameters, std::complex<double> index);
+  static constexpr std::size_t kAtOnce = 4;
 
   /// Cross-sections over that of the sphere, pi radius^2.
   double extinction() const { return extinction_; }
@@ -30,6 +34,8 @@ class MieSphere {
                   std::span<std::complex<double>> s2) const;
 
  private:
+  class Four;
+  MieSphere() = default;
   std::vector<std::complex<double>> a_, b_;  ///< from n = 1
   double extinction_ = 0.0, scattering_ = 0.0, asymmetry_ = 0.0;
 };

@@ -131,14 +131,14 @@ io::Document yard_document(const MovingYard& yard, const double* time_s, io::Sam
 
 }  // namespace
 
-MovingHeld moving_held(const MovingYard& yard, const StudyOptions& options, bool stands) {
+MovingTruth moving_truth(const MovingYard& yard, const StudyOptions& options) {
   const auto still = [&](double time_s, int k) {
     return render_sensor(yard_document(yard, &time_s, grid_sampling((yard.rolling ? 61 : 23) + k % 7),
                                        700 + static_cast<unsigned>(k), 1.0),
                          options);
   };
   constexpr std::size_t kPixels = kYardAcross * kYardAcross;
-  std::vector<double> truth(kPixels, 0.0), middle(kPixels, 0.0);
+  MovingTruth found{std::vector<double>(kPixels, 0.0), std::vector<double>(kPixels, 0.0)};
   const int instants = yard.rolling ? kYardAcross : yard.instants;
   for (int k = 0; k < instants; ++k) {
     // Each row of a rolling shutter is of its own instant, and of one image.
@@ -146,24 +146,29 @@ MovingHeld moving_held(const MovingYard& yard, const StudyOptions& options, bool
                                        : ((k + 0.5) / instants - 0.5) * kYardExposure_s;
     const SensorImage image = still(time_s, k);
     for (std::size_t p = 0; p < kPixels; ++p) {
-      if (!yard.rolling) truth[p] += image.radiance[p] / instants;
-      if (yard.rolling && static_cast<int>(p) / kYardAcross == k) truth[p] = image.radiance[p];
+      if (!yard.rolling) found.moving[p] += image.radiance[p] / instants;
+      if (yard.rolling && static_cast<int>(p) / kYardAcross == k) found.moving[p] = image.radiance[p];
     }
   }
   constexpr int kMiddles = 5;
   for (int k = 0; k < kMiddles; ++k) {
     const SensorImage image = still(0.0, k);
-    for (std::size_t p = 0; p < kPixels; ++p) middle[p] += image.radiance[p] / kMiddles;
+    for (std::size_t p = 0; p < kPixels; ++p) found.at_rest[p] += image.radiance[p] / kMiddles;
   }
+  return found;
+}
+
+MovingHeld moving_held(const MovingYard& yard, const MovingTruth& truth, const StudyOptions& options,
+                       bool stands) {
   MovingHeld result;
   for (int seed = 1; seed <= yard.seeds; ++seed) {
     const SensorImage image =
         render_sensor(yard_document(yard, nullptr, accuracy_sampling({0.03, io::ErrorSize::Unit::fraction}),
                                     options.seed + static_cast<unsigned>(seed), stands ? 0.0 : 1.0),
                       options);
-    for (std::size_t p = 0; p < kPixels; ++p) {
-      const bool held = std::abs(image.radiance[p] - truth[p]) <= image.half_width[p],
-                 moving = std::abs(truth[p] - middle[p]) > 0.02 * truth[p];
+    for (std::size_t p = 0; p < truth.moving.size(); ++p) {
+      const bool held = std::abs(image.radiance[p] - truth.moving[p]) <= image.half_width[p],
+                 moving = std::abs(truth.moving[p] - truth.at_rest[p]) > 0.02 * truth.moving[p];
       result.held += held, ++result.pixels;
       result.held_moving += held && moving, result.moving += moving;
     }

@@ -27,6 +27,12 @@ struct MovingYard {
   bool rolling = false, mirror = false;
   int seeds = 2, instants = 24;
 };
-MovingHeld moving_held(const MovingYard& yard, const StudyOptions& options, bool stands = false);
+/// Images of the yard with all at rest: the mean over the exposure, or each row at its instant; and all at the middle of it.
+struct MovingTruth {
+  std::vector<double> moving, at_rest;
+};
+MovingTruth moving_truth(const MovingYard& yard, const StudyOptions& options);
+MovingHeld moving_held(const MovingYard& yard, const MovingTruth& truth, const StudyOptions& options,
+                       bool stands = false);
 
 }  // namespace ifov::studies

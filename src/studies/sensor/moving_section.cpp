@@ -33,7 +33,8 @@ ReportSection moving_section(const SectionOptions& options) {
                             format("{}: edges against kinematics", what));
   for (const bool mirror : {false, true})
     for (const bool rolling_rows : {false, true}) {
-      const MovingHeld held = moving_held({rolling_rows, mirror, seeds, instants}, options.study);
+      const MovingYard yard{rolling_rows, mirror, seeds, instants};
+      const MovingHeld held = moving_held(yard, moving_truth(yard, options.study), options.study);
       const std::string name =
           format("moving_held_{}{}", rolling_rows ? "rolling" : "frame", mirror ? "_mirror" : "");
       const std::string what = format("{}{}: intervals that hold", rolling_rows ? "rolling shutter" : "frame",
