@@ -10,6 +10,8 @@
 
 namespace ifov::sensor {
 class BrightnessScale;
+class ColumnResponses;
+struct Mosaic;
 struct Detector;
 struct ViewList;
 }  // namespace ifov::sensor
@@ -26,12 +28,18 @@ struct ChannelInfo {
   double irradiance = 0.0;      ///< by Sun and sky on a level surface, of single views; 0: none is told
   double toa_irradiance = 0.0;  ///< by the Sun alone on a level surface above the air; 0: none is told
   std::shared_ptr<const sensor::BrightnessScale> brightness = {};  ///< null: the response is not known
+  /// The last two of each response that paths carry of it (ImageInfo::responses); empty: they are as above in all columns.
+  std::vector<double> toa_of_carried = {};
+  std::vector<std::shared_ptr<const sensor::BrightnessScale>> brightness_of_carried = {};
 };
 
 /// What every product says of itself.
 struct ImageInfo {
   int width_px = 0, height_px = 0;
   std::vector<ChannelInfo> channels;
+  std::shared_ptr<const sensor::ColumnResponses> responses;  ///< by column; null: alike in all
+  std::vector<std::vector<double>> keystone_px;  ///< to the right, by channel and column; empty: nowhere
+  std::shared_ptr<const sensor::Mosaic> mosaic;  ///< null: each element sees all channels
   std::vector<std::string> materials;           ///< names by material index, for abundances
   std::vector<std::string> objects;             ///< names of the document's, for classes; empty: not known
   std::vector<std::uint32_t> first_of_objects;  ///< number in the world of the first that stands for each
@@ -45,6 +53,14 @@ struct ImageInfo {
   int sweep_lines = 0;  ///< of a sweep, of a flying rolling shutter 1: tiles keep them apart; 0: one picture
   double footprint_px = 1.0;  ///< sampling::response_area_px(): pixels that share what one of them sees
 };
+
+/// Of a pixel in a column: irradiance by the Sun above the air, and the temperature at which a blackbody has this radiance (not a
+/// number where the response is not known).
+double toa_irradiance(const ImageInfo& image, std::size_t channel, int column);
+double brightness_kelvin(const ImageInfo& image, std::size_t channel, int column, double radiance);
+
+/// The mosaic's rows with parentheses about each: "(red, green), (green, blue)".
+std::string mosaic_pattern(const ImageInfo& image);
 
 /// What intervals hold of a modelled atmosphere's error.
 enum class AirInIntervals { none, numbers, numbers_and_model };

@@ -16,6 +16,7 @@
 #include "session/image_errors.h"
 #include "session/loaded/parts.h"
 #include "session/plausibility/light_warnings.h"
+#include "session/sensor_notes.h"
 #include "session/surface_spectra.h"
 
 namespace ifov::session {
@@ -34,7 +35,7 @@ std::string describe(const Parts& parts) {
   if (parts.imported) text += "atmosphere: imported runs\n";
   if (parts.weather) text += weather_statement(parts.document.time, *parts.weather) + "\n";
   text += format("sensor: {} x {} pixels, {} channels ({} spectral nodes)\n", parts.info.width_px,
-                 parts.info.height_px, parts.channels.size(), parts.nodes->node_count());
+                 parts.info.height_px, parts.told_channels.size(), parts.nodes->node_count());
   text += format("sampling: {}\n",
                  parts.plan.accuracy_asked.empty() ? parts.plan.method : parts.plan.accuracy_asked);
   for (const std::string& line : parts.locations) text += line + "\n";
@@ -44,7 +45,7 @@ std::string describe(const Parts& parts) {
 
 std::string sensor_statement(const Parts& parts) {
   return format("sensor: {} x {} pixels, {} channels in {} spectral nodes", parts.info.width_px,
-                parts.info.height_px, parts.channels.size(), parts.nodes->node_count());
+                parts.info.height_px, parts.told_channels.size(), parts.nodes->node_count());
 }
 
 namespace {
@@ -123,6 +124,7 @@ std::vector<std::string> notes(const Parts& parts) {
         format("floor of the accuracy: {:g} of a white surface's radiance, {:.3g} to {:.3g} W m-2 sr-1 um-1",
                parts.plan.request->floor, low, high));
   }
+  for (std::string& line : sensor_notes(parts)) lines.push_back(std::move(line));
   if (parts.polarimetry) {
     lines.push_back(
         !surroundings_statement(parts).empty()

@@ -11,9 +11,11 @@
 #include "render/tolerance/channel_brightness.h"
 #include "render/tolerance/node_budget.h"
 #include "sensor/camera.h"
+#include "sensor/spectrometer/column_responses.h"
 #include "session/assembly/atmosphere/atmosphere_cache.h"
 #include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/with_position.h"
+#include "session/assembly/whole/across_track.h"
 #include "session/assembly/whole/light_assembly.h"
 #include "session/assembly/whole/polarized_surfaces.h"
 #include "session/assembly/whole/scene_assembly.h"
@@ -112,13 +114,21 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   p.placed = std::move(assembled.placed), p.map_offset_m = assembled.map_offset_m;
   p.known_files = shared.known_files;
   if (document.weather) p.weather = assemble_weather(document.sources, *document.weather, document.time);
-  p.channels = assemble_channels(document.sources, document.sensor.channels);
-  p.polarimetry = assemble_polarimetry(document.sensor);
-  if (p.polarimetry) check_polarized(document.sources, document.scene, p.scene);
+  p.told_channels = assemble_channels(document.sources, document.sensor.channels);
   p.camera = assemble_camera(document.sources, document.sensor.camera, document.scene.origin, *p.scene.world,
                              document.seed);
   check_single_views(p);
-  p.plan = assemble_sampling(document.sources, document.sampling, document.sensor, p.channels);
+  p.responses =
+      assemble_smile(document.sources, document.sensor, p.told_channels, p.camera->width_px());
+  p.keystone_px =
+      assemble_keystone(document.sources, document.sensor, p.told_channels, p.camera->width_px());
+  p.channels = p.responses ? p.responses->all_carried() : p.told_channels;
+  p.sensor = std::make_unique<const io::SensorDocument>(
+      sensor_as_carried(document.sensor, p.responses.get()));
+  p.polarimetry = assemble_polarimetry(*p.sensor);
+  if (p.polarimetry) check_polarized(document.sources, document.scene, p.scene);
+  p.plan = assemble_sampling(document.sources, document.sampling, document.sensor, p.told_channels,
+                             p.responses.get());
   check_image_size(document.sources, document.sampling,
                    static_cast<std::int64_t>(p.camera->width_px()) * p.camera->height_px());
   if (!p.scene.solved.empty())

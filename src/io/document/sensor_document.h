@@ -14,8 +14,11 @@ namespace ifov::io {
 
 class CameraSettings;
 struct DetectorDocument;
+struct KeystoneDocument;
+struct MosaicDocument;
 struct OpticsDocument;
 struct PupilDocument;
+struct SmileDocument;
 struct SnrDocument;
 
 struct CameraDocument {
@@ -63,6 +66,8 @@ struct ChannelDocument {
   std::shared_ptr<const SnrDocument> snr = {};            ///< or a ratio, in place of the noise; null: none
   std::shared_ptr<const DetectorDocument> detector = {};  ///< what it has of its own; null: nothing
   std::optional<std::array<double, 2>> shift_px = {};     ///< of its pixels' responses, right and down
+  std::shared_ptr<const SmileDocument> smile = {};        ///< in place of the sensor's; null: that one, likewise
+  std::shared_ptr<const KeystoneDocument> keystone = {};
 };
 
 struct NoPsf {};
@@ -88,6 +93,9 @@ struct SensorDocument {
   double fill_factor = 1.0;                      ///< sensitive share of an element's area, a centred square
   std::shared_ptr<const OpticsDocument> optics;  ///< null: none is told; likewise
   std::shared_ptr<const DetectorDocument> detector;  ///< (detector_document.h)
+  std::shared_ptr<const SmileDocument> smile;        ///< null: responses are alike in all columns
+  std::shared_ptr<const KeystoneDocument> keystone;  ///< (spectrometer_document.h)
+  std::shared_ptr<const MosaicDocument> mosaic;      ///< null: each element sees all channels
   SourcePosition position;
 };
 

@@ -22,6 +22,7 @@ class WeatherSeries;
 namespace ifov::io {
 struct Document;
 struct FileStamp;
+struct SensorDocument;
 }  // namespace ifov::io
 namespace ifov::radiometry {
 class SpectralNodes;
@@ -38,6 +39,7 @@ class PixelFootprint;
 }  // namespace ifov::sampling
 namespace ifov::sensor {
 class Camera;
+class ColumnResponses;
 class PsfWings;
 }  // namespace ifov::sensor
 namespace ifov::transport {
@@ -64,7 +66,13 @@ struct Parts {
   std::vector<io::FileStamp> known_files;  ///< files whose bytes the scene cache vouches for
   std::shared_ptr<const atmosphere::WeatherSeries> weather;
   std::optional<TemperatureErrors> temperature_errors;  ///< none where no temperature is solved
+  std::vector<radiometry::Channel> told_channels;  ///< those of the document
+  std::shared_ptr<const sensor::ColumnResponses> responses;  ///< by detector column; null: alike in all
+  /// What paths carry: the document's channels, or where those differ by column the responses that they are sums of; and the
+  /// sensor's document with those in place of its channels.
   std::vector<radiometry::Channel> channels;
+  std::unique_ptr<const io::SensorDocument> sensor;
+  std::vector<std::vector<double>> keystone_px;  ///< by document's channel and column; empty: nowhere
   std::shared_ptr<const render::Polarimetry>
       polarimetry;  ///< what the sensor does with it; null: radiance alone
   std::unique_ptr<sensor::Camera> camera;
@@ -89,6 +97,8 @@ struct Parts {
   std::vector<std::string> locations;  ///< where things are and what some rays see, lines for people
   std::vector<std::string> warnings;   ///< all that were given while the document was loaded
 
+  /// The document's channel that one of `channels` is of.
+  std::size_t told_channel(std::size_t carried) const;
   /// Whether light comes from above the horizon beside the Sun's: of the scene's own sky, or of its air.
   bool has_sky() const;
   render::RenderJob job() const;  ///< that renders the document's image

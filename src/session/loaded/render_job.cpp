@@ -4,6 +4,7 @@
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/wings/wing_light.h"
 #include "sensor/camera.h"
+#include "sensor/spectrometer/column_responses.h"
 #include "session/loaded/parts.h"
 #include "transport/spectral_scene.h"
 
@@ -16,6 +17,7 @@ render::RenderJob Parts::job(const SamplingPlan& sampling, const render::Accurac
   job.tolerance = limits;
   job.polarimetry = polarimetry.get();
   job.groups = groups.get();
+  job.responses = responses.get();
   for (const auto& of_group : wings) job.wings.push_back(of_group.get());
   job.cut = psf_cut;
   job.nodes = node_errors;
@@ -36,8 +38,11 @@ void Parts::make_tolerance() { tolerance = tolerance_of(plan); }
 
 std::unique_ptr<render::AccuracyTolerance> Parts::tolerance_of(const SamplingPlan& sampling) const {
   if (!sampling.request) return nullptr;
+  render::AccuracyRequest request = *sampling.request;
+  // Half-widths of what paths carry add up to a channel's by their weights.
+  if (responses) request.error /= responses->most_spread();
   auto limits = std::make_unique<render::AccuracyTolerance>(
-      *sampling.request, *brightness, spectral_scene->white_reflected(),
+      std::move(request), *brightness, spectral_scene->white_reflected(),
       static_cast<std::int64_t>(camera->width_px()) * camera->height_px(), spectral_scene->path_radiance(),
       air);
   if (polarimetry) {

@@ -9,6 +9,7 @@
 #include "io/document/schema/record.h"
 #include "io/document/schema/shared_target.h"
 #include "io/document/sensor_document.h"
+#include "io/document/spectrometer_document.h"
 #include "io/document/tables/tables.h"
 
 namespace ifov::io {
@@ -31,6 +32,8 @@ struct ChannelEntry {
   std::shared_ptr<const SnrDocument> snr;
   std::shared_ptr<const DetectorDocument> detector;
   std::optional<std::array<double, 2>> shift_px;
+  std::shared_ptr<const SmileDocument> smile;
+  std::shared_ptr<const KeystoneDocument> keystone;
 };
 
 SchemaType<double> wavelength() { return quantity(kWavelength, Range::above(0.0, "um")); }
@@ -189,7 +192,12 @@ SchemaType<ChannelEntry> entry_type() {
       .optional(
           "shift", &ChannelEntry::shift_px,
           tuple<double, 2>(quantity(kPixels, Range::between(-8.0, 8.0, "px"))),
-          "of what its pixels respond to, right and down on the focal plane: bands that do not lie on each other");
+          "of what its pixels respond to, right and down on the focal plane: bands that do not lie on each other")
+      .optional("smile", shared(&ChannelEntry::smile), smile_type(false),
+                "how its response differs from detector column to detector column; the sensor's if not given")
+      .optional(
+          "keystone", shared(&ChannelEntry::keystone), keystone_type(false),
+          "how far across the track what its elements see lies from them, by column; the sensor's if not given");
   return record.type();
 }
 
@@ -230,10 +238,14 @@ class ChannelEntries {
     const SchemaType<SpectrumDocument> noise = spectrum_type(SpectrumOf::radiance);
     const SchemaType<SnrDocument> snr = snr_type();
     const SchemaType<DetectorDocument> detector = detector_type();
+    const SchemaType<SmileDocument> smile = smile_type(false);
+    const SchemaType<KeystoneDocument> keystone = keystone_type(false);
     for (const ChannelDocument& channel : channels)
       sensors_.push_back({channel.noise ? noise.write(*channel.noise, writing) : std::nullopt,
                           channel.snr ? snr.write(*channel.snr, writing) : std::nullopt,
-                          channel.detector ? detector.write(*channel.detector, writing) : std::nullopt});
+                          channel.detector ? detector.write(*channel.detector, writing) : std::nullopt,
+                          channel.smile ? smile.write(*channel.smile, writing) : std::nullopt,
+                          channel.keystone ? keystone.write(*channel.keystone, writing) : std::nullopt});
   }
 
   std::vector<ChannelEntry> all() const {
@@ -264,6 +276,8 @@ class ChannelEntries {
     entry.snr = channels_[k].snr;
     entry.detector = channels_[k].detector;
     entry.shift_px = channels_[k].shift_px;
+    entry.smile = channels_[k].smile;
+    entry.keystone = channels_[k].keystone;
     return entry;
   }
 
@@ -290,7 +304,7 @@ class ChannelEntries {
   }
 
   const std::vector<ChannelDocument>& channels_;
-  std::vector<std::array<Written, 3>> sensors_;  // noise, ratio and detector of each
+  std::vector<std::array<Written, 5>> sensors_;  // noise, ratio, detector, smile and keystone of each
 };
 
 }  // namespace
@@ -315,7 +329,7 @@ SchemaType<std::vector<ChannelDocument>> channels_type() {
                                      : series           ? format("{} {}", entry.name, own)
                                                         : entry.name;
             channels.push_back({name, std::move(response), entry.position, entry.noise, entry.noise_k,
-                                entry.polarizer, entry.retarder, entry.snr, entry.detector, entry.shift_px});
+                                entry.polarizer, entry.retarder, entry.snr, entry.detector, entry.shift_px, entry.smile, entry.keystone});
           }
         }
         return channels;
