@@ -30,7 +30,7 @@ def document(size, channels, spectrum, *objects, sampling=None, output=None, lig
     return {"ifov": 1, "seed": 1,
             "scene": {"materials": {"ground": {"reflectance": spectrum}, "dark": {"reflectance": 0}},
                       "objects": [{"plane": {"height": "0 m"}, "material": "ground"}, *objects]},
-            "light": light or {"sky": {"radiance": {"constant": "1 W m-2 sr-1 um-1"}}},
+            "light": light or {"sky": {"radiance": "1 W m-2 sr-1 um-1"}},
             "sensor": {"camera": orthographic(size), "channels": channels, **sensor},
             "sampling": sampling or {"grid": {"elements": [1, 1]}}, "output": output or {"formats": ["envi"]}}
 

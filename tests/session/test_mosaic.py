@@ -78,9 +78,9 @@ class Mosaics(Rendered):
         self.assertTrue(numpy.isfinite(made).all())
 
     def test_counts_of_the_raw_mosaic(self):
-        detector = {"pitch": "5 um", "quantum_efficiency": {"constant": 0.5}, "integration_time": "2 ms", "full_well": "20000 e", "bits": 12, "read_noise": "3 e"}
+        detector = {"pitch": "5 um", "quantum_efficiency": 0.5, "integration_time": "2 ms", "full_well": "20000 e-", "bits": 12, "read_noise": "3 e-"}
         described = document(SIZE, channels(), GROUND, half_plane(1.3), mosaic=BAYER, sampling=GRID, detector=detector,
-                             optics={"f_number": 4, "focal_length": "20 mm"}, light={"sky": {"radiance": {"constant": "100 W m-2 sr-1 um-1"}}})
+                             optics={"f_number": 4, "focal_length": "20 mm"}, light={"sky": {"radiance": "100 W m-2 sr-1 um-1"}})
         self.render(described)
         done = self.run_program("detect", self.out, "--mosaic", "--quantity", "counts,radiance", "--seed", "5")
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -3,6 +3,7 @@ forms: spectra of which means over Gaussian responses are known, and the share o
 
 import json
 import math
+import re
 import sys
 import unittest
 from pathlib import Path
@@ -101,7 +102,7 @@ class Smile(Rendered):
     def test_what_is_made_of_radiance_goes_by_the_columns_response(self):
         """A blackbody has its own temperature, and a white surface its reflectance, whatever the response."""
         channels = [{"name": "warm", "gaussian": {"center": "10 um", "fwhm": "0.6 um"}, "noise_temperature": "0.001 K"}]
-        described = document([16, 2], channels, {"constant": 0}, output={"formats": ["envi"], "products": ["radiance", "brightness_temperature"]},
+        described = document([16, 2], channels, 0, output={"formats": ["envi"], "products": ["radiance", "brightness_temperature"]},
                              light={"surroundings": {"reflectance": 0, "temperature": "1 K"}}, smile={"polynomial": {"center": ["0 um", "0.4 um", "0.2 um"]}})
         described["scene"]["materials"]["ground"] = {"reflectance": 0, "temperature": "310 K"}
         seen = self.render(described)
@@ -113,8 +114,8 @@ class Smile(Rendered):
         self.assertLess(abs(drawn - 310).max(), 6e-3)
         nm = numpy.array([400.0, 700.0])
         visible = self.channels()
-        visible[0]["noise"] = {"constant": "1e-6 W m-2 sr-1 um-1"}
-        described = document([16, 2], visible, {"constant": 1.0}, output={"formats": ["envi"], "products": ["radiance", "toa_reflectance"]},
+        visible[0]["noise"] = "1e-6 W m-2 sr-1 um-1"
+        described = document([16, 2], visible, 1.0, output={"formats": ["envi"], "products": ["radiance", "toa_reflectance"]},
                              light={"sun": {"zenith": "0 deg", "azimuth": "0 deg"}}, smile={"polynomial": {"center": ["0 nm", "4 nm"]}})
         seen = self.render(described)
         self.assertGreater(numpy.ptp(seen["radiance"][0]), 0.5)
@@ -125,7 +126,7 @@ class Smile(Rendered):
 
     def test_products_tell_the_wavelengths_of_columns(self):
         keystone = {"between": {"shortest": {"shift": ["0 px", "-0.2 px"]}, "longest": {"shift": ["0 px", "0.2 px"]}}}
-        self.render(document([self.WIDTH, 2], self.channels(), {"constant": 0.5}, output={"formats": ["envi", "netcdf"]},
+        self.render(document([self.WIDTH, 2], self.channels(), 0.5, output={"formats": ["envi", "netcdf"]},
                              smile={"polynomial": {"center": ["0 nm", "1 nm"], "fwhm": ["0.5 nm"]}}, keystone=keystone))
         header = (self.out / "image_wavelengths.img.hdr").read_text()
         self.assertIn(f"samples = {self.WIDTH}\nlines = 3\nbands = 3\n", header)
@@ -152,7 +153,7 @@ class Smile(Rendered):
             self.assertTrue((first[product] == again[product]).all())
 
     def test_bad_input(self):
-        plain = document([8, 1], self.channels(), {"constant": 0.5})
+        plain = document([8, 1], self.channels(), 0.5)
 
         def with_smile(smile, **more):
             return self.refused({**plain, "sensor": {**plain["sensor"], "smile": smile, **more}})
@@ -186,7 +187,7 @@ class Keystone(Rendered):
     def seen(self, edge, sampling, keystone, channels=3, **sensor):
         """An edge at a place of the image; light left of it."""
         listed = [{"name": f"c{k}", "gaussian": {"center": f"{500 + 10 * k} nm", "fwhm": "10 nm"}} for k in range(channels)]
-        described = document([self.WIDTH, self.HEIGHT], listed, {"constant": 1.0}, half_plane(edge - self.WIDTH / 2), sampling=sampling, keystone=keystone, **sensor)
+        described = document([self.WIDTH, self.HEIGHT], listed, 1.0, half_plane(edge - self.WIDTH / 2), sampling=sampling, keystone=keystone, **sensor)
         return self.render(described)
 
     def covered(self, edge, shift):
@@ -264,6 +265,42 @@ class Keystone(Rendered):
                 other.append((away <= seen["half_width"][k] + 1e-6) | (away == off))
         self.assertGreaterEqual(numpy.mean(held), 0.95)
         self.assertLess(numpy.mean(other), numpy.mean(held) - 0.005)
+
+
+class Guide(Rendered):
+    def test_examples_of_the_guide(self):
+        guide = (Path(__file__).parents[2] / "docs" / "guide" / "spectrometers.md").read_text()
+        spectrometer, keystone, mosaic = [json.loads("{" + text + "}") for text in re.findall(r"```json\n(.*?)```", guide, re.S)]
+        base = document([8, 8], [], 0.5)
+        platform = {"straight": {"frame": "scene", "position": ["0 m", "0 m", "300 m"], "velocity": ["0 m/s", "30 m/s", "0 m/s"]}}
+        for described in ({**base, "platform": platform, "sensor": {**spectrometer["sensor"], **keystone}}, {**base, **mosaic}):
+            source = self.path / "guide.json"
+            source.write_text(json.dumps(described))
+            done = self.run_program("check", source)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.said = done.stdout + done.stderr
+            if "mosaic" not in described["sensor"]:
+                self.assertRegex(self.said, r"smile: centres lie off by -1\.\d+ to 0\.\d+ nm and widths by 0 to 0\.\d+ nm from column to column; paths carry \d+ responses of 61 channels")
+                self.assertRegex(self.said, r"keystone: elements look -0\.0995 to 0\.0995 px to the right of where they stand, and channels of a column up to 0\.199 px apart")
+
+    def test_optics_without_a_detector_are_spoken_of(self):
+        channels = [{"gaussian": {"center": "500 nm", "fwhm": "10 nm"}}]
+        frame = {"frame": {"pixels": [8, 8], "focal_length": "100 mm", "pitch": "10 um", "position": ["0 m", "0 m", "1 km"], "look_at": ["0 m", "0 m", "0 m"], "up": [0, 1, 0]}}
+        optics = {"aperture": "25 mm", "focal_length": "100 mm"}
+        detector = {"pitch": "10 um", "quantum_efficiency": 0.5, "integration_time": "2 ms", "read_noise": "3 e-"}
+        for more, says in (({}, "optics: nothing follows from them without a 'detector'"),
+                           ({"psf": {"airy": {}}}, "optics: without a 'detector' they tell the 'psf' its aperture and focal ratio, and nothing else"),
+                           ({"detector": detector}, None)):
+            described = document([8, 8], channels, 0.5, optics=optics, **more)
+            described["sensor"]["camera"] = frame
+            source = self.path / "optics.json"
+            source.write_text(json.dumps(described))
+            done = self.run_program("check", source)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            if says is None:
+                self.assertNotIn("optics:", done.stdout)
+            else:
+                self.assertIn(says, done.stdout)
 
 
 if __name__ == "__main__":
