@@ -5,6 +5,7 @@ import json
 import math
 import re
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -12,6 +13,7 @@ import numpy
 
 sys.path.insert(0, str(Path(__file__).parent))
 from flat_scenes import Rendered, across, document, half_plane, table
+from images import SCENES, image_of
 
 FWHM_PER_SIGMA = 2.3548200450309493
 
@@ -30,7 +32,6 @@ class Smile(Rendered):
         for k in range(3):
             expected = (500 + 10 * k + 0.5 + u - 3 * u**2 + 0.7 * u**3 - 400) / 300
             self.assertLess(abs(seen[k] / expected - 1).max(), 2e-5)
-        self.assertIn("3 channels", self.said)
 
     def line(self, um, depth, sigma_nm, smile, **more):
         """An absorption line about 510 nm: what Gaussian responses make of it, and what was seen."""
@@ -69,7 +70,7 @@ class Smile(Rendered):
         between = {"between": {"shortest": {"center": ["-1 nm", "-1 nm"], "fwhm": ["0 nm"]},
                                "longest": {"center": ["1 nm", "1 nm"], "fwhm": ["0 nm", "0 nm", "2 nm"]}}}
         _, other = self.line(columns, 0.7, 2.0, between)
-        self.assertLess(abs(seen["radiance"] - other["radiance"]).max(), 1e-6)
+        self.assertLess(abs(seen["radiance"] - other["radiance"]).max(), 3e-5)  # by other sums of as few responses
         # One column's numbers are those of a document that has them for all.
         i = 5
         alone = [{"name": f"c{k}", "gaussian": {"center": f"{centres[i][k]} nm", "fwhm": f"{widths[i][k]} nm"}} for k in range(3)]
@@ -116,7 +117,7 @@ class Smile(Rendered):
         visible = self.channels()
         visible[0]["noise"] = "1e-6 W m-2 sr-1 um-1"
         described = document([16, 2], visible, 1.0, output={"formats": ["envi"], "products": ["radiance", "toa_reflectance"]},
-                             light={"sun": {"zenith": "0 deg", "azimuth": "0 deg"}}, smile={"polynomial": {"center": ["0 nm", "4 nm"]}})
+                             light={"sun": {"disc": {"zenith": "0 deg", "azimuth": "0 deg"}}}, smile={"polynomial": {"center": ["0 nm", "4 nm"]}})
         seen = self.render(described)
         self.assertGreater(numpy.ptp(seen["radiance"][0]), 0.5)
         self.assertLess(abs(seen["toa_reflectance"] - 1).max(), 2e-4)
@@ -205,7 +206,7 @@ class Keystone(Rendered):
         keystone = {"between": {"shortest": {"shift": ["0.3 px", "1.7 px", "-0.4 px"]}, "longest": {"shift": ["-0.5 px", "0.6 px"]}}}
         ends = (0.3 + 1.7 * u - 0.4 * u**2, -0.5 + 0.6 * u)
         for edge in (5.3, 16.5, 29.85):
-            for sampling, allowed in (({"accuracy": {"error": "0.5 %"}, "tile": 16}, 0.003), ({"grid": {"elements": [64, 1]}}, 0.02), ({"adaptive": {}}, None)):
+            for sampling, allowed in (({"accuracy": {"error": "0.5 %"}, "tile": 16}, 0.003), ({"grid": {"elements": [64, 1]}}, 0.02), ({"adaptive": {"sub_elements": [4, 4], "allowed_difference": "5 %"}}, None)):
                 seen = self.seen(edge, sampling, keystone)["radiance"]
                 for k in range(3):
                     shift = ends[0] + 0.5 * k * (ends[1] - ends[0])
@@ -267,6 +268,39 @@ class Keystone(Rendered):
         self.assertLess(numpy.mean(other), numpy.mean(held) - 0.005)
 
 
+def honest_scene(name):
+    """A scene of benchmarks/honesty through a spectrometer."""
+    scene = json.loads(re.sub(r"^\s*//.*$", "", (SCENES / f"{name}.json").read_text(), flags=re.MULTILINE))
+    scene["sensor"]["channels"] = [{"name": f"c{nm}", "gaussian": {"center": f"{nm} nm", "fwhm": "30 nm"}} for nm in (500, 600, 700)]
+    scene["sensor"]["smile"] = {"polynomial": {"center": ["0 nm", "2 nm", "-6 nm"], "fwhm": ["0 nm", "0 nm", "2 nm"]}}
+    scene["sensor"]["keystone"] = {"between": {"shortest": {"shift": ["0.1 px", "-0.8 px"]}, "longest": {"shift": ["0 px", "0.6 px"]}}}
+    return scene
+
+
+class Coverage(unittest.TestCase):
+    """Intervals of scenes whose truth grids of thousands of paths a pixel find."""
+
+    def held(self, name, seeds, narrower=1.0, grids=(83, 97)):
+        with tempfile.TemporaryDirectory() as scratch:
+            folder, scene = Path(scratch), honest_scene(name)
+            truth = numpy.mean([image_of(scene, folder, {"grid": {"elements": [cells, cells]}}, 990 + cells) for cells in grids], axis=0)
+            inside = count = 0
+            for seed in range(1, seeds + 1):
+                found, half_width = image_of(scene, folder, {"accuracy": {"error": "2 %"}}, seed)
+                inside += (numpy.abs(found - truth) <= narrower * half_width).sum()
+                count += truth.size
+        return inside, count
+
+    def test_intervals_hold_what_they_say(self):
+        shares = numpy.array([self.held(name, 2) for name in ("gable_roof", "wall_foot")]).sum(axis=0)
+        self.assertGreater(shares[0] / shares[1], 0.93, shares)
+        self.assertLess(shares[0] / shares[1], 0.9999, shares)
+
+    def test_intervals_too_narrow_are_noticed(self):
+        inside, count = self.held("gable_roof", 2, narrower=0.3)
+        self.assertLess(inside / count, 0.93)
+
+
 class Guide(Rendered):
     def test_examples_of_the_guide(self):
         guide = (Path(__file__).parents[2] / "docs" / "guide" / "spectrometers.md").read_text()
@@ -287,7 +321,7 @@ class Guide(Rendered):
         channels = [{"gaussian": {"center": "500 nm", "fwhm": "10 nm"}}]
         frame = {"frame": {"pixels": [8, 8], "focal_length": "100 mm", "pitch": "10 um", "position": ["0 m", "0 m", "1 km"], "look_at": ["0 m", "0 m", "0 m"], "up": [0, 1, 0]}}
         optics = {"aperture": "25 mm", "focal_length": "100 mm"}
-        detector = {"pitch": "10 um", "quantum_efficiency": 0.5, "integration_time": "2 ms", "read_noise": "3 e-"}
+        detector = {"pitch": "10 um", "quantum_efficiency": 0.5, "integration_time": "2 ms", "read_noise": "3 e-", "full_well": "30000 e-"}
         for more, says in (({}, "optics: nothing follows from them without a 'detector'"),
                            ({"psf": {"airy": {}}}, "optics: without a 'detector' they tell the 'psf' its aperture and focal ratio, and nothing else"),
                            ({"detector": detector}, None)):
