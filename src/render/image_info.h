@@ -28,9 +28,7 @@ struct ChannelInfo {
   double irradiance = 0.0;      ///< by Sun and sky on a level surface, of single views; 0: none is told
   double toa_irradiance = 0.0;  ///< by the Sun alone on a level surface above the air; 0: none is told
   std::shared_ptr<const sensor::BrightnessScale> brightness = {};  ///< null: the response is not known
-  /// The last two of each response that paths carry of it (ImageInfo::responses); empty: they are as above in all columns.
-  std::vector<double> toa_of_carried = {};
-  std::vector<std::shared_ptr<const sensor::BrightnessScale>> brightness_of_carried = {};
+  std::vector<double> toa_of_carried = {};  ///< of each of ImageInfo::responses; empty: as above
 };
 
 /// What every product says of itself.
@@ -40,9 +38,9 @@ struct ImageInfo {
   std::shared_ptr<const sensor::ColumnResponses> responses;  ///< by column; null: alike in all
   std::vector<std::vector<double>> keystone_px;  ///< to the right, by channel and column; empty: nowhere
   std::shared_ptr<const sensor::Mosaic> mosaic;  ///< null: each element sees all channels
-  std::vector<std::string> materials;           ///< names by material index, for abundances
-  std::vector<std::string> objects;             ///< names of the document's, for classes; empty: not known
-  std::vector<std::uint32_t> first_of_objects;  ///< number in the world of the first that stands for each
+  std::vector<std::string> materials;            ///< names by material index, for abundances
+  std::vector<std::string> objects;              ///< names of the document's, for classes; empty: not known
+  std::vector<std::uint32_t> first_of_objects;   ///< number in the world of the first that stands for each
   std::string radiance_unit = "W m-2 sr-1 um-1";
   bool stokes = false;   ///< tiles tell Q, U and V beside I
   bool has_map = false;  ///< map coordinates of the upper left corner and the pixel size
@@ -53,14 +51,6 @@ struct ImageInfo {
   int sweep_lines = 0;  ///< of a sweep, of a flying rolling shutter 1: tiles keep them apart; 0: one picture
   double footprint_px = 1.0;  ///< sampling::response_area_px(): pixels that share what one of them sees
 };
-
-/// Of a pixel in a column: irradiance by the Sun above the air, and the temperature at which a blackbody has this radiance (not a
-/// number where the response is not known).
-double toa_irradiance(const ImageInfo& image, std::size_t channel, int column);
-double brightness_kelvin(const ImageInfo& image, std::size_t channel, int column, double radiance);
-
-/// The mosaic's rows with parentheses about each: "(red, green), (green, blue)".
-std::string mosaic_pattern(const ImageInfo& image);
 
 /// What intervals hold of a modelled atmosphere's error.
 enum class AirInIntervals { none, numbers, numbers_and_model };

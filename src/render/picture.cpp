@@ -4,11 +4,11 @@
 
 #include "core/error.h"
 #include "geometry/world.h"
+#include "render/channels_by_column.h"
 #include "render/field/scene_field.h"
 #include "render/field/seen_through.h"
 #include "render/image_renderer.h"
 #include "render/open_sky.h"
-#include "render/parts/channels_by_column.h"
 #include "render/polarized/steering.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/atmosphere_budget.h"

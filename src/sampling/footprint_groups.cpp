@@ -40,9 +40,8 @@ FootprintGroups::FootprintGroups(std::vector<FootprintGroup> groups, std::vector
   for (const FootprintGroup& group : groups_) {
     const double half = group.footprint.half_width_px();
     const auto [left, right] = across(group);
-    half_width_px_ =
-        std::max({half_width_px_, half + std::abs(group.shift_px.x + left),
-                  half + std::abs(group.shift_px.x + right), half + std::abs(group.shift_px.y)});
+    half_width_px_ = std::max({half_width_px_, half + std::abs(group.shift_px.x + left),
+                               half + std::abs(group.shift_px.x + right), half + std::abs(group.shift_px.y)});
     finest = std::min(finest, half / 16.0);
     by_column_ = by_column_ || left != right;
   }

@@ -13,7 +13,7 @@ namespace ifov::sampling {
 /// A pixel's response in channels that have it alike.
 struct FootprintGroup {
   PixelFootprint footprint;
-  Point2 shift_px{};  ///< from the pixel's centre to the footprint's, x right, y down
+  Point2 shift_px{};                   ///< from the pixel's centre to the footprint's, x right, y down
   std::vector<double> across_px = {};  ///< by column of the image, how much further right; empty: nowhere
 
   /// In a column of the image.
@@ -87,8 +87,7 @@ class ColumnFootprints {
     const Point2 s = shift_px(group, at);
     return footprint(group).density(dx_px - s.x, dy_px - s.y);
   }
-  double integral(std::size_t group, int at, double x0_px, double y0_px, double x1_px,
-                  double y1_px) const {
+  double integral(std::size_t group, int at, double x0_px, double y0_px, double x1_px, double y1_px) const {
     const Point2 s = shift_px(group, at);
     return footprint(group).integral(x0_px - s.x, y0_px - s.y, x1_px - s.x, y1_px - s.y);
   }

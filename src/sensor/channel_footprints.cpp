@@ -106,9 +106,7 @@ class Grouping {
   }
 
  private:
-  bool same_shift(std::size_t a, std::size_t b) const {
-    return all_[a].response.lies_as(all_[b].response);
-  }
+  bool same_shift(std::size_t a, std::size_t b) const { return all_[a].response.lies_as(all_[b].response); }
 
   bool alike(std::size_t a, std::size_t b) {
     const ChannelResponse &one = all_[a].response, &other = all_[b].response;

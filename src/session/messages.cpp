@@ -16,7 +16,6 @@
 #include "session/image_errors.h"
 #include "session/loaded/parts.h"
 #include "session/plausibility/light_warnings.h"
-#include "session/sensor_notes.h"
 #include "session/surface_spectra.h"
 
 namespace ifov::session {
@@ -124,7 +123,6 @@ std::vector<std::string> notes(const Parts& parts) {
         format("floor of the accuracy: {:g} of a white surface's radiance, {:.3g} to {:.3g} W m-2 sr-1 um-1",
                parts.plan.request->floor, low, high));
   }
-  for (std::string& line : sensor_notes(parts)) lines.push_back(std::move(line));
   if (parts.polarimetry) {
     lines.push_back(
         !surroundings_statement(parts).empty()

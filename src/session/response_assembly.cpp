@@ -76,6 +76,26 @@ std::unique_ptr<sensor::PsfWings> wings_of(const std::shared_ptr<const sensor::P
 
 }  // namespace
 
+void assemble_sensor(Parts& parts) {
+  const io::DocumentSources& sources = parts.document.sources;
+  const io::SensorDocument& document = parts.document.sensor;
+  parts.told_channels = assemble_channels(sources, document.channels);
+  parts.camera = assemble_camera(sources, document.camera, parts.document.scene.origin, *parts.scene.world,
+                                 parts.document.seed);
+  const int width = parts.camera->width_px();
+  parts.responses = assemble_smile(sources, document, parts.told_channels, width);
+  parts.keystone_px = assemble_keystone(sources, document, parts.told_channels, width);
+  parts.channels = parts.responses ? parts.responses->all_carried() : parts.told_channels;
+  if (parts.responses) parts.most_spread = parts.responses->most_spread();
+  parts.sensor =
+      std::make_unique<const io::SensorDocument>(sensor_as_carried(document, parts.responses.get()));
+  parts.polarimetry = assemble_polarimetry(*parts.sensor);
+}
+
+std::size_t Parts::told_channel(std::size_t carried) const {
+  return responses ? responses->channel_of(carried) : carried;
+}
+
 void assemble_response(Parts& parts) {
   const io::SensorDocument& document = *parts.sensor;
   const double fill_factor = document.fill_factor;
@@ -108,9 +128,9 @@ void assemble_response(Parts& parts) {
     if (wings) parts.wings.push_back(wings_of(group.psf, fill_factor, along, swept, shift));
     for (const int channel : group.channels) {
       group_of_channel[static_cast<std::size_t>(channel)] = static_cast<int>(groups.size()) - 1;
-      cut[static_cast<std::size_t>(channel)] =
-          (psf != nullptr && !wings ? 1.0 - psf->kept() : 0.0) + apart_from(group, channels, channel) +
-          (wings ? wings_apart(*psf, groups.back().across_px) : 0.0);
+      cut[static_cast<std::size_t>(channel)] = (psf != nullptr && !wings ? 1.0 - psf->kept() : 0.0) +
+                                               apart_from(group, channels, channel) +
+                                               (wings ? wings_apart(*psf, groups.back().across_px) : 0.0);
     }
   }
   parts.footprint = std::make_unique<sampling::PixelFootprint>(groups.front().footprint);
@@ -118,7 +138,8 @@ void assemble_response(Parts& parts) {
     parts.psf_cut = std::move(cut);
   const sampling::Point2 shift = groups.front().shift_px;
   if (groups.size() == 1 && shift.x == 0.0 && shift.y == 0.0 && groups.front().across_px.empty()) return;
-  parts.groups = std::make_unique<sampling::FootprintGroups>(std::move(groups), std::move(group_of_channel));
+  parts.groups =
+      std::make_shared<const sampling::FootprintGroups>(std::move(groups), std::move(group_of_channel));
 }
 
 namespace {
@@ -149,13 +170,8 @@ std::size_t in_the_middle(const Parts& p, std::size_t channel) {
 }
 
 void tell_responses(Parts& p) {
-  for (std::size_t c = 0; c < p.told_channels.size(); ++c) {
+  for (std::size_t c = 0; c < p.told_channels.size(); ++c)
     p.info.channels[c].brightness = std::make_shared<const sensor::BrightnessScale>(p.told_channels[c]);
-    if (!p.responses) continue;
-    for (const radiometry::Channel& carried : (*p.responses)[c].carried)
-      p.info.channels[c].brightness_of_carried.push_back(
-          std::make_shared<const sensor::BrightnessScale>(carried));
-  }
 }
 
 }  // namespace

@@ -73,10 +73,11 @@ void note_optics(const Parts& parts, std::vector<std::string>& lines) {
   const std::optional<io::AiryPsf> diffraction = diffraction_of(sensor);
   const bool asked = diffraction && (!diffraction->aperture_m || !sensor.camera.settings->optics());
   lines.push_back(
-      asked ? "optics: without a 'detector' they tell the 'psf' its aperture and focal ratio, and nothing else: what they let through, and "
-              "emit, counts for electrons, which take a detector"
-            : "optics: nothing follows from them without a 'detector', which makes electrons of light, or a 'psf' of 'airy' or 'pupil' that "
-              "takes its aperture from them; the image is blurred by 'psf' alone");
+      asked
+          ? "optics: without a 'detector' they tell the 'psf' its aperture and focal ratio, and nothing else: what they let through, and "
+            "emit, counts for electrons, which take a detector"
+          : "optics: nothing follows from them without a 'detector', which makes electrons of light, or a 'psf' of 'airy' or 'pupil' that "
+            "takes its aperture from them; the image is blurred by 'psf' alone");
 }
 
 }  // namespace

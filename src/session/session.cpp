@@ -11,15 +11,12 @@
 #include "render/tolerance/channel_brightness.h"
 #include "render/tolerance/node_budget.h"
 #include "sensor/camera.h"
-#include "sensor/spectrometer/column_responses.h"
 #include "session/assembly/atmosphere/atmosphere_cache.h"
 #include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/with_position.h"
-#include "session/assembly/whole/across_track.h"
 #include "session/assembly/whole/light_assembly.h"
 #include "session/assembly/whole/polarized_surfaces.h"
 #include "session/assembly/whole/scene_assembly.h"
-#include "session/assembly/whole/sensor_assembly.h"
 #include "session/assembly/whole/surroundings_assembly.h"
 #include "session/atmosphere_messages.h"
 #include "session/loaded/parts.h"
@@ -30,6 +27,7 @@
 #include "session/plausibility/light_warnings.h"
 #include "session/plausibility/plausibility.h"
 #include "session/response_assembly.h"
+#include "session/sensor_notes.h"
 #include "session/shared_scene.h"
 #include "session/solved/solved_temperatures.h"
 
@@ -114,19 +112,9 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   p.placed = std::move(assembled.placed), p.map_offset_m = assembled.map_offset_m;
   p.known_files = shared.known_files;
   if (document.weather) p.weather = assemble_weather(document.sources, *document.weather, document.time);
-  p.told_channels = assemble_channels(document.sources, document.sensor.channels);
-  p.camera = assemble_camera(document.sources, document.sensor.camera, document.scene.origin, *p.scene.world,
-                             document.seed);
-  check_single_views(p);
-  p.responses =
-      assemble_smile(document.sources, document.sensor, p.told_channels, p.camera->width_px());
-  p.keystone_px =
-      assemble_keystone(document.sources, document.sensor, p.told_channels, p.camera->width_px());
-  p.channels = p.responses ? p.responses->all_carried() : p.told_channels;
-  p.sensor = std::make_unique<const io::SensorDocument>(
-      sensor_as_carried(document.sensor, p.responses.get()));
-  p.polarimetry = assemble_polarimetry(*p.sensor);
+  assemble_sensor(p);
   if (p.polarimetry) check_polarized(document.sources, document.scene, p.scene);
+  check_single_views(p);
   p.plan = assemble_sampling(document.sources, document.sampling, document.sensor, p.told_channels,
                              p.responses.get());
   check_image_size(document.sources, document.sampling,
@@ -179,6 +167,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   log->info(sensor_statement(p));
   phase("plausibility");
   check_plausibility(p, *log);
+  for (std::string& line : sensor_notes(p)) p.locations.push_back(std::move(line));
   return Session(std::move(parts));
 }
 

@@ -28,8 +28,8 @@ ChannelColumns columns_of(int count, const Centre& centre, const Width& width) {
 
 Spectrum line_spectrum(double at_um, double sigma_um) {
   std::vector<double> um, values;
-  for (int k = 0; k <= 20000; ++k) {
-    um.push_back(0.45 + 0.1 * k / 20000.0);
+  for (int k = 0; k <= 5000; ++k) {
+    um.push_back(0.45 + 0.1 * k / 5000.0);
     const double z = (um.back() - at_um) / sigma_um;
     values.push_back(1.0 - 0.9 * std::exp(-0.5 * z * z));
   }
@@ -38,14 +38,13 @@ Spectrum line_spectrum(double at_um, double sigma_um) {
 
 /// The largest difference of a column's mean to the sum of those that are carried, and what is told to be left out.
 struct Off {
-  double worst, left_out;
+  double worst, left_out, spread;
   std::size_t carried;
 };
 
 Off off_of(const Channel& channel, const ChannelColumns& columns, const Spectrum& spectrum) {
-  const ColumnResponses responses =
-      ColumnResponses::find(std::vector{channel}, std::vector{columns});
-  Off off{0.0, responses[0].left_out, responses.carried()};
+  const ColumnResponses responses = ColumnResponses::find(std::vector{channel}, std::vector{columns});
+  Off off{0.0, responses[0].left_out, responses.most_spread(), responses.carried()};
   for (std::size_t i = 0; i < columns.centre_um.size(); ++i) {
     const double own = channel_mean(moved(channel, columns.centre_um[i], columns.fwhm_um[i]), spectrum);
     const std::span<const float> weights = responses.weights(0, static_cast<int>(i));
@@ -67,14 +66,15 @@ TEST(ColumnResponses, OfAGaussianFewAreCarriedAndSumsAreRight) {
     double reach_um;
     std::size_t most;
   };
-  for (const auto& [reach_um, most] : {Case{0.0005, 3}, Case{0.001, 4}, Case{0.005, 8}}) {
-    const ChannelColumns columns =
-        columns_of(200, [&, reach = reach_um](double u) { return 0.5 + reach * u; }, own);
+  for (const auto& [reach_um, most] : {Case{0.0005, 3}, Case{0.001, 4}, Case{0.005, 9}}) {
+    const ChannelColumns columns = columns_of(
+        41, [&, reach = reach_um](double u) { return 0.5 + reach * u; }, own);
     for (const double sigma_um : {0.0002, 0.001, 0.01}) {
       const Off off = off_of(channel, columns, line_spectrum(0.502, sigma_um));
       EXPECT_LE(off.left_out, ColumnResponses::kLeftOut);
       EXPECT_LE(off.worst, 1.1e-4);  // at most what is left out of a spectrum between 0.1 and 1
       EXPECT_LE(off.carried, most);
+      EXPECT_LT(off.spread, 2.2);
       EXPECT_GT(off.carried, 1u);
     }
   }
@@ -88,7 +88,7 @@ TEST(ColumnResponses, WidthsAndTablesOfMeasuredResponses) {
   }
   const Channel channel = Channel::tabulated("t", Spectrum(um, values, OutsideRange::zero));
   const ChannelColumns columns = columns_of(
-      300, [&](double u) { return channel.centre_um + 0.001 * u - 0.0005 * u * u; },
+      81, [&](double u) { return channel.centre_um + 0.001 * u - 0.0005 * u * u; },
       [&](double u) { return channel.fwhm_um * (1.0 + 0.05 * u * u); });
   const Off off = off_of(channel, columns, line_spectrum(0.497, 0.001));
   EXPECT_LE(off.worst, off.left_out + 1e-5);
@@ -98,7 +98,7 @@ TEST(ColumnResponses, WidthsAndTablesOfMeasuredResponses) {
 TEST(ColumnResponses, RectanglesLeaveOutNoMoreThanIsTold) {
   const Channel channel = Channel::top_hat("r", 0.495, 0.505);
   const ChannelColumns columns = columns_of(
-      1000, [](double u) { return 0.5 + 0.002 * u; }, [](double) { return 0.01; });
+      160, [](double u) { return 0.5 + 0.002 * u; }, [](double) { return 0.01; });
   const Off off = off_of(channel, columns, line_spectrum(0.5055, 0.0003));
   EXPECT_EQ(off.carried, ColumnResponses::kMostCarried);
   EXPECT_GT(off.left_out, ColumnResponses::kLeftOut);
@@ -110,7 +110,9 @@ TEST(ColumnResponses, WhatIsAlikeInAllColumnsIsCarriedOnce) {
                                       Channel::gaussian("c", 0.7, 0.01)};
   const auto moved_as = [](double u) { return 0.7 + 0.001 * u; };
   const std::vector<ChannelColumns> columns{
-      columns_of(20, [](double) { return 0.502; }, [](double) { return 0.01; }), {},
+      columns_of(
+          20, [](double) { return 0.502; }, [](double) { return 0.01; }),
+      {},
       columns_of(20, moved_as, [](double) { return 0.01; })};
   const ColumnResponses responses = ColumnResponses::find(channels, columns);
   EXPECT_EQ(responses.first(1), 1u);
@@ -122,7 +124,7 @@ TEST(ColumnResponses, WhatIsAlikeInAllColumnsIsCarriedOnce) {
   EXPECT_EQ(responses.channel_of(responses.carried() - 1), 2u);
   EXPECT_DOUBLE_EQ(responses.spread(1, 7), 1.0);
   EXPECT_GE(responses.most_spread(), 1.0);
-  EXPECT_LT(responses.most_spread(), 1.5);
+  EXPECT_LT(responses.most_spread(), 1.7);  // of Chebyshev's four points 5/3
 }
 
 TEST(ColumnResponses, AResponseThatReachesBelowNoWavelengthIsRefused) {

@@ -251,7 +251,7 @@ class Keystone(Rendered):
             self.assertLess(numpy.sqrt(numpy.mean(numpy.square(off))), 0.01)
 
     def test_intervals_hold_at_edges_and_lines_within_tiles(self):
-        """What edges cover is known: intervals of 95 % hold it, and half as wide ones (the planted fault) or places of another channel do not."""
+        """What edges cover is known: intervals of 95 % hold it, and not what a keystone the other way (the planted fault) would have covered."""
         held, other = [], []
         for seed in range(6):
             keystone = {"between": {"shortest": {"shift": ["0 px", f"{0.3 + 0.2 * seed} px"]}, "longest": {"shift": ["0 px", f"{-0.2 * seed} px"]}}}

@@ -11,8 +11,8 @@ ChannelsByColumn channels_by_column(const render::ImageInfo& image) {
   for (std::size_t c = 0; c < image.channels.size() && image.responses; ++c) {
     const sensor::ChannelColumns& columns = (*image.responses)[c].columns;
     const bool told = !columns.centre_um.empty();
-    by_column.centre_um.push_back(
-        told ? columns.centre_um : std::vector<double>(width, image.channels[c].centre_um));
+    by_column.centre_um.push_back(told ? columns.centre_um
+                                       : std::vector<double>(width, image.channels[c].centre_um));
     by_column.fwhm_um.push_back(told ? columns.fwhm_um
                                      : std::vector<double>(width, image.channels[c].fwhm_um));
   }

@@ -13,6 +13,7 @@
 #include "io/products/product_format.h"
 #include "io/quantities/location_quantities.h"
 #include "io/quantities/mosaic_quantities.h"
+#include "render/column_conversions.h"
 #include "sensor/spectrometer/mosaic.h"
 
 namespace ifov::io {

@@ -81,7 +81,8 @@ class Writer {
   void define_columns(int wavelength_size, int x_size) {
     const auto define = [&](const auto& values, const char* name, const char* what, const char* unit) {
       if (values.empty()) return;
-      by_column_.emplace_back(file_.variable(name, NC_DOUBLE, {wavelength_size, x_size}, what, unit), &values);
+      by_column_.emplace_back(file_.variable(name, NC_DOUBLE, {wavelength_size, x_size}, what, unit),
+                              &values);
     };
     define(columns_.centre_um, "wavelength_by_column", "centre of the channel in a column of the detector",
            "um");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/format.h"
+#include "render/column_conversions.h"
 #include "render/image_info.h"
 #include "sampling/tile.h"
 

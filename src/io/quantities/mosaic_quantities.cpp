@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/format.h"
+#include "render/column_conversions.h"
 #include "render/image_info.h"
 #include "sampling/tile.h"
 #include "sensor/spectrometer/mosaic.h"
@@ -27,8 +28,9 @@ void for_each_element(const FinishedTile& of, const Visit& visit) {
 void put_own(const FinishedTile& of, const std::vector<float>& by_channel, ValueSink& sink) {
   const std::size_t channels = of.image.channels.size();
   std::vector<float> own(static_cast<std::size_t>(of.tile.tile.count()));
-  for_each_element(
-      of, [&](std::size_t pixel, std::size_t channel) { own[pixel] = by_channel[pixel * channels + channel]; });
+  for_each_element(of, [&](std::size_t pixel, std::size_t channel) {
+    own[pixel] = by_channel[pixel * channels + channel];
+  });
   sink.put(own);
 }
 
@@ -76,17 +78,16 @@ constinit const Quantity kMosaicHalfWidth{.name = "mosaic_half_width",
                                           .values = put_half_width_of_mosaic,
                                           .complete_header = tell_pattern};
 
-constinit const Quantity kMosaicChannels{
-    .name = "mosaic_channels",
-    .what = "radiance by channel, of elements that see it alone",
-    .unit = "",
-    .role = Quantity::Role::radiance,
-    .statistic = Quantity::Statistic::mean,
-    .type = EnviType::float32,
-    .bands = Quantity::Bands::channels,
-    .band_names = {},
-    .needs = {.radiance = true, .mosaic = true},
-    .values = put_separate,
-    .complete_header = tell_pattern};
+constinit const Quantity kMosaicChannels{.name = "mosaic_channels",
+                                         .what = "radiance by channel, of elements that see it alone",
+                                         .unit = "",
+                                         .role = Quantity::Role::radiance,
+                                         .statistic = Quantity::Statistic::mean,
+                                         .type = EnviType::float32,
+                                         .bands = Quantity::Bands::channels,
+                                         .band_names = {},
+                                         .needs = {.radiance = true, .mosaic = true},
+                                         .values = put_separate,
+                                         .complete_header = tell_pattern};
 
 }  // namespace ifov::io::quantities

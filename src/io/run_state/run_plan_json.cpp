@@ -130,8 +130,6 @@ sensor::ColumnResponses::Channel columns_of(const JsonView& v, render::ChannelIn
     of.carried.push_back({named.name, radiometry::Spectrum(), named.centre_um, named.fwhm_um});
     if (!carried["response"].is_there()) continue;
     of.carried.back() = response_of(carried["response"], named);
-    channel.brightness_of_carried.push_back(
-        std::make_shared<const sensor::BrightnessScale>(of.carried.back()));
   }
   return of;
 }
@@ -156,7 +154,8 @@ void write_members(JsonWriter& json, const render::ImageInfo& image, WrittenWith
         json.member("fwhm_um", channel.fwhm_um);
         if (channel.irradiance > 0.0) json.member("irradiance", channel.irradiance);
         if (channel.toa_irradiance > 0.0) json.member("toa_irradiance", channel.toa_irradiance);
-        if (with.responses && channel.brightness) write_response(json, "response", channel.brightness->channel());
+        if (with.responses && channel.brightness)
+          write_response(json, "response", channel.brightness->channel());
         if (image.responses) write_columns(json, channel, (*image.responses)[c], with.responses);
         if (!image.keystone_px.empty()) json.member("keystone_px", image.keystone_px[c]);
         if (channel.air)

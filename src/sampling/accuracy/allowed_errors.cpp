@@ -101,13 +101,14 @@ void AllowedErrors::find_lattice_limits() {
   const int reach = footprints_.reach();
   const std::size_t groups = footprints_.groups();
   const int looked_at = footprints_.by_column() ? problem_.tile.width() : 1;
-  std::vector<double> pixel_weight;  // [column of the tile][source pixel][group], of one column where all are alike
+  std::vector<double>
+      pixel_weight;  // [column of the tile][source pixel][group], of one column where all are alike
   for (int column = 0; column < looked_at; ++column)
     for (int dy = -reach; dy <= reach; ++dy)
       for (int dx = -reach; dx <= reach; ++dx)
         for (std::size_t group = 0; group < groups; ++group)
-          pixel_weight.push_back(footprints_.integral(group, problem_.tile.x0 + column, dx - 0.5, dy - 0.5,
-                                                      dx + 0.5, dy + 0.5));
+          pixel_weight.push_back(
+              footprints_.integral(group, problem_.tile.x0 + column, dx - 0.5, dy - 0.5, dx + 0.5, dy + 0.5));
   const std::size_t of_column = pixel_weight.size() / static_cast<std::size_t>(looked_at);
   PixelLimits limits(*problem_.tolerance, problem_.later);
   std::vector<double> mean(columns), known_mean, limit(columns);

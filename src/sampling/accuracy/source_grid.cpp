@@ -37,9 +37,8 @@ double SourceGrid::relative_weight(int source) const {
   const int nearest = x - dx, further = footprints_.by_column() ? footprints_.reach() : 0;
   for (int i = std::max(tile_.x0, nearest - further); i <= std::min(tile_.x1 - 1, nearest + further); ++i)
     for (std::size_t group = 0; group < footprints_.groups(); ++group)
-      most = std::max(
-          most, footprints_.integral(group, i, x - i - 0.5, dy - 0.5, x - i + 0.5, dy + 0.5) /
-                    footprints_.footprint(group).integral(-0.5, -0.5, 0.5, 0.5));
+      most = std::max(most, footprints_.integral(group, i, x - i - 0.5, dy - 0.5, x - i + 0.5, dy + 0.5) /
+                                footprints_.footprint(group).integral(-0.5, -0.5, 0.5, 0.5));
   return std::min(most, 1.0);
 }
 

@@ -63,7 +63,8 @@ int halo_of(const ColumnFootprints& footprints, int first_column) {
 struct TileTracing::Parts {
   Parts(const TileProblem& problem, Field& field, const AccuracyOptions& options, const AccuracyParts& parts,
         const ColumnFootprints& footprints, TileRecall& recall)
-      : lattice(source_domain(problem, footprints.reach(), halo_of(footprints, problem.tile.x0)), options.lattice),
+      : lattice(source_domain(problem, footprints.reach(), halo_of(footprints, problem.tile.x0)),
+                options.lattice),
         grid(lattice, footprints, problem.tile),
         table(field),
         ledger(field, problem.cancel, lattice, table, recall.memory()),

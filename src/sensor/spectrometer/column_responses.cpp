@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <numbers>
 #include <numeric>
 
 #include "core/error.h"
@@ -32,8 +33,7 @@ class Cumulated {
   double below(double at) const {
     if (!(at > x_.front())) return 0.0;
     if (!(at < x_.back())) return 1.0;
-    const auto above =
-        static_cast<std::size_t>(std::upper_bound(x_.begin(), x_.end(), at) - x_.begin());
+    const auto above = static_cast<std::size_t>(std::upper_bound(x_.begin(), x_.end(), at) - x_.begin());
     const double width = x_[above] - x_[above - 1], t = (at - x_[above - 1]) / width;
     const double area = width * t * (y_[above - 1] + 0.5 * t * (y_[above] - y_[above - 1]));
     return (below_[above - 1] + area) / below_.back();
@@ -73,8 +73,16 @@ class Choice {
     }
   }
 
-  /// Chosen columns, the first one first, until so much of each column is left out at most, or so many are chosen.
+  /// Chosen columns, until so much of each column is left out at most, or so many are chosen. Columns stand in an order along which
+  /// responses change steadily.
   void choose(double left_out, std::size_t most) {
+    // Those of smooth responses lie as Chebyshev's points do along the way from the first to the last, where weights stay small.
+    constexpr std::size_t kMostSpread = 12;
+    for (std::size_t count = 1; count <= std::min({kMostSpread, most, shares_.size()}); ++count) {
+      take_spread(count);
+      if (most_left() <= left_out) return;
+    }
+    forget();
     take(0);
     while (chosen_.size() < std::min(most, shares_.size())) {
       std::size_t worst = 0;
@@ -84,6 +92,12 @@ class Choice {
       if (worst_left <= left_out) break;
       if (!take(worst)) break;
     }
+  }
+
+  double most_left() const {
+    double most = 0.0;
+    for (std::size_t i = 0; i < shares_.size(); ++i) most = std::max(most, left_of(i));
+    return most;
   }
 
   /// The first so many as they stand.
@@ -121,6 +135,32 @@ class Choice {
     double centre, stretch;
   };
 
+  void forget() { chosen_.clear(), basis_.clear(), triangle_.clear(); }
+
+  /// Columns at the extremes of Chebyshev's polynomial along the way that responses change.
+  void take_spread(std::size_t count) {
+    forget();
+    if (way_.empty()) {
+      way_.push_back(0.0);
+      for (std::size_t i = 1; i < shares_.size(); ++i) {
+        double step = 0.0;
+        for (std::size_t q = 0; q < shares_[i].size(); ++q)
+          step += std::abs(shares_[i][q] - shares_[i - 1][q]);
+        way_.push_back(way_.back() + step);
+      }
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const double angle = count > 1
+                               ? std::numbers::pi * static_cast<double>(k) / static_cast<double>(count - 1)
+                               : 0.5 * std::numbers::pi;
+      const double at = 0.5 * way_.back() * (1.0 - std::cos(angle));
+      const auto above = std::lower_bound(way_.begin(), way_.end(), at);
+      auto nearest = static_cast<std::size_t>(above - way_.begin());
+      if (nearest == way_.size() || (nearest > 0 && at - way_[nearest - 1] < way_[nearest] - at)) --nearest;
+      if (std::find(chosen_.begin(), chosen_.end(), nearest) == chosen_.end()) take(nearest);
+    }
+  }
+
   /// A column's difference to the first chosen one, along the basis; what stands across it comes back.
   std::vector<double> split(std::size_t column, std::vector<double>& along) const {
     std::vector<double> rest = shares_[column];
@@ -153,6 +193,7 @@ class Choice {
   Cumulated of_;
   std::vector<Place> places_;
   std::vector<std::vector<double>> shares_;  // by column
+  std::vector<double> way_;                  // from the first column's response to each
   std::vector<std::size_t> chosen_;
   std::vector<std::vector<double>> basis_, triangle_;  // orthonormal; chosen ones along it
 };
@@ -257,9 +298,8 @@ Channel moved(const Channel& channel, double centre_um, double fwhm_um) {
   for (const double um : channel.response.wavelength_um())
     wavelength.push_back(centre_um + stretch * (um - channel.centre_um));
   if (!(wavelength.front() > 0.0))
-    throw InputError(
-        format("channel '{}': a response of {:g} um about {:g} um is not possible", channel.name, fwhm_um,
-               centre_um));
+    throw InputError(format("channel '{}': a response of {:g} um about {:g} um is not possible", channel.name,
+                            fwhm_um, centre_um));
   const auto values = channel.response.values();
   return {channel.name,
           Spectrum(std::move(wavelength), {values.begin(), values.end()}, channel.response.outside(),
@@ -287,6 +327,7 @@ ColumnResponses ColumnResponses::find(std::span<const radiometry::Channel> chann
 ColumnResponses::ColumnResponses(std::vector<Channel> channels) : channels_(std::move(channels)) {
   for (std::size_t c = 0; c < channels_.size(); ++c) {
     first_.push_back(channel_of_.size());
+    scales_.emplace_back(channels_[c].carried.begin(), channels_[c].carried.end());
     channel_of_.resize(channel_of_.size() + channels_[c].carried.size(), c);
     const std::size_t count = channels_[c].carried.size(), width = channels_[c].weights.size() / count;
     for (std::size_t i = 0; i < width; ++i)
@@ -298,7 +339,8 @@ ColumnResponses::ColumnResponses(std::vector<Channel> channels) : channels_(std:
 std::span<const float> ColumnResponses::weights(std::size_t channel, int column) const {
   const Channel& of = channels_[channel];
   if (of.weights.empty()) return kOne;
-  return std::span(of.weights).subspan(static_cast<std::size_t>(column) * of.carried.size(), of.carried.size());
+  return std::span(of.weights)
+      .subspan(static_cast<std::size_t>(column) * of.carried.size(), of.carried.size());
 }
 
 double ColumnResponses::spread(std::size_t channel, int column) const {

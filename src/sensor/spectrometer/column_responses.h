@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "radiometry/channel.h"
+#include "sensor/detector/brightness_scale.h"
 
 namespace ifov::sensor {
 
@@ -50,12 +51,15 @@ class ColumnResponses {
   /// Sum of a column's weights without their signs; the largest of all.
   double spread(std::size_t channel, int column) const;
   double most_spread() const { return most_spread_; }
+  /// Kelvins by what is carried of a channel.
+  const std::vector<BrightnessScale>& scales(std::size_t channel) const { return scales_[channel]; }
   /// All that are carried; those of channels that have several are named after a column that has this response.
   std::vector<radiometry::Channel> all_carried() const;
 
  private:
   std::vector<Channel> channels_;
   std::vector<std::size_t> first_, channel_of_;
+  std::vector<std::vector<BrightnessScale>> scales_;  // by channel
   double most_spread_ = 1.0;
 };
 

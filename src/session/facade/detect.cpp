@@ -110,20 +110,18 @@ std::shared_ptr<const sensor::Mosaic> mosaic_of(const std::filesystem::path& rec
   const session::RunRecordFile file(record);
   const session::Record told = file.root()["image"]["mosaic"];
   if (!told.is_there())
-    throw InputError(format(
-        "{}: the run's sensor has no \"mosaic\": every element sees all channels", record.string()));
+    throw InputError(
+        format("{}: the run's sensor has no \"mosaic\": every element sees all channels", record.string()));
   auto mosaic = std::make_shared<sensor::Mosaic>();
   mosaic->columns = told["columns"].small_integer();
   for (const session::Record& channel : told["channels"].items())
     mosaic->channels.push_back(channel.small_integer());
-  const auto exists = [&](int channel) {
-    return channel >= 0 && channel < static_cast<int>(channels);
-  };
+  const auto exists = [&](int channel) { return channel >= 0 && channel < static_cast<int>(channels); };
   if (mosaic->columns < 1 || mosaic->channels.empty() ||
       mosaic->channels.size() % static_cast<std::size_t>(mosaic->columns) != 0 ||
       !std::all_of(mosaic->channels.begin(), mosaic->channels.end(), exists))
-    throw InputError(format("{}: image.mosaic is damaged: expected a pattern of channels of the run",
-                            record.string()));
+    throw InputError(
+        format("{}: image.mosaic is damaged: expected a pattern of channels of the run", record.string()));
   mosaic->rows = static_cast<int>(mosaic->channels.size()) / mosaic->columns;
   return mosaic;
 }

@@ -6,12 +6,10 @@
 #include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/channel_brightness.h"
-#include "sampling/footprint_groups.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/tile.h"
 #include "sensor/camera.h"
 #include "sensor/psf_wings.h"
-#include "sensor/spectrometer/column_responses.h"
 #include "session/assembly/shared/colour_guess.h"
 #include "session/assembly/shared/map_scale.h"
 #include "transport/spectral_scene.h"
@@ -22,10 +20,6 @@ Parts::Parts(const io::Document& of)
     : kept_document(std::make_unique<const io::Document>(of)), document(*kept_document) {}
 
 Parts::~Parts() = default;
-
-std::size_t Parts::told_channel(std::size_t carried) const {
-  return responses ? responses->channel_of(carried) : carried;
-}
 
 bool Parts::has_sky() const {
   return scene.sky.radiance || scene.sky.temperature_k || atmosphere || (imported && imported->has_sky());

@@ -4,7 +4,6 @@
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/wings/wing_light.h"
 #include "sensor/camera.h"
-#include "sensor/spectrometer/column_responses.h"
 #include "session/loaded/parts.h"
 #include "transport/spectral_scene.h"
 
@@ -40,7 +39,7 @@ std::unique_ptr<render::AccuracyTolerance> Parts::tolerance_of(const SamplingPla
   if (!sampling.request) return nullptr;
   render::AccuracyRequest request = *sampling.request;
   // Half-widths of what paths carry add up to a channel's by their weights.
-  if (responses) request.error /= responses->most_spread();
+  request.error /= most_spread;
   auto limits = std::make_unique<render::AccuracyTolerance>(
       std::move(request), *brightness, spectral_scene->white_reflected(),
       static_cast<std::int64_t>(camera->width_px()) * camera->height_px(), spectral_scene->path_radiance(),

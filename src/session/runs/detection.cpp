@@ -9,6 +9,7 @@
 #include "io/document/document_error.h"
 #include "io/document/sensor_document.h"
 #include "io/products/envi_reader.h"
+#include "render/column_conversions.h"
 #include "sensor/detector/brightness_scale.h"
 #include "sensor/detector/detector.h"
 #include "sensor/detector/detector_signal.h"
@@ -186,13 +187,8 @@ void tell_brightness(const io::DocumentSources& sources, const io::SensorDocumen
                      render::ImageInfo& image) {
   const std::vector<radiometry::Channel> channels = assemble_channels(sources, sensor.channels);
   image.responses = assemble_smile(sources, sensor, channels, image.width_px);
-  for (std::size_t c = 0; c < channels.size(); ++c) {
-    render::ChannelInfo& of = image.channels[c];
-    of.brightness = std::make_shared<const sensor::BrightnessScale>(channels[c]);
-    if (!image.responses) continue;
-    for (const radiometry::Channel& carried : (*image.responses)[c].carried)
-      of.brightness_of_carried.push_back(std::make_shared<const sensor::BrightnessScale>(carried));
-  }
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    image.channels[c].brightness = std::make_shared<const sensor::BrightnessScale>(channels[c]);
 }
 
 void require_quantity(DetectedQuantity quantity, std::span<const render::ChannelInfo> channels,
@@ -228,8 +224,7 @@ Realization realize(const io::EnviReader& radiance, const render::ImageInfo& ima
     result.cubes.push_back(std::make_unique<LineCube>(cube.path, std::move(header)));
   }
   Drawing drawing(radiance, image, seed, cubes, result.cubes);
-  const std::size_t at_once =
-      image.mosaic ? channels.size() : channels_at_once(radiance.header(), channels);
+  const std::size_t at_once = image.mosaic ? channels.size() : channels_at_once(radiance.header(), channels);
   for (std::size_t first = 0; first < channels.size(); first += at_once)
     drawing.draw(first, std::min(first + at_once, channels.size()), threads, cancel);
   result.saturated = drawing.saturated;

@@ -111,8 +111,9 @@ class ReferenceCheck {
     if (!mosaics.empty())
       throw document_error(
           document_.sources, document_.output.position,
-          format("output.products has {}: that takes a sensor with a \"mosaic\", and sensor.mosaic is not given",
-                 list_names(mosaics, "and")));
+          format(
+              "output.products has {}: that takes a sensor with a \"mosaic\", and sensor.mosaic is not given",
+              list_names(mosaics, "and")));
     const std::vector<std::string> without =
         document_.sensor.stokes ? std::vector<std::string>{} : named(&Quantity::Needs::stokes);
     if (!without.empty())
@@ -137,9 +138,10 @@ class ReferenceCheck {
     if (camera != "frame" && camera != "orthographic")
       throw document_error(
           document_.sources, mosaic->position,
-          format("a mosaic is of the elements of a frame, and a {} camera makes its image of lines; expected a frame or orthographic "
-                 "camera",
-                 camera));
+          format(
+              "a mosaic is of the elements of a frame, and a {} camera makes its image of lines; expected a frame or orthographic "
+              "camera",
+              camera));
   }
 
   /// Reflectance above the air is over the light of the Sun there.

@@ -10,6 +10,7 @@
 #include "io/document/schema/shared_target.h"
 #include "io/document/sensor_document.h"
 #include "io/document/spectrometer_document.h"
+#include "io/document/tables/spectrometer_tables.h"
 #include "io/document/tables/tables.h"
 
 namespace ifov::io {
@@ -312,31 +313,31 @@ class ChannelEntries {
 SchemaType<std::vector<ChannelDocument>> channels_type() {
   const SchemaType<ChannelEntry> entry_of = entry_type();
   const auto entries = list(entry_of, 1, kMostChannels);
-  return {
-      entries.description,
-      [description = entries.description, read = entry_of.read](const DocumentNode& node) {
-        check_list(node, *description);
-        std::vector<ChannelDocument> channels;
-        for (const DocumentNode& item : node.items()) {
-          ChannelEntry entry = read(item);
-          if (channels.size() + entry.responses.size() > kMostChannels) {
-            item.fail(format("{} brings the number of channels above {}", item.title(), kMostChannels));
-          }
-          const bool series = entry.responses.size() > 1;
-          for (Response& response : entry.responses) {
-            const std::string own = name_from(response);
-            const std::string name = entry.name.empty() ? own
-                                     : series           ? format("{} {}", entry.name, own)
-                                                        : entry.name;
-            channels.push_back({name, std::move(response), entry.position, entry.noise, entry.noise_k,
-                                entry.polarizer, entry.retarder, entry.snr, entry.detector, entry.shift_px, entry.smile, entry.keystone});
-          }
-        }
-        return channels;
-      },
-      [write = entries.write](const std::vector<ChannelDocument>& channels, Writing& writing) {
-        return write(ChannelEntries(channels, writing).all(), writing);
-      }};
+  return {entries.description,
+          [description = entries.description, read = entry_of.read](const DocumentNode& node) {
+            check_list(node, *description);
+            std::vector<ChannelDocument> channels;
+            for (const DocumentNode& item : node.items()) {
+              ChannelEntry entry = read(item);
+              if (channels.size() + entry.responses.size() > kMostChannels) {
+                item.fail(format("{} brings the number of channels above {}", item.title(), kMostChannels));
+              }
+              const bool series = entry.responses.size() > 1;
+              for (Response& response : entry.responses) {
+                const std::string own = name_from(response);
+                const std::string name = entry.name.empty() ? own
+                                         : series           ? format("{} {}", entry.name, own)
+                                                            : entry.name;
+                channels.push_back({name, std::move(response), entry.position, entry.noise, entry.noise_k,
+                                    entry.polarizer, entry.retarder, entry.snr, entry.detector,
+                                    entry.shift_px, entry.smile, entry.keystone});
+              }
+            }
+            return channels;
+          },
+          [write = entries.write](const std::vector<ChannelDocument>& channels, Writing& writing) {
+            return write(ChannelEntries(channels, writing).all(), writing);
+          }};
 }
 
 }  // namespace ifov::io

@@ -1,6 +1,7 @@
 #include "core/format.h"
 #include "io/document/schema/record.h"
 #include "io/document/spectrometer_document.h"
+#include "io/document/tables/spectrometer_tables.h"
 #include "io/document/tables/tables.h"
 
 namespace ifov::io {
@@ -15,8 +16,8 @@ SchemaType<std::vector<double>> coefficients(const SchemaType<double>& type) {
 }
 
 SchemaType<SmilePolynomial> smile_polynomial() {
-  Record<SmilePolynomial> record("smile polynomial",
-                                 std::string("Differences from the channel's own response, ") + kPowers + ".");
+  Record<SmilePolynomial> record(
+      "smile polynomial", std::string("Differences from the channel's own response, ") + kPowers + ".");
   const auto difference = coefficients(quantity(kWavelengthDifference));
   record
       .optional("center", &SmilePolynomial::centre_um, difference,
@@ -31,7 +32,8 @@ SchemaType<SmilePolynomial> smile_polynomial() {
 
 SchemaType<KeystonePolynomial> keystone_polynomial() {
   Record<KeystonePolynomial> record(
-      "keystone polynomial", std::string("Where what an element sees lies across the track, ") + kPowers + ".");
+      "keystone polynomial",
+      std::string("Where what an element sees lies across the track, ") + kPowers + ".");
   record.required("shift", &KeystonePolynomial::shift_px,
                   coefficients(quantity(kPixels, Range::between(-8.0, 8.0, "px"))),
                   "to the right of the element: the coefficients, the constant one first");
@@ -59,7 +61,8 @@ SchemaType<SmileDocument> smile_type(bool of_sensor) {
                            of_sensor ? "alike in all channels" : "a polynomial");
   if (!of_sensor) return record.type();
   Record<SmileTable> table(
-      "smile table", "A line of numbers for each detector column, a number for each channel in the order of the document.");
+      "smile table",
+      "A line of numbers for each detector column, a number for each channel in the order of the document.");
   const auto column_table = [&] {
     return converted<ColumnTable>(
         file(), [](DocumentFile name) { return ColumnTable{std::move(name)}; },
@@ -70,8 +73,8 @@ SchemaType<SmileDocument> smile_type(bool of_sensor) {
                 "file of their full widths at half maximum; those of the channels if not given")
       .required("wavelength_unit", &SmileTable::um_per_unit, um_per_unit_type(), "unit of both");
   record
-      .one("between", &SmileDocument::between,
-           ends<SmileDocument>("smile by wavelength", smile_polynomial()), "by wavelength")
+      .one("between", &SmileDocument::between, ends<SmileDocument>("smile by wavelength", smile_polynomial()),
+           "by wavelength")
       .one("table", &SmileDocument::table, table.type(), "for every column and channel");
   return record.type();
 }
@@ -102,8 +105,9 @@ SchemaType<MosaicDocument> mosaic_type() {
       [](Rows rows, const DocumentNode& node) {
         for (std::size_t row = 1; row < rows.size(); ++row)
           if (rows[row].size() != rows.front().size())
-            node.items()[row].fail(format("row {} of the mosaic has {} channels; expected {}, as the first has",
-                                          row + 1, rows[row].size(), rows.front().size()));
+            node.items()[row].fail(
+                format("row {} of the mosaic has {} channels; expected {}, as the first has", row + 1,
+                       rows[row].size(), rows.front().size()));
         return MosaicDocument{std::move(rows), node.position()};
       },
       [](const MosaicDocument& mosaic) { return std::optional(mosaic.rows); });

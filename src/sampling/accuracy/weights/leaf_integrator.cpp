@@ -37,9 +37,9 @@ struct LeafIntegrator::Shared {
     bool ready = false;
   };
   std::optional<CellWeights> weights;  // of footprints that lie alike in all columns of the image
-  std::vector<double> longest;       // of triangles, by rule
-  std::vector<std::size_t> rule_of;  // by group
-  std::vector<Placed> placed[3];     // of up to three polygons at a time, by rule
+  std::vector<double> longest;         // of triangles, by rule
+  std::vector<std::size_t> rule_of;    // by group
+  std::vector<Placed> placed[3];       // of up to three polygons at a time, by rule
 };
 
 LeafIntegrator::LeafIntegrator(const EdgeTracer& tracer, const ColumnFootprints& footprints, PixelRect tile)
@@ -122,9 +122,9 @@ void LeafIntegrator::outputs_of(int source, PixelModel& model) const {
 double LeafIntegrator::whole_weight(int source, int output, std::size_t group) const {
   const PixelRect& domain = lattice_.domain();
   if (shared_ && shared_->weights)
-    return shared_->weights->of_pixel(group,
-                                     domain.x0 + source % domain.width() - tile_.x0 - output % tile_.width(),
-                                     domain.y0 + source / domain.width() - tile_.y0 - output / tile_.width());
+    return shared_->weights->of_pixel(
+        group, domain.x0 + source % domain.width() - tile_.x0 - output % tile_.width(),
+        domain.y0 + source / domain.width() - tile_.y0 - output / tile_.width());
   const Point2 c = centre(output, group);
   const double x = domain.x0 + source % domain.width() - c.x, y = domain.y0 + source / domain.width() - c.y;
   return footprint(group).integral(x, y, x + 1.0, y + 1.0);
@@ -189,7 +189,7 @@ double LeafIntegrator::cell_weight(const Cell& cell, const Slot& slot) const {
   if (unit_box_) return side * side;
   if (shared_ && shared_->weights && cell.level == 0)
     return shared_->weights->of_cell(slot.group, (cell.x >> kMaxLevel) - slot.column,
-                                    (cell.y >> kMaxLevel) - slot.row);
+                                     (cell.y >> kMaxLevel) - slot.row);
   const double x0 = lattice_.x_px(cell.x), y0 = lattice_.y_px(cell.y);
   const Point2 c = slot.centre;
   return footprint(slot.group).integral(x0 - c.x, y0 - c.y, x0 + side - c.x, y0 + side - c.y);

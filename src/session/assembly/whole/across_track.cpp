@@ -106,7 +106,7 @@ class SmileAssembly {
       const auto at = static_cast<std::size_t>(i);
       columns.centre_um.push_back(smile.table ? centres_[c][at]
                                               : channel.centre_um + differs(&io::SmilePolynomial::centre_um));
-      columns.fwhm_um.push_back(!smile.table ? channel.fwhm_um + differs(&io::SmilePolynomial::fwhm_um)
+      columns.fwhm_um.push_back(!smile.table      ? channel.fwhm_um + differs(&io::SmilePolynomial::fwhm_um)
                                 : widths_.empty() ? channel.fwhm_um
                                                   : widths_[c][at]);
       check(channel, smile, i, columns.centre_um.back(), columns.fwhm_um.back());
@@ -184,8 +184,9 @@ std::vector<std::vector<double>> assemble_keystone(const io::DocumentSources& so
     const io::DocumentFile& from = sensor.keystone->table->file;
     std::vector<io::ChannelRange> ranges;
     for (const Channel& channel : channels) ranges.push_back({channel.name, -kFarthest_px, kFarthest_px});
-    table = with_position(sources, from.position,
-                          [&] { return io::read_column_table(from.path, "keystone (px)", ranges, width_px); });
+    table = with_position(sources, from.position, [&] {
+      return io::read_column_table(from.path, "keystone (px)", ranges, width_px);
+    });
   }
   bool any = false;
   for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -196,16 +197,17 @@ std::vector<std::vector<double>> assemble_keystone(const io::DocumentSources& so
     for (int i = 0; i < width_px; ++i) {
       const double u = place_across(i, width_px);
       const double shift =
-          keystone->table        ? table[c][static_cast<std::size_t>(i)]
-          : keystone->polynomial ? value_at(keystone->polynomial->shift_px, u)
-                                 : by_wavelength.between(channels[c],
-                                                         value_at(keystone->between->shortest.shift_px, u),
-                                                         value_at(keystone->between->longest.shift_px, u));
+          keystone->table ? table[c][static_cast<std::size_t>(i)]
+          : keystone->polynomial
+              ? value_at(keystone->polynomial->shift_px, u)
+              : by_wavelength.between(channels[c], value_at(keystone->between->shortest.shift_px, u),
+                                      value_at(keystone->between->longest.shift_px, u));
       if (!(std::abs(shift) <= kFarthest_px))
         throw io::document_error(
             sources, keystone->position,
-            format("keystone takes channel '{}' by {:.4g} px in column {}; expected {:g} px to either side at most",
-                   channels[c].name, shift, i + 1, kFarthest_px));
+            format(
+                "keystone takes channel '{}' by {:.4g} px in column {}; expected {:g} px to either side at most",
+                channels[c].name, shift, i + 1, kFarthest_px));
       shifts[c].push_back(shift);
     }
     if (std::all_of(shifts[c].begin(), shifts[c].end(), [](double shift) { return shift == 0.0; }))

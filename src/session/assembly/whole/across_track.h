@@ -12,15 +12,14 @@ struct SensorDocument;
 namespace ifov::sensor {
 class ColumnResponses;
 struct Mosaic;
-}
+}  // namespace ifov::sensor
 
 namespace ifov::session {
 
 /// Responses that differ from column to column of an image; null where none do.
-std::shared_ptr<const sensor::ColumnResponses> assemble_smile(const io::DocumentSources& sources,
-                                                              const io::SensorDocument& sensor,
-                                                              const std::vector<radiometry::Channel>& channels,
-                                                              int width_px);
+std::shared_ptr<const sensor::ColumnResponses> assemble_smile(
+    const io::DocumentSources& sources, const io::SensorDocument& sensor,
+    const std::vector<radiometry::Channel>& channels, int width_px);
 
 /// How far to the right what elements see lies, by channel and column of an image, px; of a channel empty where that is nowhere, and
 /// of all where none has any.

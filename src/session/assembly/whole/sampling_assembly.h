@@ -34,7 +34,8 @@ struct SamplingPlan {
 /// `responses`: what paths carry of the channels where those differ by detector column, which the plan then counts by; else null.
 SamplingPlan assemble_sampling(const io::DocumentSources& sources, const io::SamplingDocument& sampling,
                                const io::SensorDocument& sensor,
-                               const std::vector<radiometry::Channel>& channels, const sensor::ColumnResponses* responses = nullptr);
+                               const std::vector<radiometry::Channel>& channels,
+                               const sensor::ColumnResponses* responses = nullptr);
 
 /// Fails where an image of so many pixels has too few for what is asked of it as a whole.
 void check_image_size(const io::DocumentSources& sources, const io::SamplingDocument& sampling,

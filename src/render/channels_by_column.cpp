@@ -1,4 +1,4 @@
-#include "render/parts/channels_by_column.h"
+#include "render/channels_by_column.h"
 
 #include <algorithm>
 #include <cmath>
