@@ -16,6 +16,9 @@ struct SensorDocument;
 struct DocumentSources;
 struct SamplingDocument;
 }  // namespace ifov::io
+namespace ifov::sensor {
+class ColumnResponses;
+}
 
 namespace ifov::session {
 
