@@ -39,7 +39,6 @@ class PixelFootprint;
 }  // namespace ifov::sampling
 namespace ifov::sensor {
 class Camera;
-class ColumnResponses;
 class PsfWings;
 }  // namespace ifov::sensor
 namespace ifov::transport {

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -33,8 +32,7 @@ struct SamplingPlan {
   std::vector<int> steering_channels;
 };
 
-/// `sensor`: an accuracy may be stated by its noise.
-/// `responses`: what paths carry of the channels where those differ by detector column, which the plan then counts by; else null.
+/// An accuracy may be stated by the sensor's noise. `responses`: what paths carry, by which the plan counts; null: the channels.
 SamplingPlan assemble_sampling(const io::DocumentSources& sources, const io::SamplingDocument& sampling,
                                const io::SensorDocument& sensor,
                                const std::vector<radiometry::Channel>& channels,
