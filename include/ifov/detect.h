@@ -31,6 +31,8 @@ struct DetectOptions {
   std::vector<std::string> set;
   int threads = 0;  ///< 0: all cores; the bytes do not depend on it
   const CancelToken* cancel = nullptr;
+  /// Of a sensor with a mosaic of filters: what each element has through its own filter alone, as one band.
+  bool mosaic = false;
 };
 
 /// What was made of a run's radiance.
@@ -43,7 +45,7 @@ struct Detection {
   };
   std::vector<Channel> channels;
   std::vector<std::filesystem::path>
-      cubes;  ///< NAME_noisy_SEED.img, NAME_electrons_SEED.img, NAME_counts_SEED.img, ...
+      cubes;  ///< NAME_noisy_SEED.img, NAME_electrons_SEED.img, NAME_counts_SEED.img, ...; NAME_mosaic_counts_SEED.img
 };
 
 /// Draws what the sensor makes of the radiance of a finished run, without a ray: with a detector's physics where channels have one

@@ -17,7 +17,7 @@ struct DetectArguments {
   std::vector<DetectedQuantity> quantities = {DetectedQuantity::radiance};
   std::uint64_t seed = 1;
   int count = 1, threads = 0;
-  bool quiet = false;
+  bool mosaic = false, quiet = false;
 };
 
 ExitCode detect(const DetectArguments& arguments) {
@@ -28,6 +28,7 @@ ExitCode detect(const DetectArguments& arguments) {
   options.threads = arguments.threads;
   options.cancel = &cancel_on_interrupt();
   options.quantities = arguments.quantities;
+  options.mosaic = arguments.mosaic;
   if (arguments.document.empty())
     options.set = arguments.input.set;
   else
@@ -74,6 +75,8 @@ Command add_detect_command(CLI::App& app) {
           {"kelvins", DetectedQuantity::kelvins},
           {"toa_reflectance", DetectedQuantity::toa_reflectance}}))
       ->default_str("radiance");
+  parser->add_flag("--mosaic", arguments->mosaic,
+                   "Of a sensor with a mosaic: each element through its own filter alone, as one band");
   parser->add_option("-o,--output", arguments->output, "Folder of the cubes, in place of the run's");
   parser->add_option("-j,--threads", arguments->threads, "Threads; 0: all cores")
       ->check(CLI::Range(0, 4096))

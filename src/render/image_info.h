@@ -10,6 +10,8 @@
 
 namespace ifov::sensor {
 class BrightnessScale;
+class ColumnResponses;
+struct Mosaic;
 struct Detector;
 struct ViewList;
 }  // namespace ifov::sensor
@@ -26,15 +28,19 @@ struct ChannelInfo {
   double irradiance = 0.0;      ///< by Sun and sky on a level surface, of single views; 0: none is told
   double toa_irradiance = 0.0;  ///< by the Sun alone on a level surface above the air; 0: none is told
   std::shared_ptr<const sensor::BrightnessScale> brightness = {};  ///< null: the response is not known
+  std::vector<double> toa_of_carried = {};  ///< of each of ImageInfo::responses; empty: as above
 };
 
 /// What every product says of itself.
 struct ImageInfo {
   int width_px = 0, height_px = 0;
   std::vector<ChannelInfo> channels;
-  std::vector<std::string> materials;           ///< names by material index, for abundances
-  std::vector<std::string> objects;             ///< names of the document's, for classes; empty: not known
-  std::vector<std::uint32_t> first_of_objects;  ///< number in the world of the first that stands for each
+  std::shared_ptr<const sensor::ColumnResponses> responses;  ///< by column; null: alike in all
+  std::vector<std::vector<double>> keystone_px;  ///< to the right, by channel and column; empty: nowhere
+  std::shared_ptr<const sensor::Mosaic> mosaic;  ///< null: each element sees all channels
+  std::vector<std::string> materials;            ///< names by material index, for abundances
+  std::vector<std::string> objects;              ///< names of the document's, for classes; empty: not known
+  std::vector<std::uint32_t> first_of_objects;   ///< number in the world of the first that stands for each
   std::string radiance_unit = "W m-2 sr-1 um-1";
   bool stokes = false;   ///< tiles tell Q, U and V beside I
   bool has_map = false;  ///< map coordinates of the upper left corner and the pixel size

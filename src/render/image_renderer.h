@@ -17,6 +17,7 @@ class PixelSampler;
 }  // namespace ifov::sampling
 namespace ifov::sensor {
 class Camera;
+class ColumnResponses;
 class PsfWings;
 }  // namespace ifov::sensor
 namespace ifov::transport {
@@ -61,6 +62,7 @@ struct RenderJob {
   EarlierTiles* earlier = nullptr;                    ///< tiles of a run at a looser tolerance, to go on from
   const Polarimetry* polarimetry = nullptr;           ///< null: radiance alone
   bool parts = false;                                 ///< tiles tell the parts that radiance is made of
+  const sensor::ColumnResponses* responses = nullptr;  ///< null: channels are what paths carry
 
   /// Half the width of the widest footprint about its pixel's centre.
   double reach_px() const;

@@ -75,6 +75,7 @@ class Sweep {
     one.collectors = all.collectors;
     one.polarimetry = all.polarimetry;
     one.parts = all.parts;
+    one.responses = all.responses;
     return one;
   }
 

@@ -18,11 +18,12 @@ namespace {
 /// A pixel as the weighted sum of its sub-elements, by the weights of each group of columns.
 class PixelSums {
  public:
-  /// `lattices`: by group. Keeps references.
-  PixelSums(const std::vector<SubElementLattice>& lattices, const ColumnFootprints& footprints,
+  /// Keeps references.
+  PixelSums(const SubElementLattices& lattices, const ColumnFootprints& footprints,
             const RefinedLattice& refined, Field& field)
       : footprints_(footprints) {
-    for (const SubElementLattice& lattice : lattices) sums_.emplace_back(lattice, refined, field);
+    for (std::size_t group = 0; group < lattices.groups(); ++group)
+      sums_.emplace_back(lattices, group, refined, field);
   }
 
   const PixelEstimate& estimate(int i, int j, StudentTable& student) {
@@ -46,8 +47,9 @@ class PixelSums {
   /// Of one group.
   class PixelSum {
    public:
-    PixelSum(const SubElementLattice& lattice, const RefinedLattice& refined, Field& field)
-        : lattice_(lattice), refined_(refined), field_(field) {}
+    PixelSum(const SubElementLattices& lattices, std::size_t group, const RefinedLattice& refined,
+             Field& field)
+        : lattices_(lattices), group_(group), refined_(refined), field_(field) {}
 
     const PixelEstimate& estimate(int i, int j, StudentTable& student) {
       const std::size_t columns = static_cast<std::size_t>(field_.columns());
@@ -87,11 +89,12 @@ class PixelSums {
    private:
     template <class Visit>
     void for_each_cell(int i, int j, Visit visit) const {
-      for (int b = 0; b < lattice_.height(); ++b)
-        for (int a = 0; a < lattice_.width(); ++a)
-          if (const double w = lattice_.weight(a, b); w != 0.0)
-            visit(refined_.index_of(i * lattice_.columns_per_pixel() + lattice_.first_column() + a,
-                                    j * lattice_.rows_per_pixel() + lattice_.first_row() + b),
+      const SubElementLattice& lattice = lattices_.of(group_, i);
+      for (int b = 0; b < lattice.height(); ++b)
+        for (int a = 0; a < lattice.width(); ++a)
+          if (const double w = lattice.weight(a, b); w != 0.0)
+            visit(refined_.index_of(i * lattice.columns_per_pixel() + lattice.first_column() + a,
+                                    j * lattice.rows_per_pixel() + lattice.first_row() + b),
                   w);
     }
 
@@ -120,7 +123,8 @@ class PixelSums {
       }
     }
 
-    const SubElementLattice& lattice_;
+    const SubElementLattices& lattices_;
+    const std::size_t group_;
     const RefinedLattice& refined_;
     Field& field_;
     PixelEstimate estimate_;
@@ -151,10 +155,9 @@ void AdaptiveSampler::sample(const TileProblem& problem, Field& field, TileResul
   result.reset(problem.tile, field.columns());
   const RayCounts before = field.counts();
   const ColumnFootprints footprints = problem.footprints(field);
-  std::vector<SubElementLattice> lattices;
-  for (std::size_t group = 0; group < footprints.groups(); ++group)
-    lattices.emplace_back(footprints, group, options_.sub_elements_x, options_.sub_elements_y);
-  RefinedLattice refined(lattices.front(), options_, problem);
+  const SubElementLattices lattices(footprints, problem.tile, options_.sub_elements_x,
+                                    options_.sub_elements_y);
+  RefinedLattice refined(lattices.any(), options_, problem);
   refined.refine(field);
 
   StudentTable student(confidence_of(problem));

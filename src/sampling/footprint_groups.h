@@ -13,7 +13,14 @@ namespace ifov::sampling {
 /// A pixel's response in channels that have it alike.
 struct FootprintGroup {
   PixelFootprint footprint;
-  Point2 shift_px{};  ///< from the pixel's centre to the footprint's, x right, y down
+  Point2 shift_px{};                   ///< from the pixel's centre to the footprint's, x right, y down
+  std::vector<double> across_px = {};  ///< by column of the image, how much further right; empty: nowhere
+
+  /// In a column of the image.
+  Point2 shift_at(int column) const {
+    return across_px.empty() ? shift_px
+                             : Point2{shift_px.x + across_px[static_cast<std::size_t>(column)], shift_px.y};
+  }
 };
 
 /// Responses of pixels that differ from channel to channel. The first group is the reference: what is no channel's own (shares of
@@ -31,15 +38,19 @@ class FootprintGroups {
   }
   /// All vanish where |dx| or |dy| from the pixel's centre is larger.
   double half_width_px() const { return half_width_px_; }
-  /// The mean of all about the pixel's centre, as a table; points drawn from it are weighed by importance().
+  /// Whether any of them lies otherwise in one column of the image than in another.
+  bool by_column() const { return by_column_; }
+  /// The mean of all about the pixel's centre, in all columns, as a table; points drawn from it are weighed by importance().
   const PixelFootprint& mixture() const { return tables_.back(); }
-  /// A group's density over the mixture's, at this place from the pixel's centre: 0 to size(), 1 on average over the mixture.
-  double importance(std::size_t group, double dx_px, double dy_px) const;
+  /// A group's density over the mixture's, at this place from the centre of a pixel in a column of the image: 1 on average over the
+  /// mixture, as far as tables know it.
+  double importance(std::size_t group, int column, double dx_px, double dy_px) const;
 
  private:
   std::vector<FootprintGroup> groups_;
   std::vector<int> of_channel_;
   double half_width_px_ = 0.0;
+  bool by_column_ = false;
   std::vector<PixelFootprint>
       tables_;  // of the same cells: by group, about the pixel's centre, and their mean
 };
@@ -58,9 +69,11 @@ class ColumnFootprints {
   const PixelFootprint& footprint(std::size_t group) const {
     return groups_ == nullptr ? *one_ : (*groups_)[group].footprint;
   }
-  Point2 shift_px(std::size_t group) const {
-    return groups_ == nullptr ? Point2{} : (*groups_)[group].shift_px;
+  /// Of a pixel in a column of the image, as all that is asked for with one.
+  Point2 shift_px(std::size_t group, int at) const {
+    return groups_ == nullptr ? Point2{} : (*groups_)[group].shift_at(at);
   }
+  bool by_column() const { return groups_ != nullptr && groups_->by_column(); }
   /// One for all columns, of the whole pixel and nothing else.
   bool whole_pixel() const { return groups_ == nullptr && one_->whole_pixel(); }
   double half_width_px() const {
@@ -69,13 +82,13 @@ class ColumnFootprints {
   /// Pixels that the widest reaches beyond its own, on each side.
   int reach() const;
   /// Whether a group's may weigh anything of the pixel that stands so many pixels away.
-  bool reaches(std::size_t group, int dx, int dy) const;
-  double density(std::size_t group, double dx_px, double dy_px) const {
-    const Point2 s = shift_px(group);
+  bool reaches(std::size_t group, int at, int dx, int dy) const;
+  double density(std::size_t group, int at, double dx_px, double dy_px) const {
+    const Point2 s = shift_px(group, at);
     return footprint(group).density(dx_px - s.x, dy_px - s.y);
   }
-  double integral(std::size_t group, double x0_px, double y0_px, double x1_px, double y1_px) const {
-    const Point2 s = shift_px(group);
+  double integral(std::size_t group, int at, double x0_px, double y0_px, double x1_px, double y1_px) const {
+    const Point2 s = shift_px(group, at);
     return footprint(group).integral(x0_px - s.x, y0_px - s.y, x1_px - s.x, y1_px - s.y);
   }
   /// Positions in a list of columns, by group.

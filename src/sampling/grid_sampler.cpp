@@ -128,10 +128,8 @@ void GridSampler::sample(const TileProblem& problem, Field& field, TileResult& r
   result.reset(problem.tile, field.columns());
   const RayCounts before = field.counts();
   const ColumnFootprints footprints = problem.footprints(field);
-  std::vector<SubElementLattice> lattices;
-  for (std::size_t group = 0; group < footprints.groups(); ++group)
-    lattices.emplace_back(footprints, group, columns_, rows_);
-  const SubElementLattice& lattice = lattices.front();  // sub-elements are the same in all
+  const SubElementLattices lattices(footprints, problem.tile, columns_, rows_);
+  const SubElementLattice& lattice = lattices.any();
   const std::vector<std::vector<std::size_t>> columns_of = columns_by_group(footprints, field.columns());
   const GridOrder order(lattice, problem.tile);
   StudentTable student(confidence_of(problem));
@@ -181,8 +179,9 @@ void GridSampler::sample(const TileProblem& problem, Field& field, TileResult& r
                    const std::uint32_t material = field.material_of(label);
                    share_out(k, [&](std::size_t index, int a, int b) {
                      GroupedPixel& pixel = pixels[order.shared() ? index : 0];
-                     for (std::size_t group = 0; group < lattices.size(); ++group)
-                       pixel.add(group, lattices[group].weight(a, b), label, material, values);
+                     const int column = problem.tile.x0 + static_cast<int>(index) % tile_width;
+                     for (std::size_t group = 0; group < lattices.groups(); ++group)
+                       pixel.add(group, lattices.of(group, column).weight(a, b), label, material, values);
                      // Groups leave out what does not weigh with them.
                      const bool whole = (k + 1) % static_cast<std::size_t>(order.per_pixel()) == 0;
                      if (order.shared() || !whole) return;
@@ -202,14 +201,24 @@ void SingleSampler::sample(const TileProblem& problem, Field& field, TileResult&
   const std::size_t columns = static_cast<std::size_t>(field.columns());
   // Footprints that have one centre have one ray.
   const ColumnFootprints footprints = problem.footprints(field);
-  std::vector<Point2> centres;
+  const auto centre_at = [&](std::size_t group, std::size_t pixel) {
+    return footprints.shift_px(group, problem.tile.x0 + static_cast<int>(pixel) % width);
+  };
+  const int looked_at = footprints.by_column() ? width : 1;
+  std::vector<std::size_t> centres;  // groups that have a ray of their own
   std::vector<std::size_t> ray_of_group;
   for (std::size_t group = 0; group < footprints.groups(); ++group) {
-    const Point2 shift = footprints.shift_px(group);
-    std::size_t ray = 0;
-    while (ray < centres.size() && (centres[ray].x != shift.x || centres[ray].y != shift.y)) ++ray;
-    if (ray == centres.size()) centres.push_back(shift);
-    ray_of_group.push_back(ray);
+    const auto is_that_of = [&](std::size_t other) {
+      for (int i = 0; i < looked_at; ++i) {
+        const Point2 a = centre_at(group, static_cast<std::size_t>(i)),
+                     b = centre_at(other, static_cast<std::size_t>(i));
+        if (a.x != b.x || a.y != b.y) return false;
+      }
+      return true;
+    };
+    const auto found = std::find_if(centres.begin(), centres.end(), is_that_of);
+    ray_of_group.push_back(static_cast<std::size_t>(found - centres.begin()));
+    if (found == centres.end()) centres.push_back(group);
   }
   std::vector<std::vector<std::size_t>> columns_of(centres.size());
   for (std::size_t c = 0; c < columns; ++c) columns_of[ray_of_group[footprints.group_of(c)]].push_back(c);
@@ -226,7 +235,7 @@ void SingleSampler::sample(const TileProblem& problem, Field& field, TileResult&
       field, problem.cancel, static_cast<std::size_t>(problem.tile.count()) * centres.size(),
       [&](std::size_t k) {
         const std::size_t pixel = k / centres.size();
-        const Point2 centre = centres[k % centres.size()];
+        const Point2 centre = centre_at(centres[k % centres.size()], pixel);
         const int i = problem.tile.x0 + static_cast<int>(pixel) % width;
         const int j = problem.tile.y0 + static_cast<int>(pixel) / width;
         return PathRequest{

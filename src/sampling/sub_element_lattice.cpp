@@ -5,11 +5,12 @@
 
 namespace ifov::sampling {
 
-SubElementLattice::SubElementLattice(const ColumnFootprints& footprints, std::size_t group,
+SubElementLattice::SubElementLattice(const ColumnFootprints& footprints, std::size_t group, int at,
                                      int columns_per_pixel, int rows_per_pixel)
     : columns_(columns_per_pixel), rows_(rows_per_pixel), width_(columns_per_pixel), height_(rows_per_pixel) {
   const double reach = footprints.half_width_px();
-  if (footprints.groups() == 1 && footprints.footprint(0).uniform() && reach <= 0.5) {
+  if (footprints.groups() == 1 && !footprints.by_column() && footprints.footprint(0).uniform() &&
+      reach <= 0.5) {
     side_ = 2.0 * reach;
     weights_.assign(static_cast<std::size_t>(width_ * height_), 1.0 / (width_ * height_));
     return;
@@ -23,10 +24,18 @@ SubElementLattice::SubElementLattice(const ColumnFootprints& footprints, std::si
     for (int a = 0; a < width_; ++a) {
       const double x = static_cast<double>(first_column_ + a) / columns_ - 0.5;
       const double y = static_cast<double>(first_row_ + b) / rows_ - 0.5;
-      weights_.push_back(footprints.integral(group, x, y, x + 1.0 / columns_, y + 1.0 / rows_));
+      weights_.push_back(footprints.integral(group, at, x, y, x + 1.0 / columns_, y + 1.0 / rows_));
       sum += weights_.back();
     }
   for (double& w : weights_) w /= sum;
+}
+
+SubElementLattices::SubElementLattices(const ColumnFootprints& footprints, PixelRect tile,
+                                       int columns_per_pixel, int rows_per_pixel)
+    : groups_(footprints.groups()), first_column_(tile.x0), by_column_(footprints.by_column()) {
+  for (int column = tile.x0; column < (by_column_ ? tile.x1 : tile.x0 + 1); ++column)
+    for (std::size_t group = 0; group < groups_; ++group)
+      all_.emplace_back(footprints, group, column, columns_per_pixel, rows_per_pixel);
 }
 
 FocalPoint SubElementLattice::at(int column, int row, Point2 within) const {

@@ -5,6 +5,7 @@
 #include "sampling/field.h"
 #include "sampling/footprint_groups.h"
 #include "sampling/pixel_footprint.h"
+#include "sampling/pixel_rect.h"
 #include "sampling/random.h"
 
 namespace ifov::sampling {
@@ -15,8 +16,9 @@ namespace ifov::sampling {
 /// pixels and are shared by all the pixels whose footprint they lie in.
 class SubElementLattice {
  public:
-  /// Weights are of one group of columns; the sub-elements are the same for all groups, as far as any of them reaches.
-  SubElementLattice(const ColumnFootprints& footprints, std::size_t group, int columns_per_pixel,
+  /// Weights are of one group of columns, for pixels in a column of the image; the sub-elements are the same for all, as far as any
+  /// of them reaches.
+  SubElementLattice(const ColumnFootprints& footprints, std::size_t group, int at, int columns_per_pixel,
                     int rows_per_pixel);
 
   int columns_per_pixel() const { return columns_; }
@@ -40,6 +42,26 @@ class SubElementLattice {
   double side_ = 1.0;  // of the square that the sub-elements of one pixel tile, px
   int first_column_ = 0, first_row_ = 0, width_, height_;
   std::vector<double> weights_;
+};
+
+/// The lattices of groups of columns for pixels in columns of the image.
+class SubElementLattices {
+ public:
+  SubElementLattices(const ColumnFootprints& footprints, PixelRect tile, int columns_per_pixel,
+                     int rows_per_pixel);
+  std::size_t groups() const { return groups_; }
+  /// The sub-elements are the same in all.
+  const SubElementLattice& any() const { return all_.front(); }
+  const SubElementLattice& of(std::size_t group, int column) const {
+    const int at = by_column_ ? column - first_column_ : 0;
+    return all_[static_cast<std::size_t>(at) * groups_ + group];
+  }
+
+ private:
+  std::size_t groups_;
+  int first_column_;
+  bool by_column_;
+  std::vector<SubElementLattice> all_;  // [column][group], of one column where all are alike
 };
 
 /// The point of a footprint's distribution about the pixel's centre, px, that a point of the unit square stands for: the first number

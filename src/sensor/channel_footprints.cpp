@@ -52,7 +52,8 @@ std::vector<Distinct> distinct(std::span<const ChannelResponse> channels) {
   std::iota(order.begin(), order.end(), 0);
   const auto key = [&](int k) {
     const ChannelResponse& c = channels[static_cast<std::size_t>(k)];
-    return std::tuple(c.shift_px.y, c.shift_px.x, c.wavelength_um, k);
+    return std::tuple<double, double, const std::vector<double>&, double, int>(
+        c.shift_px.y, c.shift_px.x, c.across_px, c.wavelength_um, k);
   };
   std::sort(order.begin(), order.end(), [&](int a, int b) { return key(a) < key(b); });
   std::vector<Distinct> found;
@@ -62,6 +63,21 @@ std::vector<Distinct> distinct(std::span<const ChannelResponse> channels) {
     found.back().channels.push_back(k);
   }
   return found;
+}
+
+/// From one to the other, in the column of the image where they are farthest apart.
+Point2 farthest_from(const ChannelResponse& one, const ChannelResponse& other) {
+  const auto across = [](const ChannelResponse& of, std::size_t i) {
+    return of.across_px.empty() ? 0.0 : of.across_px[i];
+  };
+  double most = other.shift_px.x - one.shift_px.x;
+  const std::size_t columns = std::max(one.across_px.size(), other.across_px.size());
+  const double between = most;
+  for (std::size_t i = 0; i < columns; ++i)
+    if (const double apart = between + across(other, i) - across(one, i);
+        i == 0 || std::abs(apart) > std::abs(most))
+      most = apart;
+  return {most, other.shift_px.y - one.shift_px.y};
 }
 
 class Grouping {
@@ -90,10 +106,7 @@ class Grouping {
   }
 
  private:
-  bool same_shift(std::size_t a, std::size_t b) const {
-    const Point2 p = all_[a].response.shift_px, q = all_[b].response.shift_px;
-    return p.x == q.x && p.y == q.y;
-  }
+  bool same_shift(std::size_t a, std::size_t b) const { return all_[a].response.lies_as(all_[b].response); }
 
   bool alike(std::size_t a, std::size_t b) {
     const ChannelResponse &one = all_[a].response, &other = all_[b].response;
@@ -101,7 +114,10 @@ class Grouping {
       first_ = psf_at_(one.wavelength_um), first_um_ = one.wavelength_um;
     const std::shared_ptr<const Psf> second =
         other.wavelength_um == one.wavelength_um ? first_ : psf_at_(other.wavelength_um);
-    double apart = energy_apart(first_.get(), one.shift_px, second.get(), other.shift_px, fill_factor_);
+    const Point2 from = farthest_from(one, other);
+    double apart = from.x == 0.0 && from.y == 0.0
+                       ? energy_apart(first_.get(), one.shift_px, second.get(), one.shift_px, fill_factor_)
+                       : energy_apart(first_.get(), {}, second.get(), from, fill_factor_);
     if (first_ != nullptr && one.wavelength_um > 0.0) {
       // What is cut off lies as far out as the wavelength is long.
       const double kept = first_->kept();

@@ -18,10 +18,15 @@ inline constexpr double kOneFootprint = 1e-3;
 
 /// What the footprint of a channel follows from.
 struct ChannelResponse {
-  double wavelength_um = 0.0;   ///< that its PSF is of; 0: one is of all channels
-  sampling::Point2 shift_px{};  ///< of its middle from the pixel's centre
+  double wavelength_um = 0.0;          ///< that its PSF is of; 0: one is of all channels
+  sampling::Point2 shift_px{};         ///< of its middle from the pixel's centre
+  std::vector<double> across_px = {};  ///< by column of the image, how much further right; empty: nowhere
   friend bool operator==(const ChannelResponse& a, const ChannelResponse& b) {
-    return a.wavelength_um == b.wavelength_um && a.shift_px.x == b.shift_px.x && a.shift_px.y == b.shift_px.y;
+    return a.wavelength_um == b.wavelength_um && a.lies_as(b);
+  }
+  /// Whether it is shifted alike in all columns.
+  bool lies_as(const ChannelResponse& b) const {
+    return shift_px.x == b.shift_px.x && shift_px.y == b.shift_px.y && across_px == b.across_px;
   }
 };
 

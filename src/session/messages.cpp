@@ -34,7 +34,7 @@ std::string describe(const Parts& parts) {
   if (parts.imported) text += "atmosphere: imported runs\n";
   if (parts.weather) text += weather_statement(parts.document.time, *parts.weather) + "\n";
   text += format("sensor: {} x {} pixels, {} channels ({} spectral nodes)\n", parts.info.width_px,
-                 parts.info.height_px, parts.channels.size(), parts.nodes->node_count());
+                 parts.info.height_px, parts.told_channels.size(), parts.nodes->node_count());
   text += format("sampling: {}\n",
                  parts.plan.accuracy_asked.empty() ? parts.plan.method : parts.plan.accuracy_asked);
   for (const std::string& line : parts.locations) text += line + "\n";
@@ -44,7 +44,7 @@ std::string describe(const Parts& parts) {
 
 std::string sensor_statement(const Parts& parts) {
   return format("sensor: {} x {} pixels, {} channels in {} spectral nodes", parts.info.width_px,
-                parts.info.height_px, parts.channels.size(), parts.nodes->node_count());
+                parts.info.height_px, parts.told_channels.size(), parts.nodes->node_count());
 }
 
 namespace {

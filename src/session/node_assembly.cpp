@@ -63,7 +63,7 @@ void make_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphe
   demands.all_glow = document.atmosphere.modelled && scene.all_emit();
   if (document.atmosphere.modelled) {
     parts.atmosphere =
-        assemble_atmosphere(document.atmosphere, document.scene.origin, document.sensor, subject, surfaces,
+        assemble_atmosphere(document.atmosphere, document.scene.origin, *parts.sensor, subject, surfaces,
                             demands, {options.threads, kept, atmosphere_progress(options), log});
     parts.nodes = &parts.atmosphere->nodes();
     parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.atmosphere, polarized);

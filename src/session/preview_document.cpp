@@ -33,7 +33,9 @@ io::Document for_preview(io::Document document, int longest_px) {
   document.sensor.channels = shown_channels(document);
   document.sensor.psf = io::NoPsf{};
   document.sensor.optics.reset(), document.sensor.detector.reset();
-  for (io::ChannelDocument& channel : document.sensor.channels) channel.detector.reset();
+  document.sensor.smile.reset(), document.sensor.keystone.reset(), document.sensor.mosaic.reset();
+  for (io::ChannelDocument& channel : document.sensor.channels)
+    channel.detector.reset(), channel.smile.reset(), channel.keystone.reset();
   document.sampling.method = std::make_shared<const io::SingleSampling>();
   document.sensor.camera.settings = document.sensor.camera.settings->shrunk(longest_px);
   return document;

@@ -4,6 +4,9 @@ namespace ifov::session {
 
 struct Parts;
 
+/// Sets camera, channels, what paths carry of them, where elements look, and polarimetry.
+void assemble_sensor(Parts& parts);
+
 /// Sets the footprint of a pixel, and what of its PSF lies beyond.
 void assemble_response(Parts& parts);
 

@@ -17,7 +17,6 @@
 #include "session/assembly/whole/light_assembly.h"
 #include "session/assembly/whole/polarized_surfaces.h"
 #include "session/assembly/whole/scene_assembly.h"
-#include "session/assembly/whole/sensor_assembly.h"
 #include "session/assembly/whole/surroundings_assembly.h"
 #include "session/atmosphere_messages.h"
 #include "session/loaded/parts.h"
@@ -28,6 +27,7 @@
 #include "session/plausibility/light_warnings.h"
 #include "session/plausibility/plausibility.h"
 #include "session/response_assembly.h"
+#include "session/sensor_notes.h"
 #include "session/shared_scene.h"
 #include "session/solved/solved_temperatures.h"
 
@@ -112,13 +112,11 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   p.placed = std::move(assembled.placed), p.map_offset_m = assembled.map_offset_m;
   p.known_files = shared.known_files;
   if (document.weather) p.weather = assemble_weather(document.sources, *document.weather, document.time);
-  p.channels = assemble_channels(document.sources, document.sensor.channels);
-  p.polarimetry = assemble_polarimetry(document.sensor);
+  assemble_sensor(p);
   if (p.polarimetry) check_polarized(document.sources, document.scene, p.scene);
-  p.camera = assemble_camera(document.sources, document.sensor.camera, document.scene.origin, *p.scene.world,
-                             document.seed);
   check_single_views(p);
-  p.plan = assemble_sampling(document.sources, document.sampling, document.sensor, p.channels);
+  p.plan = assemble_sampling(document.sources, document.sampling, document.sensor, p.told_channels,
+                             p.responses.get());
   check_image_size(document.sources, document.sampling,
                    static_cast<std::int64_t>(p.camera->width_px()) * p.camera->height_px());
   if (!p.scene.solved.empty())
@@ -169,6 +167,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   log->info(sensor_statement(p));
   phase("plausibility");
   check_plausibility(p, *log);
+  for (std::string& line : sensor_notes(p)) p.locations.push_back(std::move(line));
   return Session(std::move(parts));
 }
 

@@ -74,7 +74,7 @@ TEST(CellWeights, AreTheIntegralsOfEachGroup) {
     for (int dy = -footprints.reach(); dy <= footprints.reach(); ++dy)
       for (int dx = -footprints.reach(); dx <= footprints.reach(); ++dx) {
         EXPECT_NEAR(weights.of_pixel(g, dx, dy),
-                    footprints.integral(g, dx - 0.5, dy - 0.5, dx + 0.5, dy + 0.5), 1e-14);
+                    footprints.integral(g, 0, dx - 0.5, dy - 0.5, dx + 0.5, dy + 0.5), 1e-14);
         double cells = 0.0;
         for (int j = 0; j < 3; ++j)
           for (int i = 0; i < 3; ++i) cells += weights.of_cell(g, 3 * dx + i, 3 * dy + j);

@@ -13,10 +13,8 @@
 namespace ifov::io {
 
 class CameraSettings;
-struct DetectorDocument;
 struct OpticsDocument;
 struct PupilDocument;
-struct SnrDocument;
 
 struct CameraDocument {
   std::string model;                               ///< its key
@@ -60,9 +58,11 @@ struct ChannelDocument {
   std::optional<double> noise_k;          ///< or noise-equivalent temperature difference at 300 K
   std::optional<PolarizerDocument> polarizer = {};
   std::optional<RetarderDocument> retarder = {};
-  std::shared_ptr<const SnrDocument> snr = {};            ///< or a ratio, in place of the noise; null: none
-  std::shared_ptr<const DetectorDocument> detector = {};  ///< what it has of its own; null: nothing
-  std::optional<std::array<double, 2>> shift_px = {};     ///< of its pixels' responses, right and down
+  std::shared_ptr<const struct SnrDocument> snr = {};  ///< or a ratio, in place of the noise; null: none
+  std::shared_ptr<const struct DetectorDocument> detector = {};  ///< what it has of its own; null: nothing
+  std::optional<std::array<double, 2>> shift_px = {};            ///< of its pixels' responses, right and down
+  std::shared_ptr<const struct SmileDocument> smile = {};        ///< null: the sensor's; likewise
+  std::shared_ptr<const struct KeystoneDocument> keystone = {};
 };
 
 struct NoPsf {};
@@ -87,7 +87,10 @@ struct SensorDocument {
   bool stokes = false;                           ///< Q, U and V are told beside I
   double fill_factor = 1.0;                      ///< sensitive share of an element's area, a centred square
   std::shared_ptr<const OpticsDocument> optics;  ///< null: none is told; likewise
-  std::shared_ptr<const DetectorDocument> detector;  ///< (detector_document.h)
+  std::shared_ptr<const DetectorDocument> detector;     ///< (detector_document.h)
+  std::shared_ptr<const SmileDocument> smile;           ///< null: responses are alike in all columns
+  std::shared_ptr<const KeystoneDocument> keystone;     ///< (spectrometer_document.h)
+  std::shared_ptr<const struct MosaicDocument> mosaic;  ///< null: each element sees all channels
   SourcePosition position;
 };
 

@@ -6,6 +6,7 @@
 #include "io/product_parts/acquisition_json.h"
 #include "io/product_parts/map_info.h"
 #include "sensor/detector/detector.h"
+#include "sensor/spectrometer/mosaic.h"
 
 namespace ifov::io {
 namespace {
@@ -93,6 +94,8 @@ void write_channel(JsonWriter& json, const render::ChannelInfo& channel, const C
   json.member("not_finite", s.not_finite);
   json.member("standard_deviation", s.standard_deviation);
   if (channel.toa_irradiance > 0.0) json.member("toa_irradiance", channel.toa_irradiance);
+  if (!channel.toa_of_carried.empty() && channel.toa_irradiance > 0.0)
+    json.member("toa_irradiance_of_carried", channel.toa_of_carried);
 }
 
 void write_cost(JsonWriter& json, const RunRecord& record) {
@@ -142,6 +145,11 @@ void write_image(JsonWriter& json, const render::ImageInfo& info) {
   json.member("height_px", info.height_px);
   if (info.has_map || has_system) json.object("map", [&] { write_map(json, info, has_system); });
   json.member("materials", info.materials);
+  if (info.mosaic)
+    json.object("mosaic", [&] {
+      json.member("channels", info.mosaic->channels);
+      json.member("columns", info.mosaic->columns);
+    });
   json.member("radiance_unit", info.radiance_unit);
   json.member("width_px", info.width_px);
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/product_parts/channel_columns.h"
 #include "io/product_parts/netcdf_file.h"
 #include "io/product_parts/netcdf_map.h"
 #include "io/product_parts/product_headers.h"
@@ -60,6 +61,7 @@ class Writer {
     file_.text(wavelength_, "units", "um");
     fwhm_ = file_.variable("fwhm", NC_DOUBLE, {size[0]}, "full width of the channel at half maximum", "um");
     define_names(size[0]);
+    define_columns(size[0], size[2]);
     if (info_.has_map) map_.emplace(NetcdfMap::define(file_.id(), size[1], size[2], info_));
     std::string others;
     for (const NetcdfCube& cube : input_) {
@@ -73,6 +75,21 @@ class Writer {
     for (const auto& channel : info_.channels) names_.push_back(channel.name);
     const int length = file_.dimension("name_length", name_length(names_));
     name_ = file_.variable("channel", NC_CHAR, {wavelength_size, length}, "name of the channel", "");
+  }
+
+  /// What detector columns differ in.
+  void define_columns(int wavelength_size, int x_size) {
+    const auto define = [&](const auto& values, const char* name, const char* what, const char* unit) {
+      if (values.empty()) return;
+      by_column_.emplace_back(file_.variable(name, NC_DOUBLE, {wavelength_size, x_size}, what, unit),
+                              &values);
+    };
+    define(columns_.centre_um, "wavelength_by_column", "centre of the channel in a column of the detector",
+           "um");
+    define(columns_.fwhm_um, "fwhm_by_column",
+           "full width of the channel at half maximum in a column of the detector", "um");
+    define(columns_.shift_px, "shift_by_column",
+           "how far to the right of an element what it sees lies, in pixels", "1");
   }
 
   void define_cube(const Quantity& quantity, const RasterView& view, const std::array<int, 3>& size) {
@@ -114,6 +131,11 @@ class Writer {
     file_.put(wavelength_, centres);
     file_.put(fwhm_, widths);
     file_.put(name_, names_);
+    for (const auto& [variable, values] : by_column_) {
+      std::vector<double> all;
+      for (const std::vector<double>& row : *values) all.insert(all.end(), row.begin(), row.end());
+      file_.put(variable, all);
+    }
     if (map_) map_->write(file_.id(), info_);
   }
 
@@ -140,6 +162,8 @@ class Writer {
   std::vector<std::string> names_;
   std::optional<NetcdfMap> map_;
   std::vector<std::pair<int, const RasterView*>> cubes_;
+  const ChannelsByColumn columns_ = channels_by_column(info_);
+  std::vector<std::pair<int, const std::vector<std::vector<double>>*>> by_column_;
 };
 
 }  // namespace

@@ -57,7 +57,7 @@ bool is_picture(const render::ImageInfo& image);
 std::span<const ProductFormat* const> all_product_formats();
 
 namespace formats {
-extern const ProductFormat kGlt, kGeolocatedVrt;  // geolocation_formats.cpp
+extern const ProductFormat kGlt, kGeolocatedVrt, kWavelengths, kDemosaiced;  // geolocation_formats.cpp
 }
 
 /// Null where no document can ask for one of this name.

@@ -7,21 +7,33 @@
 #include <vector>
 
 #include "core/format.h"
+#include "render/column_conversions.h"
 #include "render/image_info.h"
 #include "sampling/tile.h"
-#include "sensor/detector/brightness_scale.h"
 
 namespace ifov::io::quantities {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
+struct Place {
+  std::size_t channel;
+  int column;
+};
+
+/// Of a value of a tile.
+Place place_of(const FinishedTile& of, std::size_t value) {
+  const std::size_t channels = of.image.channels.size();
+  const auto width = static_cast<std::size_t>(of.tile.tile.width());
+  return {value % channels, of.tile.tile.x0 + static_cast<int>(value / channels % width)};
+}
+
 /// Of a radiance, or of how far it may be off: reflectance is a multiple of it.
 void put_over_sunlight(const FinishedTile& of, std::span<const float> radiance, ValueSink& sink) {
-  const auto& channels = of.image.channels;
   std::vector<float> values(radiance.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const double sunlight = channels[i % channels.size()].toa_irradiance;
+    const Place at = place_of(of, i);
+    const double sunlight = render::toa_irradiance(of.image, at.channel, at.column);
     values[i] = static_cast<float>(
         sunlight > 0.0 ? std::numbers::pi * static_cast<double>(radiance[i]) / sunlight : kUnknown);
   }
@@ -36,29 +48,26 @@ void put_toa_half_width(const FinishedTile& of, ValueSink& sink) {
   put_over_sunlight(of, of.tile.half_width, sink);
 }
 
-double kelvin(const render::ChannelInfo& channel, double radiance) {
-  return channel.brightness ? channel.brightness->kelvin(radiance) : kUnknown;
+double kelvin(const FinishedTile& of, std::size_t value, double radiance) {
+  const Place at = place_of(of, value);
+  return render::brightness_kelvin(of.image, at.channel, at.column, radiance);
 }
 
 void put_brightness(const FinishedTile& of, ValueSink& sink) {
-  const auto& channels = of.image.channels;
   std::vector<float> values(of.tile.mean.size());
   for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] =
-        static_cast<float>(kelvin(channels[i % channels.size()], static_cast<double>(of.tile.mean[i])));
+    values[i] = static_cast<float>(kelvin(of, i, static_cast<double>(of.tile.mean[i])));
   sink.put(values);
 }
 
 /// The further of the ends of the radiance's interval: temperature rises with radiance, so that it holds the true one as often.
 void put_brightness_half_width(const FinishedTile& of, ValueSink& sink) {
-  const auto& channels = of.image.channels;
   std::vector<float> values(of.tile.half_width.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const render::ChannelInfo& channel = channels[i % channels.size()];
     const double radiance = static_cast<double>(of.tile.mean[i]),
-                 reach = static_cast<double>(of.tile.half_width[i]), middle = kelvin(channel, radiance);
-    const double low = radiance > reach ? kelvin(channel, radiance - reach) : 0.0;
-    values[i] = static_cast<float>(std::max(middle - low, kelvin(channel, radiance + reach) - middle));
+                 reach = static_cast<double>(of.tile.half_width[i]), middle = kelvin(of, i, radiance);
+    const double low = radiance > reach ? kelvin(of, i, radiance - reach) : 0.0;
+    values[i] = static_cast<float>(std::max(middle - low, kelvin(of, i, radiance + reach) - middle));
   }
   sink.put(values);
 }

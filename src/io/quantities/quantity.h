@@ -72,6 +72,7 @@ struct Quantity {
     bool parts = false;      ///< tiles that tell the parts of their light, which irradiances at points do not
     bool radiance = false;   ///< pixels that are radiances, which irradiances at points are not
     bool sunlight = false;   ///< the Sun above the horizon, and what it sends before the air took some
+    bool mosaic = false;     ///< a sensor with a mosaic of filters
     bool responses = false;  ///< the responses of channels, which a run's plan then keeps
   };
 

@@ -4,6 +4,7 @@
 #include "io/quantities/geometry_quantities.h"
 #include "io/quantities/identity_quantities.h"
 #include "io/quantities/location_quantities.h"
+#include "io/quantities/mosaic_quantities.h"
 #include "io/quantities/part_quantities.h"
 #include "io/quantities/polarization_quantities.h"
 #include "io/quantities/quality_quantities.h"
@@ -25,6 +26,9 @@ constexpr std::array kQuantities{&quantities::kRadiance,
                                  &quantities::kToaReflectanceHalfWidth,
                                  &quantities::kBrightnessTemperature,
                                  &quantities::kBrightnessTemperatureHalfWidth,
+                                 &quantities::kMosaic,
+                                 &quantities::kMosaicHalfWidth,
+                                 &quantities::kMosaicChannels,
                                  &quantities::kSamples,
                                  &quantities::kQuality,
                                  &quantities::kReasons,

@@ -12,6 +12,8 @@
 #include "io/run_state/run_plan.h"
 #include "radiometry/channel.h"
 #include "sensor/detector/brightness_scale.h"
+#include "sensor/spectrometer/column_responses.h"
+#include "sensor/spectrometer/mosaic.h"
 #include "sensor/view_list.h"
 
 namespace ifov::io {
@@ -72,10 +74,31 @@ std::shared_ptr<const sensor::ViewList> views_of(const JsonView& v) {
 }
 
 /// A table of the response to energy; of a single wavelength none.
-void write_response(JsonWriter& json, const radiometry::Channel& channel) {
-  json.object("response", [&] {
+void write_response(JsonWriter& json, const char* key, const radiometry::Channel& channel) {
+  json.object(key, [&] {
     json.member("wavelength_um", channel.response.wavelength_um());
     json.member("values", channel.response.values());
+  });
+}
+
+/// A channel by detector column; the responses that paths carry of it where products need them.
+void write_columns(JsonWriter& json, const render::ChannelInfo& channel,
+                   const sensor::ColumnResponses::Channel& of, bool with_responses) {
+  json.object("by_column", [&] {
+    json.member("centre_um", of.columns.centre_um);
+    json.member("fwhm_um", of.columns.fwhm_um);
+    json.member("left_out", of.left_out);
+    json.member("weights", of.weights);
+    json.list("carried", [&] {
+      for (std::size_t k = 0; k < of.carried.size(); ++k)
+        json.object([&] {
+          json.member("name", of.carried[k].name);
+          json.member("centre_um", of.carried[k].centre_um);
+          json.member("fwhm_um", of.carried[k].fwhm_um);
+          if (!channel.toa_of_carried.empty()) json.member("toa_irradiance", channel.toa_of_carried[k]);
+          if (with_responses) write_response(json, "response", of.carried[k]);
+        });
+    });
   });
 }
 
@@ -85,13 +108,30 @@ std::vector<double> numbers_of(const JsonView& v) {
   return numbers;
 }
 
-radiometry::Channel channel_of(const JsonView& v, const render::ChannelInfo& of) {
+radiometry::Channel response_of(const JsonView& v, const render::ChannelInfo& of) {
   const std::vector<double> wavelength_um = numbers_of(v["wavelength_um"]), values = numbers_of(v["values"]);
   return {of.name,
           wavelength_um.empty()
               ? radiometry::Spectrum::constant(values.at(0))
               : radiometry::Spectrum(wavelength_um, values, radiometry::OutsideRange::zero, of.name),
           of.centre_um, of.fwhm_um};
+}
+
+sensor::ColumnResponses::Channel columns_of(const JsonView& v, render::ChannelInfo& channel) {
+  sensor::ColumnResponses::Channel of;
+  of.columns = {numbers_of(v["centre_um"]), numbers_of(v["fwhm_um"])};
+  of.left_out = v["left_out"].number();
+  for (const double weight : numbers_of(v["weights"])) of.weights.push_back(static_cast<float>(weight));
+  for (const JsonView& carried : v["carried"].items()) {
+    const render::ChannelInfo named{carried["name"].text(), carried["centre_um"].number(),
+                                    carried["fwhm_um"].number()};
+    if (carried["toa_irradiance"].is_there())
+      channel.toa_of_carried.push_back(carried["toa_irradiance"].number());
+    of.carried.push_back({named.name, radiometry::Spectrum(), named.centre_um, named.fwhm_um});
+    if (!carried["response"].is_there()) continue;
+    of.carried.back() = response_of(carried["response"], named);
+  }
+  return of;
 }
 
 /// What of an image only some runs' products need.
@@ -106,20 +146,29 @@ void write_members(JsonWriter& json, const render::ImageInfo& image, WrittenWith
   json.member("radiance_unit", image.radiance_unit);
   json.member("footprint_px", image.footprint_px);
   json.list("channels", [&] {
-    for (const auto& channel : image.channels)
+    for (std::size_t c = 0; c < image.channels.size(); ++c)
       json.object([&] {
+        const render::ChannelInfo& channel = image.channels[c];
         json.member("name", channel.name);
         json.member("centre_um", channel.centre_um);
         json.member("fwhm_um", channel.fwhm_um);
         if (channel.irradiance > 0.0) json.member("irradiance", channel.irradiance);
         if (channel.toa_irradiance > 0.0) json.member("toa_irradiance", channel.toa_irradiance);
-        if (with.responses && channel.brightness) write_response(json, channel.brightness->channel());
+        if (with.responses && channel.brightness)
+          write_response(json, "response", channel.brightness->channel());
+        if (image.responses) write_columns(json, channel, (*image.responses)[c], with.responses);
+        if (!image.keystone_px.empty()) json.member("keystone_px", image.keystone_px[c]);
         if (channel.air)
           json.object("air", [&] {
             for (const auto& [key, member] : kAtmosphereKeys) json.member(key, (*channel.air).*member);
           });
       });
   });
+  if (image.mosaic)
+    json.object("mosaic", [&] {
+      json.member("columns", image.mosaic->columns);
+      json.member("channels", image.mosaic->channels);
+    });
   if (image.stokes) json.member("stokes", true);
   json.member("materials", image.materials);
   if (with.objects)
@@ -148,23 +197,36 @@ render::ImageInfo image_of(const JsonView& v) {
   if (v["sweep_lines"].is_there()) image.sweep_lines = v["sweep_lines"].small_integer();
   image.radiance_unit = v["radiance_unit"].text();
   image.footprint_px = v["footprint_px"].number();
+  std::vector<sensor::ColumnResponses::Channel> by_column;
   for (const JsonView& c : v["channels"].items()) {
     image.channels.push_back({c["name"].text(), c["centre_um"].number(), c["fwhm_um"].number()});
     if (c["irradiance"].is_there()) image.channels.back().irradiance = c["irradiance"].number();
     if (c["toa_irradiance"].is_there()) image.channels.back().toa_irradiance = c["toa_irradiance"].number();
     if (c["response"].is_there())
       image.channels.back().brightness =
-          std::make_shared<const sensor::BrightnessScale>(channel_of(c["response"], image.channels.back()));
+          std::make_shared<const sensor::BrightnessScale>(response_of(c["response"], image.channels.back()));
+    if (c["by_column"].is_there()) by_column.push_back(columns_of(c["by_column"], image.channels.back()));
+    if (c["keystone_px"].is_there()) image.keystone_px.push_back(numbers_of(c["keystone_px"]));
     if (!c["air"].is_there()) continue;
     render::AtmosphereHalfWidth& air = image.channels.back().air.emplace();
     for (const auto& [key, member] : kAtmosphereKeys) air.*member = c["air"][key].number();
   }
+  if (!by_column.empty())
+    image.responses = std::make_shared<const sensor::ColumnResponses>(std::move(by_column));
   for (const JsonView& name : v["materials"].items()) image.materials.push_back(name.text());
   if (const JsonView objects = v["objects"]; objects.is_there())
     for (const JsonView& object : objects.items()) {
       image.objects.push_back(object["name"].text());
       image.first_of_objects.push_back(static_cast<std::uint32_t>(object["first"].natural()));
     }
+  if (const JsonView told = v["mosaic"]; told.is_there()) {
+    auto mosaic = std::make_shared<sensor::Mosaic>();
+    mosaic->columns = told["columns"].small_integer();
+    for (const JsonView& channel : told["channels"].items())
+      mosaic->channels.push_back(channel.small_integer());
+    mosaic->rows = static_cast<int>(mosaic->channels.size()) / mosaic->columns;
+    image.mosaic = std::move(mosaic);
+  }
   image.stokes = v["stokes"].is_there() && v["stokes"].boolean();
   if (const JsonView map = v["map"]; map.is_there()) {
     image.has_map = true;

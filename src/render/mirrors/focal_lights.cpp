@@ -114,7 +114,7 @@ void FocalLights::add_to(const sampling::ColumnFootprints& footprints, const sam
       for (int x = x0; x <= x1; ++x) {
         bool any = false;
         for (std::size_t group = 0; group < weights.size(); ++group) {
-          weights[group] = footprints.density(group, light->at.x_px - x - 0.5, light->at.y_px - y - 0.5) *
+          weights[group] = footprints.density(group, x, light->at.x_px - x - 0.5, light->at.y_px - y - 0.5) *
                            static_cast<double>(light->per_radiance) * (kept.empty() ? 1.0 : kept[group]);
           any = any || weights[group] > 0.0;
         }

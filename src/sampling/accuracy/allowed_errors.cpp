@@ -100,18 +100,24 @@ void AllowedErrors::find_lattice_limits() {
   const std::vector<double> source_mean = source_means();
   const int reach = footprints_.reach();
   const std::size_t groups = footprints_.groups();
-  std::vector<double> pixel_weight;  // [source pixel][group]
-  for (int dy = -reach; dy <= reach; ++dy)
-    for (int dx = -reach; dx <= reach; ++dx)
-      for (std::size_t group = 0; group < groups; ++group)
-        pixel_weight.push_back(footprints_.integral(group, dx - 0.5, dy - 0.5, dx + 0.5, dy + 0.5));
+  const int looked_at = footprints_.by_column() ? problem_.tile.width() : 1;
+  std::vector<double>
+      pixel_weight;  // [column of the tile][source pixel][group], of one column where all are alike
+  for (int column = 0; column < looked_at; ++column)
+    for (int dy = -reach; dy <= reach; ++dy)
+      for (int dx = -reach; dx <= reach; ++dx)
+        for (std::size_t group = 0; group < groups; ++group)
+          pixel_weight.push_back(
+              footprints_.integral(group, problem_.tile.x0 + column, dx - 0.5, dy - 0.5, dx + 0.5, dy + 0.5));
+  const std::size_t of_column = pixel_weight.size() / static_cast<std::size_t>(looked_at);
   PixelLimits limits(*problem_.tolerance, problem_.later);
   std::vector<double> mean(columns), known_mean, limit(columns);
   lattice_limits_.resize(static_cast<std::size_t>(problem_.tile.count()) * columns);
   for (int o = 0; o < problem_.tile.count(); ++o) {
     std::fill(mean.begin(), mean.end(), 0.0);
     const int source = grid_.source_of(o);
-    const double* w = pixel_weight.data();
+    const double* w =
+        &pixel_weight[static_cast<std::size_t>(o % problem_.tile.width() % looked_at) * of_column];
     for (int dy = -reach; dy <= reach; ++dy)
       for (int dx = -reach; dx <= reach; ++dx, w += groups) {
         const double* from = &source_mean[static_cast<std::size_t>(source + dy * d.width() + dx) * columns];

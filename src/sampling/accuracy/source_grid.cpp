@@ -33,9 +33,12 @@ double SourceGrid::relative_weight(int source) const {
   const int dx = x - std::clamp(x, tile_.x0, tile_.x1 - 1), dy = y - std::clamp(y, tile_.y0, tile_.y1 - 1);
   if (dx == 0 && dy == 0) return 1.0;
   double most = 0.0;
-  for (std::size_t group = 0; group < footprints_.groups(); ++group)
-    most = std::max(most, footprints_.integral(group, dx - 0.5, dy - 0.5, dx + 0.5, dy + 0.5) /
-                              footprints_.footprint(group).integral(-0.5, -0.5, 0.5, 0.5));
+  // Where footprints lie otherwise in other columns, one further away may reach further.
+  const int nearest = x - dx, further = footprints_.by_column() ? footprints_.reach() : 0;
+  for (int i = std::max(tile_.x0, nearest - further); i <= std::min(tile_.x1 - 1, nearest + further); ++i)
+    for (std::size_t group = 0; group < footprints_.groups(); ++group)
+      most = std::max(most, footprints_.integral(group, i, x - i - 0.5, dy - 0.5, x - i + 0.5, dy + 0.5) /
+                                footprints_.footprint(group).integral(-0.5, -0.5, 0.5, 0.5));
   return std::min(most, 1.0);
 }
 

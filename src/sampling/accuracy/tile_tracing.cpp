@@ -43,10 +43,11 @@ constexpr double kLeastProbed = 0.4;
 constexpr double kNegligibleRim = 1e-3;
 
 /// Pixels around those that the footprints reach.
-int halo_of(const ColumnFootprints& footprints) {
+int halo_of(const ColumnFootprints& footprints, int first_column) {
+  if (footprints.by_column()) return 1;
   const double rim = footprints.reach();
   for (std::size_t group = 0; group < footprints.groups(); ++group) {
-    const Point2 shift = footprints.shift_px(group);
+    const Point2 shift = footprints.shift_px(group, first_column);
     const double side =
         std::max(std::abs(shift.x), std::abs(shift.y));  // as if it were shifted straight there
     const PixelFootprint& footprint = footprints.footprint(group);
@@ -62,7 +63,8 @@ int halo_of(const ColumnFootprints& footprints) {
 struct TileTracing::Parts {
   Parts(const TileProblem& problem, Field& field, const AccuracyOptions& options, const AccuracyParts& parts,
         const ColumnFootprints& footprints, TileRecall& recall)
-      : lattice(source_domain(problem, footprints.reach(), halo_of(footprints)), options.lattice),
+      : lattice(source_domain(problem, footprints.reach(), halo_of(footprints, problem.tile.x0)),
+                options.lattice),
         grid(lattice, footprints, problem.tile),
         table(field),
         ledger(field, problem.cancel, lattice, table, recall.memory()),

@@ -39,7 +39,7 @@ void PixelPoints::add(const TileProblem& problem, int i, int j, std::uint64_t ke
   for (std::size_t k = requests.size() - plan.count(); k < requests.size(); ++k)
     for (std::size_t g = 0; g < groups->size(); ++g)
       importance.push_back(static_cast<float>(
-          groups->importance(g, requests[k].point.x_px - i - 0.5, requests[k].point.y_px - j - 0.5)));
+          groups->importance(g, i, requests[k].point.x_px - i - 0.5, requests[k].point.y_px - j - 0.5)));
 }
 
 void PixelPoints::add(const PixelFootprint& footprint, int i, int j, std::uint64_t key,

@@ -13,6 +13,8 @@ class BrightnessScale {
   explicit BrightnessScale(const radiometry::Channel& channel);
   /// Not a number where radiance is not above 0.
   double kelvin(double radiance_w_m2_sr_um) const;
+  /// The way back, as right.
+  double radiance_w_m2_sr_um(double kelvin) const;
 
   const radiometry::Channel& channel() const;
 

@@ -11,6 +11,7 @@
 #include "io/products/envi_reader.h"
 #include "sensor/detector/brightness_scale.h"
 #include "sensor/detector/detector.h"
+#include "sensor/spectrometer/mosaic.h"
 #include "session/cube_channels.h"
 #include "session/facade/access.h"
 #include "session/facade/document_inside.h"
@@ -64,6 +65,9 @@ void tell_sunlight(const std::filesystem::path& record, std::span<render::Channe
   const std::vector<session::Record> told = file.root()["channels"].items();
   for (std::size_t c = 0; c < std::min(told.size(), channels.size()); ++c)
     channels[c].toa_irradiance = told[c]["toa_irradiance"].number();
+  for (std::size_t c = 0; c < std::min(told.size(), channels.size()); ++c)
+    for (const session::Record& carried : told[c]["toa_irradiance_of_carried"].items())
+      channels[c].toa_of_carried.push_back(carried.number());
 }
 
 /// What the run's record holds, with values in place of its own.
@@ -73,17 +77,23 @@ Document written_document(const std::filesystem::path& record, const std::vector
   return Document::parse(run.document_text, written.filename().string(), written.parent_path(), set);
 }
 
-/// Empty without kelvins.
-std::vector<sensor::BrightnessScale> scales_of(const std::filesystem::path& record,
-                                               const std::optional<Document>& other,
-                                               const DetectOptions& options) {
-  const auto& wanted = options.quantities;
-  if (std::find(wanted.begin(), wanted.end(), DetectedQuantity::kelvins) == wanted.end()) return {};
-  const Document document = other ? *other : written_document(record, {});
+/// Responses, for kelvins and where they differ by column.
+void tell_responses(const std::filesystem::path& record, const std::optional<Document>& other,
+                    const DetectOptions& options, render::ImageInfo& image) {
+  const auto wants = [&](DetectedQuantity quantity) {
+    return std::find(options.quantities.begin(), options.quantities.end(), quantity) !=
+           options.quantities.end();
+  };
+  const bool by_column =
+      std::any_of(image.channels.begin(), image.channels.end(),
+                  [](const render::ChannelInfo& channel) { return channel.toa_of_carried.size() > 1; });
+  if (!wants(DetectedQuantity::kelvins) && !(wants(DetectedQuantity::toa_reflectance) && by_column)) return;
+  // Of sunlight in a column the run's own responses tell.
+  const Document document = other && !by_column ? *other : written_document(record, {});
   const auto& inside = FacadeAccess::inside(document);
   const Call call{inside.inputs};
   const CallScope scope(call);
-  return session::brightness_scales(inside.document.sources, inside.document.sensor);
+  session::tell_brightness(inside.document.sources, inside.document.sensor, image);
 }
 
 /// The document whose channels tell the noise; none: the record's own figures.
@@ -93,6 +103,27 @@ std::optional<Document> document_of(const std::filesystem::path& record, const D
     throw InputError(
         "values to set go with the document that the run's record holds, or into the other document");
   return written_document(record, options.set);
+}
+
+/// Of a run's elements.
+std::shared_ptr<const sensor::Mosaic> mosaic_of(const std::filesystem::path& record, std::size_t channels) {
+  const session::RunRecordFile file(record);
+  const session::Record told = file.root()["image"]["mosaic"];
+  if (!told.is_there())
+    throw InputError(
+        format("{}: the run's sensor has no \"mosaic\": every element sees all channels", record.string()));
+  auto mosaic = std::make_shared<sensor::Mosaic>();
+  mosaic->columns = told["columns"].small_integer();
+  for (const session::Record& channel : told["channels"].items())
+    mosaic->channels.push_back(channel.small_integer());
+  const auto exists = [&](int channel) { return channel >= 0 && channel < static_cast<int>(channels); };
+  if (mosaic->columns < 1 || mosaic->channels.empty() ||
+      mosaic->channels.size() % static_cast<std::size_t>(mosaic->columns) != 0 ||
+      !std::all_of(mosaic->channels.begin(), mosaic->channels.end(), exists))
+    throw InputError(
+        format("{}: image.mosaic is damaged: expected a pattern of channels of the run", record.string()));
+  mosaic->rows = static_cast<int>(mosaic->channels.size()) / mosaic->columns;
+  return mosaic;
 }
 
 const char* word_of(DetectedQuantity quantity) {
@@ -125,7 +156,11 @@ Detection detect(const std::filesystem::path& run, const DetectOptions& options)
   for (const DetectedQuantity quantity : options.quantities)
     session::require_quantity(quantity, channels, other ? other->name() : record.string());
 
-  const std::vector<sensor::BrightnessScale> scales = scales_of(record, other, options);
+  render::ImageInfo image;
+  image.width_px = radiance.header().samples, image.height_px = radiance.header().lines;
+  image.channels = channels;
+  tell_responses(record, other, options, image);
+  if (options.mosaic) image.mosaic = mosaic_of(record, channels.size());
   Detection detection;
   for (const render::ChannelInfo& channel : channels)
     detection.channels.push_back({channel.name, channel.noise, channel.detector != nullptr});
@@ -142,11 +177,12 @@ Detection detect(const std::filesystem::path& run, const DetectOptions& options)
     const std::uint64_t seed = options.first_seed + static_cast<std::uint64_t>(k);
     std::vector<session::DetectedCube> cubes;
     for (const DetectedQuantity quantity : options.quantities) {
-      cubes.push_back({quantity, folder / format("{}_{}_{}.img", name, word_of(quantity), seed)});
+      cubes.push_back({quantity, folder / format("{}_{}{}_{}.img", name, options.mosaic ? "mosaic_" : "",
+                                                 word_of(quantity), seed)});
       detection.cubes.push_back(cubes.back().path);
     }
     session::Realization made =
-        session::realize(radiance, channels, seed, cubes, scales, options.threads, options.cancel);
+        session::realize(radiance, image, seed, cubes, options.threads, options.cancel);
     for (std::size_t c = 0; c < channels.size(); ++c)
       detection.channels[c].saturated += static_cast<double>(made.saturated[c]) / pixels;
     if (publishing.valid()) publishing.get();

@@ -11,7 +11,8 @@ namespace ifov::session {
 
 OtherSampling::OtherSampling(const Parts& parts, const io::Document& document)
     : document_(document),
-      plan_(assemble_sampling(document.sources, document.sampling, document.sensor, parts.channels)) {
+      plan_(assemble_sampling(document.sources, document.sampling, document.sensor, parts.told_channels,
+                              parts.responses.get())) {
   if (plan_.knows_errors && !parts.plan.knows_errors)
     throw InputError(
         "sampling: the scene was loaded for single rays, which know no error; load it with another sampling");

@@ -6,7 +6,6 @@
 #include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/channel_brightness.h"
-#include "sampling/footprint_groups.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/tile.h"
 #include "sensor/camera.h"

@@ -22,6 +22,7 @@ class WeatherSeries;
 namespace ifov::io {
 struct Document;
 struct FileStamp;
+struct SensorDocument;
 }  // namespace ifov::io
 namespace ifov::radiometry {
 class SpectralNodes;
@@ -63,8 +64,13 @@ struct Parts {
   math::Vec3 map_offset_m;                 ///< map coordinates of the scene's origin
   std::vector<io::FileStamp> known_files;  ///< files whose bytes the scene cache vouches for
   std::shared_ptr<const atmosphere::WeatherSeries> weather;
-  std::optional<TemperatureErrors> temperature_errors;  ///< none where no temperature is solved
-  std::vector<radiometry::Channel> channels;
+  std::optional<TemperatureErrors> temperature_errors;       ///< none where no temperature is solved
+  std::vector<radiometry::Channel> told_channels;            ///< those of the document
+  std::shared_ptr<const sensor::ColumnResponses> responses;  ///< by detector column; null: alike in all
+  double most_spread = 1.0;                                  ///< theirs
+  std::vector<radiometry::Channel> channels;         ///< those, or what they are sums of: carried by paths
+  std::unique_ptr<const io::SensorDocument> sensor;  ///< of the document, with `channels` in place of its own
+  std::vector<std::vector<double>> keystone_px;      ///< by document's channel and column; empty: nowhere
   std::shared_ptr<const render::Polarimetry>
       polarimetry;  ///< what the sensor does with it; null: radiance alone
   std::unique_ptr<sensor::Camera> camera;
@@ -75,8 +81,8 @@ struct Parts {
   std::unique_ptr<radiometry::SpectralNodes> own_nodes;      ///< null with either
   const radiometry::SpectralNodes* nodes = nullptr;
   std::unique_ptr<sampling::PixelFootprint> footprint;
-  std::unique_ptr<sampling::FootprintGroups> groups;  ///< of channels whose footprints differ; null: none do
-  std::vector<std::unique_ptr<sensor::PsfWings>> wings;  ///< by group; empty where the PSF has none
+  std::shared_ptr<const sampling::FootprintGroups> groups;  ///< of channels that differ; null: none do
+  std::vector<std::unique_ptr<sensor::PsfWings>> wings;     ///< by group; empty where the PSF has none
   /// By channel: share of its energy that stands neither in the footprint nor in wings, or elsewhere than in the group's; empty: none.
   std::vector<double> psf_cut;
   std::unique_ptr<transport::SpectralScene> spectral_scene;
@@ -89,6 +95,7 @@ struct Parts {
   std::vector<std::string> locations;  ///< where things are and what some rays see, lines for people
   std::vector<std::string> warnings;   ///< all that were given while the document was loaded
 
+  std::size_t told_channel(std::size_t carried) const;  ///< that one of `channels` is of
   /// Whether light comes from above the horizon beside the Sun's: of the scene's own sky, or of its air.
   bool has_sky() const;
   render::RenderJob job() const;  ///< that renders the document's image

@@ -16,6 +16,7 @@ render::RenderJob Parts::job(const SamplingPlan& sampling, const render::Accurac
   job.tolerance = limits;
   job.polarimetry = polarimetry.get();
   job.groups = groups.get();
+  job.responses = responses.get();
   for (const auto& of_group : wings) job.wings.push_back(of_group.get());
   job.cut = psf_cut;
   job.nodes = node_errors;
@@ -36,8 +37,11 @@ void Parts::make_tolerance() { tolerance = tolerance_of(plan); }
 
 std::unique_ptr<render::AccuracyTolerance> Parts::tolerance_of(const SamplingPlan& sampling) const {
   if (!sampling.request) return nullptr;
+  render::AccuracyRequest request = *sampling.request;
+  // Half-widths of what paths carry add up to a channel's by their weights.
+  request.error /= most_spread;
   auto limits = std::make_unique<render::AccuracyTolerance>(
-      *sampling.request, *brightness, spectral_scene->white_reflected(),
+      std::move(request), *brightness, spectral_scene->white_reflected(),
       static_cast<std::int64_t>(camera->width_px()) * camera->height_px(), spectral_scene->path_radiance(),
       air);
   if (polarimetry) {

@@ -129,7 +129,7 @@ void warn_of_kelvins(const Parts& parts, LogSink& log) {
 /// Detectors that are full of the darkest that is seen, or count nothing of the brightest.
 void warn_of_detectors(const Parts& parts, const SceneSurvey& survey, LogSink& log) {
   for (std::size_t c = 0; c < parts.channels.size(); ++c) {
-    const sensor::Detector* const detector = parts.info.channels[c].detector.get();
+    const sensor::Detector* const detector = parts.info.channels[parts.told_channel(c)].detector.get();
     if (detector == nullptr || !detector->exists()) continue;
     const double least = detector->mean_electrons(survey.radiance[c].low),
                  most = detector->mean_electrons(survey.radiance[c].high), holds = detector->largest_signal();

@@ -7,7 +7,6 @@
 #include "core/format.h"
 #include "ifov/detect.h"
 #include "render/image_info.h"
-#include "sensor/detector/brightness_scale.h"
 #include "sensor/detector/detector.h"
 
 namespace ifov::session {
@@ -102,23 +101,18 @@ void append_detected(const sensor::Detector& detector, DetectedQuantity quantity
       break;
     case DetectedQuantity::kelvins:
       append<float>(
-          signal.size(), [&](std::size_t k) { return as.scale->kelvin(radiance(k)); }, values);
+          signal.size(), [&](std::size_t k) { return as(k, radiance(k)); }, values);
       break;
     case DetectedQuantity::toa_reflectance:
       append<float>(
-          signal.size(), [&](std::size_t k) { return as.factor * radiance(k); }, values);
+          signal.size(), [&](std::size_t k) { return as(k, radiance(k)); }, values);
       break;
   }
 }
 
 void append_values(std::span<const float> radiance, const RadianceAs& as, std::vector<std::byte>& values) {
   append<float>(
-      radiance.size(),
-      [&](std::size_t k) {
-        const double value = static_cast<double>(radiance[k]);
-        return as.scale == nullptr ? as.factor * value : as.scale->kelvin(value);
-      },
-      values);
+      radiance.size(), [&](std::size_t k) { return as(k, static_cast<double>(radiance[k])); }, values);
 }
 
 }  // namespace ifov::session

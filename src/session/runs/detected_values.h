@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,9 +15,8 @@ namespace ifov::render {
 struct ChannelInfo;
 }
 namespace ifov::sensor {
-class BrightnessScale;
 struct Detector;
-}  // namespace ifov::sensor
+}
 
 namespace ifov::session {
 
@@ -25,16 +25,13 @@ io::EnviHeader detected_header(io::EnviHeader header, DetectedQuantity quantity,
                                std::span<const render::ChannelInfo> channels, const std::string& radiance,
                                std::uint64_t seed);
 
-/// What a radiance is told as: kelvins on a scale, or a multiple of it.
-struct RadianceAs {
-  const sensor::BrightnessScale* scale = nullptr;
-  double factor = 1.0;
-};
+/// What a radiance is told as, in a column of the image.
+using RadianceAs = std::function<double(std::size_t column, double radiance)>;
 
-/// Appends signals, in electrons, as the quantity of a cube of such a type.
+/// Appends signals of a line, in electrons, as the quantity of a cube of such a type.
 void append_detected(const sensor::Detector& detector, DetectedQuantity quantity, io::EnviType type,
                      std::span<const double> signal, const RadianceAs& as, std::vector<std::byte>& values);
-/// Appends radiance.
+/// Appends a line of radiance.
 void append_values(std::span<const float> radiance, const RadianceAs& as, std::vector<std::byte>& values);
 
 }  // namespace ifov::session

@@ -9,11 +9,15 @@
 #include "io/document/document_error.h"
 #include "io/document/sensor_document.h"
 #include "io/products/envi_reader.h"
+#include "render/column_conversions.h"
 #include "sensor/detector/brightness_scale.h"
 #include "sensor/detector/detector.h"
 #include "sensor/detector/detector_signal.h"
 #include "sensor/detector/one_over_f.h"
 #include "sensor/noise.h"
+#include "sensor/spectrometer/column_responses.h"
+#include "sensor/spectrometer/mosaic.h"
+#include "session/assembly/whole/across_track.h"
 #include "session/assembly/whole/noise_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
 #include "session/line_blocks.h"
@@ -26,21 +30,20 @@ namespace {
 /// Draws a line of one channel after the other.
 class Drawing {
  public:
-  Drawing(const io::EnviReader& radiance, std::span<const render::ChannelInfo> channels, std::uint64_t seed,
-          std::span<const DetectedCube> told, std::span<const sensor::BrightnessScale> scales,
-          const std::vector<std::unique_ptr<LineCube>>& cubes)
+  Drawing(const io::EnviReader& radiance, const render::ImageInfo& image, std::uint64_t seed,
+          std::span<const DetectedCube> told, const std::vector<std::unique_ptr<LineCube>>& cubes)
       : radiance_(radiance),
-        channels_(channels),
+        image_(image),
+        channels_(image.channels),
         seed_(seed),
         noise_(seed),
         told_(told),
-        scales_(scales),
         cubes_(cubes) {
     const io::EnviHeader& header = radiance.header();
     lines_ = header.lines, width_ = header.samples;
-    for (std::size_t c = 0; c < channels.size(); ++c)
+    for (std::size_t c = 0; c < channels_.size(); ++c)
       signals_.emplace_back(detector(c), seed, static_cast<int>(c), width_);
-    saturated.assign(channels.size(), 0);
+    saturated.assign(channels_.size(), 0);
   }
 
   /// All lines of the channels from `first` to before `end`.
@@ -56,7 +59,8 @@ class Drawing {
         for (std::vector<std::byte>& of_cube : values) of_cube.clear();
         for (std::size_t c = first; c < end; ++c) full[c] += draw(line, c, c - first, values);
         for (std::size_t k = 0; k < cubes_.size(); ++k)
-          cubes_[k]->write(line, static_cast<int>(first), values[k]);
+          cubes_[k]->write(line, image_.mosaic ? 0 : static_cast<int>(first),
+                           image_.mosaic ? through_filters(line, values[k]) : values[k]);
       }
       const std::scoped_lock lock(counting_);
       for (std::size_t c = first; c < end; ++c) saturated[c] += full[c];
@@ -71,13 +75,30 @@ class Drawing {
     return channels_[c].detector ? *channels_[c].detector : none;
   }
 
+  /// Of values of all channels, those that elements have through their own filters.
+  std::vector<std::byte> through_filters(int line, const std::vector<std::byte>& values) const {
+    const auto width = static_cast<std::size_t>(width_);
+    const std::size_t bytes = values.size() / (width * channels_.size());
+    std::vector<std::byte> own(width * bytes);
+    for (std::size_t x = 0; x < width; ++x) {
+      const auto channel = static_cast<std::size_t>(image_.mosaic->channel_at(static_cast<int>(x), line));
+      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>((channel * width + x) * bytes), bytes,
+                  own.begin() + static_cast<std::ptrdiff_t>(x * bytes));
+    }
+    return own;
+  }
+
   /// Of a channel in a cube.
   RadianceAs radiance_as(std::size_t cube, std::size_t c) const {
-    RadianceAs as;
-    if (told_[cube].quantity == DetectedQuantity::kelvins) as.scale = &scales_[c];
+    if (told_[cube].quantity == DetectedQuantity::kelvins)
+      return [this, c](std::size_t column, double radiance) {
+        return render::brightness_kelvin(image_, c, static_cast<int>(column), radiance);
+      };
     if (told_[cube].quantity == DetectedQuantity::toa_reflectance)
-      as.factor = std::numbers::pi / channels_[c].toa_irradiance;
-    return as;
+      return [this, c](std::size_t column, double radiance) {
+        return std::numbers::pi / render::toa_irradiance(image_, c, static_cast<int>(column)) * radiance;
+      };
+    return [](std::size_t, double radiance) { return radiance; };
   }
 
   /// How many pixels are saturated.
@@ -106,11 +127,11 @@ class Drawing {
   }
 
   const io::EnviReader& radiance_;
+  const render::ImageInfo& image_;
   std::span<const render::ChannelInfo> channels_;
   std::uint64_t seed_;
   sensor::Noise noise_;
   std::span<const DetectedCube> told_;
-  std::span<const sensor::BrightnessScale> scales_;
   const std::vector<std::unique_ptr<LineCube>>& cubes_;
   int lines_ = 0, width_ = 0;
   std::vector<sensor::DetectorSignal> signals_;
@@ -129,6 +150,24 @@ std::size_t channels_at_once(const io::EnviHeader& header, std::span<const rende
   return static_cast<std::size_t>(std::clamp(kMost_bytes / bytes, 1.0, static_cast<double>(channels.size())));
 }
 
+/// One band, of which what is told by channel is told so.
+void tell_mosaic(const render::ImageInfo& image, io::EnviHeader& header) {
+  header.bands = 1;
+  header.band_names = {"mosaic"};
+  header.wavelength.clear(), header.fwhm.clear(), header.default_bands.clear();
+  header.wavelength_units.clear();
+  header.other["mosaic pattern"] = render::mosaic_pattern(image);
+  for (const char* key : {"data gain values", "data offset values", "noise standard deviation"})
+    if (auto found = header.other.extract(key)) {
+      found.key() = std::string("channel ") + key;
+      header.other.insert(std::move(found));
+    }
+  std::string names;
+  for (const render::ChannelInfo& channel : image.channels)
+    names += format("{}{}", names.empty() ? "" : ", ", io::list_item(channel.name));
+  header.other["channel names"] = names;
+}
+
 }  // namespace
 
 std::vector<render::ChannelInfo> noisy_channels(const io::DocumentSources& sources,
@@ -144,12 +183,12 @@ std::vector<render::ChannelInfo> noisy_channels(const io::DocumentSources& sourc
   return result;
 }
 
-std::vector<sensor::BrightnessScale> brightness_scales(const io::DocumentSources& sources,
-                                                       const io::SensorDocument& sensor) {
-  std::vector<sensor::BrightnessScale> scales;
-  for (const radiometry::Channel& channel : assemble_channels(sources, sensor.channels))
-    scales.emplace_back(channel);
-  return scales;
+void tell_brightness(const io::DocumentSources& sources, const io::SensorDocument& sensor,
+                     render::ImageInfo& image) {
+  const std::vector<radiometry::Channel> channels = assemble_channels(sources, sensor.channels);
+  image.responses = assemble_smile(sources, sensor, channels, image.width_px);
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    image.channels[c].brightness = std::make_shared<const sensor::BrightnessScale>(channels[c]);
 }
 
 void require_quantity(DetectedQuantity quantity, std::span<const render::ChannelInfo> channels,
@@ -174,16 +213,18 @@ void require_quantity(DetectedQuantity quantity, std::span<const render::Channel
   }
 }
 
-Realization realize(const io::EnviReader& radiance, std::span<const render::ChannelInfo> channels,
-                    std::uint64_t seed, std::span<const DetectedCube> cubes,
-                    std::span<const sensor::BrightnessScale> scales, int threads, const CancelToken* cancel) {
+Realization realize(const io::EnviReader& radiance, const render::ImageInfo& image, std::uint64_t seed,
+                    std::span<const DetectedCube> cubes, int threads, const CancelToken* cancel) {
+  const std::span<const render::ChannelInfo> channels = image.channels;
   Realization result;
-  for (const DetectedCube& cube : cubes)
-    result.cubes.push_back(std::make_unique<LineCube>(
-        cube.path, detected_header(radiance.header(), cube.quantity, channels,
-                                   radiance.data_path().filename().string(), seed)));
-  Drawing drawing(radiance, channels, seed, cubes, scales, result.cubes);
-  const std::size_t at_once = channels_at_once(radiance.header(), channels);
+  for (const DetectedCube& cube : cubes) {
+    io::EnviHeader header = detected_header(radiance.header(), cube.quantity, channels,
+                                            radiance.data_path().filename().string(), seed);
+    if (image.mosaic) tell_mosaic(image, header);
+    result.cubes.push_back(std::make_unique<LineCube>(cube.path, std::move(header)));
+  }
+  Drawing drawing(radiance, image, seed, cubes, result.cubes);
+  const std::size_t at_once = image.mosaic ? channels.size() : channels_at_once(radiance.header(), channels);
   for (std::size_t first = 0; first < channels.size(); first += at_once)
     drawing.draw(first, std::min(first + at_once, channels.size()), threads, cancel);
   result.saturated = drawing.saturated;

@@ -19,10 +19,6 @@ struct DocumentSources;
 struct SensorDocument;
 }  // namespace ifov::io
 
-namespace ifov::sensor {
-class BrightnessScale;
-}
-
 namespace ifov::session {
 
 class LineCube;
@@ -35,9 +31,9 @@ inline constexpr const char* kNoNoise =
 std::vector<render::ChannelInfo> noisy_channels(const io::DocumentSources& sources,
                                                 const io::SensorDocument& sensor);
 
-/// Of their responses, for kelvins.
-std::vector<sensor::BrightnessScale> brightness_scales(const io::DocumentSources& sources,
-                                                       const io::SensorDocument& sensor);
+/// Of their responses, in an image so many columns wide, for kelvins: added to `image`, which has the channels.
+void tell_brightness(const io::DocumentSources& sources, const io::SensorDocument& sensor,
+                     render::ImageInfo& image);
 
 /// A cube that one realization is told in.
 struct DetectedCube {
@@ -54,10 +50,8 @@ struct Realization {
   std::vector<std::uint64_t> saturated;          ///< pixels, by channel
 };
 
-/// One realization of what the channels make of a cube of radiance, in as many cubes as are asked for. `scales`: of the channels, where
-/// kelvins are among them.
-Realization realize(const io::EnviReader& radiance, std::span<const render::ChannelInfo> channels,
-                    std::uint64_t seed, std::span<const DetectedCube> cubes,
-                    std::span<const sensor::BrightnessScale> scales, int threads, const CancelToken* cancel);
+/// One realization of what the channels of an image make of its cube of radiance, in as many cubes as are asked for.
+Realization realize(const io::EnviReader& radiance, const render::ImageInfo& image, std::uint64_t seed,
+                    std::span<const DetectedCube> cubes, int threads, const CancelToken* cancel);
 
 }  // namespace ifov::session

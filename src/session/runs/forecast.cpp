@@ -12,7 +12,6 @@
 #include "io/run_state/run_state.h"
 #include "render/image_renderer.h"
 #include "render/tile_grid.h"
-#include "sampling/pixel_footprint.h"
 #include "sampling/pixel_sampler.h"
 #include "session/loaded/parts.h"
 #include "session/runs/coordinator.h"

@@ -5,6 +5,7 @@
 #include "core/version.h"
 #include "io/document/document.h"
 #include "io/files/inputs.h"
+#include "io/quantities/mosaic_quantities.h"
 #include "io/run_state/run_plan.h"
 #include "io/run_state/scene_files.h"
 #include "io/scene_cache/file_stamp.h"
@@ -71,6 +72,8 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
   plan.name = document.output.name;
   const bool map_tells = parts.camera->ground_grid().has_value() || plan.image.views != nullptr;
   plan.cubes = document.output.products.value_or(io::usual_quantities(map_tells, document.sensor.stokes));
+  if (plan.image.mosaic && !document.output.products)
+    plan.cubes.add(io::quantities::kMosaic), plan.cubes.add(io::quantities::kMosaicHalfWidth);
   if (plan.image.views)
     io::add_view_quantities(plan.image.views->kind == sensor::ViewList::Kind::points, plan.cubes);
   plan.formats.add_needed(plan.image, plan.cubes);

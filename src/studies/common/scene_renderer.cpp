@@ -115,8 +115,8 @@ double SceneRenderer::render(const io::SamplingDocument& sampling, const Choices
                              render::TileSink& image) const {
   const session::Session::Parts& parts = session_.parts();
   const io::Document& document = parts.document;
-  const session::SamplingPlan plan =
-      session::assemble_sampling(document.sources, sampling, document.sensor, parts.channels);
+  const session::SamplingPlan plan = session::assemble_sampling(document.sources, sampling, document.sensor,
+                                                                parts.told_channels, parts.responses.get());
   const std::unique_ptr<render::AccuracyTolerance> tolerance = parts.tolerance_of(plan);
   render::RenderJob job = parts.job(plan, tolerance.get());
   job.tile_px = choices.tile_px;

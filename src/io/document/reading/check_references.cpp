@@ -19,6 +19,7 @@
 #include "io/document/reading/check_motions.h"
 #include "io/document/samplers/accuracy_sampling.h"
 #include "io/document/samplers/sampler_settings.h"
+#include "io/document/spectrometer_document.h"
 #include "io/quantities/quantity.h"
 
 namespace ifov::io {
@@ -76,6 +77,7 @@ class ReferenceCheck {
       require("channel", *channel, channels_);
     for (const DocumentName& channel : document_.output.quicklook_channels)
       require("channel", channel, channels_);
+    check_mosaic();
     check_products();
     check_error();
     check_direction(document_.light.sun, "Sun");
@@ -104,6 +106,14 @@ class ReferenceCheck {
               "cameras, distant, hemisphere and rays is radiance",
               list_names(parts, "and")));
     check_sunlight(named(&Quantity::Needs::sunlight));
+    const std::vector<std::string> mosaics =
+        document_.sensor.mosaic ? std::vector<std::string>{} : named(&Quantity::Needs::mosaic);
+    if (!mosaics.empty())
+      throw document_error(
+          document_.sources, document_.output.position,
+          format(
+              "output.products has {}: that takes a sensor with a \"mosaic\", and sensor.mosaic is not given",
+              list_names(mosaics, "and")));
     const std::vector<std::string> without =
         document_.sensor.stokes ? std::vector<std::string>{} : named(&Quantity::Needs::stokes);
     if (!without.empty())
@@ -112,6 +122,26 @@ class ReferenceCheck {
           format(
               "output.products has {}: that takes a sensor with \"stokes\": true, and sensor.stokes is not given or false",
               list_names(without, "and")));
+  }
+
+  void check_mosaic() const {
+    const std::shared_ptr<const MosaicDocument>& mosaic = document_.sensor.mosaic;
+    const std::vector<std::string>& formats = document_.output.formats;
+    if (!mosaic && std::find(formats.begin(), formats.end(), "demosaiced") != formats.end())
+      throw document_error(
+          document_.sources, document_.output.position,
+          "output.formats has 'demosaiced': that takes a sensor with a \"mosaic\", and sensor.mosaic is not given");
+    if (!mosaic) return;
+    for (const std::vector<DocumentName>& row : mosaic->rows)
+      for (const DocumentName& channel : row) require("channel", channel, channels_);
+    const std::string& camera = document_.sensor.camera.model;
+    if (camera != "frame" && camera != "orthographic")
+      throw document_error(
+          document_.sources, mosaic->position,
+          format(
+              "a mosaic is of the elements of a frame, and a {} camera makes its image of lines; expected a frame or orthographic "
+              "camera",
+              camera));
   }
 
   /// Reflectance above the air is over the light of the Sun there.

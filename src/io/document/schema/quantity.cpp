@@ -145,6 +145,7 @@ std::string escaped(std::string_view literal) {
 
 const Dimension kLength{"a length", "1 m", kLengthUnits, 1e-9, 1e12};
 const Dimension kWavelength{"a wavelength", "0.55 um", kWavelengthUnits, 1e-3, 1e5};
+const Dimension kWavelengthDifference{"a difference of wavelengths", "0.5 nm", kWavelengthUnits, 1e-9, 1e3};
 const Dimension kAngle{"an angle", "30 deg", kAngleUnits, 1e-12, 1e4};
 const Dimension kTemperature{"a temperature", "20 degC", kTemperatureUnits, 0.1, 1e5};
 const Dimension kTemperatureDifference{"a temperature difference", "0.1 K", kTemperatureDifferenceUnits, 1e-9,

@@ -30,6 +30,7 @@ struct Dimension {
 
 extern const Dimension kLength;                 ///< m
 extern const Dimension kWavelength;             ///< um
+extern const Dimension kWavelengthDifference;   ///< um
 extern const Dimension kAngle;                  ///< rad
 extern const Dimension kTemperature;            ///< K
 extern const Dimension kTemperatureDifference;  ///< K

@@ -9,6 +9,8 @@
 #include "io/document/schema/record.h"
 #include "io/document/schema/shared_target.h"
 #include "io/document/sensor_document.h"
+#include "io/document/spectrometer_document.h"
+#include "io/document/tables/spectrometer_tables.h"
 #include "io/document/tables/tables.h"
 
 namespace ifov::io {
@@ -31,6 +33,8 @@ struct ChannelEntry {
   std::shared_ptr<const SnrDocument> snr;
   std::shared_ptr<const DetectorDocument> detector;
   std::optional<std::array<double, 2>> shift_px;
+  std::shared_ptr<const SmileDocument> smile;
+  std::shared_ptr<const KeystoneDocument> keystone;
 };
 
 SchemaType<double> wavelength() { return quantity(kWavelength, Range::above(0.0, "um")); }
@@ -189,7 +193,12 @@ SchemaType<ChannelEntry> entry_type() {
       .optional(
           "shift", &ChannelEntry::shift_px,
           tuple<double, 2>(quantity(kPixels, Range::between(-8.0, 8.0, "px"))),
-          "of what its pixels respond to, right and down on the focal plane: bands that do not lie on each other");
+          "of what its pixels respond to, right and down on the focal plane: bands that do not lie on each other")
+      .optional("smile", shared(&ChannelEntry::smile), smile_type(false),
+                "how its response differs from detector column to detector column; the sensor's if not given")
+      .optional(
+          "keystone", shared(&ChannelEntry::keystone), keystone_type(false),
+          "how far across the track what its elements see lies from them, by column; the sensor's if not given");
   return record.type();
 }
 
@@ -230,10 +239,14 @@ class ChannelEntries {
     const SchemaType<SpectrumDocument> noise = spectrum_type(SpectrumOf::radiance);
     const SchemaType<SnrDocument> snr = snr_type();
     const SchemaType<DetectorDocument> detector = detector_type();
+    const SchemaType<SmileDocument> smile = smile_type(false);
+    const SchemaType<KeystoneDocument> keystone = keystone_type(false);
     for (const ChannelDocument& channel : channels)
       sensors_.push_back({channel.noise ? noise.write(*channel.noise, writing) : std::nullopt,
                           channel.snr ? snr.write(*channel.snr, writing) : std::nullopt,
-                          channel.detector ? detector.write(*channel.detector, writing) : std::nullopt});
+                          channel.detector ? detector.write(*channel.detector, writing) : std::nullopt,
+                          channel.smile ? smile.write(*channel.smile, writing) : std::nullopt,
+                          channel.keystone ? keystone.write(*channel.keystone, writing) : std::nullopt});
   }
 
   std::vector<ChannelEntry> all() const {
@@ -264,6 +277,8 @@ class ChannelEntries {
     entry.snr = channels_[k].snr;
     entry.detector = channels_[k].detector;
     entry.shift_px = channels_[k].shift_px;
+    entry.smile = channels_[k].smile;
+    entry.keystone = channels_[k].keystone;
     return entry;
   }
 
@@ -290,7 +305,7 @@ class ChannelEntries {
   }
 
   const std::vector<ChannelDocument>& channels_;
-  std::vector<std::array<Written, 3>> sensors_;  // noise, ratio and detector of each
+  std::vector<std::array<Written, 5>> sensors_;  // noise, ratio, detector, smile and keystone of each
 };
 
 }  // namespace
@@ -298,31 +313,31 @@ class ChannelEntries {
 SchemaType<std::vector<ChannelDocument>> channels_type() {
   const SchemaType<ChannelEntry> entry_of = entry_type();
   const auto entries = list(entry_of, 1, kMostChannels);
-  return {
-      entries.description,
-      [description = entries.description, read = entry_of.read](const DocumentNode& node) {
-        check_list(node, *description);
-        std::vector<ChannelDocument> channels;
-        for (const DocumentNode& item : node.items()) {
-          ChannelEntry entry = read(item);
-          if (channels.size() + entry.responses.size() > kMostChannels) {
-            item.fail(format("{} brings the number of channels above {}", item.title(), kMostChannels));
-          }
-          const bool series = entry.responses.size() > 1;
-          for (Response& response : entry.responses) {
-            const std::string own = name_from(response);
-            const std::string name = entry.name.empty() ? own
-                                     : series           ? format("{} {}", entry.name, own)
-                                                        : entry.name;
-            channels.push_back({name, std::move(response), entry.position, entry.noise, entry.noise_k,
-                                entry.polarizer, entry.retarder, entry.snr, entry.detector, entry.shift_px});
-          }
-        }
-        return channels;
-      },
-      [write = entries.write](const std::vector<ChannelDocument>& channels, Writing& writing) {
-        return write(ChannelEntries(channels, writing).all(), writing);
-      }};
+  return {entries.description,
+          [description = entries.description, read = entry_of.read](const DocumentNode& node) {
+            check_list(node, *description);
+            std::vector<ChannelDocument> channels;
+            for (const DocumentNode& item : node.items()) {
+              ChannelEntry entry = read(item);
+              if (channels.size() + entry.responses.size() > kMostChannels) {
+                item.fail(format("{} brings the number of channels above {}", item.title(), kMostChannels));
+              }
+              const bool series = entry.responses.size() > 1;
+              for (Response& response : entry.responses) {
+                const std::string own = name_from(response);
+                const std::string name = entry.name.empty() ? own
+                                         : series           ? format("{} {}", entry.name, own)
+                                                            : entry.name;
+                channels.push_back({name, std::move(response), entry.position, entry.noise, entry.noise_k,
+                                    entry.polarizer, entry.retarder, entry.snr, entry.detector,
+                                    entry.shift_px, entry.smile, entry.keystone});
+              }
+            }
+            return channels;
+          },
+          [write = entries.write](const std::vector<ChannelDocument>& channels, Writing& writing) {
+            return write(ChannelEntries(channels, writing).all(), writing);
+          }};
 }
 
 }  // namespace ifov::io

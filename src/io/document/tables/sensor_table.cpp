@@ -5,6 +5,8 @@
 #include "io/document/schema/record.h"
 #include "io/document/schema/shared_target.h"
 #include "io/document/sensor_document.h"
+#include "io/document/spectrometer_document.h"
+#include "io/document/tables/spectrometer_tables.h"
 #include "io/document/tables/tables.h"
 
 namespace ifov::io {
@@ -138,16 +140,20 @@ void add_views(Record<SensorDocument>& record, const char* key, const SchemaType
 /// What an image's pixels alone have.
 void refuse_for_views(const SensorDocument& sensor, const DocumentNode& node) {
   if (dynamic_cast<const ViewSettings*>(sensor.camera.settings.get()) == nullptr) return;
-  for (const char* key : {"psf", "stokes", "fill_factor", "optics", "detector"})
+  for (const char* key :
+       {"psf", "stokes", "fill_factor", "optics", "detector", "smile", "keystone", "mosaic"})
     if (const DocumentNode* own = node.find(key))
       own->fail_at_key(
           format("'{}' is of the pixels of a picture, and '{}' makes none", key, sensor.camera.model));
   for (const ChannelDocument& channel : sensor.channels)
-    if (channel.shift_px)
+    if (channel.shift_px || channel.smile || channel.keystone)
       node.given("channels")
-          .fail_at_key(
-              format("channel '{}' has a shift, which is of the pixels of a picture, and '{}' makes none",
-                     channel.name, sensor.camera.model));
+          .fail_at_key(format(
+              "channel '{}' has a {}, which is of the pixels of a picture, and '{}' makes none", channel.name,
+              channel.shift_px ? "shift"
+              : channel.smile  ? "smile"
+                               : "keystone",
+              sensor.camera.model));
   for (const ChannelDocument& channel : sensor.channels)
     if (channel.polarizer || channel.retarder)
       node.given("channels")
@@ -196,6 +202,16 @@ SchemaType<SensorDocument> sensor_type() {
                 "what light passes, for a `detector`")
       .optional("detector", shared(&SensorDocument::detector), detector_type(),
                 "how light becomes electrons and counts: for `ifov detect`, and errors in shares of noise")
+      .optional(
+          "smile", shared(&SensorDocument::smile), smile_type(true),
+          "how the channels' responses differ from detector column to detector column; not at all if not given")
+      .optional(
+          "keystone", shared(&SensorDocument::keystone), keystone_type(true),
+          "how far across the track what elements see lies from them, by channel and detector column; nowhere if not given")
+      .optional(
+          "mosaic", shared(&SensorDocument::mosaic), mosaic_type(),
+          "filters on the elements of a frame, each of which sees one channel: rows of channels' names, a pattern that repeats from "
+          "the upper left element on, such as [[\"red\", \"green\"], [\"green\", \"blue\"]]")
       .check(refuse_for_views);
   return record.type();
 }

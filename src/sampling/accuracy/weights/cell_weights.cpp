@@ -13,7 +13,7 @@ CellWeights::CellWeights(const ColumnFootprints& footprints, int cells_per_pixel
       for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) {
           const double x = first + i * side, y = first + j * side;
-          to.push_back(footprints.integral(group, x, y, x + side, y + side));
+          to.push_back(footprints.integral(group, 0, x, y, x + side, y + side));
         }
   };
   fill(pixels_, 1);

@@ -8,7 +8,7 @@ namespace ifov::sampling {
 class ColumnFootprints;
 
 /// Integrals of the footprints of groups over pixels and over the lattice's first cells, by where these lie from the output's
-/// pixel: the same for all outputs of a tile.
+/// pixel: the same for all outputs of a tile, where the footprints lie alike in all columns of the image.
 class CellWeights {
  public:
   CellWeights(const ColumnFootprints& footprints, int cells_per_pixel);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "sampling/accuracy/borders/border_model.h"
 #include "sampling/accuracy/borders/edge_cells.h"
@@ -20,7 +21,8 @@ constexpr double kLongest_cells = 4.0;
 }  // namespace
 
 struct LeafIntegrator::Shared {
-  Shared(const ColumnFootprints& footprints, int cells_per_pixel) : weights(footprints, cells_per_pixel) {
+  Shared(const ColumnFootprints& footprints, int cells_per_pixel) {
+    if (!footprints.by_column()) weights.emplace(footprints, cells_per_pixel);
     for (std::size_t group = 0; group < footprints.groups(); ++group) {
       const double limit = kLongest_cells * footprints.footprint(group).cell_px();
       const auto at = std::find(longest.begin(), longest.end(), limit);
@@ -34,10 +36,10 @@ struct LeafIntegrator::Shared {
     PolygonNodes nodes;
     bool ready = false;
   };
-  CellWeights weights;
-  std::vector<double> longest;       // of triangles, by rule
-  std::vector<std::size_t> rule_of;  // by group
-  std::vector<Placed> placed[3];     // of up to three polygons at a time, by rule
+  std::optional<CellWeights> weights;  // of footprints that lie alike in all columns of the image
+  std::vector<double> longest;         // of triangles, by rule
+  std::vector<std::size_t> rule_of;    // by group
+  std::vector<Placed> placed[3];       // of up to three polygons at a time, by rule
 };
 
 LeafIntegrator::LeafIntegrator(const EdgeTracer& tracer, const ColumnFootprints& footprints, PixelRect tile)
@@ -93,7 +95,7 @@ void LeafIntegrator::leaves_of(int source) const {
 }
 
 Point2 LeafIntegrator::centre(int output, std::size_t group) const {
-  const Point2 shift = footprints_.shift_px(group);
+  const Point2 shift = footprints_.shift_px(group, tile_.x0 + output % tile_.width());
   return {tile_.x0 + output % tile_.width() + 0.5 + shift.x,
           tile_.y0 + output / tile_.width() + 0.5 + shift.y};
 }
@@ -109,7 +111,7 @@ void LeafIntegrator::outputs_of(int source, PixelModel& model) const {
     for (int i = std::max(tile_.x0, x - reach); i <= std::min(tile_.x1 - 1, x + reach); ++i) {
       const int output = (j - tile_.y0) * tile_.width() + i - tile_.x0;
       for (std::size_t group = 0; group < model.groups; ++group)
-        if (footprints_.reaches(group, x - i, y - j))
+        if (footprints_.reaches(group, i, x - i, y - j))
           slots_.push_back({model.slots() + group, group, centre(output, group),
                             (i - domain.x0) * lattice_.cells_per_pixel(),
                             (j - domain.y0) * lattice_.cells_per_pixel()});
@@ -119,10 +121,10 @@ void LeafIntegrator::outputs_of(int source, PixelModel& model) const {
 
 double LeafIntegrator::whole_weight(int source, int output, std::size_t group) const {
   const PixelRect& domain = lattice_.domain();
-  if (shared_)
-    return shared_->weights.of_pixel(group,
-                                     domain.x0 + source % domain.width() - tile_.x0 - output % tile_.width(),
-                                     domain.y0 + source / domain.width() - tile_.y0 - output / tile_.width());
+  if (shared_ && shared_->weights)
+    return shared_->weights->of_pixel(
+        group, domain.x0 + source % domain.width() - tile_.x0 - output % tile_.width(),
+        domain.y0 + source / domain.width() - tile_.y0 - output / tile_.width());
   const Point2 c = centre(output, group);
   const double x = domain.x0 + source % domain.width() - c.x, y = domain.y0 + source / domain.width() - c.y;
   return footprint(group).integral(x, y, x + 1.0, y + 1.0);
@@ -185,9 +187,9 @@ double LeafIntegrator::over_shared(const Polygon& polygon, std::size_t which, co
 double LeafIntegrator::cell_weight(const Cell& cell, const Slot& slot) const {
   const double side = lattice_.side_px(cell.level);
   if (unit_box_) return side * side;
-  if (shared_ && cell.level == 0)
-    return shared_->weights.of_cell(slot.group, (cell.x >> kMaxLevel) - slot.column,
-                                    (cell.y >> kMaxLevel) - slot.row);
+  if (shared_ && shared_->weights && cell.level == 0)
+    return shared_->weights->of_cell(slot.group, (cell.x >> kMaxLevel) - slot.column,
+                                     (cell.y >> kMaxLevel) - slot.row);
   const double x0 = lattice_.x_px(cell.x), y0 = lattice_.y_px(cell.y);
   const Point2 c = slot.centre;
   return footprint(slot.group).integral(x0 - c.x, y0 - c.y, x0 + side - c.x, y0 + side - c.y);

@@ -8,6 +8,7 @@
 #include "io/document/sensor_document.h"
 #include "render/image_renderer.h"
 #include "sampling/tile.h"
+#include "sensor/spectrometer/column_responses.h"
 #include "session/assembly/whole/noise_assembly.h"
 
 namespace ifov::session {
@@ -80,11 +81,37 @@ struct Plan {
   }
 };
 
+/// A plan that was made for channels, for what paths carry of them.
+void count_by_carried(const sensor::ColumnResponses& responses, SamplingPlan& plan) {
+  const auto carried_of = [&](const std::vector<int>& channels) {
+    std::vector<int> carried;
+    for (const int channel : channels) {
+      const auto c = static_cast<std::size_t>(channel);
+      for (std::size_t k = responses.first(c); k < responses.first(c + 1); ++k)
+        carried.push_back(static_cast<int>(k));
+    }
+    return carried;
+  };
+  if (!plan.request) {
+    plan.steering_channels = carried_of(plan.steering_channels);
+    return;
+  }
+  render::AccuracyRequest& request = *plan.request;
+  request.channels = carried_of(request.channels);
+  const std::vector<double> noise = std::move(request.noise_w_m2_sr_um);
+  request.noise_w_m2_sr_um.clear();
+  for (std::size_t k = 0; !noise.empty() && k < responses.carried(); ++k)
+    request.noise_w_m2_sr_um.push_back(noise[responses.channel_of(k)]);
+  plan.steering_channels =
+      render::steering_channels_of(static_cast<int>(responses.carried()), request.channels);
+}
+
 }  // namespace
 
 SamplingPlan assemble_sampling(const io::DocumentSources& sources, const io::SamplingDocument& sampling,
                                const io::SensorDocument& sensor,
-                               const std::vector<radiometry::Channel>& channels) {
+                               const std::vector<radiometry::Channel>& channels,
+                               const sensor::ColumnResponses* responses) {
   const Plan assemble{sources, sensor, channels};
   const io::SamplerSettings& settings = *sampling.method;
   SamplingPlan plan;
@@ -96,6 +123,7 @@ SamplingPlan assemble_sampling(const io::DocumentSources& sources, const io::Sam
     assemble.ask(*accuracy, plan);
   else
     plan.steering_channels = assemble.judged(settings.channel_looked_at());
+  if (responses != nullptr) count_by_carried(*responses, plan);
   return plan;
 }
 

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +15,9 @@ struct SensorDocument;
 struct DocumentSources;
 struct SamplingDocument;
 }  // namespace ifov::io
+namespace ifov::sensor {
+class ColumnResponses;
+}
 
 namespace ifov::session {
 
@@ -30,10 +32,11 @@ struct SamplingPlan {
   std::vector<int> steering_channels;
 };
 
-/// `sensor`: an accuracy may be stated by its noise.
+/// An accuracy may be stated by the sensor's noise. `responses`: what paths carry, by which the plan counts; null: the channels.
 SamplingPlan assemble_sampling(const io::DocumentSources& sources, const io::SamplingDocument& sampling,
                                const io::SensorDocument& sensor,
-                               const std::vector<radiometry::Channel>& channels);
+                               const std::vector<radiometry::Channel>& channels,
+                               const sensor::ColumnResponses* responses = nullptr);
 
 /// Fails where an image of so many pixels has too few for what is asked of it as a whole.
 void check_image_size(const io::DocumentSources& sources, const io::SamplingDocument& sampling,

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace ifov::render {
+
+struct ImageInfo;
+
+/// Of a pixel in a column: irradiance by the Sun above the air, and the temperature at which a blackbody has this radiance (not a
+/// number where the response is not known).
+double toa_irradiance(const ImageInfo& image, std::size_t channel, int column);
+double brightness_kelvin(const ImageInfo& image, std::size_t channel, int column, double radiance);
+
+/// The mosaic's rows with parentheses about each: "(red, green), (green, blue)".
+std::string mosaic_pattern(const ImageInfo& image);
+
+}  // namespace ifov::render
