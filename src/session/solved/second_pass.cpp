@@ -18,6 +18,7 @@ namespace {
 constexpr int kRays = 6, kRaysBeyond = 2, kSkyPairsOfNeighbour = 8;
 constexpr int kDrawsOfRay = 48, kDrawsOfPoint = 48, kTriesOfRay = 40;
 constexpr double kLeastOfView = 0.002;  // that is not sky
+constexpr double kLeastHit = 0.025;     // of rays, below which the fewer meet something
 
 /// What a surface sends to all sides by row of the series, W m-2.
 std::vector<thermal::FromBeside> sent_by(const Neighbourhood& about, const geometry::SurfacePoint& hit,
@@ -68,10 +69,12 @@ Beside rays_beside(const Neighbourhood& about, const geometry::SurfacePoint& poi
   const sampling::TangentFrame frame(normal);
   const math::Vec3 outward =
       point.front ? point.geometric_normal.as_vector() : -point.geometric_normal.as_vector();
-  for (int k = 0; k < kTriesOfRay * rays && found.hits.size() < static_cast<std::size_t>(rays); ++k) {
+  // Strata are gone through once, all of them: as many as let about that many rays meet something.
+  const int strata = static_cast<int>(std::ceil(rays / std::max(found.view, kLeastHit)));
+  for (int k = 0; k < strata || (found.hits.empty() && k < kTriesOfRay * strata); ++k) {
     const double x = sampling::unit_double(sampling::hash(key, k, 0)),
                  y = sampling::unit_double(sampling::hash(key, k, 1));
-    const math::Vec3 along = frame.to_world(sampling::cosine_hemisphere({(k % rays + x) / rays, y}));
+    const math::Vec3 along = frame.to_world(sampling::cosine_hemisphere({(k % strata + x) / strata, y}));
     if (!(math::dot(along, outward) > 0.0)) continue;
     const math::Ray ray{.origin_m = point.position_m + point.offset_m * outward, .direction = along};
     geometry::SurfacePoint hit;
