@@ -15,15 +15,20 @@ struct TemperatureErrors {
     /// Root mean square of points that were chosen for a past unlike that of most: half lit, or about which things came and went; of these
     /// two the larger.
     double unsettled_k = 0.0;
-    double beside_k =
-        0.0;  ///< root mean square of what is made of surfaces about points, against these solved in full
+    /// Root mean square of what is made of surfaces about points, against these solved in full: of points that the camera sees, and of those
+    /// that rays meet which go on from there.
+    double beside_k = 0.0, met_beside_k = 0.0;
     double ground_k =
         0.0;  ///< largest, of the wind of points below which nothing faces up, with ground at the foot of a drop beside
     /// Of what two standard deviations hold, 95.45 %: Student's t of as many points times the root mean square, or twice that of those that were
     /// chosen, and twice the steps'.
     /// What the ground makes uncertain comes on top, as it is no matter of chance.
+    /// Of what the camera does not see of itself, it is by those that rays meet.
     double half_width_k() const;
-    int seen = 0, beside = 0;  ///< of the points, those that the camera sees; more of these, of `beside_k`
+    /// Of the material wherever it is: of both the larger.
+    double whole_half_width_k() const;
+    int seen = 0;                    ///< of the points, those that the camera sees
+    int beside = 0, met_beside = 0;  ///< more of these, of `beside_k` and of `met_beside_k`
   };
   int points = 0, made_up = 0, unsettled = 0;
   double rms_k = 0.0, bias_k = 0.0;  ///< root mean square and mean, of the material of the largest half-width
@@ -39,7 +44,7 @@ struct TemperatureErrors {
 
   std::map<std::uint32_t, OfMaterial> by_material{};  ///< by its number
 
-  /// Of the material where it is largest.
+  /// Of the material where it is largest, wherever that is.
   double half_width_k() const;
   std::string statement() const;
 };
