@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <sstream>
 
 #include "core/format.h"
+#include "honesty/figure_row.h"
 #include "thermal/judged_points.h"
 
 namespace {
@@ -21,18 +23,26 @@ struct Totals {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string work = ".", rows_file;
+  std::string work = ".", rows_file, document, output;
+  double reach_m = 10.0, top_m = 10.0, boast = 1.0;
   int scenes = 10, points = 12, threads = 0;
   std::uint64_t first_seed = 1;
   ThermalEffort effort;
   CLI::App app{"Solved temperatures of scenes by chance against full solutions of their points"};
   app.add_option("--wild", scenes, "scenes")->check(CLI::Range(1, 1000000));
   app.add_option("--first-seed", first_seed, "number of the first; the others follow");
+  app.add_option("--document", document,
+                 "points of this one, at x and y up to --reach metres and z up to --top");
+  app.add_option("--reach", reach_m, "metres")->needs("--document");
+  app.add_option("--top", top_m, "metres")->needs("--document");
   app.add_option("--points", points, "of each")->check(CLI::Range(1, 100000));
   app.add_option("--rays", effort.rays_beside, "to what is about a point, of each of its four solutions");
   app.add_option("--depth", effort.depth, "surfaces behind those, in the full solutions");
   app.add_option("--draws", effort.draws, "of images' estimates");
   app.add_option("--work", work, "folder for the documents");
+  app.add_option("--boast", boast, "a planted fault: half-widths are taken to be this times what they are")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--output", output, "figures");
   app.add_option("--rows", rows_file, "CSV of all points");
   app.add_option("--threads", threads, "0: all cores");
   CLI11_PARSE(app, argc, argv);
@@ -44,9 +54,17 @@ int main(int argc, char** argv) {
   Totals all;
   int failed = 0;
   for (std::uint64_t seed = first_seed; seed < first_seed + static_cast<std::uint64_t>(scenes); ++seed) {
-    const WildThermal wild = wild_thermal(seed, work);
-    const std::filesystem::path path = std::filesystem::path(work) / ifov::format("wild_{}.json", seed);
-    std::ofstream(path) << wild.text;
+    WildThermal wild;
+    std::filesystem::path path = document;
+    if (document.empty()) {
+      wild = wild_thermal(seed, work);
+      path = std::filesystem::path(work) / ifov::format("wild_{}.json", seed);
+      std::ofstream(path) << wild.text;
+    } else {
+      std::ostringstream text;
+      text << std::ifstream(path).rdbuf();
+      wild = {text.str(), document, reach_m, top_m};
+    }
     std::vector<JudgedPoint> judged;
     try {
       judged =
@@ -59,7 +77,8 @@ int main(int argc, char** argv) {
     }
     std::size_t covered = 0;
     double worst_k = 0.0;
-    for (const JudgedPoint& p : judged) {
+    for (JudgedPoint& p : judged) {
+      p.half_width_k *= boast;
       const double beyond_k = std::max(0.0, std::abs(p.off_k()) - 2.0 * p.noise_k());
       covered += beyond_k <= p.half_width_k;
       worst_k = std::max(worst_k, std::abs(p.off_k()));
@@ -93,5 +112,16 @@ int main(int argc, char** argv) {
       all.points, static_cast<double>(all.covered) / count, all.faults,
       std::sqrt(std::max(0.0, all.squares_k2 / count)), all.sum_k / count,
       std::sqrt(all.told_k2 / std::max(1e-30, all.scatter_k2)), failed);
+  const double covered = static_cast<double>(all.covered) / count;
+  const double told = std::sqrt(all.told_k2 / std::max(1e-30, all.scatter_k2));
+  const std::vector<FigureRow> figures = {
+      {"thermal_points", ifov::format("{}", all.points), "points", "", true},
+      {"thermal_covered", ifov::format("{:.4f}", covered), "coverage", "0.93 to 1", covered >= 0.93},
+      {"thermal_faults", ifov::format("{}", all.faults), "points off by 3 half-widths, or 1 K", "0",
+       all.faults == 0},
+      {"thermal_scatter", ifov::format("{:.3f}", told), "times what is found", "0.9 to 1.2",
+       told > 0.9 && told < 1.2},
+      {"thermal_failures", ifov::format("{}", failed), "documents", "0", failed == 0}};
+  if (!output.empty()) std::ofstream(output) << json(figures);
   return failed > 0 || all.faults > 0;
 }

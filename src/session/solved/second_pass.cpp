@@ -157,6 +157,7 @@ BesideOff beside_off(const Neighbourhood& about, const exposure::SolvedSurface& 
   const math::Vec3 normal = outward_normal(point);
   const exposure::ExposedPoint exposed(about.past, point);
   const thermal::Pose pose(normal, exposure.height_m);
+  const thermal::SurfaceClasses::Corners at = solved.classes->corners(pose);
   const double sun = surface.sun_share(point, exposure);
   for (std::size_t half = 0; half < found.off_k.size(); ++half) {
     const std::uint64_t own = sampling::hash(key, half);
@@ -165,7 +166,7 @@ BesideOff beside_off(const Neighbourhood& about, const exposure::SolvedSurface& 
     double linear_k = 0.0;
     for (std::size_t k = 0; k < beside.hits.size(); ++k)
       for (int draw = 0; draw < kDrawsOfRay; ++draw) {
-        const auto change = surface.neighbours()->change(exposed, pose, *solved.classes, beside.directions[k],
+        const auto change = surface.neighbours()->change(exposed, *solved.classes, at, beside.directions[k],
                                                          sampling::hash(own, k, draw));
         linear_k += (change.in_shade_k + sun * change.of_sun_k) / kDrawsOfRay;
       }
