@@ -117,7 +117,7 @@ TEST(WhatIsBeside, HalfWidthsHoldWallsThatTheCameraDoesNotSee) {
   EXPECT_EQ(error.seen, 0);
   EXPECT_EQ(error.beside, 0);
   ASSERT_GT(error.met_beside, 0);
-  const double half_width_k = error.half_width_k();
+  const double half_width_k = error.whole_half_width_k();
   error.met_beside_k = 0.0;
   int held = 0, held_by_classes = 0;
   for (int k = 0; k < kPoints; ++k) {
@@ -133,7 +133,7 @@ TEST(WhatIsBeside, HalfWidthsHoldWallsThatTheCameraDoesNotSee) {
     const double off_k = wall.surface->temperature_k(point, exposure) +
                          wall.surface->beside_k(point, exposure, key, kDraws, 1) - full_k;
     held += std::abs(off_k) <= half_width_k;
-    held_by_classes += std::abs(off_k) <= error.half_width_k();
+    held_by_classes += std::abs(off_k) <= error.whole_half_width_k();
   }
   EXPECT_GE(held, kPoints - 1) << half_width_k;
   EXPECT_LT(half_width_k, 1.5);

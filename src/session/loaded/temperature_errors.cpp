@@ -24,10 +24,7 @@ double with_beside(const TemperatureErrors::OfMaterial& of, double beside_k, int
 
 }  // namespace
 
-double TemperatureErrors::OfMaterial::half_width_k() const {
-  return seen > 0 || met_beside == 0 ? with_beside(*this, beside_k, beside)
-                                     : with_beside(*this, met_beside_k, met_beside);
-}
+double TemperatureErrors::OfMaterial::half_width_k() const { return with_beside(*this, beside_k, beside); }
 
 double TemperatureErrors::OfMaterial::whole_half_width_k() const {
   return std::max(half_width_k(), with_beside(*this, met_beside_k, met_beside));
@@ -35,7 +32,8 @@ double TemperatureErrors::OfMaterial::whole_half_width_k() const {
 
 double TemperatureErrors::half_width_k() const {
   double largest_k = 0.0;
-  for (const auto& [number, error] : by_material) largest_k = std::max(largest_k, error.whole_half_width_k());
+  for (const auto& [number, error] : by_material)
+    largest_k = std::max(largest_k, mirrors ? error.whole_half_width_k() : error.half_width_k());
   return largest_k;
 }
 

@@ -23,7 +23,7 @@ struct TemperatureErrors {
     /// Of what two standard deviations hold, 95.45 %: Student's t of as many points times the root mean square, or twice that of those that were
     /// chosen, and twice the steps'.
     /// What the ground makes uncertain comes on top, as it is no matter of chance.
-    /// Of what the camera does not see of itself, it is by those that rays meet.
+    /// Of what the camera sees itself.
     double half_width_k() const;
     /// Of the material wherever it is: of both the larger.
     double whole_half_width_k() const;
@@ -31,6 +31,7 @@ struct TemperatureErrors {
     int beside = 0, met_beside = 0;  ///< more of these, of `beside_k` and of `met_beside_k`
   };
   int points = 0, made_up = 0, unsettled = 0;
+  bool mirrors = false;              ///< some material is not Lambertian
   double rms_k = 0.0, bias_k = 0.0;  ///< root mean square and mean, of the material of the largest half-width
   std::string material;              ///< its name
   double unsettled_k = 0.0;          ///< likewise, of those that were chosen
@@ -44,7 +45,7 @@ struct TemperatureErrors {
 
   std::map<std::uint32_t, OfMaterial> by_material{};  ///< by its number
 
-  /// Of the material where it is largest, wherever that is.
+  /// Of the material where it is largest; where there are mirrors and the like, which may show any of it, wherever that is.
   double half_width_k() const;
   std::string statement() const;
 };

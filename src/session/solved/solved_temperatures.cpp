@@ -14,6 +14,7 @@
 #include "exposure/past_scene.h"
 #include "geometry/world.h"
 #include "io/document/document.h"
+#include "materials/bsdf/bsdf.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
 #include "scene/scene.h"
@@ -297,11 +298,13 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
     own.met_beside_k = std::sqrt(beside[1].first / std::max(own.met_beside, 1));
     for (const auto& [squares, number] : chosen)
       own.unsettled_k = std::max(own.unsettled_k, std::sqrt(squares / std::max(number, 1.0)));
-    if (!errors.material.empty() && own.whole_half_width_k() < worst_half_width_k) continue;
-    worst_half_width_k = own.whole_half_width_k();
+    const double of_image_k = errors.mirrors ? own.whole_half_width_k() : own.half_width_k();
+    if (!errors.material.empty() && of_image_k < worst_half_width_k) continue;
+    worst_half_width_k = of_image_k;
     errors.rms_k = own.rms_k;
     errors.unsettled_k = own.unsettled_k;
-    errors.beside_k = std::max(own.beside_k, own.met_beside_k);
+    errors.beside_k =
+        own.seen == 0 || errors.mirrors ? std::max(own.beside_k, own.met_beside_k) : own.beside_k;
     errors.bias_k = sum_k / count;
     errors.material = document.scene.materials[material].name;
   }
@@ -367,6 +370,8 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
         std::make_shared<const exposure::SolvedSurface>(solved.classes, past, kSunRadius_rad, neighbours);
 
   TemperatureErrors errors;
+  errors.mirrors = std::any_of(scene.materials.begin(), scene.materials.end(),
+                               [](const auto& material) { return !material.bsdf->is_lambertian(); });
   for (const auto& [material, solved] : by_material) {
     const double step_k = errors.by_material[material].step_k = step_error_k(solved, series, stand);
     errors.step_k = std::max(errors.step_k, step_k);
