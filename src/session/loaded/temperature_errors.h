@@ -12,23 +12,17 @@ namespace ifov::session {
 struct TemperatureErrors {
   struct OfMaterial {
     double points = 0.0, rms_k = 0.0, step_k = 0.0;
-    /// Root mean square of points that were chosen for a past unlike that of most: half lit, or about which things came and went; of these
-    /// two the larger.
+    /// Root mean square of points of a past unlike most: half lit, or where things came and went; the larger.
     double unsettled_k = 0.0;
-    /// Root mean square of what is made of surfaces about points, against these solved in full: of points that the camera sees, and of those
-    /// that rays meet which go on from there.
+    /// Likewise of what is made of surfaces about points: of those that the camera sees, and that rays meet going on.
     double beside_k = 0.0, met_beside_k = 0.0;
-    double ground_k =
-        0.0;  ///< largest, of the wind of points below which nothing faces up, with ground at the foot of a drop beside
+    double ground_k = 0.0;  ///< largest, of the wind where nothing below faces up and ground lies beside
     /// Of what two standard deviations hold, 95.45 %: Student's t of as many points times the root mean square, or twice that of those that were
-    /// chosen, and twice the steps'.
-    /// What the ground makes uncertain comes on top, as it is no matter of chance.
-    /// Of what the camera sees itself.
+    /// chosen, and twice the steps'. What the ground makes uncertain comes on top, as it is no matter of chance.
     double half_width_k() const;
-    /// Of the material wherever it is: of both the larger.
-    double whole_half_width_k() const;
-    int seen = 0;                    ///< of the points, those that the camera sees
-    int beside = 0, met_beside = 0;  ///< more of these, of `beside_k` and of `met_beside_k`
+    double whole_half_width_k() const;  ///< seen or met, the larger
+    int seen = 0, beside = 0,
+        met_beside = 0;  ///< of the points, those seen; more, of `beside_k`, `met_beside_k`
   };
   int points = 0, made_up = 0, unsettled = 0;
   bool mirrors = false;              ///< some material is not Lambertian

@@ -113,7 +113,28 @@ math::Vec3 outward_normal(const geometry::SurfacePoint& point) {
   return point.front ? normal : -normal;
 }
 
+constexpr int kRaysOn = 4;  // from each point that the camera sees
+
 }  // namespace
+
+std::vector<geometry::SurfacePoint> met_from(const scene::Scene& scene, const exposure::PastScene& past,
+                                             std::span<const geometry::SurfacePoint> seen) {
+  std::vector<math::Ray> rays;
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    if (!seen[k].hit()) continue;
+    const exposure::ExposedPoint from(past, seen[k]);
+    const sampling::TangentFrame frame(from.normal());
+    for (int n = 0; n < kRaysOn; ++n) {
+      const auto number = [&](int of) { return sampling::unit_double(sampling::hash(k, n, of)); };
+      const math::Vec3 along =
+          frame.to_world(sampling::cosine_hemisphere({(n + number(0)) / kRaysOn, number(1)}));
+      if (from.leaves(along)) rays.push_back(from.ray(along));
+    }
+  }
+  std::vector<geometry::SurfacePoint> met(rays.size());
+  scene.world->intersect(rays, met);
+  return met;
+}
 
 ByMaterial solved_materials(const io::Document& document, const scene::Scene& scene, double deep_k) {
   ByMaterial by_material;

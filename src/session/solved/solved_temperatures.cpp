@@ -8,15 +8,11 @@
 
 #include "atmosphere/weather_series.h"
 #include "core/parallel.h"
-#include "exposure/exposed_point.h"
 #include "exposure/ground_beside.h"
 #include "exposure/neighbours.h"
 #include "exposure/past_scene.h"
 #include "geometry/world.h"
 #include "io/document/document.h"
-#include "materials/bsdf/bsdf.h"
-#include "sampling/random.h"
-#include "sampling/warp.h"
 #include "scene/scene.h"
 #include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/with_position.h"
@@ -34,7 +30,6 @@ constexpr std::size_t kMeasured = 64, kLeastMeasured = 8;  // points, of all mat
 constexpr double kLeastUnsettled_k = 0.2;
 constexpr int kSkyPairs = 128;
 constexpr int kForBeside = 3, kMetForBeside = 4;
-constexpr int kRaysOn = 4;  // from each point that the camera sees
 
 thermal::Stand open_stand(const DocumentOutdoors& about) {
   thermal::Stand stand;
@@ -173,26 +168,6 @@ PointsOfMaterials solved_points(const scene::Scene& scene, std::span<const geome
       of_material[by - 1].push_back(&point);
   }
   return of_material;
-}
-
-/// What is met by rays that go on from what the camera sees: walls that it looks down along, undersides.
-std::vector<geometry::SurfacePoint> met_from(const scene::Scene& scene, const exposure::PastScene& past,
-                                             std::span<const geometry::SurfacePoint> seen) {
-  std::vector<math::Ray> rays;
-  for (std::size_t k = 0; k < seen.size(); ++k) {
-    if (!seen[k].hit()) continue;
-    const exposure::ExposedPoint from(past, seen[k]);
-    const sampling::TangentFrame frame(from.normal());
-    for (int n = 0; n < kRaysOn; ++n) {
-      const auto number = [&](int of) { return sampling::unit_double(sampling::hash(k, n, of)); };
-      const math::Vec3 along =
-          frame.to_world(sampling::cosine_hemisphere({(n + number(0)) / kRaysOn, number(1)}));
-      if (from.leaves(along)) rays.push_back(from.ray(along));
-    }
-  }
-  std::vector<geometry::SurfacePoint> met(rays.size());
-  scene.world->intersect(rays, met);
-  return met;
 }
 
 /// Points that the camera sees, evenly over the image, of each material about as many as it fills; made up where those are few.
@@ -370,8 +345,6 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
         std::make_shared<const exposure::SolvedSurface>(solved.classes, past, kSunRadius_rad, neighbours);
 
   TemperatureErrors errors;
-  errors.mirrors = std::any_of(scene.materials.begin(), scene.materials.end(),
-                               [](const auto& material) { return !material.bsdf->is_lambertian(); });
   for (const auto& [material, solved] : by_material) {
     const double step_k = errors.by_material[material].step_k = step_error_k(solved, series, stand);
     errors.step_k = std::max(errors.step_k, step_k);
