@@ -49,7 +49,8 @@ bool Neighbours::sees_sun(const ExposedPoint& point, std::size_t row, std::uint6
 }
 
 bool Neighbours::warmed_by_sun(const ExposedPoint& point, const thermal::Pose& pose,
-                               const thermal::SurfaceClasses& classes, std::size_t row,
+                               const thermal::SurfaceClasses& classes,
+                               const thermal::SurfaceClasses::Corners& at, std::size_t row,
                                std::uint64_t key) const {
   std::array<std::size_t, kTimes> rows;
   std::array<double, kTimes> until_w_m2;
@@ -61,8 +62,8 @@ bool Neighbours::warmed_by_sun(const ExposedPoint& point, const thermal::Pose& p
            std::max(0.0, math::dot(pose.normal, classes.sun_at(static_cast<std::size_t>(sunlit), 0.0)));
   };
   for (int k = 0; k < kTimes; ++k) {
-    const std::size_t lag = classes.draw_lag(pose, number(key, Of::times, 2 * k),
-                                             (k + number(key, Of::times, 2 * k + 1)) / kTimes);
+    const std::size_t lag =
+        classes.draw_lag(at, number(key, Of::times, 2 * k), (k + number(key, Of::times, 2 * k + 1)) / kTimes);
     rows[static_cast<std::size_t>(k)] = row - std::min(row, lag);
     until_w_m2[static_cast<std::size_t>(k)] = sum_w_m2 += gain_w_m2(row - std::min(row, lag));
   }
@@ -115,15 +116,16 @@ thermal::FromBeside Neighbours::sent(const geometry::SurfacePoint& met, std::siz
             thermal::kStefanBoltzmann_w_m2_k4 * std::pow(given_k, 4)};
   }
   const double open = 0.5 * (1.0 + pose.normal.z);
-  const auto then = own->then(pose, is_sky && open > kUpright ? 1.0 / open : 0.0, own->bin_of_row(row));
+  const thermal::SurfaceClasses::Corners at = own->corners(pose);
+  const auto then = own->then(at, is_sky && open > kUpright ? 1.0 / open : 0.0, own->bin_of_row(row));
   double surface_k = then.shaded_k;
-  if (then.rise_k != 0.0 && warmed_by_sun(point, pose, *own, row, sampling::hash(key, Of::warmed)))
+  if (then.rise_k != 0.0 && warmed_by_sun(point, pose, *own, at, row, sampling::hash(key, Of::warmed)))
     surface_k += then.rise_k;
   if (goes_on) {
     const std::size_t lag =
-        own->draw_lag(pose, number(key, Of::further_past, 0), number(key, Of::further_past, 1));
+        own->draw_lag(at, number(key, Of::further_past, 0), number(key, Of::further_past, 1));
     const std::size_t then_row = row - std::min(row, lag);
-    surface_k += own->worth_of_all_k(pose) *
+    surface_k += own->worth_of_all_k(at) *
                  own->more_than_ground_w_m2(
                      sent(beyond, then_row, depth - 1, sampling::hash(key, Of::further_past, 2)), then_row);
   }
@@ -133,8 +135,8 @@ thermal::FromBeside Neighbours::sent(const geometry::SurfacePoint& met, std::siz
               (1.0 - skin.emissivity) * comes.longwave_w_m2};
 }
 
-Neighbours::Change Neighbours::change(const ExposedPoint& point, const thermal::Pose& pose,
-                                      const thermal::SurfaceClasses& classes, math::Vec3 direction,
+Neighbours::Change Neighbours::change(const ExposedPoint& point, const thermal::SurfaceClasses& classes,
+                                      const thermal::SurfaceClasses::Corners& at, math::Vec3 direction,
                                       std::uint64_t key, int depth) const {
   if (!point.leaves(direction)) return {};
   const math::Ray ray = point.ray(direction);
@@ -142,7 +144,7 @@ Neighbours::Change Neighbours::change(const ExposedPoint& point, const thermal::
   scene_.world->intersect({&ray, 1}, {&met, 1});
   if (!met.hit()) return {};
   const thermal::SurfaceClasses::PastRow past =
-      classes.draw_past(pose, {number(key, Of::past, 0), number(key, Of::past, 1), number(key, Of::past, 2)});
+      classes.draw_past(at, {number(key, Of::past, 0), number(key, Of::past, 1), number(key, Of::past, 2)});
   if (past_.changes()) {
     const double time_s = classes.time_s(past.row, 0.0);
     std::uint8_t was_free = 0;

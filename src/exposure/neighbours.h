@@ -32,10 +32,11 @@ class Neighbours {
   struct Change {
     double in_shade_k = 0.0, of_sun_k = 0.0;
   };
-  /// `depth`: how many surfaces behind the one that is met light and warm it; what is beyond them is level ground.
+  /// `at`: of the point's pose. `depth`: how many surfaces behind the one that is met light and warm it; what is beyond them is level ground.
   static constexpr int kDepth = 1;
-  Change change(const ExposedPoint& point, const thermal::Pose& pose, const thermal::SurfaceClasses& classes,
-                math::Vec3 direction, std::uint64_t key, int depth = kDepth) const;
+  Change change(const ExposedPoint& point, const thermal::SurfaceClasses& classes,
+                const thermal::SurfaceClasses::Corners& at, math::Vec3 direction, std::uint64_t key,
+                int depth = kDepth) const;
 
   /// The same at several times of one scene, in which nothing came or went, by one row of the past for all. `by_time`: one material's classes, with
   /// the neighbours of each time.
@@ -56,7 +57,8 @@ class Neighbours {
   bool sees_sun(const ExposedPoint& point, std::size_t row, std::uint64_t key) const;
   /// Whether the Sun was seen at a time that warmed the surface until a row; false where none did.
   bool warmed_by_sun(const ExposedPoint& point, const thermal::Pose& pose,
-                     const thermal::SurfaceClasses& classes, std::size_t row, std::uint64_t key) const;
+                     const thermal::SurfaceClasses& classes, const thermal::SurfaceClasses::Corners& at,
+                     std::size_t row, std::uint64_t key) const;
 
   scene::Scene scene_;
   PastScene past_;

@@ -156,9 +156,15 @@ SolvedSurface::Beside SolvedSurface::beside(const ExposedPoint& exposed, const t
                                             std::span<const std::uint8_t> is_free, int depth) const {
   Beside found;
   const double above = 0.5 * (1.0 + pose.normal.z), below = 1.0 - above;
+  const auto all_free = [&] {
+    return std::count(is_free.begin(), is_free.begin() + static_cast<std::ptrdiff_t>(directions.size()),
+                      std::uint8_t{0}) == 0;
+  };
+  if (below < kLeastBelow && all_free()) return found;
+  const thermal::SurfaceClasses::Corners at = classes_->corners(pose);
   for (std::size_t k = 0; k < directions.size(); ++k) {
     if (is_free[k] != 0) continue;
-    const auto change = neighbours_->change(exposed, pose, *classes_, directions[k],
+    const auto change = neighbours_->change(exposed, *classes_, at, directions[k],
                                             sampling::hash(key, Draw::beside, k), depth);
     found.in_shade_k[k] = above / static_cast<double>(directions.size()) * change.in_shade_k;
     found.of_sun_k[k] = above / static_cast<double>(directions.size()) * change.of_sun_k;
@@ -167,8 +173,8 @@ SolvedSurface::Beside SolvedSurface::beside(const ExposedPoint& exposed, const t
   static thread_local std::vector<math::Vec3> downward;
   exposed.ground_directions(sampling::hash(key, Draw::below), 1, downward);
   for (std::size_t k = 0; k < downward.size(); ++k) {
-    const auto change = neighbours_->change(exposed, pose, *classes_, downward[k],
-                                            sampling::hash(key, Draw::below, k), depth);
+    const auto change =
+        neighbours_->change(exposed, *classes_, at, downward[k], sampling::hash(key, Draw::below, k), depth);
     found.in_shade_k[2 * kSkyPairs + k] = 0.5 * below * change.in_shade_k;
     found.of_sun_k[2 * kSkyPairs + k] = 0.5 * below * change.of_sun_k;
   }

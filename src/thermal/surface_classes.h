@@ -98,6 +98,24 @@ class SurfaceClasses {
   /// The row of the series that a sunlit row is.
   std::size_t row_of_series(std::size_t sunlit_row) const { return rows_[sunlit_row].index; }
 
+ private:
+  struct Node;
+
+ public:
+  struct Corner {
+    const Node* node = nullptr;
+    double share = 0.0;
+    std::size_t place = 0;  ///< of the node
+  };
+  /// Of directions and levels between which a pose lies, those of a share above 0: what is asked of a pose more than once is asked of these.
+  struct Corners {
+    std::array<Corner, 8> all;
+    std::size_t count = 0;
+    const Corner* begin() const { return all.data(); }
+    const Corner* end() const { return all.data() + count; }
+  };
+  Corners corners(const Pose& pose) const;
+
   // What surfaces send to each other; only with `neighbours`. The past is told in bins, the last row first, a sixth of what lies behind
   // them long and half an hour at most.
   std::size_t bins() const { return past_.begin.empty() ? 0 : past_.begin.size() - 1; }
@@ -117,22 +135,22 @@ class SurfaceClasses {
     double in_shade_k = 0.0, of_sun_k = 0.0;
   };
   /// Three numbers from 0 to 1. Rows of much light are drawn more often.
-  PastRow draw_past(const Pose& pose, std::array<double, 3> by_chance) const;
+  PastRow draw_past(const Corners& at, std::array<double, 3> by_chance) const;
   /// The same at several times, of the classes of one material, with one row for all: drawn as one of the times has it, by the chance that all of them
   /// give it. `row`: of that time's series, whose number is returned.
   static std::size_t draw_past(std::span<const SurfaceClasses* const> by_time, const Pose& pose,
                                std::array<double, 4> by_chance, std::span<PastRow> found);
   /// Rows before another, drawn by what a gain there is worth to it: as the same time before the series' end is to that.
-  std::size_t draw_lag(const Pose& pose, double which, double how_long) const;
+  std::size_t draw_lag(const Corners& at, double which, double how_long) const;
   /// By bin, kelvins now per W m-2 of gain throughout it: in shade, and by what always Sun adds.
   void worth(const Pose& pose, std::span<double> in_shade_k, std::span<double> of_sun_k) const;
   /// The surface's temperature in the middle of a bin, always shaded, and by how much the Sun warms it.
   struct Then {
     double shaded_k = 0.0, rise_k = 0.0;
   };
-  Then then(const Pose& pose, double free_sky, std::size_t bin) const;
+  Then then(const Corners& at, double free_sky, std::size_t bin) const;
   /// The same throughout the past, a mean of sunlit and shaded.
-  double worth_of_all_k(const Pose& pose) const;
+  double worth_of_all_k(const Corners& at) const;
   /// Of what a gain throughout the past adds to a surface that had `kelvin` without it, its square is lost: a warmer surface emits more than in
   /// proportion, 6 e sigma T^2 of the square, and what that is worth. Per kelvin.
   double bend_of_gain(const Pose& pose, double kelvin) const;
@@ -163,18 +181,6 @@ class SurfaceClasses {
     std::array<std::vector<float>, 2> shaded_then_k, rise_then_k;
     std::vector<float> worth, worth_of_sun, drawn, lagged;
   };
-  struct Corner {
-    const Node* node = nullptr;
-    double share = 0.0;
-    std::size_t place = 0;  ///< of the node
-  };
-  /// Of directions and levels, those of a share above 0.
-  struct Corners {
-    std::array<Corner, 8> all;
-    std::size_t count = 0;
-    const Corner* begin() const { return all.data(); }
-    const Corner* end() const { return all.data() + count; }
-  };
   void keep_past(Node& node, std::size_t sky, const SurfaceSolution& shaded, const SurfaceSolution& sunlit,
                  std::span<const double> at_shade, std::span<const double> at_sun) const;
   void make_bins();
@@ -198,7 +204,6 @@ class SurfaceClasses {
   AboveLevel level_of(double height_m) const;
   /// The corners of a turn at a level, which has `share` of all; nodes are still to be asked for. Behind the last the share is 0.
   static std::array<Corner, 4> corners_at(const Turn& turn, int level, double share);
-  Corners corners(const Pose& pose) const;
   static std::size_t place_of(int level, int ring, int azimuth);
   const Node& node_at(std::size_t place) const;
   void solve(Node& node, double height_m, double tilt_rad, double azimuth_rad) const;

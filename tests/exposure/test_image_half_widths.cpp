@@ -118,8 +118,10 @@ TEST(ImageHalfWidths, CoverPixelsOfAGoodMaterialAndOfABadOne) {
   const render::NodeHalfWidth& channel = parts.node_errors.at(0);
   constexpr std::uint32_t kLawn = 0, kRoof = 1, kMirror = 2;
   ASSERT_GE(channel.emitted_of.size(), 3u);
-  // A pixel of the lawn is the least certain one; of tiles it is much more certain; a mirror may show the lawn.
-  EXPECT_DOUBLE_EQ(channel.emitted_of[kLawn], channel.emitted);
+  // Of what the camera sees the lawn is the least certain, and tiles much more certain; walls of tiles, which it does not see, may be less
+  // certain than both, and a mirror may show them.
+  EXPECT_GT(channel.emitted_of[kLawn], 2.0 * channel.emitted_of[kRoof]);
+  EXPECT_LE(channel.emitted_of[kLawn], channel.emitted);
   EXPECT_DOUBLE_EQ(channel.emitted_of[kMirror], channel.emitted);
   EXPECT_LT(channel.emitted_of[kRoof], 0.4 * channel.emitted);
 

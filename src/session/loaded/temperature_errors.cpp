@@ -9,19 +9,31 @@
 
 namespace ifov::session {
 
-double TemperatureErrors::OfMaterial::half_width_k() const {
+namespace {
+
+double student(double points) {
   static const double kConfidence = std::erf(std::numbers::sqrt2);
-  const auto of_points = [](double count) {
-    return sampling::two_sided_student(kConfidence, std::max(count, 1.0));
-  };
-  const double of_all_k = of_points(points) * rms_k, of_chosen_k = 2.0 * unsettled_k,
-               of_beside_k = beside_k > 0.0 ? of_points(beside) * beside_k : 0.0;
-  return std::hypot(std::max(of_all_k, of_chosen_k), 2.0 * step_k, of_beside_k) + ground_k;
+  return sampling::two_sided_student(kConfidence, std::max(points, 1.0));
+}
+
+double with_beside(const TemperatureErrors::OfMaterial& of, double beside_k, int points) {
+  const double of_all_k = student(of.points) * of.rms_k, of_chosen_k = 2.0 * of.unsettled_k,
+               of_beside_k = beside_k > 0.0 ? student(points) * beside_k : 0.0;
+  return std::hypot(std::max(of_all_k, of_chosen_k), 2.0 * of.step_k, of_beside_k) + of.ground_k;
+}
+
+}  // namespace
+
+double TemperatureErrors::OfMaterial::half_width_k() const { return with_beside(*this, beside_k, beside); }
+
+double TemperatureErrors::OfMaterial::whole_half_width_k() const {
+  return std::max(half_width_k(), with_beside(*this, met_beside_k, met_beside));
 }
 
 double TemperatureErrors::half_width_k() const {
   double largest_k = 0.0;
-  for (const auto& [number, error] : by_material) largest_k = std::max(largest_k, error.half_width_k());
+  for (const auto& [number, error] : by_material)
+    largest_k = std::max(largest_k, mirrors ? error.whole_half_width_k() : error.half_width_k());
   return largest_k;
 }
 

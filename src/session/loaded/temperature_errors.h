@@ -12,20 +12,20 @@ namespace ifov::session {
 struct TemperatureErrors {
   struct OfMaterial {
     double points = 0.0, rms_k = 0.0, step_k = 0.0;
-    /// Root mean square of points that were chosen for a past unlike that of most: half lit, or about which things came and went; of these
-    /// two the larger.
+    /// Root mean square of points of a past unlike most: half lit, or where things came and went; the larger.
     double unsettled_k = 0.0;
-    double beside_k =
-        0.0;  ///< root mean square of what is made of surfaces about points, against these solved in full
-    double ground_k =
-        0.0;  ///< largest, of the wind of points below which nothing faces up, with ground at the foot of a drop beside
+    /// Likewise of what is made of surfaces about points: of those that the camera sees, and that rays meet going on.
+    double beside_k = 0.0, met_beside_k = 0.0;
+    double ground_k = 0.0;  ///< largest, of the wind where nothing below faces up and ground lies beside
     /// Of what two standard deviations hold, 95.45 %: Student's t of as many points times the root mean square, or twice that of those that were
-    /// chosen, and twice the steps'.
-    /// What the ground makes uncertain comes on top, as it is no matter of chance.
+    /// chosen, and twice the steps'. What the ground makes uncertain comes on top, as it is no matter of chance.
     double half_width_k() const;
-    int seen = 0, beside = 0;  ///< of the points, those that the camera sees; more of these, of `beside_k`
+    double whole_half_width_k() const;  ///< seen or met, the larger
+    int seen = 0, beside = 0,
+        met_beside = 0;  ///< of the points, those seen; more, of `beside_k`, `met_beside_k`
   };
   int points = 0, made_up = 0, unsettled = 0;
+  bool mirrors = false;              ///< some material is not Lambertian
   double rms_k = 0.0, bias_k = 0.0;  ///< root mean square and mean, of the material of the largest half-width
   std::string material;              ///< its name
   double unsettled_k = 0.0;          ///< likewise, of those that were chosen
@@ -39,7 +39,7 @@ struct TemperatureErrors {
 
   std::map<std::uint32_t, OfMaterial> by_material{};  ///< by its number
 
-  /// Of the material where it is largest.
+  /// Of the material where it is largest; where there are mirrors and the like, which may show any of it, wherever that is.
   double half_width_k() const;
   std::string statement() const;
 };

@@ -18,6 +18,7 @@ namespace {
 constexpr int kRays = 6, kRaysBeyond = 2, kSkyPairsOfNeighbour = 8;
 constexpr int kDrawsOfRay = 48, kDrawsOfPoint = 48, kTriesOfRay = 40;
 constexpr double kLeastOfView = 0.002;  // that is not sky
+constexpr double kLeastHit = 0.025;     // of rays, below which the fewer meet something
 
 /// What a surface sends to all sides by row of the series, W m-2.
 std::vector<thermal::FromBeside> sent_by(const Neighbourhood& about, const geometry::SurfacePoint& hit,
@@ -68,10 +69,12 @@ Beside rays_beside(const Neighbourhood& about, const geometry::SurfacePoint& poi
   const sampling::TangentFrame frame(normal);
   const math::Vec3 outward =
       point.front ? point.geometric_normal.as_vector() : -point.geometric_normal.as_vector();
-  for (int k = 0; k < kTriesOfRay * rays && found.hits.size() < static_cast<std::size_t>(rays); ++k) {
+  // Strata are gone through once, all of them: as many as let about that many rays meet something.
+  const int strata = static_cast<int>(std::ceil(rays / std::max(found.view, kLeastHit)));
+  for (int k = 0; k < strata || (found.hits.empty() && k < kTriesOfRay * strata); ++k) {
     const double x = sampling::unit_double(sampling::hash(key, k, 0)),
                  y = sampling::unit_double(sampling::hash(key, k, 1));
-    const math::Vec3 along = frame.to_world(sampling::cosine_hemisphere({(k % rays + x) / rays, y}));
+    const math::Vec3 along = frame.to_world(sampling::cosine_hemisphere({(k % strata + x) / strata, y}));
     if (!(math::dot(along, outward) > 0.0)) continue;
     const math::Ray ray{.origin_m = point.position_m + point.offset_m * outward, .direction = along};
     geometry::SurfacePoint hit;
@@ -110,7 +113,28 @@ math::Vec3 outward_normal(const geometry::SurfacePoint& point) {
   return point.front ? normal : -normal;
 }
 
+constexpr int kRaysOn = 4;  // from each point that the camera sees
+
 }  // namespace
+
+std::vector<geometry::SurfacePoint> met_from(const scene::Scene& scene, const exposure::PastScene& past,
+                                             std::span<const geometry::SurfacePoint> seen) {
+  std::vector<math::Ray> rays;
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    if (!seen[k].hit()) continue;
+    const exposure::ExposedPoint from(past, seen[k]);
+    const sampling::TangentFrame frame(from.normal());
+    for (int n = 0; n < kRaysOn; ++n) {
+      const auto number = [&](int of) { return sampling::unit_double(sampling::hash(k, n, of)); };
+      const math::Vec3 along =
+          frame.to_world(sampling::cosine_hemisphere({(n + number(0)) / kRaysOn, number(1)}));
+      if (from.leaves(along)) rays.push_back(from.ray(along));
+    }
+  }
+  std::vector<geometry::SurfacePoint> met(rays.size());
+  scene.world->intersect(rays, met);
+  return met;
+}
 
 ByMaterial solved_materials(const io::Document& document, const scene::Scene& scene, double deep_k) {
   ByMaterial by_material;
@@ -154,6 +178,7 @@ BesideOff beside_off(const Neighbourhood& about, const exposure::SolvedSurface& 
   const math::Vec3 normal = outward_normal(point);
   const exposure::ExposedPoint exposed(about.past, point);
   const thermal::Pose pose(normal, exposure.height_m);
+  const thermal::SurfaceClasses::Corners at = solved.classes->corners(pose);
   const double sun = surface.sun_share(point, exposure);
   for (std::size_t half = 0; half < found.off_k.size(); ++half) {
     const std::uint64_t own = sampling::hash(key, half);
@@ -162,7 +187,7 @@ BesideOff beside_off(const Neighbourhood& about, const exposure::SolvedSurface& 
     double linear_k = 0.0;
     for (std::size_t k = 0; k < beside.hits.size(); ++k)
       for (int draw = 0; draw < kDrawsOfRay; ++draw) {
-        const auto change = surface.neighbours()->change(exposed, pose, *solved.classes, beside.directions[k],
+        const auto change = surface.neighbours()->change(exposed, *solved.classes, at, beside.directions[k],
                                                          sampling::hash(own, k, draw));
         linear_k += (change.in_shade_k + sun * change.of_sun_k) / kDrawsOfRay;
       }

@@ -29,7 +29,7 @@ constexpr int kAcross = 24;                                // rays along each si
 constexpr std::size_t kMeasured = 64, kLeastMeasured = 8;  // points, of all materials and of each
 constexpr double kLeastUnsettled_k = 0.2;
 constexpr int kSkyPairs = 128;
-constexpr int kForBeside = 3;
+constexpr int kForBeside = 3, kMetForBeside = 4;
 
 thermal::Stand open_stand(const DocumentOutdoors& about) {
   thermal::Stand stand;
@@ -90,7 +90,7 @@ struct Measured {
   const SolvedMaterial* solved;
   geometry::SurfacePoint at;
   bool made_up = false;   ///< the camera sees too few of the material
-  int chosen_for = 0;     ///< 1, 2: for a past that was mixed, that changed; kForBeside
+  int chosen_for = 0;     ///< 1, 2: for a past that was mixed, that changed; kForBeside, kMetForBeside
   double height_m = 0.0;  ///< above ground
   double off_k = 0.0;
   BesideOff beside;
@@ -144,33 +144,41 @@ void add_unsettled(std::vector<Measured>& points, const SolvedMaterial& solved,
   }
 }
 
-/// Of what is seen of a material a few that see something else than the sky.
+/// Of points of a material a few that see something else than the sky.
 void add_beside(std::vector<Measured>& points, const SolvedMaterial& solved,
-                std::span<const geometry::SurfacePoint* const> seen) {
+                std::span<const geometry::SurfacePoint* const> seen, int chosen_for) {
   std::vector<const geometry::SurfacePoint*> found;
   for (std::size_t k = 0; k < seen.size(); ++k)
     if (solved.surface->sees_surfaces(*seen[k], k)) found.push_back(seen[k]);
   const std::size_t count = std::min(found.size(), kLeastMeasured);
   for (std::size_t k = 0; k < count; ++k) {
     points.emplace_back(solved, *found[k * found.size() / count]);
-    points.back().chosen_for = kForBeside;
+    points.back().chosen_for = chosen_for;
   }
+}
+
+using PointsOfMaterials = std::map<std::uint32_t, std::vector<const geometry::SurfacePoint*>>;
+
+PointsOfMaterials solved_points(const scene::Scene& scene, std::span<const geometry::SurfacePoint> points) {
+  PointsOfMaterials of_material;
+  for (const geometry::SurfacePoint& point : points) {
+    if (!point.hit()) continue;
+    const scene::ResolvedSurface surface = scene.resolve_without_temperature(point);
+    if (const std::uint32_t by = scene.states[surface.constituents[0].state].solved; by > 0)
+      of_material[by - 1].push_back(&point);
+  }
+  return of_material;
 }
 
 /// Points that the camera sees, evenly over the image, of each material about as many as it fills; made up where those are few.
 std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor::Camera& camera,
                                          const ByMaterial& by_material, const exposure::PastScene& past) {
   const std::vector<geometry::SurfacePoint> seen = hits_of_camera(*scene.world, camera, kAcross);
-  std::map<std::uint32_t, std::vector<const geometry::SurfacePoint*>> of_material;
+  PointsOfMaterials of_material = solved_points(scene, seen);
+  const std::vector<geometry::SurfacePoint> met = met_from(scene, past, seen);
+  PointsOfMaterials met_of_material = solved_points(scene, met);
   std::size_t all = 0;
-  for (const geometry::SurfacePoint& point : seen) {
-    if (!point.hit()) continue;
-    const scene::ResolvedSurface surface = scene.resolve_without_temperature(point);
-    const std::uint32_t by = scene.states[surface.constituents[0].state].solved;
-    if (by == 0) continue;
-    of_material[by - 1].push_back(&point);
-    ++all;
-  }
+  for (const auto& [material, found] : of_material) all += found.size();
   std::vector<Measured> points;
   for (const auto& [material, solved] : by_material) {
     const auto& found = of_material[material];
@@ -184,7 +192,8 @@ std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor
                                         : past.height_above_ground_m(found[k % found.size()]->position_m,
                                                                      thermal::kLowestWind_m));
     add_unsettled(points, solved, found, past);
-    add_beside(points, solved, found);
+    add_beside(points, solved, found, kForBeside);
+    add_beside(points, solved, met_of_material[material], kMetForBeside);
   }
   return points;
 }
@@ -210,7 +219,7 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
     point.off_k = surface.temperature_k(point.at, exposure) - full_k;
     point.height_m = exposure.height_m;
     if (point.made_up) return;
-    if (point.chosen_for == kForBeside)
+    if (point.chosen_for >= kForBeside)
       point.beside = beside_off(about, *point.solved->surface, *point.solved, point.at,
                                 static_cast<std::uint64_t>(k), exposure, full_k);
     if (exposure.height_m > 0.0) return;
@@ -220,17 +229,18 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
   });
   double worst_half_width_k = 0.0;
   for (const auto& [material, solved] : about.by_material) {
-    double sum_k = 0.0, squares_k2 = 0.0, count = 0.0, beside_k2 = 0.0, further_k2 = 0.0;
+    double sum_k = 0.0, squares_k2 = 0.0, count = 0.0;
+    std::array<std::pair<double, int>, 2> beside{};     // squares, points: that the camera sees, that are met
     std::array<std::pair<double, double>, 2> chosen{};  // squares, points
     for (const Measured& point : points) {
       if (point.solved != &solved) continue;
       errors.worst_k = std::max(errors.worst_k, std::abs(point.off_k));
-      if (point.chosen_for == kForBeside) {
-        ++errors.by_material[material].beside;
+      if (point.chosen_for >= kForBeside) {
+        auto& [squares, number] = beside[static_cast<std::size_t>(point.chosen_for - kForBeside)];
         // With what their rays scatter, which makes it more.
         const double mean_k = 0.5 * (point.beside.off_k[0] + point.beside.off_k[1]);
-        beside_k2 += mean_k * mean_k;
-        further_k2 += point.beside.further_k * point.beside.further_k;
+        squares += mean_k * mean_k + point.beside.further_k * point.beside.further_k;
+        ++number;
         continue;
       }
       if (point.chosen_for > 0) {
@@ -257,14 +267,19 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
     TemperatureErrors::OfMaterial& own = errors.by_material[material];
     own.rms_k = std::sqrt(squares_k2 / count);
     own.points = count;
-    own.beside_k = std::sqrt((beside_k2 + further_k2) / std::max(own.beside, 1));
+    own.beside = beside[0].second;
+    own.beside_k = std::sqrt(beside[0].first / std::max(own.beside, 1));
+    own.met_beside = beside[1].second;
+    own.met_beside_k = std::sqrt(beside[1].first / std::max(own.met_beside, 1));
     for (const auto& [squares, number] : chosen)
       own.unsettled_k = std::max(own.unsettled_k, std::sqrt(squares / std::max(number, 1.0)));
-    if (!errors.material.empty() && own.half_width_k() < worst_half_width_k) continue;
-    worst_half_width_k = own.half_width_k();
+    const double of_image_k = errors.mirrors ? own.whole_half_width_k() : own.half_width_k();
+    if (!errors.material.empty() && of_image_k < worst_half_width_k) continue;
+    worst_half_width_k = of_image_k;
     errors.rms_k = own.rms_k;
     errors.unsettled_k = own.unsettled_k;
-    errors.beside_k = own.beside_k;
+    errors.beside_k =
+        own.seen == 0 || errors.mirrors ? std::max(own.beside_k, own.met_beside_k) : own.beside_k;
     errors.bias_k = sum_k / count;
     errors.material = document.scene.materials[material].name;
   }

@@ -78,6 +78,7 @@ void refuse_or_tell(const Parts& parts, const Reach& reach, double asked_k, LogS
                      reach.most_certain, reach.least_k)
             : "",
         parts.temperature_errors->statement(), enough_k));
+  if (reach.beyond.empty()) return;  // only of what is seen by way of others, which is kept
   log.warn(format(
       "an accuracy of {:g} K is asked for, and temperatures that are solved may themselves be off by more in {}: pixels of these "
       "will not be converged, and get the rays of those that can be. {:.1f} K or more can be kept in all",
@@ -88,6 +89,8 @@ void refuse_or_tell(const Parts& parts, const Reach& reach, double asked_k, LogS
 
 void count_temperature_errors(Parts& parts, LogSink& log) {
   if (!parts.temperature_errors) return;
+  for (const auto& material : parts.scene.materials)
+    if (!material.bsdf->is_lambertian()) parts.temperature_errors->mirrors = true;
   const double half_width_k = parts.temperature_errors->half_width_k();
   const render::AccuracyRequest* request = parts.plan.request ? &*parts.plan.request : nullptr;
   const std::vector<double> shares = shares_of_worst(parts);

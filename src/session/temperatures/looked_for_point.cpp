@@ -55,7 +55,8 @@ LookedForPoint look_for(const Parts& parts, std::optional<std::size_t> object,
   found.optics = &parts.scene.materials[found.material];
   if (!parts.temperature_errors) return found;
   const auto error = parts.temperature_errors->by_material.find(found.material);
-  if (error != parts.temperature_errors->by_material.end()) found.half_width_k = error->second.half_width_k();
+  if (error != parts.temperature_errors->by_material.end())
+    found.half_width_k = error->second.whole_half_width_k();
   return found;
 }
 

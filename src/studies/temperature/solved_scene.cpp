@@ -49,14 +49,14 @@ double SolvedScene::half_width_k() const {
 double SolvedScene::half_width_k(std::size_t material) const {
   session::TemperatureErrors::OfMaterial error =
       inside_->session.parts().temperature_errors->by_material.at(static_cast<std::uint32_t>(material));
-  error.beside_k = 0.0;
+  error.beside_k = error.met_beside_k = 0.0;
   return error.half_width_k();
 }
 
 double SolvedScene::whole_half_width_k(std::size_t material) const {
   return inside_->session.parts()
       .temperature_errors->by_material.at(static_cast<std::uint32_t>(material))
-      .half_width_k();
+      .whole_half_width_k();
 }
 
 session::BesideOff SolvedScene::beside_off(std::size_t material, const geometry::SurfacePoint& point,

@@ -78,9 +78,8 @@ const SurfaceClasses::Corner& SurfaceClasses::corner_by(const Corners& corners, 
   return *corner;
 }
 
-SurfaceClasses::PastRow SurfaceClasses::draw_past(const Pose& pose, std::array<double, 3> by_chance) const {
-  const Corners all = corners(pose);
-  const Node& node = *corner_by(all, by_chance[0]).node;
+SurfaceClasses::PastRow SurfaceClasses::draw_past(const Corners& at, std::array<double, 3> by_chance) const {
+  const Node& node = *corner_by(at, by_chance[0]).node;
   const std::size_t bin = found_in(node.drawn, by_chance[1]);
   const double chance = static_cast<double>(node.drawn[bin] - (bin > 0 ? node.drawn[bin - 1] : 0.0f)) /
                         static_cast<double>(node.drawn.back());
@@ -125,9 +124,8 @@ std::size_t SurfaceClasses::draw_past(std::span<const SurfaceClasses* const> by_
   return drawn;
 }
 
-std::size_t SurfaceClasses::draw_lag(const Pose& pose, double which, double how_long) const {
-  const Corners all = corners(pose);
-  const Node& node = *corner_by(all, which).node;
+std::size_t SurfaceClasses::draw_lag(const Corners& at, double which, double how_long) const {
+  const Node& node = *corner_by(at, which).node;
   const std::size_t bin = found_in(node.lagged, how_long);
   const float before = bin > 0 ? node.lagged[bin - 1] : 0.0f, with = node.lagged[bin];
   const double count = static_cast<double>(past_.begin[bin + 1] - past_.begin[bin]);
@@ -148,20 +146,20 @@ void SurfaceClasses::worth(const Pose& pose, std::span<double> in_shade_k, std::
     }
 }
 
-double SurfaceClasses::worth_of_all_k(const Pose& pose) const {
+double SurfaceClasses::worth_of_all_k(const Corners& at) const {
   double sum_k = 0.0;
-  for (const Corner& corner : corners(pose))
-    sum_k += corner.share * static_cast<double>(corner.node->lagged.back());
+  for (const Corner& corner : at) sum_k += corner.share * static_cast<double>(corner.node->lagged.back());
   return sum_k;
 }
 
 double SurfaceClasses::bend_of_gain(const Pose& pose, double kelvin) const {
-  return worth_of_all_k(pose) * 6.0 * surface_.skin.emissivity * kStefanBoltzmann_w_m2_k4 * kelvin * kelvin;
+  return worth_of_all_k(corners(pose)) * 6.0 * surface_.skin.emissivity * kStefanBoltzmann_w_m2_k4 * kelvin *
+         kelvin;
 }
 
-SurfaceClasses::Then SurfaceClasses::then(const Pose& pose, double free_sky, std::size_t bin) const {
+SurfaceClasses::Then SurfaceClasses::then(const Corners& at, double free_sky, std::size_t bin) const {
   Then found;
-  for (const Corner& corner : corners(pose)) {
+  for (const Corner& corner : at) {
     const auto between = [&](const std::array<std::vector<float>, 2>& of) {
       return std::lerp(static_cast<double>(of[0][bin]), static_cast<double>(of[1][bin]), free_sky);
     };
