@@ -148,7 +148,6 @@ CurvePredictor::Verdict CurvePredictor::predict(CurveCheck& check) const {
   // is, by rays between them; else what is claimed reaches from one to the other.
   const double cut_off = std::max(0.0, 0.75 * corner.height - std::abs(check.predicted));
   const bool corner_matters = 2.0 / 3.0 * check.chord * cut_off * contrast > kLooseCurve * allowed;
-  check.corner_matters = corner_matters;
   if (corner_matters)
     check.tolerance = std::min(check.tolerance,
                                std::max(0.5 * (corner.at_middle - std::abs(check.predicted)), 0.75 * blur));
@@ -169,6 +168,7 @@ CurvePredictor::Verdict CurvePredictor::predict(CurveCheck& check) const {
   };
   // A circle through a long chord and a short one beside it is flat, however sharp the turn: as much of that may be a corner here.
   const bool turns = check.may_have_corners && turn_cosine < kGentleTurn;
+  check.corner_matters = corner_matters && turns;
   if (unverified_width <= curve.wanted_middle && bend < kGentleBend && !turns && !corner_matters &&
       trusted()) {
     check.predicted = std::clamp(check.predicted, check.least, check.most);

@@ -17,6 +17,8 @@ namespace {
 /// Share of the allowed standard error that a refused curve may hide in a narrow feature, where it may be the
 /// near end of a long one.
 constexpr double kLooseNarrowCurve = 0.02;
+/// Corners of features that are narrower than this, in px, are not told from arcs: there are more of such borders than they cut off.
+constexpr double kWideForCorners = 0.15;
 /// Likewise for what an arc loses at its pixel's rim.
 constexpr double kBulge = 0.02;
 
@@ -54,7 +56,8 @@ void CurveVerifier::verify(std::vector<std::uint32_t>& cells) {
 
 void CurveVerifier::begin(CurveCheck& check) {
   const Curve& curve = model_.curve_of(tree_[check.cell]);
-  check.may_have_corners = queries_.may_have_corners(curve.inner, curve.outer);
+  check.may_have_corners = queries_.may_have_corners(curve.inner, curve.outer) &&
+                           features_.width_at(tree_[check.cell]) > kWideForCorners;
   switch (predictor_.predict(check)) {
     case CurvePredictor::Verdict::look: break;
     case CurvePredictor::Verdict::accept: accept(check); break;

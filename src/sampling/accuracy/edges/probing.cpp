@@ -30,7 +30,7 @@ constexpr double kNarrow = 0.25;
 /// Rounds of probes are no finer than this.
 constexpr int kFinestRound = 16;
 /// Points that are asked along a pixel's side, at most, and how far from it they lie, at most.
-constexpr int kMostAlongSide = 32;
+constexpr int kMostAlongSide = 32, kMostAlongRim = 6;
 constexpr double kIntoPixel_px = 0.05;
 constexpr std::uint64_t kSideKey = 0x73696465;
 /// Allowed standard errors that what is too small to follow may sum up to, before the pixel is left.
@@ -226,7 +226,7 @@ void Prober::points_along_side(int pixel, int dx, int dy, const std::vector<Met>
   if (clutter && least != ~std::uint32_t{0}) count = static_cast<int>((all + least - 1) / least);
   // Wider ones show on the lattice.
   if (tip < tracer_.lattice().side_px(0)) count = std::max(count, static_cast<int>(std::ceil(1.0 / tip)));
-  count = std::min(count, kMostAlongSide);
+  count = std::min(count, clutter ? kMostAlongSide : kMostAlongRim);
   const int x = domain.x0 + pixel % domain.width(), y = domain.y0 + pixel / domain.width();
   const std::uint64_t key = hash(seed_, kSideKey, x, y, 3 * dy + dx);
   for (int i = 0; i < count; ++i) {
