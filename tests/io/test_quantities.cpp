@@ -11,6 +11,7 @@
 #include "io/quantities/geometry_quantities.h"
 #include "io/quantities/identity_quantities.h"
 #include "io/quantities/location_quantities.h"
+#include "io/quantities/mosaic_quantities.h"
 #include "io/quantities/part_quantities.h"
 #include "io/quantities/polarization_quantities.h"
 #include "io/quantities/quality_quantities.h"
@@ -20,6 +21,7 @@
 #include "io/quantities/sunlight_quantities.h"
 #include "io/quantities/temperature_quantity.h"
 #include "io/synthetic_image.h"
+#include "sensor/spectrometer/mosaic.h"
 #include "truth/gsd.h"
 #include "truth/identity.h"
 #include "truth/location.h"
@@ -58,14 +60,15 @@ class Counting final : public ValueSink {
 TEST(Quantities, RowsAreWhatTheyWrite) {
   const SyntheticImage image{9, 7, 5};
   const sampling::TileResult tile = image.tile({0, 0, 8, 7});
-  const render::ImageInfo info = image.info();
+  render::ImageInfo info = image.info();
+  info.mosaic = std::make_shared<const sensor::Mosaic>(sensor::Mosaic{2, 1, {0, 1}});
   std::set<std::string_view> names;
   for (const Quantity* quantity : all_quantities()) {
     EXPECT_TRUE(names.insert(quantity->name).second) << quantity->name;
     EXPECT_EQ(find_quantity(quantity->name), quantity);
     EXPECT_FALSE(quantity->what.empty());
     const bool radiance =
-        quantity->bands == Quantity::Bands::stokes ||
+        quantity->bands == Quantity::Bands::stokes || quantity->needs.mosaic ||
         (quantity->is_spectral() && !quantity->needs.stokes && quantity->name.find("transmittance") != 0 &&
          !quantity->needs.sunlight && !quantity->needs.responses);
     EXPECT_EQ(quantity->unit.empty(), radiance) << quantity->name;
@@ -121,10 +124,13 @@ TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
   image.stokes = true;
   EXPECT_FALSE(possible_quantities(QuantitySet::all(), image).has(quantities::kToaReflectance));
   image.channels[1].toa_irradiance = 1200.0;
+  EXPECT_FALSE(possible_quantities(QuantitySet::all(), image).has(quantities::kMosaic));
+  image.mosaic = std::make_shared<const sensor::Mosaic>(sensor::Mosaic{2, 1, {0, 1}});
   EXPECT_EQ(possible_quantities(QuantitySet::all(), image).size(), all_quantities().size());
   image.materials.clear();
   image.stokes = false;
   image.channels[1].toa_irradiance = 0.0;
+  image.mosaic = nullptr;
   const QuantitySet bare = possible_quantities(QuantitySet::all(), image, false);
   EXPECT_TRUE(bare == QuantitySet({&quantities::kRadiance,
                                    &quantities::kBrightnessTemperature,

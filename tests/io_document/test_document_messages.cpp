@@ -172,7 +172,7 @@ TEST(DocumentMessages, WrongTypesCountsAndWords) {
   EXPECT_EQ(
       message_with("\"output\": {", "\"output\": {\"formats\": [\"tiff\"], "),
       "folder/a.json:42:26: 'output.formats[0]' is the text \"tiff\", expected 'envi', 'geotiff', 'netcdf', "
-      "'glt', 'vrt', 'png' or 'html'\n"
+      "'glt', 'vrt', 'demosaiced', 'png' or 'html'\n"
       "   42 |   \"output\": {\"formats\": [\"tiff\"], \"folder\": \"products\", \"quicklook\": "
       "{\"channels\": [\"red\"]}}\n"
       "      |                          ^");
@@ -207,9 +207,9 @@ TEST(DocumentMessages, ProductsHavePlainNames) {
       first_line_with(given, "\"products\": [\"half_width\", \"radiances\"]"),
       "folder/a.json:42:41: 'output.products[1]' is the text \"radiances\", expected 'radiance', "
       "'standard_error', 'half_width', 'air_half_width', 'air_model_error', 'toa_reflectance', 'toa_reflectance_half_width', "
-      "'brightness_temperature', 'brightness_temperature_half_width', 'samples', 'quality', 'reasons', 'quality_class', 'abundance', "
-      "'abundance_half_width', 'location', 'true_location', 'view_angles', 'temperature', 'range', 'normal', 'slope', 'gsd', 'time' "
-      "and 30 more; did you mean 'radiance'?");
+      "'brightness_temperature', 'brightness_temperature_half_width', 'mosaic', 'mosaic_half_width', 'mosaic_channels', 'samples', "
+      "'quality', 'reasons', 'quality_class', 'abundance', 'abundance_half_width', 'location', 'true_location', 'view_angles', "
+      "'temperature', 'range', 'normal' and 33 more; did you mean 'radiance'?");
 }
 
 TEST(DocumentMessages, NamesThatAreNotDeclared) {
