@@ -16,8 +16,10 @@ struct SurfacePoint;
 namespace ifov::exposure {
 
 class ExposedPoint;
-/// What surfaces send to each other: light of Sun and sky that they reflect, as lit or shaded as they were, and the heat of their own temperature.
-/// Each is known by its class and a few rays: whether it saw the Sun when it is asked of and when it was warmed, and what a ray by its cosine meets.
+
+/// What surfaces send to each other: light of the Sun and sky that they reflect, as lit or shaded as they were, and the heat of their
+/// own temperature. Each is known by its class and a few rays: whether it saw the Sun at the time that is asked of and at the time that
+/// warmed it, and what one ray by its cosine meets.
 class Neighbours {
  public:
   /// By number of Scene::solved; null: not solved.
@@ -64,4 +66,5 @@ class Neighbours {
   const thermal::SurfaceClasses* any_ = nullptr;  ///< of the same series as all
   double sun_radius_rad_;
 };
+
 }  // namespace ifov::exposure

@@ -193,7 +193,7 @@ double SolvedSurface::sun_share(const geometry::SurfacePoint& point, const Expos
 }
 
 double SolvedSurface::beside_k(const geometry::SurfacePoint& point, const Exposure& exposure,
-                               std::uint64_t key, int draws, int depth) const {
+                               std::uint64_t key, int draws, int further) const {
   if (neighbours_ == nullptr) return 0.0;
   const ExposedPoint exposed(scene_, point);
   const thermal::Pose pose(exposed.normal(), exposure.height_m);
@@ -205,7 +205,8 @@ double SolvedSurface::beside_k(const geometry::SurfacePoint& point, const Exposu
     const std::uint64_t own = sampling::hash(key, draw);
     exposed.sky_directions(sampling::hash(own, Draw::sky), kSkyPairs, directions);
     if (!directions.empty()) exposed.free(directions, {}, is_free);
-    sum_k += beside(exposed, pose, own, directions, is_free, depth).warms_k(*classes_, pose, kelvin, sun);
+    sum_k += beside(exposed, pose, own, directions, is_free, Neighbours::kDepth + further)
+                 .warms_k(*classes_, pose, kelvin, sun);
   }
   return sum_k / draws;
 }

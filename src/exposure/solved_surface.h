@@ -53,9 +53,10 @@ class SolvedSurface final : public scene::SolvedTemperature {
   /// The same sum as at(), of all of it.
   double temperature_k(const geometry::SurfacePoint& point, const Exposure& exposure) const;
 
-  /// By how much what is about a point warms it, beyond level ground: mean of what at() takes for it over some draws. 0 without neighbours.
+  /// By how much what is about a point warms it, beyond level ground: mean of what at() takes for it over some draws, with so many surfaces
+  /// further behind. 0 without neighbours.
   double beside_k(const geometry::SurfacePoint& point, const Exposure& exposure, std::uint64_t key, int draws,
-                  int depth) const;
+                  int further = 0) const;
   /// What the Sun was worth to a point of what it is worth where it is always seen.
   double sun_share(const geometry::SurfacePoint& point, const Exposure& exposure) const;
   /// Whether a few rays, which `key` draws, meet anything.

@@ -34,6 +34,7 @@ class PeriodicWorld final : public World {
   Heights heights() const override { return world_->heights(); }
   std::size_t object_count() const override { return world_->object_count(); }
   PlacedObject object(std::size_t number) const override { return world_->object(number); }
+  bool has_corners(std::size_t number) const override { return world_->has_corners(number); }
   Storage storage() const override { return world_->storage(); }
   void visit_surfaces(const WantedMaterials& wanted, const PieceVisitor& visitor) const override {
     world_->visit_surfaces(wanted, visitor);

@@ -56,11 +56,12 @@ class World {
                                  ///< largest face for open meshes, the centre for solids)
     /// From the centre to the sides of the box in the object's own frame, longest first; 0 for planes.
     std::array<math::Vec3, 3> half_sides_m;
-    bool compact = false;   ///< one connected thing, not a leaf or part of a larger object
-    bool cornered = false;  ///< no ball, cylinder, disk, plane or terrain: its outline may turn
+    bool compact = false;  ///< one connected thing, not a leaf or part of a larger object
   };
   virtual std::size_t object_count() const = 0;
   virtual PlacedObject object(std::size_t number) const = 0;
+  /// Whether an object's outline may turn sharply: no ball, disk, plane or terrain without holes.
+  virtual bool has_corners(std::size_t number) const = 0;
 
   /// The pieces whose materials are wanted (one entry for each surface assignment of the scene), in a fixed order; of a world that
   /// repeats, those of the one world. Planes and height fields have none.

@@ -4,10 +4,8 @@
 #include <optional>
 
 #include "core/error.h"
-#include "geometry/world.h"
 #include "render/channels_by_column.h"
 #include "render/field/scene_field.h"
-#include "render/field/seen_through.h"
 #include "render/image_renderer.h"
 #include "render/open_sky.h"
 #include "render/polarized/steering.h"
@@ -23,7 +21,6 @@
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "transport/mirrors/sun_disc.h"
-#include "transport/mirrors/sun_images.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {
@@ -38,17 +35,6 @@ void judge_as_image(const std::vector<sampling::Reasons>& sampled, sampling::Til
   for (std::size_t p = 0; p < tile.reasons.size(); ++p)
     tile.reasons[p] = static_cast<sampling::Reasons>(sampled[p] | (tile.reasons[p] & kOfPixels));
   std::fill(tile.worst_ratio.begin(), tile.worst_ratio.end(), 0.0f);
-}
-
-/// Directions in which a sensor would see the Sun, by way of flat mirrors too.
-std::vector<math::Vec3> sun_and_its_images(const transport::SpectralScene& scene) {
-  std::vector<math::Vec3> directions = {scene.scene().sun->direction};
-  if (scene.sun_mirrors() != nullptr) {
-    const transport::SunImages images(*scene.sun_mirrors(), directions[0], SeenThrough::kMostReflectionsOfSun,
-                                      transport::SunImages::kMost);
-    for (const transport::SunImages::Image& image : images.images()) directions.push_back(image.direction);
-  }
-  return directions;
 }
 
 /// What is no channel's own has what that of the reference, the first, has.
@@ -121,7 +107,7 @@ void Picture::find_pilots() {
   std::vector<math::Vec3> towards_sun, glare;
   if (scene.sun) {
     towards_sun = transport::fixed_disc_points(scene.sun->direction, scene.sun->half_angle_rad);
-    glare = sun_and_its_images(job_.scene);
+    glare = PilotRays::sun_and_its_images(scene.sun->direction, job_.scene.sun_mirrors());
   }
   const auto of = [&](const sensor::Camera& camera) {
     return PilotRays(*scene.world, scene.assignments.size(), camera, towards_sun,
@@ -171,9 +157,10 @@ sampling::TileResult Picture::tile(const sampling::PixelRect& tile, std::size_t 
   sampling::TileResult result;
   const std::vector<double> cut = cut_by_column(job_.cut, field);
   std::optional<CutRoom> room;
-  if (job_.tolerance != nullptr && leaves_out(cut))
+  if (job_.tolerance != nullptr && !job_.image_wide && leaves_out(cut))
     problem.tolerance = &room.emplace(*job_.tolerance, cut, problem, field);
   job_.sampler.sample(problem, field, result);
+  if (room) result.halo_samples += room->paths();
   const std::vector<sampling::Reasons> sampled = result.reasons;
   if (!job_.wings.empty())
     add_wings(job_.wings, problem, job_.tolerance, spot_light_ ? &*spot_light_ : nullptr, field, result);

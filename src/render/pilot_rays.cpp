@@ -9,6 +9,7 @@
 
 #include "geometry/motion/moving_world.h"
 #include "geometry/world.h"
+#include "render/field/seen_through.h"
 #include "render/field/thin_shadow_places.h"
 #include "render/image_renderer.h"
 #include "render/small_pieces.h"
@@ -16,6 +17,7 @@
 #include "sampling/tile.h"
 #include "sensor/camera.h"
 #include "sensor/orthographic_camera.h"
+#include "transport/mirrors/sun_images.h"
 
 namespace ifov::render {
 
@@ -429,6 +431,15 @@ PilotRays::Near PilotRays::near(sampling::PixelRect tile, double margin_px) cons
     }
   }
   return found;
+}
+
+std::vector<math::Vec3> PilotRays::sun_and_its_images(math::Vec3 sun, const transport::SunMirrors* mirrors) {
+  std::vector<math::Vec3> directions = {sun};
+  if (mirrors == nullptr) return directions;
+  const transport::SunImages images(*mirrors, sun, SeenThrough::kMostReflectionsOfSun,
+                                    transport::SunImages::kMost);
+  for (const transport::SunImages::Image& image : images.images()) directions.push_back(image.direction);
+  return directions;
 }
 
 double PilotRays::margin_px(const RenderJob& job) { return job.sampler.halo_px() + job.reach_px(); }

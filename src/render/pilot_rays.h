@@ -14,6 +14,10 @@ namespace ifov::sensor {
 class Camera;
 }
 
+namespace ifov::transport {
+class SunMirrors;
+}
+
 namespace ifov::render {
 
 struct RenderJob;
@@ -30,6 +34,9 @@ class PilotRays {
   PilotRays(const geometry::World& world, std::size_t materials, const sensor::Camera& camera,
             std::span<const math::Vec3> towards_sun, const geometry::WantedMaterials& shining,
             double margin_px, std::span<const math::Vec3> glare = {});
+
+  /// Such directions: of the Sun, and by way of flat mirrors where there are any.
+  static std::vector<math::Vec3> sun_and_its_images(math::Vec3 sun, const transport::SunMirrors* mirrors);
 
   struct Near {
     std::vector<sampling::FocalPoint> points;

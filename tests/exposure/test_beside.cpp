@@ -131,7 +131,7 @@ TEST(WhatIsBeside, HalfWidthsHoldWallsThatTheCameraDoesNotSee) {
                               .history.nodes.back()
                               .surface_k;
     const double off_k = wall.surface->temperature_k(point, exposure) +
-                         wall.surface->beside_k(point, exposure, key, kDraws, 1) - full_k;
+                         wall.surface->beside_k(point, exposure, key, kDraws) - full_k;
     held += std::abs(off_k) <= half_width_k;
     held_by_classes += std::abs(off_k) <= error.whole_half_width_k();
   }

@@ -105,7 +105,7 @@ std::map<std::uint32_t, std::vector<double>> off_by_material(const Parts& parts,
     const double full_k = full_solution(solved, series, stand, {0.0, 0.0, 1.0}, exposure, beside)
                               .history.nodes.back()
                               .surface_k;
-    const double of_beside_k = with_neighbours ? surface.beside_k(hit, exposure, key, 256, 1) : 0.0;
+    const double of_beside_k = with_neighbours ? surface.beside_k(hit, exposure, key, 256) : 0.0;
     off_k[by - 1].push_back(surface.temperature_k(hit, exposure) + of_beside_k - full_k);
   }
   return off_k;

@@ -103,7 +103,7 @@ TEST(SurfacesOfTimes, MeansAreThoseOfExactSums) {
       const exposure::SolvedSurface& own = times.surface(t, place.number);
       const auto exposure = own.exposure(point, 5, 10000, 1000);
       const double exact_k =
-          own.temperature_k(point, exposure) + own.beside_k(point, exposure, 9, kBesideDraws, 1);
+          own.temperature_k(point, exposure) + own.beside_k(point, exposure, 9, kBesideDraws);
       const double spread_k2 = std::max(0.0, squares_k2[t] - mean_k[t] * mean_k[t]);
       // What is about points scatters by a kelvin at most.
       const double error_k = std::hypot(std::sqrt(spread_k2 / kDraws), 1.0 / std::sqrt(kBesideDraws));
@@ -115,7 +115,7 @@ TEST(SurfacesOfTimes, MeansAreThoseOfExactSums) {
       const exposure::SolvedSurface& other = times.surface((t + 1) % 12, place.number);
       misplaced_k =
           std::max(misplaced_k, std::abs(other.temperature_k(point, other.exposure(point, 5, 64, 4)) +
-                                         other.beside_k(point, exposure, 9, 500, 1) - mean_k[t]));
+                                         other.beside_k(point, exposure, 9, 500) - mean_k[t]));
     }
   }
   EXPECT_GT(misplaced_k, 10.0 * farthest_k);  // the planted fault: a time taken for the next one

@@ -165,6 +165,7 @@ TEST_F(CutOuts, AreasOfHolesAreHalfOfAChequer) {
     EXPECT_EQ(hits[k].hit(), !open) << k;
   }
   EXPECT_EQ(there, rays.size() / 2);
+  EXPECT_TRUE(world->has_corners(0));
 }
 
 TEST_F(CutOuts, WithoutHolesNothingChanges) {

@@ -168,6 +168,7 @@ TEST(WorldBuilder, ObjectsTellWhereTheyAre) {
   EXPECT_NEAR(objects[5].radius_m, 2.0, 0.01);
   EXPECT_FALSE(objects[6].compact);
   for (std::size_t k = 1; k < 6; ++k) EXPECT_TRUE(objects[k].compact);
+  for (std::size_t k = 0; k < 7; ++k) EXPECT_EQ(world->has_corners(k), k == 3 || k == 4 || k == 5) << k;
 }
 
 /// A ray towards the pilot point of an object that stands alone meets the object, from every side that sees a

@@ -30,6 +30,7 @@ class TimedWorld final : public geometry::World {
   Heights heights() const override { return world_->heights(); }
   std::size_t object_count() const override { return world_->object_count(); }
   PlacedObject object(std::size_t number) const override { return world_->object(number); }
+  bool has_corners(std::size_t number) const override { return world_->has_corners(number); }
   void visit_surfaces(const geometry::WantedMaterials& wanted,
                       const geometry::PieceVisitor& visitor) const override {
     world_->visit_surfaces(wanted, visitor);

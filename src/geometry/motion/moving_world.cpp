@@ -231,6 +231,11 @@ World::PlacedObject MovingWorld::object(std::size_t number) const {
   return object;
 }
 
+bool MovingWorld::has_corners(std::size_t number) const {
+  const Place place = place_of(static_cast<std::uint32_t>(number));
+  return (place.mover == kStill ? *still_ : *movers_[place.mover].body).has_corners(place.own);
+}
+
 World::Storage MovingWorld::storage() const {
   Storage all = still_->storage();
   for (const Moving& mover : movers_) {

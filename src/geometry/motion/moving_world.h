@@ -60,6 +60,7 @@ class MovingWorld final : public World {
   std::size_t object_count() const override;
   /// Of what moves at the document's instant, or the time nearest to it.
   PlacedObject object(std::size_t number) const override;
+  bool has_corners(std::size_t number) const override;
   Storage storage() const override;
   /// Of what stands still: light is sought from places that do not change.
   void visit_surfaces(const WantedMaterials& wanted, const PieceVisitor& visitor) const override;

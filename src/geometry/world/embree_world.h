@@ -37,6 +37,9 @@ class EmbreeWorld final : public World, private HoleTest {
   Heights heights() const override { return heights_; }
   std::size_t object_count() const override { return objects_.size(); }
   PlacedObject object(std::size_t number) const override;
+  bool has_corners(std::size_t number) const override {
+    return !cut_outs_.empty() || figures_[objects_[number].of].has_corners;
+  }
   std::span<const Presence> presences() const override { return visits_.presences; }
   const Presence* presence(std::uint32_t object) const override { return visits_.of(object); }
   std::size_t triangle_count() const override { return triangle_count_; }
@@ -72,7 +75,7 @@ class EmbreeWorld final : public World, private HoleTest {
     World::Bounds bounds{};
     HalfSides half_sides_m{};
     math::Point3 set_origin_m;  ///< of the frame of its set
-    bool cornered = false;
+    bool has_corners = false;
   };
   struct Object {
     std::uint32_t of = 0;            ///< template

@@ -15,10 +15,12 @@ using math::Vec3;
 
 namespace {
 
-bool has_corners(const Body& body) {
+/// Seen from the side a cylinder is a rectangle.
+bool turns_sharply(const Body& body) {
   return !body.mesh.triangles.empty() ||
-         std::any_of(body.analytic.begin(), body.analytic.end(),
-                     [](const UnitPrimitive& p) { return p.kind == UnitKind::box; });
+         std::any_of(body.analytic.begin(), body.analytic.end(), [](const UnitPrimitive& p) {
+           return p.kind != UnitKind::sphere && p.kind != UnitKind::hemisphere && p.kind != UnitKind::disk;
+         });
 }
 
 }  // namespace
@@ -38,8 +40,8 @@ void EmbreeWorld::note_figures(const WorldContent& content, const PrototypePlan&
                 b,      oriented_extent({}, b), centre};
     } else if (one.body.patch_count > 0) {
       const Body& body = one.body;
-      figure = {body.centre_m,     body.pilot_point_m, body.radius_m,    body.bounds,
-                body.half_sides_m, body.centre_m,      has_corners(body)};
+      figure = {body.centre_m,     body.pilot_point_m, body.radius_m,      body.bounds,
+                body.half_sides_m, body.centre_m,      turns_sharply(body)};
     } else if (!plan.flat[t]) {
       // Its parts stand apart: boxes of boxes, and the pilot point of the largest part.
       GrowingBox box;
@@ -49,7 +51,7 @@ void EmbreeWorld::note_figures(const WorldContent& content, const PrototypePlan&
           const Transform map = part.whole_from_copy(k);
           const Figure& inner = figures_[part.of];
           box.include(image_of(inner.bounds, map));
-          figure.cornered = figure.cornered || inner.cornered;
+          figure.has_corners = figure.has_corners || inner.has_corners;
           const double size = inner.radius_m * largest_stretch(map);
           if (size > largest) largest = size, figure.pilot_point_m = map(inner.pilot_point_m);
         }
@@ -105,7 +107,6 @@ World::PlacedObject EmbreeWorld::object(std::size_t number) const {
   if (std::isinf(figure.radius_m)) return placed;
   placed.radius_m *= largest_stretch(map);
   placed.compact = object.pilot_ray;
-  placed.cornered = figure.cornered;
   HalfSides sides = figure.half_sides_m;
   for (Vec3& side : sides) side = map(side);
   std::sort(sides.begin(), sides.end(), [](Vec3 a, Vec3 b) { return dot(a, a) > dot(b, b); });

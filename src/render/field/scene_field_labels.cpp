@@ -33,18 +33,18 @@ void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<
 }
 
 bool SceneField::may_have_corners(sampling::Label a, sampling::Label b) const {
-  // Who throws a shadow, or what a mirror shows, is not known, and a map's cells turn anywhere.
+  // Who throws a shadow is not known, nor what a mirror shows or throws, and a map's cells turn anywhere.
   const std::uint32_t object = object_of(a);
-  if (SurfaceLabel::sun_of(a) != SurfaceLabel::sun_of(b) || through_.any() ||
+  if (SurfaceLabel::sun_of(a) != SurfaceLabel::sun_of(b) || through_.any() || mirror_light_ != nullptr ||
       (object == object_of(b) && material_of(a) != material_of(b)))
     return true;
   const geometry::World& world = *scene_.scene().world;
-  const auto is_cornered = [&](sampling::Label label) {
+  const auto has_corners = [&](sampling::Label label) {
     if (SurfaceLabel::material_of(label) == SurfaceLabel::kSky) return false;
     const std::uint32_t number = object_of(label);
-    return number >= world.object_count() || world.object(number).cornered;
+    return number >= world.object_count() || world.has_corners(number);
   };
-  return is_cornered(a) || is_cornered(b);
+  return has_corners(a) || has_corners(b);
 }
 
 void SceneField::meet(std::span<const sampling::FocalPoint> points) {

@@ -24,12 +24,13 @@ CutRoom::CutRoom(const AccuracyTolerance& tolerance, std::vector<double> left_ou
   brightest_.assign(columns, -std::numeric_limits<double>::infinity());
   const sampling::PixelRect& tile = problem.tile;
   const int across = (tile.width() + kSide - 1) / kSide, down = (tile.height() + kSide - 1) / kSide;
+  paths_ = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
   const auto key = [&](std::size_t k) {
     return sampling::hash(problem.seed, kPaths, tile.x0 + kSide * (static_cast<int>(k) % across),
                           tile.y0 + kSide * (static_cast<int>(k) / across));
   };
   sampling::for_each_value(
-      field, problem.cancel, static_cast<std::size_t>(across) * static_cast<std::size_t>(down),
+      field, problem.cancel, paths_,
       [&](std::size_t k) {
         const int x = tile.x0 + kSide * (static_cast<int>(k) % across),
                   y = tile.y0 + kSide * (static_cast<int>(k) / across);
@@ -47,10 +48,10 @@ CutRoom::CutRoom(const AccuracyTolerance& tolerance, std::vector<double> left_ou
 }
 
 void CutRoom::limits(std::span<const double> mean, std::span<double> limit) const {
-  std::vector<double> cut(mean.size(), 0.0);
-  for (std::size_t c = 0; c < std::min(cut.size(), left_out_.size()); ++c)
-    cut[c] = left_out_[c] * std::max({brightest_[c] - mean[c], mean[c] - darkest_[c], 0.0});
-  tolerance_.limits_beside(cut, mean, limit);
+  bounds_.assign(mean.size(), 0.0);
+  for (std::size_t c = 0; c < std::min(mean.size(), left_out_.size()); ++c)
+    bounds_[c] = left_out_[c] * std::max({brightest_[c] - mean[c], mean[c] - darkest_[c], 0.0});
+  tolerance_.limits_beside(bounds_, mean, limit);
 }
 
 }  // namespace ifov::render

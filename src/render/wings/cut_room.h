@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -24,10 +25,13 @@ class CutRoom final : public sampling::Tolerance {
   double confidence() const override { return tolerance_.confidence(); }
 
   static constexpr int kSide = 4;
+  std::size_t paths() const { return paths_; }
 
  private:
   const AccuracyTolerance& tolerance_;
   std::vector<double> left_out_, darkest_, brightest_;  // by column
+  std::size_t paths_ = 0;
+  mutable std::vector<double> bounds_;  // of the pixel at hand: one tile, one thread
 };
 
 }  // namespace ifov::render

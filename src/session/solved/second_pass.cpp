@@ -200,8 +200,8 @@ BesideOff beside_off(const Neighbourhood& about, const exposure::SolvedSurface& 
     found.taken_k[half] = linear_k;
     found.off_k[half] = full_k + linear_k - there_k;
   }
-  found.further_k = surface.beside_k(point, exposure, key, kDrawsOfPoint, kDepth + 1) -
-                    surface.beside_k(point, exposure, key, kDrawsOfPoint, kDepth);
+  found.further_k = surface.beside_k(point, exposure, key, kDrawsOfPoint, 1) -
+                    surface.beside_k(point, exposure, key, kDrawsOfPoint);
   return found;
 }
 

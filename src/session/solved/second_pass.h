@@ -38,6 +38,7 @@ thermal::SurfaceSolution full_solution(const SolvedMaterial& solved, const therm
                                        const exposure::SolvedSurface::Exposure& exposure,
                                        std::vector<thermal::FromBeside> beside = {});
 
+/// What there is to ask of everything about a point.
 struct Neighbourhood {
   const scene::Scene& scene;
   const exposure::PastScene& past;
@@ -48,13 +49,14 @@ struct Neighbourhood {
 };
 
 /// What comes to a point from all but the sky, by row of the series: its view of that times the mean of what surfaces send that `rays` meet,
-/// each solved in full, with what comes to it by a few rays `depth` times more. What has a temperature has that, else the air's. Empty where hardly anything but sky is seen.
+/// each solved in full by itself, with what comes to it likewise by a few rays `depth` times more. What has a temperature of its own has that,
+/// what has none that of the air, and they reflect as the ground does. Empty where hardly anything but sky is seen.
 std::vector<thermal::FromBeside> beside_of(const Neighbourhood& about, const geometry::SurfacePoint& point,
                                            const exposure::SolvedSurface::Exposure& exposure,
                                            std::uint64_t key, int rays, int depth);
 
 /// What images make of the surfaces about a point, against two full solutions with what is about it, each by other rays: two estimates of
-/// by how much they are off; and what one more surface behind changes.
+/// by how much they are off. And by how much they would change with one more surface behind those that are met.
 struct BesideOff {
   std::array<double, 2> off_k{};
   std::array<double, 2> taken_k{};  ///< of these, what images add: without it they are off by what is left

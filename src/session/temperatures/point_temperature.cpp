@@ -3,7 +3,6 @@
 
 #include "core/error.h"
 #include "core/names.h"
-#include "exposure/neighbours.h"
 #include "exposure/solved_surface.h"
 #include "io/document/document.h"
 #include "math/angle.h"
@@ -126,8 +125,7 @@ io::TemperatureReport point_temperature(const io::Document& document, const Poin
   report.notes.push_back(format(
       "at the document's time: {:.2f} degC; images, which know it by its class, have {:.2f} degC, and state +-{:.2f} K for its material",
       own_k - 273.15,
-      surface->temperature_k(met, exposure) +
-          surface->beside_k(met, exposure, 0, kDrawsBeside, exposure::Neighbours::kDepth) - 273.15,
+      surface->temperature_k(met, exposure) + surface->beside_k(met, exposure, 0, kDrawsBeside) - 273.15,
       point.half_width_k));
   const std::size_t shown = report.time_s.size();
   report.materials.push_back({document.scene.materials[point.material].name,

@@ -13,7 +13,7 @@ namespace {
 
 /// Share of the allowed standard error below which a strip as wide as a cell, from side to side of a pixel, may be wrong.
 constexpr double kNegligible = 0.1;
-/// Allowed standard errors that a tip may hide where nothing is followed from beyond.
+/// Allowed standard errors that a tip, of half the area of its square, may hide where nothing is followed from beyond.
 constexpr double kTip = 0.5;
 
 }  // namespace

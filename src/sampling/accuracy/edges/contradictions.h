@@ -23,7 +23,7 @@ class Contradictions {
 
   /// Whether a strip of one label on the other, as wide as the lattice is fine, would matter in the pixel.
   bool matters(std::uint32_t pixel, std::uint32_t a, std::uint32_t b) const;
-  /// Width in px of a tip of one label in the other, half as long as a square's side, that would matter as much as the pixel may err.
+  /// Width in px of a tip of one label in the other, as long as it is wide, of which half an allowed standard error would come.
   double tip_that_matters(std::uint32_t pixel, std::uint32_t a, std::uint32_t b) const;
 
   /// Contrast of what was seen at a point to the model, where the two differ in a cell that is too small to be refined;

@@ -38,7 +38,7 @@ struct CurveCheck {
   double low = 0.0, high = 0.0, blur = 0.0;
   std::uint32_t far = 0, near = 0;
   bool may_have_corners = false;  ///< the border
-  bool corner_matters = false;    ///< the neighbours leave room for one that would
+  bool corner_matters = false;    ///< it turns sharply enough from a neighbour for one that would
   bool smooth = false, guessed = false, beyond_wrong = false, has_apex = false, corner = false,
        confirmed = false, measured = false;
   Point2 apex;

@@ -17,10 +17,11 @@ namespace {
 /// Share of the allowed standard error that a refused curve may hide in a narrow feature, where it may be the
 /// near end of a long one.
 constexpr double kLooseNarrowCurve = 0.02;
-/// Corners of features that are narrower than this, in px, are not told from arcs: there are more of such borders than they cut off.
-constexpr double kWideForCorners = 0.15;
 /// Likewise for what an arc loses at its pixel's rim.
 constexpr double kBulge = 0.02;
+/// Corners of features that are narrower than this, in px, are not told from arcs: rods have many such borders, and a corner in each
+/// is no longer than they are wide.
+constexpr double kWideForCorners = 0.15;
 
 }  // namespace
 
@@ -119,6 +120,7 @@ void CurveVerifier::weigh_answers(CurveCheck& check, const std::uint32_t* seen) 
         check.stage = CurveCheck::Stage::legs;
       } else if (!check.knows_height()) {
         check.tolerance = std::min(check.tolerance, kKnownHeight * std::abs(check.middle()));
+        check.confirmed = false;  // it is searched for from here on
         check.stage = CurveCheck::Stage::bisect;
       } else {
         check.apex = check.centre + check.middle() * check.normal;
@@ -145,7 +147,7 @@ void CurveVerifier::follow(CurveCheck& check) {
 
 void CurveVerifier::follow_arc(CurveCheck& check) {
   check.stage = CurveCheck::Stage::legs;
-  if (check.may_have_corners && check.corner_matters) return;
+  if (check.corner_matters) return;
   if (!check.corner && ((check.confirmed && check.smooth) || check.chord <= 6.0 * check.tolerance))
     accept(check);
 }
