@@ -21,7 +21,7 @@
 #include "io/quantities/sunlight_quantities.h"
 #include "io/quantities/temperature_quantity.h"
 #include "io/synthetic_image.h"
-#include "sensor/spectrometer/mosaic.h"
+#include "sensor/detector/mosaic.h"
 #include "truth/gsd.h"
 #include "truth/identity.h"
 #include "truth/location.h"

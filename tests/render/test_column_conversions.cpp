@@ -5,8 +5,8 @@
 #include "render/column_conversions.h"
 #include "render/image_info.h"
 #include "sensor/detector/brightness_scale.h"
+#include "sensor/detector/mosaic.h"
 #include "sensor/spectrometer/column_responses.h"
-#include "sensor/spectrometer/mosaic.h"
 
 namespace ifov::render {
 namespace {

@@ -6,7 +6,7 @@
 #include "io/product_parts/acquisition_json.h"
 #include "io/product_parts/map_info.h"
 #include "sensor/detector/detector.h"
-#include "sensor/spectrometer/mosaic.h"
+#include "sensor/detector/mosaic.h"
 
 namespace ifov::io {
 namespace {

@@ -1,10 +1,7 @@
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 #include "core/format.h"
-#include "io/product_parts/channel_columns.h"
 #include "io/product_parts/lookup_table.h"
 #include "io/product_parts/map_info.h"
 #include "io/product_parts/product_headers.h"
@@ -12,9 +9,6 @@
 #include "io/products/part_file.h"
 #include "io/products/product_format.h"
 #include "io/quantities/location_quantities.h"
-#include "io/quantities/mosaic_quantities.h"
-#include "render/column_conversions.h"
-#include "sensor/spectrometer/mosaic.h"
 
 namespace ifov::io {
 namespace {
@@ -122,74 +116,6 @@ std::string beside(const PartFile& file, std::string_view ending, std::string_vi
   return format("{}_{}.img", name, cube);
 }
 
-/// A picture whose columns are the detector's, and whose lines are the channels.
-void write_wavelengths(PartFile& file, const FormatInput& input) {
-  const render::ImageInfo& image = input.record.image;
-  const ChannelsByColumn by_column = channels_by_column(image);
-  EnviHeader header;
-  header.samples = image.width_px, header.lines = static_cast<int>(image.channels.size());
-  header.interleave = EnviInterleave::bsq;
-  header.data_type = EnviType::float64;
-  std::uint64_t at = 0;
-  const auto put = [&](const std::vector<std::vector<double>>& values, const char* name) {
-    if (values.empty()) return;
-    header.band_names.emplace_back(name);
-    for (const std::vector<double>& line : values) {
-      file.write_at(at, line.data(), line.size() * sizeof(double));
-      at += line.size() * sizeof(double);
-    }
-  };
-  put(by_column.centre_um, "centre of the response (um)");
-  put(by_column.fwhm_um, "full width at half maximum (um)");
-  put(by_column.shift_px, "shift to the right (px)");
-  header.bands = static_cast<int>(header.band_names.size());
-  header.description = format(
-      "what detector columns differ in, made by ifov {} from {}\nsamples are the columns of the image and lines its channels, in order",
-      input.record.identity.version, input.record.identity.document_path);
-  std::string names;
-  for (const render::ChannelInfo& channel : image.channels)
-    names += format("{}{}", names.empty() ? "" : ", ", list_item(channel.name));
-  header.other["channel names"] = names;
-  input.put_header(to_text(header));
-}
-
-/// All channels of all elements from the raw mosaic; so many lines of it are looked at at a time.
-void write_demosaiced(PartFile& file, const FormatInput& input) {
-  const render::ImageInfo& image = input.record.image;
-  const sensor::Mosaic& mosaic = *image.mosaic;
-  const RasterView raw = input.values_of(quantities::kMosaic);
-  const auto width = static_cast<std::size_t>(image.width_px);
-  std::map<int, std::vector<float>> lines;
-  std::vector<float> made(width);
-  std::uint64_t at = 0;
-  for (int y = 0; y < image.height_px; ++y) {
-    for (int line = std::max(0, y - mosaic.rows); line < std::min(image.height_px, y + mosaic.rows); ++line)
-      if (auto [entry, is_new] = lines.try_emplace(line); is_new) {
-        entry->second.resize(width);
-        raw.read(line, 0, entry->second);
-      }
-    lines.erase(lines.begin(), lines.lower_bound(y - mosaic.rows));
-    for (int c = 0; c < static_cast<int>(image.channels.size()); ++c) {
-      sensor::demosaic(
-          mosaic, c, y, image.height_px,
-          [&](int line) -> const std::vector<float>& { return lines.at(line); }, made);
-      file.write_at(at, made.data(), width * sizeof(float));
-      at += width * sizeof(float);
-    }
-  }
-  EnviHeader header = image_header("radiance by channel, bilinear between the elements of a mosaic", image,
-                                   input.record.identity, std::string());
-  add_channels(header, image);
-  header.data_units = image.radiance_unit;
-  header.other["mosaic pattern"] = render::mosaic_pattern(image);
-  input.put_header(to_text(header));
-}
-
-std::uint64_t demosaiced_bytes(const render::ImageInfo& image, const QuantitySet&) {
-  return sizeof(float) * image.channels.size() * static_cast<std::uint64_t>(image.width_px) *
-         static_cast<std::uint64_t>(image.height_px);
-}
-
 constexpr std::string_view kVirtualEnding = "_radiance.vrt";
 
 }  // namespace
@@ -202,24 +128,6 @@ constinit const ProductFormat formats::kGlt{.name = "glt",
                                             .bytes = lookup_table_bytes,
                                             .has_header = true,
                                             .needs = &quantities::kLocation};
-
-constinit const ProductFormat formats::kWavelengths{
-    .name = "",
-    .ending = "_wavelengths.img",
-    .what = "wavelengths and places of channels by detector column, ENVI",
-    .write = write_wavelengths,
-    .suits = [](const render::ImageInfo& image) { return image.responses || !image.keystone_px.empty(); },
-    .has_header = true};
-
-constinit const ProductFormat formats::kDemosaiced{
-    .name = "demosaiced",
-    .ending = "_demosaiced.img",
-    .what = "radiance by channel, bilinear between the elements of a mosaic, ENVI",
-    .write = write_demosaiced,
-    .suits = [](const render::ImageInfo& image) { return image.mosaic != nullptr; },
-    .bytes = demosaiced_bytes,
-    .has_header = true,
-    .needs = &quantities::kMosaic};
 
 constinit const ProductFormat formats::kGeolocatedVrt{
     .name = "vrt",

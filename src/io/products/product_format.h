@@ -57,8 +57,9 @@ bool is_picture(const render::ImageInfo& image);
 std::span<const ProductFormat* const> all_product_formats();
 
 namespace formats {
-extern const ProductFormat kGlt, kGeolocatedVrt, kWavelengths, kDemosaiced;  // geolocation_formats.cpp
-}
+extern const ProductFormat kGlt, kGeolocatedVrt;       // geolocation_formats.cpp
+extern const ProductFormat kWavelengths, kDemosaiced;  // detector/
+}  // namespace formats
 
 /// Null where no document can ask for one of this name.
 const ProductFormat* find_product_format(std::string_view name);

@@ -8,7 +8,7 @@
 #include "render/column_conversions.h"
 #include "render/image_info.h"
 #include "sampling/tile.h"
-#include "sensor/spectrometer/mosaic.h"
+#include "sensor/detector/mosaic.h"
 
 namespace ifov::io::quantities {
 namespace {

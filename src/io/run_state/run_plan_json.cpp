@@ -12,8 +12,8 @@
 #include "io/run_state/run_plan.h"
 #include "radiometry/channel.h"
 #include "sensor/detector/brightness_scale.h"
+#include "sensor/detector/mosaic.h"
 #include "sensor/spectrometer/column_responses.h"
-#include "sensor/spectrometer/mosaic.h"
 #include "sensor/view_list.h"
 
 namespace ifov::io {

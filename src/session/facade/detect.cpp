@@ -11,7 +11,7 @@
 #include "io/products/envi_reader.h"
 #include "sensor/detector/brightness_scale.h"
 #include "sensor/detector/detector.h"
-#include "sensor/spectrometer/mosaic.h"
+#include "sensor/detector/mosaic.h"
 #include "session/cube_channels.h"
 #include "session/facade/access.h"
 #include "session/facade/document_inside.h"

@@ -7,8 +7,8 @@
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/spectrometer_document.h"
 #include "io/tables/column_table.h"
+#include "sensor/detector/mosaic.h"
 #include "sensor/spectrometer/column_responses.h"
-#include "sensor/spectrometer/mosaic.h"
 #include "session/assembly/shared/with_position.h"
 
 namespace ifov::session {
