@@ -73,8 +73,8 @@ PlainTracer::PlainTracer(const scene::Scene& scene, const PlainSpectra& spectra,
       hints_(std::move(hints)) {
   for (std::uint32_t m = 0; m < scene.materials.size(); ++m) {
     if (scene.materials[m].name == "lamp") lamp_ = m;
-    if (!surfaces_.is_plain(m) &&
-        (scene.materials[m].temperature_k.value_or(0.0) > 0.0 || !hints_.lamps.empty()))
+    if (!surfaces_.is_plain(m) && (scene.materials[m].temperature_k.value_or(0.0) > 0.0 ||
+                                   !hints_.lamps.empty() || !hints_.sources.empty()))
       throw std::logic_error(
           "the plain tracer knows of warm things and lamps with Lambert's law and mirrors alone");
   }
@@ -85,13 +85,15 @@ PlainTracer::PlainTracer(const scene::Scene& scene, const PlainSpectra& spectra,
   }
   const auto look_at = [&](math::Point3 point, double radius_m) {
     sampling::FocalPoint place;
-    const double down =
-        std::abs(camera.middle_ray().direction.z);  // what lies on level ground looks shorter than it is
-    if (camera.project(point, place))
-      windows_.push_back({place.x_px, place.y_px, radius_m / (camera.gsd_m(point) * down)});
+    if (!camera.project(point, place)) return;
+    math::Ray view;
+    camera.rays({&place, 1}, {&view, 1});
+    const double down = std::abs(view.direction.z);  // what lies on level ground looks shorter than it is
+    windows_.push_back({place.x_px, place.y_px, radius_m / (camera.gsd_m(point) * down)});
   };
   for (const PlainHints::Ball& ball : hints_.bright) look_at(ball.centre_m, ball.radius_m);
   for (const PlainHints::Ball& lamp : hints_.lamps) look_at(lamp.centre_m, lamp.radius_m);
+  for (const PlainHints::Source& source : hints_.sources) look_at(source.ball.centre_m, source.ball.radius_m);
   if (!scene.sun || scene.sun->half_angle_rad <= 0.0) return;
   for (const PlainHints::Ball& mirror : hints_.mirrors) {
     math::Ray view;
@@ -181,6 +183,70 @@ void PlainTracer::add_lamps(const geometry::SurfacePoint& hit, math::Vec3 side, 
   }
 }
 
+double PlainHints::Source::towards_radiance(math::Vec3 outgoing) const {
+  const double cosine = math::dot(outgoing, towards) / math::length(towards);
+  if (form == Form::disk) return cosine > 0.0 ? radiance : 0.0;
+  if (form == Form::ball) return radiance;
+  const double beyond = std::acos(std::clamp(cosine, -1.0, 1.0)) - half_angle_rad;
+  if (beyond <= 0.0) return radiance;
+  if (beyond >= edge_rad) return 0.0;
+  const double t = 1.0 - beyond / edge_rad;
+  return radiance * t * t * (3.0 - 2.0 * t);
+}
+
+double PlainTracer::radiance_of_source(const geometry::SurfacePoint& hit, math::Vec3 outgoing) const {
+  for (const PlainHints::Source& source : hints_.sources) {
+    const math::Vec3 from_centre = hit.position_m - source.ball.centre_m;
+    const double away = math::length(from_centre) / source.ball.radius_m;
+    const bool on_disk = std::abs(math::dot(from_centre, source.towards)) <
+                         1e-3 * source.ball.radius_m * math::length(source.towards);
+    if (source.form == PlainHints::Source::Form::disk ? away < 1.001 && on_disk : std::abs(away - 1.0) < 1e-3)
+      return source.towards_radiance(outgoing);
+  }
+  return 0.0;
+}
+
+/// One point of each, uniform over what faces this place of a ball's surface or over a disk.
+void PlainTracer::add_sources(const geometry::SurfacePoint& hit, math::Vec3 side, std::uint32_t material,
+                              std::span<const double> throughput, RandomStream& random,
+                              std::span<double> sum) const {
+  for (const PlainHints::Source& source : hints_.sources) {
+    const double radius_m = source.ball.radius_m;
+    math::Vec3 direction;
+    double solid_angle_sr = 0.0;
+    if (source.form == PlainHints::Source::Form::disk) {
+      const math::Vec3 axis = math::normalized(source.towards);
+      const math::Vec3 level = math::normalized(
+          math::cross(axis, std::abs(axis.x) < 0.6 ? math::Vec3{1.0, 0.0, 0.0} : math::Vec3{0.0, 1.0, 0.0}));
+      const double angle = 2.0 * std::numbers::pi * random.uniform(),
+                   out_m = radius_m * std::sqrt(random.uniform());
+      const math::Vec3 way = source.ball.centre_m + out_m * std::cos(angle) * level +
+                             out_m * std::sin(angle) * math::cross(axis, level) - hit.position_m;
+      const double length = math::length(way);
+      direction = way / length;
+      solid_angle_sr = std::numbers::pi * radius_m * radius_m * std::max(0.0, -math::dot(direction, axis)) /
+                       (length * length);
+    } else {
+      const math::Vec3 way = source.ball.centre_m - hit.position_m;
+      const double sine = radius_m / math::length(way);
+      if (sine >= 1.0) continue;
+      direction = cone_direction(math::normalized(way), std::asin(sine), random);
+      solid_angle_sr = cone_sr(std::asin(sine));
+    }
+    const double here = math::dot(direction, side);
+    const math::Vec3 lit_side = here > 0.0 ? side : -side;
+    const std::vector<double>& factor =
+        here > 0.0 ? spectra_.reflectance(material) : spectra_.transmittance(material);
+    const geometry::SurfacePoint met = nearest(scene_, {hit.position_m + hit.offset_m * lit_side, direction});
+    if (!met.hit()) continue;
+    const math::Vec3 from_centre = met.position_m - source.ball.centre_m;
+    if (math::length(from_centre) > 1.001 * radius_m) continue;  // something stands before it
+    const double radiance = radiance_of_source(met, -direction);
+    for (std::size_t c = 0; c < sum.size(); ++c)
+      sum[c] += std::abs(here) / std::numbers::pi * solid_angle_sr * radiance * throughput[c] * factor[c];
+  }
+}
+
 void PlainTracer::escape(const Way& way, Light& light) const {
   const math::Vec3 direction = way.ray.direction;
   const bool up = direction.z >= 0.0;
@@ -248,6 +314,11 @@ void PlainTracer::trace(math::Ray ray, double weight, RandomStream& random, Ligh
                                                               : scene_.states[part.state].temperature_k,
                               part.weight, way.throughput, light.sum);
 
+    if (way.delta_before && !hints_.sources.empty()) {
+      const double radiance = radiance_of_source(hit, -way.ray.direction);
+      for (std::size_t c = 0; c < columns; ++c) light.sum[c] += way.throughput[c] * radiance;
+    }
+
     const std::uint32_t material = pick_constituent(surface, random).material;
     const std::vector<double>&reflectance = spectra_.reflectance(material),
           &transmittance = spectra_.transmittance(material);
@@ -266,6 +337,7 @@ void PlainTracer::trace(math::Ray ray, double weight, RandomStream& random, Ligh
     } else {
       if (scene_.sun) add_sun(hit, side, material, way.throughput, random, light.sum);
       add_lamps(hit, side, material, way.throughput, random, light.sum);
+      add_sources(hit, side, material, way.throughput, random, light.sum);
       may_lack(way, material, light);
       const double reflected_probability = most_reflected / (most_reflected + most_let_through);
       const bool back = random.uniform() < reflected_probability;

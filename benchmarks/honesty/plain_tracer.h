@@ -22,8 +22,19 @@ struct PlainHints {
     math::Point3 centre_m;
     double radius_m = 0.0;
   };
-  std::vector<Ball> bright;   ///< what is unlike all about it and small: looked at more closely
-  std::vector<Ball> lamps;    ///< spheres of the material "lamp", which nothing else is made of
+  std::vector<Ball> bright;  ///< what is unlike all about it and small: looked at more closely
+  std::vector<Ball> lamps;   ///< spheres of the material "lamp", which nothing else is made of
+  /// A lamp of the document's `light.sources`; nothing of how the program knows it is used.
+  struct Source {
+    enum class Form { ball, disk, spot };
+    Ball ball;
+    double radiance = 0.0;  ///< W m-2 sr-1 um-1 at all wavelengths, in the brightest direction
+    Form form = Form::ball;
+    math::Vec3 towards{0.0, 0.0, -1.0};
+    double half_angle_rad = 0.0, edge_rad = 0.0;  ///< of a spot
+    double towards_radiance(math::Vec3 outgoing) const;
+  };
+  std::vector<Source> sources;
   std::vector<Ball> mirrors;  ///< mirror spheres, seen from outside: their glints are looked for
   /// Balls that hold all mirrors: sunlight by way of them is traced from the Sun.
   std::vector<Ball> around_mirrors;
@@ -85,6 +96,10 @@ class PlainTracer {
                std::span<const double> throughput, RandomStream& random, std::span<double> sum) const;
   void add_lamps(const geometry::SurfacePoint& hit, math::Vec3 side, std::uint32_t material,
                  std::span<const double> throughput, RandomStream& random, std::span<double> sum) const;
+  void add_sources(const geometry::SurfacePoint& hit, math::Vec3 side, std::uint32_t material,
+                   std::span<const double> throughput, RandomStream& random, std::span<double> sum) const;
+  /// What a source gives off that a path has met there; 0 of all else.
+  double radiance_of_source(const geometry::SurfacePoint& hit, math::Vec3 outgoing) const;
   void add_sun(const geometry::SurfacePoint& hit, const materials::BsdfEvent& view, std::uint32_t material,
                std::span<const double> throughput, RandomStream& random, std::span<double> sum) const;
   bool blocked(math::Point3 from_m, math::Vec3 direction, double length_m) const;

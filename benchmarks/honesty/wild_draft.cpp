@@ -22,9 +22,9 @@ WildDraft::WildDraft(RandomStream& numbers, Light which, std::string scene, std:
                              : random.between(0.0, 90.0);
   std::string aslant;
   if (random.with(0.3)) {
-    const double view_zenith = random.between(2.0, 65.0), view_azimuth = random.between(0.0, 360.0);
-    aslant =
-        format(R"(, "view_zenith": "{:.3f} deg", "view_azimuth": "{:.3f} deg")", view_zenith, view_azimuth);
+    view_zenith_deg = random.between(2.0, 65.0), view_azimuth_deg = random.between(0.0, 360.0);
+    aslant = format(R"(, "view_zenith": "{:.3f} deg", "view_azimuth": "{:.3f} deg")", view_zenith_deg,
+                    view_azimuth_deg);
   }
   camera = format(
       R"("camera": {{"orthographic": {{"gsd": "{} m", "pixels": [{}, {}], "center": ["{} m", "{} m"], "rotation": "{} deg"{}}}}})",
@@ -63,6 +63,19 @@ WildDraft::WildDraft(RandomStream& numbers, Light which, std::string scene, std:
   if (random.with(0.3))
     sampling = format(R"("sampling": {{"accuracy": {{"error": "{}"}}}})",
                       random.one_of({"0.5 %", "2 %", regime == Light::solar ? "5 %" : "0.2 K"}));
+}
+
+void WildDraft::look_from_near(RandomStream& chance) {
+  constexpr double kRadians = std::numbers::pi / 180.0;
+  const double away_m = size_px * gsd_m * chance.magnitude(0.8, 20.0);
+  const double sine = std::sin(view_zenith_deg * kRadians);
+  const std::array<double, 3> at{centre_m[0] + away_m * sine * std::sin(view_azimuth_deg * kRadians),
+                                 centre_m[1] + away_m * sine * std::cos(view_azimuth_deg * kRadians),
+                                 away_m * std::cos(view_zenith_deg * kRadians)};
+  camera = format(
+      R"("camera": {{"frame": {{"focal_length": "{} um", "pitch": "10 um", "pixels": [{}, {}], "position": ["{} m", "{} m", "{} m"], "look_at": ["{} m", "{} m", "0 m"], "up": [{}, {}, {}]}}}})",
+      10.0 * away_m / gsd_m, size_px, size_px, at[0], at[1], at[2], centre_m[0], centre_m[1],
+      -std::sin(angle_deg * kRadians), std::cos(angle_deg * kRadians), sine);
 }
 
 std::string WildDraft::length(double px) const { return format("\"{} m\"", px * gsd_m); }

@@ -12,8 +12,8 @@ namespace ifov::benchmarks {
 
 inline constexpr double kReach_px = 22.0;  ///< beyond all that the image and its halo see
 
-/// A document in the making: a camera that looks down on a plane, straight or aslant, light, channels, a PSF and what is asked,
-/// all by chance; makers add materials and objects. Lengths of the makers are in pixels.
+/// A document in the making: a camera that looks down on a plane, straight or aslant, from afar or from near, light, channels, a PSF and
+/// what is asked, all by chance; makers add materials and objects. Lengths of the makers are in pixels.
 struct WildDraft {
   enum class Light { solar, thermal };
 
@@ -27,10 +27,14 @@ struct WildDraft {
   int size_px = 16;
   std::array<double, 2> centre_m{};
   double angle_deg = 0.0;
+  double view_zenith_deg = 0.0, view_azimuth_deg = 0.0;  ///< from the ground to the sensor
   std::vector<std::string> materials, prototypes, objects;
   std::string light, atmosphere, camera, channels, psf, sampling;
   math::Vec3 towards_sun{0.0, 0.0, 1.0};
   PlainHints hints;
+
+  /// A pinhole camera instead, in the direction of the other and with its GSD in the middle of the image, 0.8 to 20 images away.
+  void look_from_near(RandomStream& chance);
 
   /// A point so many pixels east, north and up of the middle of the image, as documents have it.
   std::string point(double x_px, double y_px, double z_px) const;

@@ -20,6 +20,7 @@ void make_ball(WildDraft& draft);    ///< a mirror sphere on the ground
 void make_hemisphere(WildDraft& draft);
 void make_hot_sphere(WildDraft& draft);  ///< small, above cool ground
 void make_lamps(WildDraft& draft);       ///< small hot spheres in a canyon
+void make_street(WildDraft& draft);      ///< lamps of all forms over boxes, posts and wires, by night
 void make_night(WildDraft& draft);       ///< a small hot sphere over ground with warm slabs, at 1.6 and 11 um
 
 void make_copies(WildDraft& draft);     ///< of prototypes with something small and bright on them

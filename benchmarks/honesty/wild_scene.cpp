@@ -13,17 +13,17 @@ namespace {
 
 using Maker = void (*)(WildDraft&);
 
-constexpr std::array<std::string_view, 29> kKinds{
+constexpr std::array<std::string_view, 30> kKinds{
     "rows_map",   "gaps",   "facade",  "hot_sphere", "mixture", "walls",  "rows_boxes", "ball",
     "wide",       "panels", "texture", "rows_mesh",  "yard",    "lamps",  "colours",    "wires",
     "hemisphere", "blocks", "airy",    "overhead",   "night",   "copies", "holes",      "hot_cells",
-    "faces",      "gloss",  "glass",   "water",      "relief"};
-constexpr std::array<Maker, 29> kMakers{
+    "faces",      "gloss",  "glass",   "water",      "relief",  "street"};
+constexpr std::array<Maker, 30> kMakers{
     nullptr,    make_gaps,     make_facade,  make_hot_sphere, make_mixture,    make_walls,
     nullptr,    make_ball,     make_wide,    make_panels,     make_texture,    nullptr,
     make_yard,  make_lamps,    make_colours, make_wires,      make_hemisphere, make_blocks,
     make_airy,  make_overhead, make_night,   make_copies,     make_holes,      make_hot_cells,
-    make_faces, make_gloss,    make_glass,   make_water,      make_relief};
+    make_faces, make_gloss,    make_glass,   make_water,      make_relief,     make_street};
 
 WildScene rows(RowsScene::Form form, RandomStream& random, const std::string& name,
                const std::filesystem::path& folder) {
@@ -35,7 +35,8 @@ WildScene rows(RowsScene::Form form, RandomStream& random, const std::string& na
 /// Which light a kind is for; the others may have either.
 WildDraft::Light light_of(std::string_view kind, RandomStream& random) {
   if (kind == "facade" || kind == "yard" || kind == "ball" || kind == "hemisphere" || kind == "colours" ||
-      kind == "airy" || kind == "overhead" || kind == "gloss" || kind == "glass" || kind == "water")
+      kind == "airy" || kind == "overhead" || kind == "gloss" || kind == "glass" || kind == "water" ||
+      kind == "street")
     return WildDraft::Light::solar;
   if (kind == "hot_sphere" || kind == "lamps" || kind == "mixture" || kind == "wide" || kind == "night" ||
       kind == "hot_cells")
@@ -60,6 +61,9 @@ WildScene wild_scene(std::uint64_t number, const std::filesystem::path& folder) 
   } else {
     WildDraft draft(random, light_of(kKinds[kind], random), name, folder);
     kMakers[kind](draft);
+    RandomStream chance(number, 0x6e656172);
+    // The photons that tell of sunlight by way of mirrors fall on an orthographic camera.
+    if (draft.hints.around_mirrors.empty() && chance.with(0.3)) draft.look_from_near(chance);
     scene = {{}, name, draft.text(std::string(kKinds[kind])), {}, draft.hints};
   }
   scene.kind = kKinds[kind];
