@@ -3,7 +3,7 @@ import {app, ask, complain} from "/api.js";
 import {$, brief, colourBar, fill, fit, make, percentiles} from "/tools.js";
 
 const canvas = $("tiles");
-let known = "", tiles = new Map(), asked = new Set(), key = "", failures = new Map();
+let looks = 0, known = "", tiles = new Map(), asked = new Set(), key = "", missed = new Map();
 
 const time = s => s < 60 ? `${s.toFixed(0)} s` : s < 3600 ? `${(s / 60).toFixed(1)} min` : `${(s / 3600).toFixed(1)} h`;
 const watched = () => [...app.sources, ...app.other].find(s => s.watch);
@@ -32,11 +32,12 @@ function show() {
   const now = `${k.folder} ${w.width} ${w.height} ${w.channels.length} ${w.document}`;
   if (now !== key) {
     key = now;
-    tiles = new Map(); asked = new Set(); failures = new Map();
+    tiles = new Map(); asked = new Set(); missed = new Map();
     fill($("tile-band"), w.channels.map((c, i) => [i, c.um ? `${c.name} \u00b7 ${brief(c.um)} \u00b5m` : c.name]), 0);
   }
   if (known.length === w.done.length && [...known].some((c, i) => c === "1" && w.done[i] === "0")) { tiles = new Map(); asked = new Set(); }
   known = w.done;
+  ++looks;
   take();
 }
 
@@ -63,14 +64,14 @@ async function take() {
   if (!k || $("screen-run").hidden) return;
   while (busy < 4) {
     let next = -1;
-    for (let i = 0; i < known.length; ++i) if (known[i] === "1" && !asked.has(i) && (failures.get(i) || 0) < 5) { next = i; break; }
+    for (let i = 0; i < known.length; ++i) if (known[i] === "1" && !asked.has(i) && (missed.get(i) || 0) < looks) { next = i; break; }
     if (next < 0) return;
     asked.add(next);
     ++busy;
     const band = $("tile-band").value || 0, mine = tiles;
     ask("tile", {source: k.index, tile: next, band}).then(({about, values}) => mine.set(next, {...about, values}), error => {
-      // It may have been moved to another file at this moment; the next look finds it.
-      failures.set(next, (failures.get(next) || 0) + 1);
+      // It may have been moved to another file at this moment; a later look finds it.
+      missed.set(next, looks);
       asked.delete(next);
       if (error.status !== 409 && error.status !== 503) complain(error);
     }).finally(() => { --busy; paint(); });

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/inotify.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #define XXH_INLINE_ALL
@@ -193,6 +194,25 @@ TEST(RunState, GivesBackEveryTileOnce) {
   EXPECT_EQ(words.text, "");
   state.remove();
   EXPECT_FALSE(std::filesystem::exists(state_folder(folder.path())));
+}
+
+/// The viewer takes the plan for a sign that a run is not done: it would draw one that has lost its tiles.
+TEST(RunState, ThePlanGoesBeforeTheTiles) {
+  const ScratchFolder folder("removed");
+  const RunPlan plan = plan_of(kImage);
+  fill(folder.path(), plan);
+  RunState state(folder.path(), plan, RunStart::resume, nullptr);
+  state.read([](const auto&) {});
+  const int events = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+  ASSERT_GE(events, 0);
+  ASSERT_GE(inotify_add_watch(events, state_folder(folder.path()).c_str(), IN_DELETE), 0);
+  ASSERT_GE(inotify_add_watch(events, (state_folder(folder.path()) / "tiles").c_str(), IN_DELETE), 0);
+  state.remove();
+  alignas(inotify_event) char buffer[4096];
+  ASSERT_GT(read(events, buffer, sizeof buffer), 0);
+  close(events);
+  EXPECT_EQ(std::string(reinterpret_cast<const inotify_event*>(buffer)->name),
+            plan_file(folder.path()).filename());
 }
 
 TEST(RunState, ADamagedTileIsToldAndComputedAgain) {

@@ -242,9 +242,9 @@ class Page(InBrowser):
                 self.assertIn("tiles", self.find("figures").text)
                 self.assertTrue(self.find("stop-run").is_displayed())
                 self.shot("run")
-                # What is drawn is what was finished a second before, at most.
+                # What is drawn is what was finished a second before, at most, while the run is not done.
                 finished, late = Finished(folder / "out"), []
-                while render.poll() is None:
+                while (folder / "out/run.part/state.json").exists() and render.poll() is None:
                     drawn = int(self.find("tiles").get_attribute("data-tiles"))
                     finished.look()
                     ends = sorted(finished.elapsed, key=finished.elapsed.get)

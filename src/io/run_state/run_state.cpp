@@ -256,9 +256,10 @@ void RunState::keep() {
 void RunState::remove() {
   store_.reset();
   std::error_code ignored;
+  // First, so that nobody who looks on takes a run that is done for one that loses its tiles.
+  std::filesystem::remove(plan_file(path_.parent_path()), ignored);
   std::filesystem::remove_all(kept_folder(path_.parent_path()), ignored);
   std::filesystem::remove_all(path_ / "tiles", ignored);
-  std::filesystem::remove(plan_file(path_.parent_path()), ignored);
   lock_.reset();
   std::filesystem::remove(path_, ignored);
 }
