@@ -37,6 +37,9 @@ void judge_as_image(const std::vector<sampling::Reasons>& sampled, sampling::Til
   std::fill(tile.worst_ratio.begin(), tile.worst_ratio.end(), 0.0f);
 }
 
+/// From so many times as far as footprints reach nothing comes by way of what a Gaussian's cut leaves out.
+constexpr double kCutReach = 2.0;
+
 /// What is no channel's own has what that of the reference, the first, has.
 std::vector<double> cut_by_column(const std::vector<double>& by_channel, const SceneField& field) {
   std::vector<double> cut;
@@ -156,15 +159,20 @@ sampling::TileResult Picture::tile(const sampling::PixelRect& tile, std::size_t 
   problem.later = later.get();
   sampling::TileResult result;
   const std::vector<double> cut = cut_by_column(job_.cut, field);
+  CutRange about_cut;
   std::optional<CutRoom> room;
-  if (job_.tolerance != nullptr && !job_.image_wide && leaves_out(cut))
-    problem.tolerance = &room.emplace(*job_.tolerance, cut, problem, field);
+  const auto look_about = [&] { about_cut = cut_range(problem, kCutReach * job_.reach_px(), field); };
+  if (job_.tolerance != nullptr && !job_.image_wide && leaves_out(cut)) {
+    look_about();
+    problem.tolerance = &room.emplace(*job_.tolerance, cut, about_cut);
+  }
   job_.sampler.sample(problem, field, result);
-  if (room) result.halo_samples += room->paths();
+  if (!room && leaves_out(cut) && result.has_errors()) look_about();
+  result.halo_samples += about_cut.paths;
   const std::vector<sampling::Reasons> sampled = result.reasons;
   if (!job_.wings.empty())
     add_wings(job_.wings, problem, job_.tolerance, spot_light_ ? &*spot_light_ : nullptr, field, result);
-  widen_by_cut(cut, problem.later, job_.tolerance, result);
+  widen_by_cut(cut, about_cut, problem.later, job_.tolerance, result);
   result.rays = field.counts();
   result.rays += before.rays;
   field.unseen().settle(job_.tolerance, problem.later, result);

@@ -35,6 +35,7 @@ PixelFootprint PixelFootprint::tabulated(double half_width_px, int cells_per_sid
   footprint.half_width_ = half_width_px;
   footprint.cells_ = cells_per_side;
   const double cell_side = 2.0 * half_width_px / cells_per_side;
+  footprint.cell_ = cell_side;
   for (double& v : values) v /= sum * cell_side * cell_side;
   footprint.density_ = std::move(values);
   footprint.summed_.assign((n + 1) * (n + 1), 0.0);
@@ -46,6 +47,57 @@ PixelFootprint PixelFootprint::tabulated(double half_width_px, int cells_per_sid
     }
   }
   return footprint;
+}
+
+PixelFootprint::Profile PixelFootprint::profile(double half_width_px, std::vector<double> values) {
+  const std::size_t n = values.size();
+  double sum = 0.0;
+  for (double v : values) {
+    if (!(v >= 0.0) || !std::isfinite(v))
+      throw std::invalid_argument("a footprint's values must be finite and not negative");
+    sum += v;
+  }
+  if (n < 2 || sum == 0.0) throw std::invalid_argument("a footprint's profile needs values, not all zero");
+  Profile made{half_width_px, static_cast<double>(n) / (2.0 * half_width_px), std::move(values), {}};
+  for (double& v : made.density) v *= made.cells_per_px / sum;
+  // Beyond the outermost centres the outermost values hold.
+  double below = 0.5 * made.density.front() / made.cells_per_px;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (k > 0) below += 0.5 * (made.density[k - 1] + made.density[k]) / made.cells_per_px;
+    made.below.push_back(below);
+  }
+  made.below.push_back(below + 0.5 * made.density.back() / made.cells_per_px);
+  return made;
+}
+
+PixelFootprint PixelFootprint::product(double half_width_px, double cell_px, std::vector<double> across,
+                                       std::vector<double> along) {
+  if (!(half_width_px > 0.0) || !std::isfinite(half_width_px) || !(cell_px > 0.0))
+    throw std::invalid_argument("a footprint needs a positive half width and cells");
+  PixelFootprint footprint;
+  footprint.half_width_ = half_width_px;
+  footprint.cell_ = cell_px;
+  footprint.axes_.push_back(profile(half_width_px, std::move(across)));
+  footprint.axes_.push_back(profile(half_width_px, std::move(along)));
+  return footprint;
+}
+
+double PixelFootprint::Profile::at(double d) const {
+  const double last = static_cast<double>(density.size()) - 1.0;
+  const double place = std::min(std::max((d + half_width) * cells_per_px - 0.5, 0.0), last);
+  const int low = std::min(static_cast<int>(place), static_cast<int>(density.size()) - 2);
+  const double share = place - low;
+  const double inside = (1.0 - share) * density[low] + share * density[low + 1];
+  return std::abs(d) > half_width ? 0.0 : inside;
+}
+
+double PixelFootprint::Profile::integral_to(double d) const {
+  const double place = (std::clamp(d, -half_width, half_width) + half_width) * cells_per_px - 0.5;
+  if (place <= 0.0) return (place + 0.5) * density.front() / cells_per_px;
+  const std::size_t low = std::min(static_cast<std::size_t>(place), density.size() - 1);
+  const double share = place - static_cast<double>(low);
+  if (low + 1 == density.size()) return below[low] + share * density.back() / cells_per_px;
+  return below[low] + share * (density[low] + 0.5 * share * (density[low + 1] - density[low])) / cells_per_px;
 }
 
 PixelFootprint PixelFootprint::striped(double side_px, std::vector<Piece> pieces) {
@@ -95,6 +147,7 @@ double PixelFootprint::density(double dx_px, double dy_px) const {
     return 0.0;
   }
   if (uniform()) return 0.25 / (half_width_ * half_width_);
+  if (!axes_.empty()) return axes_[0].at(dx_px) * axes_[1].at(dy_px);
   const double cells_per_px = cells_ / (2.0 * half_width_);
   // Beyond the outermost centres the outermost values hold, which keeps the integral at 1.
   const auto locate = [&](double d, int& low, double& share) {
@@ -115,6 +168,11 @@ double PixelFootprint::density(double dx_px, double dy_px) const {
 
 void PixelFootprint::densities(std::span<const double> x, std::span<const double> y, Point2 at,
                                std::span<double> to) const {
+  if (!axes_.empty()) {
+    const Profile &across = axes_[0], &along = axes_[1];
+    for (std::size_t k = 0; k < to.size(); ++k) to[k] = across.at(x[k] - at.x) * along.at(y[k] - at.y);
+    return;
+  }
   if (cells_ == 0) {
     for (std::size_t k = 0; k < to.size(); ++k) to[k] = density(x[k] - at.x, y[k] - at.y);
     return;
@@ -150,6 +208,9 @@ double PixelFootprint::integral(double x0_px, double y0_px, double x1_px, double
     return across > 0.0 ? 0.5 * across / half_width_across_ * along : 0.0;
   }
   if (uniform()) return (x1 - x0) * (y1 - y0) * 0.25 / (half_width_ * half_width_);
+  if (!axes_.empty())
+    return (axes_[0].integral_to(x1) - axes_[0].integral_to(x0)) *
+           (axes_[1].integral_to(y1) - axes_[1].integral_to(y0));
   // Of the bilinear density: up to a place, all cells before the last centre count whole, that one and the next in part.
   const double cells_per_px = cells_ / (2.0 * half_width_);
   struct Share {

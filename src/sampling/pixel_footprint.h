@@ -18,6 +18,11 @@ class PixelFootprint {
   /// row by row, y downwards; normalised here. Negative values are an error.
   static PixelFootprint tabulated(double half_width_px, int cells_per_side, std::vector<double> values);
 
+  /// The product of a density along x and one along y, each by its values at the centres of equal cells over the half width, any number
+  /// of them; normalised here. `cell_px`: as of a table.
+  static PixelFootprint product(double half_width_px, double cell_px, std::vector<double> across,
+                                std::vector<double> along);
+
   /// A stretch of a density along y (or x), straight from `from` to `to`; nothing below y0 or above y1.
   struct Piece {
     double y0 = 0.0, y1 = 0.0, from = 0.0, to = 0.0;
@@ -33,11 +38,11 @@ class PixelFootprint {
   /// Of striped(), along x, where it is uniform; of striped_along_x() along y. Along the pieces the half width holds.
   double half_width_across_px() const { return pieces_.empty() ? half_width_ : half_width_across_; }
   bool along_x() const { return along_x_; }
-  bool uniform() const { return cells_ == 0 && pieces_.empty(); }
+  bool uniform() const { return cell_ == 0.0 && pieces_.empty(); }
   /// Of striped(), the density along y (of striped_along_x() along x); integrals over polygons are exact piece by piece. Else empty.
   const std::vector<Piece>& pieces() const { return pieces_; }
-  /// Side of a table's cells, px; 0 of others.
-  double cell_px() const { return cells_ == 0 ? 0.0 : 2.0 * half_width_ / cells_; }
+  /// Side of a table's cells, px, over which the density is smooth; 0 of a box and of pieces.
+  double cell_px() const { return cell_; }
   /// Uniform over the whole pixel and nothing else.
   bool whole_pixel() const { return uniform() && half_width_px() == 0.5; }
 
@@ -52,9 +57,20 @@ class PixelFootprint {
   PixelFootprint() = default;
   double striped_below(double y_px) const;  // integral along the pieces up to there
 
+  /// A density along an axis, straight between the centres of equal cells.
+  struct Profile {
+    double half_width = 0.0, cells_per_px = 0.0;
+    std::vector<double> density, below;  // at centres; integrals up to there, and over all
+    double at(double d) const;
+    double integral_to(double d) const;
+  };
+  static Profile profile(double half_width_px, std::vector<double> values);
+
   double half_width_ = 0.5, half_width_across_ = 0.5;
   bool along_x_ = false;
-  int cells_ = 0;                // cells per side; 0 for a box
+  double cell_ = 0.0;
+  int cells_ = 0;                // of a table, per side; 0 for others
+  std::vector<Profile> axes_;    // of a product; empty for others
   std::vector<Piece> pieces_;    // their integral 1; empty for others
   std::vector<double> density_;  // h at cell centres
   std::vector<double> summed_;   // summed-area table, (cells_ + 1)^2

@@ -20,6 +20,7 @@ class GaussianPsf final : public Psf {
     return along(x0_px, x1_px) * along(y0_px, y1_px);
   }
 
+  bool separable() const override { return true; }
   double kept() const override { return kept_ * kept_; }
   double cut_density(double dx_px, double dy_px, bool) const override {
     const double x = dx_px / sigma_px_, y = dy_px / sigma_px_;
@@ -51,6 +52,18 @@ std::unique_ptr<Psf> make_gaussian_psf(double sigma_px, double cut_sigmas) {
   if (!(cut_sigmas >= 1.0) || !(cut_sigmas <= 8.0))
     throw InputError(format("a Gaussian PSF cut at {} sigma; expected 1 to 8", cut_sigmas));
   return std::make_unique<GaussianPsf>(sigma_px, cut_sigmas);
+}
+
+double gaussian_cut_sigmas(double sigma_px, double contrast, double widest_px) {
+  constexpr double kLeast = 4.4, kMost = 8.0, kStep = 0.1, kLeftOut = 1e-4;
+  double cut = kLeast;
+  const auto left_out = [&] {
+    const double kept = std::erf(cut / std::numbers::sqrt2);
+    return 1.0 - kept * kept;
+  };
+  while (contrast * left_out() > kLeftOut && cut + kStep <= std::min(kMost, widest_px / sigma_px))
+    cut += kStep;
+  return cut;
 }
 
 }  // namespace ifov::sensor

@@ -21,6 +21,9 @@
 #include "session/assembly/whole/sensor_assembly.h"
 #include "session/loaded/parts.h"
 #include "session/loaded/single_views.h"
+#include "transport/emitter_choice.h"
+#include "transport/shining_parts.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::session {
 namespace {
@@ -96,7 +99,9 @@ std::size_t Parts::told_channel(std::size_t carried) const {
   return responses ? responses->channel_of(carried) : carried;
 }
 
-void assemble_response(Parts& parts) {
+namespace {
+
+void assemble_response(Parts& parts, double contrast) {
   const io::SensorDocument& document = *parts.sensor;
   const double fill_factor = document.fill_factor;
   const sensor::AlongTrack along = parts.camera->along_track(), swept = parts.camera->along_line();
@@ -106,10 +111,13 @@ void assemble_response(Parts& parts) {
   const std::vector<sensor::ChannelGroup> found =
       sensor::group_channels(channels, fill_factor, [&](double wavelength_um) {
         return std::shared_ptr<const sensor::Psf>(sensor::stretched_psf(
-            assemble_psf(parts.document.sources, document, wavelength_um), along_x, along_y));
+            assemble_psf(parts.document.sources, document, wavelength_um, contrast), along_x, along_y));
       });
   const bool has_wings =
       parts.plan.knows_errors && std::max(along.reach_px(), swept.reach_px()) < kLongest_px;
+  parts.wings.clear();
+  parts.psf_cut.clear();
+  parts.groups.reset();
   std::vector<sampling::FootprintGroup> groups;
   std::vector<int> group_of_channel(channels.size(), 0);
   std::vector<double> cut(channels.size(), 0.0);
@@ -140,6 +148,36 @@ void assemble_response(Parts& parts) {
   if (groups.size() == 1 && shift.x == 0.0 && shift.y == 0.0 && groups.front().across_px.empty()) return;
   parts.groups =
       std::make_shared<const sampling::FootprintGroups>(std::move(groups), std::move(group_of_channel));
+}
+
+/// How many times as bright as white in its light, and as what is warm, the brightest of a scene may be: what emits, and the Sun in
+/// mirrors, panes and gloss.
+double contrast_of(const Parts& parts) {
+  double contrast = 1.0;
+  const transport::EmitterChoice shining(
+      *parts.spectral_scene, transport::EmitterChoice::InMirrors{transport::ShiningParts::kContrast});
+  if (shining.any())
+    for (std::uint32_t a = 0; a < parts.scene.assignments.size(); ++a)
+      contrast = std::max(contrast, shining.contrast(a));
+  const std::optional<scene::Sun>& sun = parts.scene.sun;
+  const auto& materials = parts.scene.materials;
+  if (sun && sun->is_up() && std::any_of(materials.begin(), materials.end(), [](const auto& material) {
+        return !material.bsdf->is_lambertian();
+      })) {
+    // A point's image is as small as the Sun's.
+    constexpr double kDisc_rad = 0.00465;
+    contrast = std::max(contrast, 1.0 / std::pow(std::sin(std::max(sun->half_angle_rad, kDisc_rad)), 2));
+  }
+  return contrast;
+}
+
+}  // namespace
+
+void assemble_response(Parts& parts) { assemble_response(parts, 1.0); }
+
+void keep_more_of_psf(Parts& parts) {
+  if (!std::holds_alternative<io::GaussianPsf>(parts.sensor->psf)) return;
+  if (const double contrast = contrast_of(parts); contrast > 1.0) assemble_response(parts, contrast);
 }
 
 namespace {

@@ -10,6 +10,9 @@ void assemble_sensor(Parts& parts);
 /// Sets the footprint of a pixel, and what of its PSF lies beyond.
 void assemble_response(Parts& parts);
 
+/// The same once the light is known, where something outshines the scene: of a Gaussian PSF more is kept then.
+void keep_more_of_psf(Parts& parts);
+
 /// What products say of the image, its footprint included: Parts::info. After all else of it.
 void tell_of_image(Parts& parts);
 

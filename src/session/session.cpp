@@ -144,6 +144,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
     throw;
   }
   save();
+  with_position(document.sources, document.sensor.psf_position, [&] { keep_more_of_psf(p); });
   if (const std::string around = surroundings_statement(p); !around.empty()) log->info(around);
   warn_of_node_errors(p, *log);
   warn_of_light_left_out(p, *log);

@@ -18,6 +18,12 @@
 namespace ifov::render::test_wing_light {
 namespace {
 
+CutRange nothing_about(int columns) {
+  const auto n = static_cast<std::size_t>(columns);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return {std::vector<double>(n, kInfinity), std::vector<double>(n, -kInfinity)};
+}
+
 constexpr double kPi = std::numbers::pi;
 
 /// Bright on one side of a straight edge through (x0, y0), at `angle` from the image's y axis.
@@ -219,13 +225,15 @@ TEST(WingLight, ACutWithoutWingsIsInTheIntervalByTheContrast) {
   tile.reset({0, 0, 3, 1}, 1);
   tile.mean = {1.0f, 1.0f, 101.0f};
   tile.reasons.assign(3, 0);
-  widen_by_cut(std::vector<double>(static_cast<std::size_t>(tile.columns), 1e-3), nullptr, nullptr, tile);
+  widen_by_cut(std::vector<double>(static_cast<std::size_t>(tile.columns), 1e-3), nothing_about(tile.columns),
+               nullptr, nullptr, tile);
   tile.join_bounds(joint_of(nullptr));
   EXPECT_NEAR(tile.half_width[0], 0.1, 1e-6);
   EXPECT_NEAR(tile.half_width[2], 0.1, 1e-6);
   tile.mean = {5.0f, 5.0f, 5.0f};
   tile.half_width = {0.0f, 0.0f, 0.0f};
-  widen_by_cut(std::vector<double>(static_cast<std::size_t>(tile.columns), 1e-3), nullptr, nullptr, tile);
+  widen_by_cut(std::vector<double>(static_cast<std::size_t>(tile.columns), 1e-3), nothing_about(tile.columns),
+               nullptr, nullptr, tile);
   tile.join_bounds(joint_of(nullptr));
   EXPECT_EQ(tile.half_width[1], 0.0f);
 }
@@ -240,7 +248,8 @@ TEST(WingLight, WhatACutMakesTooWideSaysSo) {
   tile.reset({0, 0, 2, 1}, 1);
   tile.mean = {1.0f, 101.0f};
   tile.reasons.assign(2, 0);
-  widen_by_cut(std::vector<double>(static_cast<std::size_t>(tile.columns), 1e-3), nullptr, &percent, tile);
+  widen_by_cut(std::vector<double>(static_cast<std::size_t>(tile.columns), 1e-3), nothing_about(tile.columns),
+               nullptr, &percent, tile);
   EXPECT_NEAR(tile.worst_ratio[0], 0.1 / 0.01, 1e-4);
   EXPECT_NEAR(tile.worst_ratio[1], 0.1 / 1.01, 1e-6);
   EXPECT_EQ(tile.reasons[0], sampling::bit(sampling::Reason::psf_cut));
@@ -257,7 +266,8 @@ TEST(WingLight, ThereIsRoomForWhatACutLeavesOut) {
   sampling::TileProblem problem;
   problem.tile = problem.image = {0, 0, 16, 16};
   const std::vector<double> left_out(1, 5e-4), dark(1, 0.1);
-  const CutRoom room(percent, left_out, problem, field);
+  const CutRange about = cut_range(problem, 0.0, field);
+  const CutRoom room(percent, left_out, about);
   std::vector<double> limit(1), asked(1);
   room.limits(dark, limit);
   percent.asked(dark, asked);
@@ -269,7 +279,7 @@ TEST(WingLight, ThereIsRoomForWhatACutLeavesOut) {
   for (const bool with_room : {true, false}) {
     tile.half_width[0] = static_cast<float>(with_room ? limit[0] : asked[0]);
     tile.bound.assign(2, 0.0f);
-    widen_by_cut(left_out, nullptr, &percent, tile);
+    widen_by_cut(left_out, about, nullptr, &percent, tile);
     EXPECT_EQ(tile.worst_ratio[0] <= 1.0f, with_room);
   }
 }

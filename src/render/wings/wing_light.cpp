@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/tolerance/accuracy_tolerance.h"
+#include "render/wings/cut_room.h"
 #include "render/wings/wing_cells.h"
 #include "render/wings/wing_spots.h"
 #include "sampling/footprint_groups.h"
@@ -303,12 +304,11 @@ bool leaves_out(std::span<const double> left_out) {
   return std::any_of(left_out.begin(), left_out.end(), [](double share) { return share > 0.0; });
 }
 
-void widen_by_cut(std::span<const double> left_out, const sampling::LaterLight* later,
+void widen_by_cut(std::span<const double> left_out, const CutRange& about, const sampling::LaterLight* later,
                   const AccuracyTolerance* tolerance, sampling::TileResult& tile) {
   if (!leaves_out(left_out) || !tile.has_errors()) return;
   const std::size_t columns = static_cast<std::size_t>(tile.columns), pixels = tile.samples.size();
-  std::vector<double> darkest(columns, std::numeric_limits<double>::infinity()),
-      brightest(columns, -darkest[0]);
+  std::vector<double> darkest = about.darkest, brightest = about.brightest;
   for (std::size_t at = 0; at < pixels * columns; ++at) {
     darkest[at % columns] = std::min<double>(darkest[at % columns], tile.mean[at]);
     brightest[at % columns] = std::max<double>(brightest[at % columns], tile.mean[at]);

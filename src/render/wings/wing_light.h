@@ -12,6 +12,7 @@ namespace ifov::render {
 
 class AccuracyTolerance;
 class SpotLight;
+struct CutRange;
 
 /// Share of the accuracy asked for that samplers leave to what a PSF's cut leaves out.
 inline constexpr double kCutShare = 0.1;
@@ -31,9 +32,9 @@ void add_wings(std::span<const sensor::PsfWings* const> wings, const sampling::T
 bool leaves_out(std::span<const double> left_out);
 
 /// For a cut without wings: half-widths grow by `left_out` of the energy, by column, times the largest difference to any other pixel
-/// of the tile, and pixels that are too wide for it get Reason::psf_cut. Nothing where it is empty or all 0. `later`: light that will
+/// of the tile and to what is `about` it, and pixels that are too wide for it get Reason::psf_cut. Nothing where it is empty or all 0. `later`: light that will
 /// join them; may be null.
-void widen_by_cut(std::span<const double> left_out, const sampling::LaterLight* later,
+void widen_by_cut(std::span<const double> left_out, const CutRange& about, const sampling::LaterLight* later,
                   const AccuracyTolerance* tolerance, sampling::TileResult& tile);
 
 }  // namespace ifov::render

@@ -24,6 +24,7 @@ class StretchedPsf final : public Psf {
   }
   bool has_wings() const override { return psf_->has_wings(); }
   bool round() const override { return false; }
+  bool separable() const override { return psf_->separable(); }
   bool mirrored() const override { return psf_->mirrored(); }
   std::string description() const override {
     return format("{}; {:.3g} samples by {:.3g} lines of the image are a pixel of it", psf_->description(),

@@ -158,13 +158,16 @@ sensor::Pupil assemble_pupil(const io::SensorDocument& sensor, double wavelength
 }
 
 std::unique_ptr<sensor::Psf> assemble_psf(const io::DocumentSources& sources,
-                                          const io::SensorDocument& sensor, double wavelength_um) {
+                                          const io::SensorDocument& sensor, double wavelength_um,
+                                          double contrast) {
   return with_position(sources, sensor.psf_position, [&] {
     using Made = std::unique_ptr<sensor::Psf>;
     Made made = std::visit(
         Overloaded{[](const io::NoPsf&) -> Made { return nullptr; },
-                   [](const io::GaussianPsf& gaussian) -> Made {
-                     return sensor::make_gaussian_psf(gaussian.sigma_px);
+                   [&](const io::GaussianPsf& gaussian) -> Made {
+                     return sensor::make_gaussian_psf(
+                         gaussian.sigma_px,
+                         sensor::gaussian_cut_sigmas(gaussian.sigma_px, contrast, kFarthestPsf_px));
                    },
                    [&](const io::AiryPsf&) -> Made {
                      sensor::AiryAperture aperture = airy_aperture(sensor);

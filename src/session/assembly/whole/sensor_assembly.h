@@ -51,9 +51,11 @@ std::optional<io::AiryPsf> diffraction_of(const io::SensorDocument& sensor);
 sensor::Pupil assemble_pupil(const io::SensorDocument& sensor, double wavelength_um);
 /// Diffraction as an Airy PSF has it, in lengths whose ratios are right; the wavelength 0 where it is each channel's own.
 sensor::AiryAperture airy_aperture(const io::SensorDocument& sensor);
-/// At a wavelength, where the document says none; null without one: perfect optics.
+/// At a wavelength, where the document says none; null without one: perfect optics. `contrast`: how many times as bright as the rest the
+/// brightest is.
 std::unique_ptr<sensor::Psf> assemble_psf(const io::DocumentSources& sources,
-                                          const io::SensorDocument& sensor, double wavelength_um);
+                                          const io::SensorDocument& sensor, double wavelength_um,
+                                          double contrast);
 
 /// Names, channels and map information for products; `map_offset_m` as of MapFrame.
 render::ImageInfo image_info(const io::OriginDocument& origin, const sensor::Camera& camera,
