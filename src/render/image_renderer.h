@@ -55,6 +55,8 @@ struct RenderJob {
   std::vector<const sensor::PsfWings*> wings{};  ///< of the PSF, by group of footprints; empty: it has none
   /// By channel: share of the PSF's energy that is cut off and stands in no wings, or that its group's has elsewhere; empty: none.
   std::vector<double> cut{};
+  /// By channel: radiance at most, W m-2 sr-1 um-1, of what outshines the scene, which is cut off, too; empty: nothing does.
+  std::vector<double> outshining{};
   bool image_wide = false;     ///< the tolerance is of the image, not of each pixel
   bool keep_memory = false;    ///< tiles carry what a run at a tighter tolerance can go on from
   bool keep_variances = true;  ///< else tiles have half-widths alone, unless they are to be gone on from

@@ -41,11 +41,11 @@ void judge_as_image(const std::vector<sampling::Reasons>& sampled, sampling::Til
 constexpr double kCutReach = 2.0;
 
 /// What is no channel's own has what that of the reference, the first, has.
-std::vector<double> cut_by_column(const std::vector<double>& by_channel, const SceneField& field) {
-  std::vector<double> cut;
+std::vector<double> by_column(const std::vector<double>& by_channel, const SceneField& field) {
+  std::vector<double> values;
   for (int c = 0; !by_channel.empty() && c < field.columns(); ++c)
-    cut.push_back(by_channel[static_cast<std::size_t>(std::max(0, field.channel_of(c)))]);
-  return cut;
+    values.push_back(by_channel[static_cast<std::size_t>(std::max(0, field.channel_of(c)))]);
+  return values;
 }
 
 }  // namespace
@@ -158,10 +158,15 @@ sampling::TileResult Picture::tile(const sampling::PixelRect& tile, std::size_t 
   const auto later = unsampled_.tell(problem.tile, static_cast<std::size_t>(field.blends().first_column()));
   problem.later = later.get();
   sampling::TileResult result;
-  const std::vector<double> cut = cut_by_column(job_.cut, field);
+  const std::vector<double> cut = by_column(job_.cut, field);
   CutRange about_cut;
   std::optional<CutRoom> room;
-  const auto look_about = [&] { about_cut = cut_range(problem, kCutReach * job_.reach_px(), field); };
+  const auto look_about = [&] {
+    about_cut = cut_range(problem, kCutReach * job_.reach_px(), field);
+    const std::vector<double> most = by_column(job_.outshining, field);
+    for (std::size_t c = 0; c < most.size(); ++c)
+      about_cut.brightest[c] = std::max(about_cut.brightest[c], most[c]);
+  };
   if (job_.tolerance != nullptr && !job_.image_wide && leaves_out(cut)) {
     look_about();
     problem.tolerance = &room.emplace(*job_.tolerance, cut, about_cut);

@@ -69,6 +69,7 @@ class Sweep {
     one.groups = all.groups;
     one.wings = all.wings;
     one.cut = all.cut;
+    one.outshining = all.outshining;
     one.image_wide = all.image_wide;
     one.keep_memory = all.keep_memory;
     one.keep_variances = all.keep_variances;

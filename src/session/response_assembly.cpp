@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/error.h"
 #include "io/document/atmosphere_document.h"
@@ -150,15 +151,24 @@ void assemble_response(Parts& parts, double contrast) {
       std::make_shared<const sampling::FootprintGroups>(std::move(groups), std::move(group_of_channel));
 }
 
-/// How many times as bright as white in its light, and as what is warm, the brightest of a scene may be: what emits, and the Sun in
-/// mirrors, panes and gloss.
-double contrast_of(const Parts& parts) {
-  double contrast = 1.0;
+struct Outshining {
+  double contrast = 1.0;         ///< how many times as bright as white in its light, and as what is warm
+  std::vector<double> radiance;  ///< by channel, W m-2 sr-1 um-1, at most
+};
+
+/// The brightest of a scene: what emits, and the Sun in mirrors, panes and gloss.
+Outshining outshining(const Parts& parts) {
+  Outshining found;
+  found.radiance.assign(parts.channels.size(), 0.0);
   const transport::EmitterChoice shining(
       *parts.spectral_scene, transport::EmitterChoice::InMirrors{transport::ShiningParts::kContrast});
-  if (shining.any())
-    for (std::uint32_t a = 0; a < parts.scene.assignments.size(); ++a)
-      contrast = std::max(contrast, shining.contrast(a));
+  for (std::uint32_t a = 0; shining.any() && a < parts.scene.assignments.size(); ++a) {
+    if (!shining.wanted()[a]) continue;
+    found.contrast = std::max(found.contrast, shining.contrast(a));
+    const std::vector<double> highest = shining.highest(a);
+    for (std::size_t c = 0; c < found.radiance.size(); ++c)
+      found.radiance[c] = std::max(found.radiance[c], highest[c]);
+  }
   const std::optional<scene::Sun>& sun = parts.scene.sun;
   const auto& materials = parts.scene.materials;
   if (sun && sun->is_up() && std::any_of(materials.begin(), materials.end(), [](const auto& material) {
@@ -166,9 +176,14 @@ double contrast_of(const Parts& parts) {
       })) {
     // A point's image is as small as the Sun's.
     constexpr double kDisc_rad = 0.00465;
-    contrast = std::max(contrast, 1.0 / std::pow(std::sin(std::max(sun->half_angle_rad, kDisc_rad)), 2));
+    const double sine = std::sin(std::max(sun->half_angle_rad, kDisc_rad));
+    found.contrast = std::max(found.contrast, 1.0 / (sine * sine));
+    for (std::size_t c = 0; c < found.radiance.size(); ++c)
+      found.radiance[c] =
+          std::max(found.radiance[c], radiometry::channel_mean(parts.channels[c], sun->irradiance) /
+                                          (std::numbers::pi * sine * sine));
   }
-  return contrast;
+  return found;
 }
 
 }  // namespace
@@ -177,7 +192,10 @@ void assemble_response(Parts& parts) { assemble_response(parts, 1.0); }
 
 void keep_more_of_psf(Parts& parts) {
   if (!std::holds_alternative<io::GaussianPsf>(parts.sensor->psf)) return;
-  if (const double contrast = contrast_of(parts); contrast > 1.0) assemble_response(parts, contrast);
+  Outshining found = outshining(parts);
+  if (!(found.contrast > 1.0)) return;
+  assemble_response(parts, found.contrast);
+  parts.outshining = std::move(found.radiance);
 }
 
 namespace {

@@ -85,6 +85,7 @@ struct Parts {
   std::vector<std::unique_ptr<sensor::PsfWings>> wings;     ///< by group; empty where the PSF has none
   /// By channel: share of its energy that stands neither in the footprint nor in wings, or elsewhere than in the group's; empty: none.
   std::vector<double> psf_cut;
+  std::vector<double> outshining;  ///< as render::RenderJob's
   std::unique_ptr<transport::SpectralScene> spectral_scene;
   std::unique_ptr<render::ChannelBrightness> brightness;
   std::vector<render::AtmosphereHalfWidth> air;    ///< by channel; empty without a modelled atmosphere

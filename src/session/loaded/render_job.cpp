@@ -19,6 +19,7 @@ render::RenderJob Parts::job(const SamplingPlan& sampling, const render::Accurac
   job.responses = responses.get();
   for (const auto& of_group : wings) job.wings.push_back(of_group.get());
   job.cut = psf_cut;
+  job.outshining = outshining;
   job.nodes = node_errors;
   job.air = air;
   if (document.sampling.max_depth) job.transport.maximum_scatterings = *document.sampling.max_depth;

@@ -36,6 +36,7 @@ RenderTimes render_document(const std::string& text, const std::filesystem::path
   job.groups = own.groups;
   job.wings = own.wings;
   job.cut = own.cut;
+  job.outshining = own.outshining;
   image.begin(parts.info);
   render::RenderControl control;
   control.threads = choices.threads;
