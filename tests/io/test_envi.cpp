@@ -160,6 +160,15 @@ TEST(EnviReader, PixelsAndPartsOfLinesAgreeInAllInterleaves) {
     std::vector<float> part(2);
     reader.read(1, 2, part, 1);
     EXPECT_EQ(part, (std::vector<float>{16, 17})) << interleave;
+    std::vector<float> line(3);
+    for (const int y : {0, 1, 0}) {
+      reader.read(y, 3, line);
+      EXPECT_EQ(line, (std::vector<float>{18.0F + 3.0F * y, 19.0F + 3.0F * y, 20.0F + 3.0F * y}))
+          << interleave;
+    }
+    const EnviReader moved = EnviReader(folder.path() / "x.img");
+    moved.view().read(1, 1, line);
+    EXPECT_EQ(line, (std::vector<float>{9, 10, 11})) << interleave;
   }
 }
 

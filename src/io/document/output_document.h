@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/document/document_values.h"
+#include "io/envi/envi_header.h"
 #include "io/quantities/quantity_set.h"
 
 namespace ifov::io {
@@ -16,6 +17,7 @@ struct OutputDocument {
   std::string name = "image";  ///< of the products: NAME_radiance.img and so on
   /// Of product_words(), beside what comes with every run.
   std::vector<std::string> formats = usual_product_words();
+  EnviInterleave interleave = EnviInterleave::bil;  ///< of the cubes
   std::optional<QuantitySet> products;  ///< the cubes; absent: those that are usual for the camera
   /// None, one (grey) or three (red, green, blue); none: chosen.
   std::vector<DocumentName> quicklook_channels;

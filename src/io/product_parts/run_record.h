@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/envi/envi_header.h"
 #include "io/product_parts/image_error.h"
 #include "io/product_parts/run_identity.h"
 #include "render/image_info.h"
@@ -67,6 +68,7 @@ struct RunRecord {
   render::ImageInfo image;
   ImageStatistics statistics;
   std::vector<ProductFile> files;
+  EnviInterleave interleave = EnviInterleave::bil;  ///< of the cubes
 };
 
 }  // namespace ifov::io

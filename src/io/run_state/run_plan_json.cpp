@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "io/envi/cube_layout.h"
 #include "io/files/own_files.h"
 #include "io/json/json_adapter.h"
 #include "io/json/json_view.h"
@@ -248,6 +249,7 @@ void write_products(JsonWriter& json, const RunPlan& plan) {
     if (!format->name.empty()) formats.push_back(format->name);
   json.member("name", plan.name);
   json.member("cubes", cubes);
+  json.member("interleave", name_of(plan.interleave));
   json.member("formats", formats);
   json.member("quicklook_channels", plan.quicklook_channels);
 }
@@ -346,6 +348,8 @@ RunPlan plan_of(const JsonView& v) {
   plan.cubes = {};
   for (const JsonView& name : v["products"]["cubes"].items())
     if (const Quantity* quantity = find_quantity(name.text())) plan.cubes.add(*quantity);
+  for (const EnviInterleave interleave : {EnviInterleave::bsq, EnviInterleave::bip})
+    if (v["products"]["interleave"].text() == name_of(interleave)) plan.interleave = interleave;
   for (const JsonView& name : v["products"]["formats"].items())
     if (const ProductFormat* format = find_product_format(name.text())) plan.formats.add(*format);
   for (const JsonView& channel : v["products"]["quicklook_channels"].items())
