@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,10 +14,16 @@ namespace ifov::io {
 struct Document;
 struct FileStamp;
 }  // namespace ifov::io
+namespace ifov::thermal {
+class SurfaceClasses;
+}
 
 namespace ifov::session {
 
 struct AssembledScene;
+
+/// What solved temperatures are looked up in, by the number of the material.
+using SolvedClasses = std::map<std::uint32_t, std::shared_ptr<const thermal::SurfaceClasses>>;
 
 /// The scene of a document as sessions of several of its times share it: read and built once, and lit by each. What was said as
 /// it was built each hears again, so that none is told less than one alone. Serves one thread.
@@ -30,6 +39,11 @@ class SharedScene {
   AssembledScene scene(const std::function<AssembledScene(LogSink*)>& assemble, LogSink* log);
   bool is_built() const { return scene_ != nullptr; }
 
+  /// Of sessions that differ in their sensors alone: what temperatures are looked up in is worked out once, too.
+  void share_temperatures() { classes_.emplace(); }
+  /// Null where each session has its own.
+  SolvedClasses* classes() { return classes_ ? &*classes_ : nullptr; }
+
   /// Files whose bytes the scene cache vouched for when it was built.
   std::vector<io::FileStamp> known_files;
 
@@ -42,6 +56,7 @@ class SharedScene {
 
   std::unique_ptr<const AssembledScene> scene_;
   std::vector<Message> said_;
+  std::optional<SolvedClasses> classes_;
 };
 
 }  // namespace ifov::session
