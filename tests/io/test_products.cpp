@@ -110,8 +110,9 @@ TEST(ProductWriter, InterleavesDifferInTheOrderOfValuesAlone) {
           Sha256 whole;
           whole.update(bytes.data(), bytes.size());
           EXPECT_EQ(file["sha256"].text(), whole.digest()) << file["name"].text();
-          if (file["name"].text() == "demo_radiance.img")
+          if (file["name"].text() == "demo_radiance.img") {
             EXPECT_EQ(file["what"].text(), "radiance, 9 channels, ENVI (" + word + ")");
+          }
         }
         continue;
       }
