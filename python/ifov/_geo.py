@@ -129,7 +129,7 @@ def stac_item(dataset: xarray.Dataset, assets: dict[str, str], name: str) -> dic
         "assets": {key: _asset(dataset, key, link, channels) for key, link in assets.items()},
     }
     if rings:
-        closed = [[[*map(list, ring), list(ring[0])]] for ring in rings]
+        closed: list[Any] = [[[list(place) for place in (*ring, ring[0])]] for ring in rings]
         item["geometry"] = (
             {"type": "Polygon", "coordinates": closed[0]}
             if len(closed) == 1
@@ -178,7 +178,8 @@ def _views(acquisition: dict[str, Any]) -> dict[str, float]:
 def _outline(dataset: xarray.Dataset, acquisition: dict[str, Any]) -> list[tuple[float, float]]:
     """Longitudes and latitudes around the image, as well as they are known."""
     rows, columns = dataset.sizes["y"], dataset.sizes["x"]
-    wkt, places = _wkt(dataset), []
+    wkt = _wkt(dataset)
+    places: list[tuple[float, float]] = []
     if (transform := _transform(dataset)) is not None and wkt:
         places = [
             (transform[0] + c * transform[1] + r * transform[2], transform[3] + c * transform[4] + r * transform[5])

@@ -1,29 +1,22 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/run_control.h"
+#include "session/solved/solved_classes.h"
 
 namespace ifov::io {
 struct Document;
 struct FileStamp;
 }  // namespace ifov::io
-namespace ifov::thermal {
-class SurfaceClasses;
-}
 
 namespace ifov::session {
 
 struct AssembledScene;
-
-/// What solved temperatures are looked up in, by the number of the material.
-using SolvedClasses = std::map<std::uint32_t, std::shared_ptr<const thermal::SurfaceClasses>>;
 
 /// The scene of a document as sessions of several of its times share it: read and built once, and lit by each. What was said as
 /// it was built each hears again, so that none is told less than one alone. Serves one thread.

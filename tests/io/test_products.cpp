@@ -8,7 +8,6 @@
 #include "core/error.h"
 #include "io/document/output_document.h"
 #include "io/document/product_words.h"
-#include "io/envi/cube_layout.h"
 #include "io/json/json_adapter.h"
 #include "io/json/json_view.h"
 #include "io/product_parts/sha256.h"
@@ -83,20 +82,23 @@ TEST(ProductWriter, InterleavesDifferInTheOrderOfValuesAlone) {
   options.formats.add(formats::kGeotiff);
   options.formats.add(formats::kNetcdf);
   write_image(image, options, image.tiles(16));
-  for (const EnviInterleave interleave : {EnviInterleave::bsq, EnviInterleave::bip}) {
+  for (const std::string word : {"bsq", "bip"}) {
     const ScratchFolder folder("interleave");
     options.folder = folder.path();
-    options.interleave = interleave;
+    options.interleave = word;
     write_image(image, options, shuffled(image.tiles(16), 3), 3);
     expect_all_cubes(image, folder.path());
     EXPECT_EQ(names_in(folder.path()), names_in(bil.path()));
-    const std::string word(name_of(interleave));
     for (const std::string& name : names_in(folder.path())) {
       const std::string ours = test::read_all(folder.path() / name);
       std::string others = test::read_all(bil.path() / name);
       if (name.ends_with(".hdr")) {
         ASSERT_NE(ours.find("\ninterleave = " + word + "\n"), std::string::npos) << name;
         others.replace(others.find("interleave = bil"), 16, "interleave = " + word);
+      }
+      if (name.ends_with("_report.html")) {
+        EXPECT_NE(ours.find("ENVI (" + word + ")"), std::string::npos);
+        continue;  // which lists files with their checksums
       }
       if (name.ends_with("_run.json")) {
         const DocumentTree record = parse_json(ours, "run.json"), other = parse_json(others, "run.json");
@@ -116,10 +118,10 @@ TEST(ProductWriter, InterleavesDifferInTheOrderOfValuesAlone) {
         }
         continue;
       }
-      const bool has_bands = name.ends_with(".img") && EnviReader(folder.path() / name).header().bands > 1;
-      if (has_bands) {
-        EXPECT_NE(ours, others) << name;
-      } else {
+      if (name == "demo_radiance.img") {
+        EXPECT_NE(ours, others);
+      }
+      if (!name.ends_with(".img") || EnviReader(folder.path() / name).header().bands == 1) {
         EXPECT_EQ(ours, others) << name;
       }
     }

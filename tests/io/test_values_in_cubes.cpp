@@ -95,7 +95,7 @@ std::uint64_t bytes_of_packs(const std::filesystem::path& folder) {
   return bytes;
 }
 
-void expect_values_held_once(EnviInterleave interleave) {
+void expect_values_held_once(const char* interleave) {
   const ScratchFolder folder("values");
   RunPlan plan = plan_of(kImage);
   plan.formats = {};
@@ -149,9 +149,9 @@ void expect_values_held_once(EnviInterleave interleave) {
       << words.text;
 }
 
-TEST(RunState, ValuesThatTheCubesHoldAreNotHeldTwice) { expect_values_held_once(EnviInterleave::bil); }
-TEST(RunState, NorOfCubesByBand) { expect_values_held_once(EnviInterleave::bsq); }
-TEST(RunState, NorOfCubesByPixel) { expect_values_held_once(EnviInterleave::bip); }
+TEST(RunState, ValuesThatTheCubesHoldAreNotHeldTwice) { expect_values_held_once("bil"); }
+TEST(RunState, NorOfCubesByBand) { expect_values_held_once("bsq"); }
+TEST(RunState, NorOfCubesByPixel) { expect_values_held_once("bip"); }
 
 TEST(RunState, AStopWithoutCloseLosesNoTileThatWasPut) {
   const ScratchFolder folder("stopped");

@@ -11,6 +11,12 @@ std::string_view name_of(EnviInterleave interleave) {
   return "bil";
 }
 
+EnviInterleave interleave_named(std::string_view name) {
+  for (const EnviInterleave interleave : {EnviInterleave::bsq, EnviInterleave::bip})
+    if (name == name_of(interleave)) return interleave;
+  return EnviInterleave::bil;
+}
+
 std::uint64_t CubeLayout::place(int sample, int line, int band) const {
   const auto width = static_cast<std::uint64_t>(samples), height = static_cast<std::uint64_t>(lines),
              depth = static_cast<std::uint64_t>(bands);

@@ -9,6 +9,8 @@ namespace ifov::io {
 
 /// "bsq", "bil", "bip": as in headers and documents.
 std::string_view name_of(EnviInterleave interleave);
+/// The one of such a name; bil where there is none.
+EnviInterleave interleave_named(std::string_view name);
 
 /// Where the values of a cube lie in its file.
 struct CubeLayout {

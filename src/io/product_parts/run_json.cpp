@@ -2,7 +2,6 @@
 
 #include <map>
 
-#include "io/envi/cube_layout.h"
 #include "io/json/json_writer.h"
 #include "io/product_parts/acquisition_json.h"
 #include "io/product_parts/map_info.h"
@@ -140,11 +139,11 @@ void write_map(JsonWriter& json, const render::ImageInfo& info, bool has_system)
   }
 }
 
-void write_image(JsonWriter& json, const render::ImageInfo& info, EnviInterleave interleave) {
+void write_image(JsonWriter& json, const render::ImageInfo& info, const std::string& interleave) {
   const bool has_system = !info.map_projection.empty() && info.map_projection != "Arbitrary";
   json.member("footprint_px", info.footprint_px);
   json.member("height_px", info.height_px);
-  json.member("interleave", name_of(interleave));
+  json.member("interleave", interleave);
   if (info.has_map || has_system) json.object("map", [&] { write_map(json, info, has_system); });
   json.member("materials", info.materials);
   if (info.mosaic)

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "io/envi/envi_header.h"
 #include "io/product_parts/image_error.h"
 #include "io/product_parts/run_identity.h"
 #include "render/image_info.h"
@@ -68,7 +67,7 @@ struct RunRecord {
   render::ImageInfo image;
   ImageStatistics statistics;
   std::vector<ProductFile> files;
-  EnviInterleave interleave = EnviInterleave::bil;  ///< of the cubes
+  std::string interleave = "bil";  ///< of the cubes, as headers say it
 };
 
 }  // namespace ifov::io

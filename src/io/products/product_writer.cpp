@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "core/error.h"
+#include "io/envi/cube_layout.h"
 #include "io/product_parts/map_info.h"
 #include "io/product_parts/run_json.h"
 #include "io/product_parts/run_record.h"
@@ -142,9 +143,10 @@ void ProductWriter::begin(const render::ImageInfo& info) {
   coordinate_system_text(info);  // an unknown system is said now, not after the last ray
   s.info = info;
   const std::uint64_t further_bytes = s.options.formats.bytes(info, s.options.cubes);
-  s.cubes = std::make_unique<CubeSet>(
-      s.path(""), s.options.cubes, info, s.identity.acquisition, further_bytes,
-      s.options.go_on ? PartFile::Left::go_on : PartFile::Left::replace, s.options.interleave);
+  s.cubes =
+      std::make_unique<CubeSet>(s.path(""), s.options.cubes, info, s.identity.acquisition, further_bytes,
+                                s.options.go_on ? PartFile::Left::go_on : PartFile::Left::replace,
+                                interleave_named(s.options.interleave));
 }
 
 void ProductWriter::write(const sampling::TileResult& tile) {

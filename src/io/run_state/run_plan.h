@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "io/envi/envi_header.h"
 #include "io/product_parts/run_identity.h"
 #include "io/products/product_formats.h"
 #include "io/quantities/quantity_set.h"
@@ -36,8 +35,8 @@ struct RunPlan {
   std::vector<std::string> notes;
   std::string name = "image";  ///< of the products
   QuantitySet cubes = usual_quantities(false);
-  EnviInterleave interleave = EnviInterleave::bil;  ///< of the cubes
-  ProductFormats formats;                           ///< beside those that come with every run
+  std::string interleave = "bil";  ///< of the cubes, as headers say it
+  ProductFormats formats;          ///< beside those that come with every run
   std::vector<int> quicklook_channels;
   render::TileShare share;
   double error = 0.0;         ///< asked for, in the unit of the accuracy

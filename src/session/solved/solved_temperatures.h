@@ -5,7 +5,7 @@
 #include "core/error.h"
 #include "core/run_control.h"
 #include "session/loaded/temperature_errors.h"
-#include "session/shared_scene.h"
+#include "session/solved/solved_classes.h"
 
 namespace ifov::atmosphere {
 class WeatherSeries;

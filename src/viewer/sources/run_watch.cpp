@@ -32,7 +32,8 @@ bool RunWatch::read_values(sampling::TileResult& tile, const std::function<bool(
     if (!file) return false;
     io::read_cube_tile(
         [&](std::uint64_t offset, void* to, std::size_t bytes) { file.read_at(offset, to, bytes); },
-        {plan_->interleave, plan_->image.width_px, plan_->image.height_px, bands}, tile.tile, values);
+        {io::interleave_named(plan_->interleave), plan_->image.width_px, plan_->image.height_px, bands},
+        tile.tile, values);
     return true;
   };
   // The cubes get their own names when the run ends, which may be at any time.

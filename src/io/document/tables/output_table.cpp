@@ -139,9 +139,7 @@ SchemaType<OutputDocument> output_type() {
                     "kinds of products; the ENVI cubes and the run record are always written")
       .with_default(
           "interleave", &OutputDocument::interleave,
-          choice<EnviInterleave>(
-              {{"bil", EnviInterleave::bil}, {"bsq", EnviInterleave::bsq}, {"bip", EnviInterleave::bip}}),
-          "\"bil\"",
+          choice<std::string>({{"bil", "bil"}, {"bsq", "bsq"}, {"bip", "bip"}}), "\"bil\"",
           "how values lie in the ENVI cubes: line by line, in each band by band (bil); band by band (bsq); or pixel by pixel, in each "
           "band by band (bip)")
       .optional(

@@ -21,7 +21,7 @@ void write_demosaiced(PartFile& file, const FormatInput& input) {
   const RasterView raw = input.values_of(quantities::kMosaic);
   const auto width = static_cast<std::size_t>(image.width_px);
   std::map<int, std::vector<float>> lines;
-  const CubeLayout layout{input.record.interleave, image.width_px, image.height_px,
+  const CubeLayout layout{interleave_named(input.record.interleave), image.width_px, image.height_px,
                           static_cast<int>(image.channels.size())};
   std::vector<float> made(width * image.channels.size());
   for (int y = 0; y < image.height_px; ++y) {
@@ -41,7 +41,7 @@ void write_demosaiced(PartFile& file, const FormatInput& input) {
   EnviHeader header = image_header("radiance by channel, bilinear between the elements of a mosaic", image,
                                    input.record.identity, std::string());
   add_channels(header, image);
-  header.interleave = input.record.interleave;
+  header.interleave = layout.interleave;
   header.data_units = image.radiance_unit;
   header.other["mosaic pattern"] = render::mosaic_pattern(image);
   input.put_header(to_text(header));
