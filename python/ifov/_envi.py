@@ -38,14 +38,21 @@ class Cube:
 
     def values(self) -> np.ndarray[Any, Any]:
         """[band, row, column], mapped."""
-        bands, rows, columns = self.shape
-        shapes = {
-            "bil": ((rows, bands, columns), (1, 0, 2)),
-            "bip": ((rows, columns, bands), (2, 0, 1)),
-            "bsq": ((bands, rows, columns), (0, 1, 2)),
-        }
-        shape, axes = shapes[self.interleave]
-        return np.memmap(self.path, self.dtype, "r", self.offset, shape).transpose(axes)
+        return mapped(self.path, self.dtype, self.shape, self.interleave, self.offset)
+
+
+def mapped(
+    path: pathlib.Path, dtype: np.dtype[Any], size: tuple[int, ...], interleave: str, offset: int = 0
+) -> np.ndarray[Any, Any]:
+    """Values of a file as [band, row, column], the order of ``size``, however they lie in it."""
+    bands, rows, columns = size
+    shapes = {
+        "bil": ((rows, bands, columns), (1, 0, 2)),
+        "bip": ((rows, columns, bands), (2, 0, 1)),
+        "bsq": ((bands, rows, columns), (0, 1, 2)),
+    }
+    shape, axes = shapes[interleave]
+    return np.memmap(path, dtype, "r", offset, shape).transpose(axes)
 
 
 def header_fields(path: pathlib.Path) -> dict[str, str]:

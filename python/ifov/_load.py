@@ -77,7 +77,9 @@ def _finished(record_file: pathlib.Path) -> xarray.Dataset:
             asked=accuracy["asked"],
             reached=accuracy["reached"],
             confidence=accuracy["confidence"],
-            time=record.get("acquisition", {}).get("time", ""),
+            acquisition=record.get("acquisition"),
+            map_system=(record["image"].get("map") or {}).get("system", {}).get("wkt", ""),
+            date=record.get("date", ""),
         ),
     )
 
@@ -112,8 +114,11 @@ def attributes(
     reached: str,
     confidence: float,
     time: str = "",
+    acquisition: dict[str, Any] | None = None,
+    map_system: str = "",
+    date: str = "",
 ) -> dict[str, Any]:
-    """Of a dataset."""
+    """Of a dataset. date: when its products were made."""
     made = {
         "Conventions": "CF-1.8",
         "source": f"ifov {version}",
@@ -125,6 +130,8 @@ def attributes(
         "reached": reached,
         "confidence": confidence,
     }
-    if time:
+    if time := time or (acquisition or {}).get("time", ""):
         made["acquisition_time"] = time
+    if acquisition:
+        made["acquisition"] = json.dumps(acquisition | {"map_system": map_system, "made": date})
     return made

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _load
+from . import _envi, _load
 from ._errors import DocumentError, SystemError
 
 if TYPE_CHECKING:
@@ -96,7 +96,9 @@ def unfinished(folder: pathlib.Path, state_folder: pathlib.Path) -> xarray.Datas
         ("half_width", "half_width", "half-width of the radiance's interval"),
     ):
         if array == "mean" or state["accuracy"]["knows_errors"]:
-            values = _Values(array, list(tiles.values()), _cubes(folder, state["products"]["name"], name), (len(names), *size))
+            products = state["products"]
+            cubes = _cubes(folder, products["name"], name)
+            values = _Values(array, list(tiles.values()), cubes, (len(names), *size), products.get("interleave", "bil"))
             quantities[name] = Quantity(values.itself, len(names), np.dtype("<f4"), names, what, unit)
     stack = np.stack([single[name] for name in ("samples", "label_rays", "radiance_evaluations")])
     quantities["samples"] = in_memory(stack, (), "", "count")
@@ -115,7 +117,8 @@ def unfinished(folder: pathlib.Path, state_folder: pathlib.Path) -> xarray.Datas
             asked=state["accuracy"]["asked"],
             reached=f"Unfinished: {len(tiles)} tiles are done, {done} of {size[0] * size[1]} pixels.",
             confidence=state["accuracy"]["confidence"],
-            time=state.get("acquisition", {}).get("time", ""),
+            acquisition=state.get("acquisition"),
+            map_system=state["image"].get("map_system", ""),
         ),
     )
     assert REASONS[2] == "time"
@@ -129,8 +132,10 @@ def unfinished(folder: pathlib.Path, state_folder: pathlib.Path) -> xarray.Datas
 class _Values:
     """Means or half-widths of tiles, gathered where they are asked for."""
 
-    def __init__(self, array: str, tiles: list[_Tile], cubes: list[pathlib.Path], shape: tuple[int, int, int]):
-        self.array, self.tiles, self.cubes, self.shape = array, tiles, cubes, shape
+    def __init__(
+        self, array: str, tiles: list[_Tile], cubes: list[pathlib.Path], shape: tuple[int, int, int], interleave: str
+    ):
+        self.array, self.tiles, self.cubes, self.shape, self.interleave = array, tiles, cubes, shape, interleave
 
     def itself(self) -> _Values:
         return self
@@ -155,7 +160,7 @@ class _Values:
         bands, rows, columns = self.shape
         for path in self.cubes:
             if path.exists() and path.stat().st_size == 4 * bands * rows * columns:
-                return np.memmap(path, "<f4", "r", 0, (rows, bands, columns)).transpose(1, 0, 2)
+                return _envi.mapped(path, np.dtype("<f4"), self.shape, self.interleave)
         raise SystemError(f"{self.cubes[0]}: the cube that holds values of finished tiles is not there")
 
 

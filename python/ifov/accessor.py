@@ -97,8 +97,9 @@ class Accessor:
         _geo.write_cog(self._dataset, pathlib.Path(path), variable)
 
     def to_stac(self, path: str | os.PathLike[str] | None = None, assets: dict[str, str] | None = None) -> dict[str, Any]:
-        """An Item of STAC 1.0 (with the extensions eo and projection), as a dict and, where a path is given, in a file. assets: links
-        to files by the name of what they hold, {"radiance": "image_radiance.img"}."""
+        """An Item of STAC 1.0 (with the extensions eo, projection, view and processing), as a dict and, where a path is given, in a file.
+        assets: links to files by the name of what they hold, {"radiance": "image_radiance.img"}. It says the same as what runs write
+        (``"formats": ["stac"]``) of datasets that ``ifov.load`` has; others do not know camera and Sun."""
         item = _geo.stac_item(self._dataset, assets or {}, "ifov" if path is None else pathlib.Path(path).stem)
         if path is not None:
             pathlib.Path(path).write_text(json.dumps(item, indent=2) + "\n", encoding="utf-8")

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "io/products/cube_lines.h"
+
 namespace ifov::session {
 
 LineCube::LineCube(const std::filesystem::path& path, io::EnviHeader header)
@@ -9,7 +11,6 @@ LineCube::LineCube(const std::filesystem::path& path, io::EnviHeader header)
   header_.header_offset = 0;
   if (header_.data_type != io::EnviType::uint16 && header_.data_type != io::EnviType::uint32)
     header_.data_type = io::EnviType::float32;
-  header_.interleave = io::EnviInterleave::bil;
   header_.big_endian = false;
   try {
     data_.reserve(header_.data_bytes());
@@ -33,15 +34,16 @@ std::size_t LineCube::line_values() const {
 }
 
 void LineCube::write(int first, std::span<const float> lines) {
-  data_.write_at(static_cast<std::uint64_t>(first) * line_values() * sizeof(float), lines.data(),
-                 lines.size() * sizeof(float));
+  io::write_cube_lines(data_, io::layout_of(header_), sizeof(float), first, std::as_bytes(lines));
 }
 
 void LineCube::write(int line, int first_band, std::span<const std::byte> values) {
-  const std::uint64_t before =
-      static_cast<std::uint64_t>(line) * line_values() +
-      static_cast<std::uint64_t>(first_band) * static_cast<std::uint64_t>(header_.samples);
-  data_.write_at(before * io::bytes_per_value(header_.data_type), values.data(), values.size());
+  io::write_cube_bands(data_, io::layout_of(header_), io::bytes_per_value(header_.data_type), line,
+                       first_band, values);
+}
+
+void LineCube::read(int line, std::span<std::byte> values) const {
+  data_.read_at(static_cast<std::uint64_t>(line) * values.size(), values.data(), values.size());
 }
 
 void LineCube::publish() {

@@ -9,7 +9,7 @@
 
 namespace ifov::session {
 
-/// An ENVI cube of floats or whole numbers without a sign, band-interleaved by line, that is made line by line in any order; whole or not at all.
+/// An ENVI cube of floats or whole numbers without a sign that is made line by line in any order; whole or not at all.
 class LineCube {
  public:
   /// PATH and PATH.hdr. Of the header, what the cube itself decides on is set here; values are floats unless it has a type without a
@@ -26,8 +26,10 @@ class LineCube {
 
   /// Whole lines from `first` on, [line][band][sample]. From any thread.
   void write(int first, std::span<const float> lines);
-  /// Bytes of a line from a band on, [band][sample]. From any thread.
+  /// Bytes of a line from a band on, [band][sample]. From any thread, a line from one at a time.
   void write(int line, int first_band, std::span<const std::byte> values);
+  /// What was written of a line of a cube of one band.
+  void read(int line, std::span<std::byte> values) const;
   /// Waits until all is on the disk, and gives it its name.
   void publish();
 

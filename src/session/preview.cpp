@@ -62,8 +62,13 @@ class Painter {
   std::string statement() const {
     const auto [least, most] = std::minmax_element(paths_.begin(), paths_.end());
     const std::string count = *least == *most ? format("{}", *least) : format("{} to {}", *least, *most);
-    return format("A preview: {} path{} at each pixel. It promises no accuracy.", count,
-                  *most == 1 ? "" : "s");
+    std::string without;
+    const std::vector<std::string>& left_out = parts_.document.left_out;
+    for (std::size_t k = 0; k < left_out.size(); ++k)
+      without += (k == 0 ? " The sensor's " : k + 1 < left_out.size() ? ", " : " and ") + left_out[k];
+    if (!without.empty()) without += left_out.size() == 1 ? " is left out." : " are left out.";
+    return format("A preview: {} path{} at each pixel. It promises no accuracy.{}", count,
+                  *most == 1 ? "" : "s", without);
   }
 
  private:

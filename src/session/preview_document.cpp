@@ -1,5 +1,6 @@
 #include "session/preview_document.h"
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -30,6 +31,16 @@ std::vector<io::ChannelDocument> shown_channels(const io::Document& document) {
 }  // namespace
 
 io::Document for_preview(io::Document document, int longest_px) {
+  const auto any_channel = [&](const auto& has) {
+    return std::any_of(document.sensor.channels.begin(), document.sensor.channels.end(), has);
+  };
+  if (document.sensor.smile ||
+      any_channel([](const io::ChannelDocument& channel) { return bool(channel.smile); }))
+    document.left_out.emplace_back("smile");
+  if (document.sensor.keystone ||
+      any_channel([](const io::ChannelDocument& channel) { return bool(channel.keystone); }))
+    document.left_out.emplace_back("keystone");
+  if (document.sensor.mosaic) document.left_out.emplace_back("mosaic");
   document.sensor.channels = shown_channels(document);
   document.sensor.psf = io::NoPsf{};
   document.sensor.optics.reset(), document.sensor.detector.reset();

@@ -2,10 +2,12 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/run_control.h"
+#include "session/solved/solved_classes.h"
 
 namespace ifov::io {
 struct Document;
@@ -30,6 +32,11 @@ class SharedScene {
   AssembledScene scene(const std::function<AssembledScene(LogSink*)>& assemble, LogSink* log);
   bool is_built() const { return scene_ != nullptr; }
 
+  /// Of sessions that differ in their sensors alone: what temperatures are looked up in is worked out once, too.
+  void share_temperatures() { classes_.emplace(); }
+  /// Null where each session has its own.
+  SolvedClasses* classes() { return classes_ ? &*classes_ : nullptr; }
+
   /// Files whose bytes the scene cache vouched for when it was built.
   std::vector<io::FileStamp> known_files;
 
@@ -42,6 +49,7 @@ class SharedScene {
 
   std::unique_ptr<const AssembledScene> scene_;
   std::vector<Message> said_;
+  std::optional<SolvedClasses> classes_;
 };
 
 }  // namespace ifov::session

@@ -25,6 +25,15 @@ class Preview(unittest.TestCase):
             self.assertFalse((folder / "dome.out").exists())
             self.assertNotIn("\x1b", done.stdout)
 
+    def test_what_it_leaves_out_is_said(self):
+        with Folder(dome=DOME) as folder:
+            for more, words in (([], ""), (['sensor.keystone={"polynomial": {"shift": ["0.1 px"]}}'], " The sensor's keystone is left out."),
+                                (['sensor.keystone={"polynomial": {"shift": ["0.1 px"]}}', 'sensor.smile={"polynomial": {"center": ["1 nm"], "fwhm": ["0 nm"]}}'],
+                                 " The sensor's smile and keystone are left out.")):
+                done = run("preview", "dome.json", "--seconds", "0.1", *(part for one in more for part in ("--set", one)), cwd=folder)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertIn(f"It promises no accuracy.{words}\n", done.stdout)
+
     def test_an_image_of_any_size_is_small(self):
         huge = DOME.replace('"pixels": [3, 3]', '"pixels": [40000, 20000]').replace('"gsd": "1 m"', '"gsd": "0.1 mm"')
         with Folder(huge=huge) as folder:

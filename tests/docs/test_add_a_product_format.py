@@ -21,7 +21,7 @@ class AddAProductFormat(PageTest):
     def test_a_pair_of_files_and_one_row(self):
         out = self.folder / "out"
         (self.folder / "scene.json").write_text(json.dumps(DOCUMENT))
-        self.assertIn('list of 1 to 9: `"envi"`, `"geotiff"`, `"netcdf"`, `"glt"`, `"vrt"`, `"demosaiced"`, `"csv"`, `"png"`, `"html"`', self.run_it("schema", "--markdown").stdout)
+        self.assertIn('list of 1 to 10: `"envi"`, `"geotiff"`, `"netcdf"`, `"glt"`, `"vrt"`, `"demosaiced"`, `"csv"`, `"png"`, `"html"`, `"stac"`', self.run_it("schema", "--markdown").stdout)
         result = self.run_it("render", "scene.json", "-o", "out", "-q")
         self.assertIn(result.returncode, (0, 6), result.stderr)
         self.assertFalse((out / "image_report.html").exists())

@@ -160,6 +160,15 @@ TEST(EnviReader, PixelsAndPartsOfLinesAgreeInAllInterleaves) {
     std::vector<float> part(2);
     reader.read(1, 2, part, 1);
     EXPECT_EQ(part, (std::vector<float>{16, 17})) << interleave;
+    std::vector<float> line(3);
+    for (const int y : {0, 1, 0}) {
+      reader.read(y, 3, line);
+      const float first = y == 0 ? 18.0F : 21.0F;
+      EXPECT_EQ(line, (std::vector<float>{first, first + 1.0F, first + 2.0F})) << interleave;
+    }
+    const EnviReader moved = EnviReader(folder.path() / "x.img");
+    moved.view().read(1, 1, line);
+    EXPECT_EQ(line, (std::vector<float>{9, 10, 11})) << interleave;
   }
 }
 

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "core/error.h"
-#include "io/products/bil_cube.h"
+#include "io/products/cube_file.h"
 #include "io/small_disk.h"
 #include "io/synthetic_image.h"
 
@@ -54,7 +54,7 @@ std::string sha256_of(const std::string& bytes) {
 }
 
 /// Strips of 2 to 3 MB: enough to go past the cache.
-void write_cube(BilCube& cube, const SyntheticImage& image, bool in_order, int threads) {
+void write_cube(CubeFile& cube, const SyntheticImage& image, bool in_order, int threads) {
   std::vector<sampling::PixelRect> tiles = image.tiles(64);
   std::mt19937 random(7);
   if (!in_order) std::shuffle(tiles.begin(), tiles.end(), random);
@@ -76,8 +76,8 @@ TEST(LargeCube, HoldsTheSameAndIsScannedInAnyOrder) {
       for (const int threads : {1, 4}) {
         const SyntheticImage image{width, 210, 11};
         const ScratchFolder folder("large_cube");
-        BilCube cube(folder.path() / "x.img", image.width, image.height, image.channels,
-                     BilCube::Values::real, {.buffer_bytes = buffer, .large_bytes = kAlways});
+        CubeFile cube(folder.path() / "x.img", image.width, image.height, image.channels,
+                      CubeFile::Values::real, {.buffer_bytes = buffer, .large_bytes = kAlways});
         cube.scan().want_figures();
         cube.reserve();
         write_cube(cube, image, in_order, threads);
@@ -113,8 +113,8 @@ TEST(LargeCube, ADiskFullInTheBackgroundIsSaid) {
   const SmallDisk disk(folder.path(), "size=4m");
   if (!disk.mounted()) GTEST_SKIP() << "a small file system can be mounted by root only";
   const SyntheticImage image{1024, 256, 11};
-  BilCube cube(folder.path() / "x.img", image.width, image.height, image.channels, BilCube::Values::real,
-               {.large_bytes = kAlways});
+  CubeFile cube(folder.path() / "x.img", image.width, image.height, image.channels, CubeFile::Values::real,
+                {.large_bytes = kAlways});
   try {
     for (const auto& tile : image.tiles(64)) cube.write(tile, std::span<const float>(image.tile(tile).mean));
     cube.flush();

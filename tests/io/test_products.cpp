@@ -13,6 +13,7 @@
 #include "io/product_parts/sha256.h"
 #include "io/products/envi_reader.h"
 #include "io/products/geotiff.h"
+#include "io/products/netcdf.h"
 #include "io/quantities/location_quantities.h"
 #include "io/quantities/quality_classes.h"
 #include "io/quantities/quality_quantities.h"
@@ -71,6 +72,60 @@ TEST(ProductWriter, SameBytesFromAnyNumberOfThreads) {
     EXPECT_EQ(a.files[i].sha256, b.files[i].sha256) << a.files[i].path;
   for (const auto& name : names_in(one.path()))
     EXPECT_EQ(test::read_all(one.path() / name), test::read_all(seven.path() / name)) << name;
+}
+
+/// All that is made of cubes is the same, and so are the figures that are told of them.
+TEST(ProductWriter, InterleavesDifferInTheOrderOfValuesAlone) {
+  const SyntheticImage image{61, 47, 9};
+  const ScratchFolder bil("bil");
+  ProductOptions options = options_in(bil.path());
+  options.formats.add(formats::kGeotiff);
+  options.formats.add(formats::kNetcdf);
+  write_image(image, options, image.tiles(16));
+  for (const std::string word : {"bsq", "bip"}) {
+    const ScratchFolder folder("interleave");
+    options.folder = folder.path();
+    options.interleave = word;
+    write_image(image, options, shuffled(image.tiles(16), 3), 3);
+    expect_all_cubes(image, folder.path());
+    EXPECT_EQ(names_in(folder.path()), names_in(bil.path()));
+    for (const std::string& name : names_in(folder.path())) {
+      const std::string ours = test::read_all(folder.path() / name);
+      std::string others = test::read_all(bil.path() / name);
+      if (name.ends_with(".hdr")) {
+        ASSERT_NE(ours.find("\ninterleave = " + word + "\n"), std::string::npos) << name;
+        others.replace(others.find("interleave = bil"), 16, "interleave = " + word);
+      }
+      if (name.ends_with("_report.html")) {
+        EXPECT_NE(ours.find("ENVI (" + word + ")"), std::string::npos);
+        continue;  // which lists files with their checksums
+      }
+      if (name.ends_with("_run.json")) {
+        const DocumentTree record = parse_json(ours, "run.json"), other = parse_json(others, "run.json");
+        EXPECT_EQ(JsonView(record)["image"]["interleave"].text(), word);
+        EXPECT_EQ(JsonView(other)["image"]["interleave"].text(), "bil");
+        for (const char* const figure : {"mean", "standard_deviation", "largest_half_width"})
+          EXPECT_EQ(JsonView(record)["channels"].items()[4][figure].number(),
+                    JsonView(other)["channels"].items()[4][figure].number());
+        for (const JsonView& file : JsonView(record)["files"].items()) {
+          const std::string bytes = test::read_all(folder.path() / file["name"].text());
+          Sha256 whole;
+          whole.update(bytes.data(), bytes.size());
+          EXPECT_EQ(file["sha256"].text(), whole.digest()) << file["name"].text();
+          if (file["name"].text() == "demo_radiance.img") {
+            EXPECT_EQ(file["what"].text(), "radiance, 9 channels, ENVI (" + word + ")");
+          }
+        }
+        continue;
+      }
+      if (name == "demo_radiance.img") {
+        EXPECT_NE(ours, others);
+      }
+      if (!name.ends_with(".img") || EnviReader(folder.path() / name).header().bands == 1) {
+        EXPECT_EQ(ours, others) << name;
+      }
+    }
+  }
 }
 
 TEST(ProductWriter, HeaderSaysWhatItIs) {

@@ -100,6 +100,7 @@ TEST(RunPlan, KeepsWhatProductsSayOfTheAcquisition) {
   RunPlan plan = plan_of(kImage);
   plan.name = "flight_1";
   plan.cubes = {&quantities::kHalfWidth, &quantities::kLocation};
+  plan.interleave = "bip";
   Acquisition& a = plan.identity.acquisition;
   a.time = "2024-06-21T10:30:00.000Z";
   a.light = {35.0, 140.0, false};
@@ -114,6 +115,7 @@ TEST(RunPlan, KeepsWhatProductsSayOfTheAcquisition) {
   EXPECT_EQ(to_json(back), to_json(plan));
   EXPECT_EQ(back.identity.acquisition.camera.position_m->z, 3.0);
   EXPECT_EQ(back.name, "flight_1");
+  EXPECT_EQ(back.interleave, "bip");
   EXPECT_TRUE(back.cubes == plan.cubes);
   EXPECT_EQ(back.identity.acquisition.light->azimuth_deg, 140.0);
   EXPECT_FALSE(back.identity.acquisition.footprint[0]);

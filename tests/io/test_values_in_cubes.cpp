@@ -95,10 +95,11 @@ std::uint64_t bytes_of_packs(const std::filesystem::path& folder) {
   return bytes;
 }
 
-TEST(RunState, ValuesThatTheCubesHoldAreNotHeldTwice) {
+void expect_values_held_once(const char* interleave) {
   const ScratchFolder folder("values");
   RunPlan plan = plan_of(kImage);
   plan.formats = {};
+  plan.interleave = interleave;
   ASSERT_TRUE(plan.leaves_values_to_cubes());
   const auto grid = plan.grid();
   const auto tile_of = [&](std::size_t k) {
@@ -147,6 +148,10 @@ TEST(RunState, ValuesThatTheCubesHoldAreNotHeldTwice) {
       std::string::npos)
       << words.text;
 }
+
+TEST(RunState, ValuesThatTheCubesHoldAreNotHeldTwice) { expect_values_held_once("bil"); }
+TEST(RunState, NorOfCubesByBand) { expect_values_held_once("bsq"); }
+TEST(RunState, NorOfCubesByPixel) { expect_values_held_once("bip"); }
 
 TEST(RunState, AStopWithoutCloseLosesNoTileThatWasPut) {
   const ScratchFolder folder("stopped");

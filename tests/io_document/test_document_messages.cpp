@@ -172,7 +172,7 @@ TEST(DocumentMessages, WrongTypesCountsAndWords) {
   EXPECT_EQ(
       message_with("\"output\": {", "\"output\": {\"formats\": [\"tiff\"], "),
       "folder/a.json:42:26: 'output.formats[0]' is the text \"tiff\", expected 'envi', 'geotiff', 'netcdf', "
-      "'glt', 'vrt', 'demosaiced', 'png' or 'html'\n"
+      "'glt', 'vrt', 'demosaiced', 'png', 'html' or 'stac'\n"
       "   42 |   \"output\": {\"formats\": [\"tiff\"], \"folder\": \"products\", \"quicklook\": "
       "{\"channels\": [\"red\"]}}\n"
       "      |                          ^");

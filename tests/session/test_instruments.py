@@ -3,6 +3,7 @@ sensor, byte for byte; and what is said where none is chosen, or one that there 
 
 import json
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -71,6 +72,25 @@ class Instruments(unittest.TestCase):
         done = subprocess.run([PROGRAM, "render", "again.json", "-o", "again"], cwd=self.folder, capture_output=True, text=True, check=False)
         self.assertIn(done.returncode, (0, 5, 6), done.stderr)
         self.assertEqual(self.cubes("again"), self.cubes("scene.out/oli"))
+
+    def test_solved_temperatures_are_shared(self):
+        """What they are looked up in is worked out once; what they may be off by, where each camera looks."""
+        text = (ROOT / "examples/street_day.json").read_text(encoding="utf-8")
+        street = json.loads(re.sub(r"^\s*//.*$", "", text, flags=re.MULTILINE))
+        channels = street.pop("sensor")["channels"]
+        street["weather"]["file"] = str(ROOT / "examples" / street["weather"]["file"]) if "file" in street["weather"] else None
+        street["weather"] = {key: value for key, value in street["weather"].items() if value is not None}
+        street["instruments"] = {name: {"camera": {"orthographic": {"gsd": gsd, "pixels": [20, 14]}}, "channels": channels}
+                                 for name, gsd in (("near", "0.4 m"), ("wide", "1.2 m"))}
+        street["temperatures"] = {"spin_up": "1 d", "step": "15 min", "repeat_first_day": True}
+        for name, material in street["scene"]["materials"].items():
+            if name != "asphalt" and material.get("temperature") == "solved":
+                material["temperature"] = "295 K"
+                material.pop("thermal", None)
+        street["sampling"], street["output"] = {"grid": {"elements": [2, 2]}}, {"products": ["half_width", "temperature"]}
+        self.call("render", street)
+        self.call("render", street, "--set", "instrument=wide", "-o", "alone")
+        self.assertEqual(self.cubes("scene.out/wide"), self.cubes("alone"))
 
     def test_threads_folders_and_values_that_are_set(self):
         self.call("render", document(), "-j", "1", "-o", "one")

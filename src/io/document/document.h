@@ -46,6 +46,7 @@ struct Document {
   SensorDocument sensor;
   SamplingDocument sampling;
   OutputDocument output;
+  std::vector<std::string> left_out;  ///< of a preview: what of the sensor it does without
   DocumentSources sources;
   /// As read; with all that it includes and that the command line replaced where there is such. Never null.
   std::shared_ptr<const std::string> text;

@@ -13,12 +13,11 @@ std::vector<std::string> usual_product_words();  // product_words.h
 
 struct OutputDocument {
   std::string folder;  ///< resolved against the document's folder; by default the document's name with ".out"
-  std::string name = "image";  ///< of the products: NAME_radiance.img and so on
-  /// Of product_words(), beside what comes with every run.
-  std::vector<std::string> formats = usual_product_words();
-  std::optional<QuantitySet> products;  ///< the cubes; absent: those that are usual for the camera
-  /// None, one (grey) or three (red, green, blue); none: chosen.
-  std::vector<DocumentName> quicklook_channels;
+  std::string name = "image";                                ///< of the products: NAME_radiance.img and so on
+  std::vector<std::string> formats = usual_product_words();  ///< beside what every run has
+  std::string interleave = "bil";                            ///< of the cubes, as headers say it
+  std::optional<QuantitySet> products;           ///< the cubes; absent: those that are usual for the camera
+  std::vector<DocumentName> quicklook_channels;  ///< none (chosen), or one or three (red, green, blue)
   SourcePosition position;
 };
 

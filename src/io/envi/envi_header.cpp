@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "io/envi/cube_layout.h"
 
 namespace ifov::io {
 namespace {
@@ -264,7 +265,6 @@ std::uint64_t EnviHeader::data_bytes() const {
 }
 
 std::string to_text(const EnviHeader& h) {
-  static constexpr const char* kInterleave[] = {"bsq", "bil", "bip"};
   std::string out = "ENVI\n";
   std::string description = h.description;
   std::replace(description.begin(), description.end(), '{', '(');
@@ -275,7 +275,7 @@ std::string to_text(const EnviHeader& h) {
       "interleave = {}\nbyte order = {}\n",
       h.samples, h.lines, h.bands, h.header_offset,
       h.is_classification ? "ENVI Classification" : "ENVI Standard", static_cast<int>(h.data_type),
-      kInterleave[static_cast<int>(h.interleave)], h.big_endian ? 1 : 0);
+      name_of(h.interleave), h.big_endian ? 1 : 0);
   append_list(out, "map info", h.map_info, ", ", list_item);
   if (!h.coordinate_system.empty()) out += format("coordinate system string = {{{}}}\n", h.coordinate_system);
   append_list(out, "default bands", h.default_bands, ", ", [](int b) { return format("{}", b); });

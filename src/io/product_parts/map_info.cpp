@@ -51,6 +51,7 @@ std::array<double, 6> geotransform(const render::ImageInfo& info) {
 std::string coordinate_system_text(const render::ImageInfo& info) {
   return text_of(info, "FORMAT=WKT1_GDAL");
 }
+std::string wkt2_text(const render::ImageInfo& info) { return text_of(info, "FORMAT=WKT2_2019"); }
 std::string esri_coordinate_system_text(const render::ImageInfo& info) {
   return text_of(info, "FORMAT=WKT1_ESRI");
 }

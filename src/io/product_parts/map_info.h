@@ -15,6 +15,9 @@ std::array<double, 6> geotransform(const render::ImageInfo& info);
 /// nothing. ifov::InputError on text that names no coordinate system.
 std::string coordinate_system_text(const render::ImageInfo& info);
 
+/// The same in its second version (ISO 19162).
+std::string wkt2_text(const render::ImageInfo& info);
+
 /// The same in ESRI's dialect, which is that of ENVI headers.
 std::string esri_coordinate_system_text(const render::ImageInfo& info);
 

@@ -139,10 +139,11 @@ void write_map(JsonWriter& json, const render::ImageInfo& info, bool has_system)
   }
 }
 
-void write_image(JsonWriter& json, const render::ImageInfo& info) {
+void write_image(JsonWriter& json, const render::ImageInfo& info, const std::string& interleave) {
   const bool has_system = !info.map_projection.empty() && info.map_projection != "Arbitrary";
   json.member("footprint_px", info.footprint_px);
   json.member("height_px", info.height_px);
+  json.member("interleave", interleave);
   if (info.has_map || has_system) json.object("map", [&] { write_map(json, info, has_system); });
   json.member("materials", info.materials);
   if (info.mosaic)
@@ -183,7 +184,7 @@ std::string to_json(const RunRecord& record) {
       json.member("text", identity.document_text);
     });
     json.list("files", [&] { write_files(json, record); });
-    json.object("image", [&] { write_image(json, record.image); });
+    json.object("image", [&] { write_image(json, record.image, record.interleave); });
     json.member("notes", record.outcome.notes);
     json.object("program", [&] {
       json.member("name", "ifov");

@@ -67,6 +67,7 @@ struct RunRecord {
   render::ImageInfo image;
   ImageStatistics statistics;
   std::vector<ProductFile> files;
+  std::string interleave = "bil";  ///< of the cubes, as headers say it
 };
 
 }  // namespace ifov::io

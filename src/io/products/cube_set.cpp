@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "io/envi/cube_layout.h"
 #include "io/files/own_files.h"
 #include "io/products/quantity_header.h"
 #include "io/quantities/radiance_quantities.h"
@@ -14,13 +15,13 @@
 namespace ifov::io {
 namespace {
 
-BilCube::Values values_of(EnviType type) {
+CubeFile::Values values_of(EnviType type) {
   switch (type) {
-    case EnviType::uint32: return BilCube::Values::integer;
-    case EnviType::uint16: return BilCube::Values::bits;
-    case EnviType::byte: return BilCube::Values::byte;
-    case EnviType::float64: return BilCube::Values::wide;
-    case EnviType::float32: return BilCube::Values::real;
+    case EnviType::uint32: return CubeFile::Values::integer;
+    case EnviType::uint16: return CubeFile::Values::bits;
+    case EnviType::byte: return CubeFile::Values::byte;
+    case EnviType::float64: return CubeFile::Values::wide;
+    case EnviType::float32: return CubeFile::Values::real;
     // No quantity has these (test_quantities).
     case EnviType::int16:
     case EnviType::int32: break;
@@ -39,7 +40,7 @@ std::filesystem::path cube_path(const std::filesystem::path& stem, const Quantit
 /// A tile's rectangle of a cube.
 class IntoCube final : public ValueSink {
  public:
-  IntoCube(BilCube& cube, sampling::PixelRect tile) : cube_(cube), tile_(tile) {}
+  IntoCube(CubeFile& cube, sampling::PixelRect tile) : cube_(cube), tile_(tile) {}
   void put(std::span<const float> values) override { cube_.write(tile_, values); }
   void put(std::span<const double> values) override { cube_.write(tile_, values); }
   void put(std::span<const std::uint32_t> values) override { cube_.write(tile_, values); }
@@ -47,29 +48,34 @@ class IntoCube final : public ValueSink {
   void put(std::span<const std::uint8_t> values) override { cube_.write(tile_, values); }
 
  private:
-  BilCube& cube_;
+  CubeFile& cube_;
   sampling::PixelRect tile_;
 };
 
 }  // namespace
 
 CubeSet::Cube::Cube(const Quantity& of, const std::filesystem::path& path, const render::ImageInfo& info,
-                    PartFile::Left left)
+                    PartFile::Left left, EnviInterleave interleave)
     : quantity(of),
-      raster(path, info.width_px, info.height_px, of.band_count(info), values_of(of.type), left) {}
+      raster(path, info.width_px, info.height_px, of.band_count(info), values_of(of.type), left, interleave) {
+}
 
 CubeSet::CubeSet(const std::filesystem::path& stem, const QuantitySet& selection,
                  const render::ImageInfo& info, const Acquisition& acquisition, std::uint64_t further_bytes,
-                 PartFile::Left left)
-    : stem_(stem), selection_(possible_quantities(selection, info)), info_(info), acquisition_(acquisition) {
+                 PartFile::Left left, EnviInterleave interleave)
+    : stem_(stem),
+      selection_(possible_quantities(selection, info)),
+      info_(info),
+      acquisition_(acquisition),
+      interleave_(interleave) {
   std::uint64_t bytes = further_bytes;
   for (const Quantity* quantity : selection_) bytes += cube_size(*quantity, info).bytes();
   // What an earlier start has reserved is not asked for again; reserve() says where the rest is not there.
   require_space(stem.parent_path(), left == PartFile::Left::go_on ? 0 : bytes);
   try {
     for (const Quantity* quantity : selection_) {
-      const auto& cube =
-          cubes_.emplace_back(std::make_unique<Cube>(*quantity, cube_path(stem, *quantity), info, left));
+      const auto& cube = cubes_.emplace_back(
+          std::make_unique<Cube>(*quantity, cube_path(stem, *quantity), info, left, interleave));
       if (quantity == &quantities::kRadiance || quantity == &quantities::kHalfWidth)
         cube->raster.scan().want_figures();
       cube->raster.reserve();
@@ -107,17 +113,18 @@ bool CubeSet::read_values(sampling::TileResult& tile, const std::function<bool()
   const auto fill = [&](const Quantity& quantity, std::vector<float>& values, bool published) {
     if (values.empty()) return true;
     if (cube(quantity) == nullptr) return false;
-    const BilCube& raster = cube(quantity)->raster;
+    const CubeFile& raster = cube(quantity)->raster;
     if (!published) {
-      read_bil_tile([&](std::uint64_t offset, void* to,
-                        std::size_t bytes) { raster.file().read_at(offset, to, bytes); },
-                    raster.width(), raster.bands(), tile.tile, values);
+      read_cube_tile([&](std::uint64_t offset, void* to,
+                         std::size_t bytes) { raster.file().read_at(offset, to, bytes); },
+                     raster.layout(), tile.tile, values);
       return true;
     }
     const OwnFile file(raster.file().final_path());
     if (!file) return false;
-    read_bil_tile([&](std::uint64_t offset, void* to, std::size_t bytes) { file.read_at(offset, to, bytes); },
-                  raster.width(), raster.bands(), tile.tile, values);
+    read_cube_tile(
+        [&](std::uint64_t offset, void* to, std::size_t bytes) { file.read_at(offset, to, bytes); },
+        raster.layout(), tile.tile, values);
     return true;
   };
   for (const bool published : {false, true}) {
@@ -139,7 +146,7 @@ void CubeSet::flush() {
 void CubeSet::complete(RunRecord& record) {
   flush();
   parallel_for(static_cast<std::int64_t>(cubes_.size()), record.outcome.threads, [&](std::int64_t job) {
-    BilCube& raster = cubes_[static_cast<std::size_t>(job)]->raster;
+    CubeFile& raster = cubes_[static_cast<std::size_t>(job)]->raster;
     raster.file().sync();
     raster.finish_scan();
   });
@@ -148,20 +155,24 @@ void CubeSet::complete(RunRecord& record) {
       info_, cube(quantities::kRadiance)->raster.scan(),
       half_width != nullptr ? &half_width->raster.scan() : nullptr, record.identity.confidence);
   for (const auto& cube : cubes_) {
-    BilCube& raster = cube->raster;
+    CubeFile& raster = cube->raster;
     const char* parts = !cube->quantity.is_spectral() ? (raster.bands() == 1 ? "band" : "bands")
                         : raster.bands() == 1         ? "channel"
                                                       : "channels";
-    record.files.push_back({raster.file().final_path(),
-                            format("{}, {} {}, ENVI", cube->quantity.what, raster.bands(), parts),
-                            raster.bytes(), raster.scan().checksum()});
+    record.files.push_back(
+        {raster.file().final_path(),
+         format("{}, {} {}, ENVI{}", cube->quantity.what, raster.bands(), parts,
+                interleave_ == EnviInterleave::bil ? "" : format(" ({})", name_of(interleave_))),
+         raster.bytes(), raster.scan().checksum()});
   }
 }
 
 void CubeSet::write_headers(const RunIdentity& identity, const std::string& statement) {
   for (const auto& cube : cubes_) {
     cube->header = std::make_unique<PartFile>(with_ending(cube->raster.file().final_path(), ".hdr"));
-    write_part(*cube->header, to_text(header_of(cube->quantity, info_, identity, statement)));
+    EnviHeader header = header_of(cube->quantity, info_, identity, statement);
+    header.interleave = interleave_;
+    write_part(*cube->header, to_text(header));
   }
 }
 

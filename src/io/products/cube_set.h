@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/product_parts/run_record.h"
-#include "io/products/bil_cube.h"
+#include "io/products/cube_file.h"
 #include "io/quantities/quantity_set.h"
 
 namespace ifov::io {
@@ -19,7 +19,7 @@ class CubeSet {
   /// `further_bytes` more; leaves nothing behind where that fails but what an earlier start has left.
   CubeSet(const std::filesystem::path& stem, const QuantitySet& selection, const render::ImageInfo& info,
           const Acquisition& acquisition, std::uint64_t further_bytes,
-          PartFile::Left left = PartFile::Left::replace);
+          PartFile::Left left = PartFile::Left::replace, EnviInterleave interleave = EnviInterleave::bil);
 
   /// May be called by several threads at once. std::logic_error on arrays that do not match the tile or the
   /// image.
@@ -49,9 +49,9 @@ class CubeSet {
  private:
   struct Cube {
     Cube(const Quantity& quantity, const std::filesystem::path& path, const render::ImageInfo& info,
-         PartFile::Left left);
+         PartFile::Left left, EnviInterleave interleave);
     const Quantity& quantity;
-    BilCube raster;
+    CubeFile raster;
     std::unique_ptr<PartFile> header;
   };
 
@@ -62,6 +62,7 @@ class CubeSet {
   QuantitySet selection_;
   render::ImageInfo info_;
   Acquisition acquisition_;
+  EnviInterleave interleave_;
   std::vector<std::unique_ptr<Cube>> cubes_;
 };
 

@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "core/error.h"
+#include "core/parallel.h"
+#include "io/envi/cube_layout.h"
 
 namespace ifov::io {
 namespace {
@@ -62,6 +64,12 @@ double (*converter(EnviType type))(const unsigned char*, bool) {
   return value_at<float>;
 }
 
+void fetch(const InputFile& file, const std::filesystem::path& path, std::uint64_t offset, void* to,
+           std::size_t bytes) {
+  if (file.read_at(offset, {static_cast<char*>(to), bytes}) < bytes)
+    throw SystemError(format("{}: cannot be read: the file ends", path.string()));
+}
+
 }  // namespace
 
 EnviReader::Pair EnviReader::pair_of(const std::filesystem::path& path) {
@@ -74,45 +82,50 @@ EnviReader::EnviReader(const std::filesystem::path& path) : EnviReader(pair_of(p
 EnviReader::EnviReader(const Pair& pair)
     : header_(parse_envi_header(read_text(pair.header), pair.header.string())),
       data_path_(pair.data),
-      data_(pair.data) {
+      data_(std::make_shared<const InputFile>(pair.data)) {
   const std::uint64_t needed = header_.header_offset + header_.data_bytes();
-  if (data_.size() < needed)
+  if (data_->size() < needed)
     throw SystemError(format("{}: the file has {} bytes, its header {} asks for {}", data_path_.string(),
-                             data_.size(), pair.header.filename().string(), needed));
+                             data_->size(), pair.header.filename().string(), needed));
+  // Those who read whole lines band by band, a line on each thread, would read each line as often as it has bands.
+  constexpr std::size_t kKeptBytes = std::size_t{16} << 20;
+  if (header_.interleave == EnviInterleave::bip && header_.bands > 1)
+    turned_ = std::make_unique<TurnedLines>(
+        header_.samples, header_.bands, bytes_per_value(header_.data_type),
+        [data = data_, path = data_path_, first = header_.header_offset](std::uint64_t offset, void* to,
+                                                                         std::size_t bytes) {
+          fetch(*data, path, first + offset, to, bytes);
+        },
+        kKeptBytes, static_cast<std::size_t>(usual_threads()));
 }
 
-void EnviReader::fetch(std::uint64_t offset, unsigned char* to, std::size_t bytes) const {
-  if (data_.read_at(offset, {reinterpret_cast<char*>(to), bytes}) < bytes)
-    throw SystemError(format("{}: cannot be read: the file ends", data_path_.string()));
-}
-
-std::size_t EnviReader::place(int sample, int line, int band) const {
+std::uint64_t EnviReader::place(int sample, int line, int band) const {
   if (sample < 0 || sample >= header_.samples || line < 0 || line >= header_.lines || band < 0 ||
       band >= header_.bands)
     throw std::out_of_range(
         format("{}: there is no sample {}, line {}, band {}", data_path_.string(), sample, line, band));
-  const auto samples = static_cast<std::size_t>(header_.samples),
-             bands = static_cast<std::size_t>(header_.bands), lines = static_cast<std::size_t>(header_.lines);
-  const auto x = static_cast<std::size_t>(sample), y = static_cast<std::size_t>(line),
-             b = static_cast<std::size_t>(band);
-  switch (header_.interleave) {
-    case EnviInterleave::bsq: return (b * lines + y) * samples + x;
-    case EnviInterleave::bip: return (y * samples + x) * bands + b;
-    case EnviInterleave::bil: break;
-  }
-  return (y * bands + b) * samples + x;
+  return header_.header_offset +
+         bytes_per_value(header_.data_type) * layout_of(header_).place(sample, line, band);
 }
 
 void EnviReader::read(int line, int band, std::span<float> values, int first) const {
   if (values.empty()) return;
-  const std::size_t begin = place(first, line, band);
+  const std::uint64_t begin = place(first, line, band);
   values = values.first(std::min(values.size(), static_cast<std::size_t>(header_.samples - first)));
   const std::size_t size = bytes_per_value(header_.data_type);
+  const auto convert = converter(header_.data_type);
+  if (turned_ && values.size() == static_cast<std::size_t>(header_.samples)) {
+    const TurnedLines::Line bands = turned_->line(line);
+    const auto* const from = reinterpret_cast<const unsigned char*>(bands->data()) +
+                             static_cast<std::size_t>(band) * values.size() * size;
+    for (std::size_t x = 0; x < values.size(); ++x)
+      values[x] = static_cast<float>(convert(from + x * size, header_.big_endian));
+    return;
+  }
   const std::size_t step =
       header_.interleave == EnviInterleave::bip ? static_cast<std::size_t>(header_.bands) : 1;
   std::vector<unsigned char> raw(((values.size() - 1) * step + 1) * size);
-  fetch(header_.header_offset + begin * size, raw.data(), raw.size());
-  const auto convert = converter(header_.data_type);
+  fetch(*data_, data_path_, begin, raw.data(), raw.size());
   for (std::size_t x = 0; x < values.size(); ++x)
     values[x] = static_cast<float>(convert(raw.data() + x * step * size, header_.big_endian));
 }
@@ -123,7 +136,7 @@ std::vector<double> EnviReader::pixel(int sample, int line) const {
   std::vector<double> values;
   for (int band = 0; band < header_.bands; ++band) {
     unsigned char raw[8];
-    fetch(header_.header_offset + place(sample, line, band) * size, raw, size);
+    fetch(*data_, data_path_, place(sample, line, band), raw, size);
     values.push_back(convert(raw, header_.big_endian));
   }
   return values;

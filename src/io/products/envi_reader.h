@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "io/envi/envi_header.h"
 #include "io/files/input_file.h"
 #include "io/product_parts/raster_view.h"
+#include "io/product_parts/turned_lines.h"
 
 namespace ifov::io {
 
@@ -39,13 +41,13 @@ class EnviReader {
   explicit EnviReader(const Pair& pair);
   static Pair pair_of(const std::filesystem::path& path);
 
-  void fetch(std::uint64_t offset, unsigned char* to, std::size_t bytes) const;
-  /// Where a value lies, in values from the first.
-  std::size_t place(int sample, int line, int band) const;
+  /// Where a value lies, in bytes; std::out_of_range beyond the image.
+  std::uint64_t place(int sample, int line, int band) const;
 
   EnviHeader header_;
   std::filesystem::path data_path_;
-  InputFile data_;
+  std::shared_ptr<const InputFile> data_;
+  std::unique_ptr<const TurnedLines> turned_;  // of cubes by pixel
 };
 
 }  // namespace ifov::io

@@ -1,8 +1,10 @@
 #include "io/products/netcdf.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -139,19 +141,29 @@ class Writer {
     if (map_) map_->write(file_.id(), info_);
   }
 
+  /// Some lines of all bands at a time: cubes are read as they lie by line or by pixel, and the file gets pieces of several lines.
   void write_cube(int variable, const RasterView& view) const {
-    std::vector<float> line(static_cast<std::size_t>(view.width));
-    for (int band = 0; band < view.bands; ++band)
-      for (int y = 0; y < view.height; ++y) {
-        view.read(y, band, line);
-        const std::size_t channels = info_.channels.size(), at = static_cast<std::size_t>(band);
+    constexpr std::size_t kMostValues = std::size_t{16} << 20;  // 64 MiB
+    const auto width = static_cast<std::size_t>(view.width), bands = static_cast<std::size_t>(view.bands),
+               channels = info_.channels.size();
+    const int at_once = static_cast<int>(
+        std::clamp<std::size_t>(kMostValues / (width * bands), 1, static_cast<std::size_t>(view.height)));
+    std::vector<float> block(width * bands * static_cast<std::size_t>(at_once));
+    for (int first = 0; first < view.height; first += at_once) {
+      const auto lines = static_cast<std::size_t>(std::min(at_once, view.height - first));
+      for (std::size_t y = 0; y < lines; ++y)
+        for (std::size_t band = 0; band < bands; ++band)
+          view.read(first + static_cast<int>(y), static_cast<int>(band),
+                    std::span(block).subspan((band * lines + y) * width, width));
+      for (std::size_t band = 0; band < bands; ++band) {
         // Of a Stokes vector the component is one more dimension, before all others.
-        const std::size_t start[] = {at / channels, at % channels, static_cast<std::size_t>(y), 0},
-                          count[] = {1, 1, 1, line.size()};
-        const bool stokes = static_cast<std::size_t>(view.bands) > channels;
+        const std::size_t start[] = {band / channels, band % channels, static_cast<std::size_t>(first), 0},
+                          count[] = {1, 1, lines, width};
+        const bool stokes = bands > channels;
         file_.require(late::nc_put_vara_float(file_.id(), variable, stokes ? start : start + 1,
-                                              stokes ? count : count + 1, line.data()));
+                                              stokes ? count : count + 1, &block[band * lines * width]));
       }
+    }
   }
 
   NetcdfFile file_;

@@ -59,6 +59,7 @@ std::span<const ProductFormat* const> all_product_formats();
 namespace formats {
 extern const ProductFormat kGlt, kGeolocatedVrt;       // geolocation_formats.cpp
 extern const ProductFormat kWavelengths, kDemosaiced;  // detector/
+extern const ProductFormat kStac;                      // stac_format.cpp
 }  // namespace formats
 
 /// Null where no document can ask for one of this name.

@@ -32,7 +32,8 @@ constexpr std::array kFormats{&kEnvi,
                               &formats::kViewCsv,
                               &formats::kViewNetcdf,
                               &formats::kPng,
-                              &formats::kHtml};
+                              &formats::kHtml,
+                              &formats::kStac};  // which lists all others
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "core/error.h"
+#include "io/envi/cube_layout.h"
 #include "io/product_parts/map_info.h"
 #include "io/product_parts/run_json.h"
 #include "io/product_parts/run_record.h"
@@ -144,7 +145,8 @@ void ProductWriter::begin(const render::ImageInfo& info) {
   const std::uint64_t further_bytes = s.options.formats.bytes(info, s.options.cubes);
   s.cubes =
       std::make_unique<CubeSet>(s.path(""), s.options.cubes, info, s.identity.acquisition, further_bytes,
-                                s.options.go_on ? PartFile::Left::go_on : PartFile::Left::replace);
+                                s.options.go_on ? PartFile::Left::go_on : PartFile::Left::replace,
+                                interleave_named(s.options.interleave));
 }
 
 void ProductWriter::write(const sampling::TileResult& tile) {
@@ -166,7 +168,7 @@ RunRecord ProductWriter::finish(const RunOutcome& outcome) {
   if (!s.cubes || s.finished || s.statistics.pixels != s.pixels())
     throw std::logic_error(format("finish() with {} of {} pixels written: the image is not whole",
                                   s.statistics.pixels, s.pixels()));
-  RunRecord record{s.identity, outcome, s.info, s.statistics, {}};
+  RunRecord record{s.identity, outcome, s.info, s.statistics, {}, s.options.interleave};
   if (outcome.threads < 1) record.outcome.threads = static_cast<int>(std::thread::hardware_concurrency());
   s.cubes->complete(record);
   s.cubes->write_headers(s.identity, outcome.accuracy_statement);

@@ -21,7 +21,8 @@ struct ProductOptions {
   std::filesystem::path folder;  ///< made where it is missing
   std::string name = "image";    ///< files are <folder>/<name>_radiance.img and so on
   QuantitySet cubes = usual_quantities(false);
-  bool go_on = false;  ///< with the `.part` cubes that an earlier start of the same run has left
+  bool go_on = false;              ///< with the `.part` cubes that an earlier start of the same run has left
+  std::string interleave = "bil";  ///< of the cubes, as headers say it
   ProductFormats formats = usual_product_formats();
   /// Three for colour, one for a colour map; empty: chosen from wavelengths.
   std::vector<int> quicklook_channels;

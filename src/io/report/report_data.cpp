@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <vector>
 
 namespace ifov::io {
 
@@ -41,13 +43,18 @@ QuantisedRaster quantise(const RasterView& raster, int bands, int step) {
   result.height = (raster.height + step - 1) / step;
   const auto plane = static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height);
   result.codes.reserve(2 * plane * static_cast<std::size_t>(bands));
-  std::vector<float> line(static_cast<std::size_t>(raster.width)), values;
-  for (int band = 0; band < bands; ++band) {
-    values.clear();
-    for (int y = 0; y < raster.height; y += step) {
+  // Line by line, all bands of each: by pixel a line is not read again for each of them.
+  std::vector<float> line(static_cast<std::size_t>(raster.width)),
+      all(plane * static_cast<std::size_t>(bands));
+  std::size_t before = 0;
+  for (int y = 0; y < raster.height; y += step, before += static_cast<std::size_t>(result.width))
+    for (int band = 0; band < bands; ++band) {
       raster.read(y, band, line);
-      for (std::size_t x = 0; x < line.size(); x += static_cast<std::size_t>(step)) values.push_back(line[x]);
+      float* to = &all[static_cast<std::size_t>(band) * plane + before];
+      for (std::size_t x = 0; x < line.size(); x += static_cast<std::size_t>(step)) *to++ = line[x];
     }
+  for (int band = 0; band < bands; ++band) {
+    const std::span<const float> values(&all[static_cast<std::size_t>(band) * plane], plane);
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const float value : values)
       if (std::isfinite(value)) {

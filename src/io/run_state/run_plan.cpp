@@ -95,6 +95,7 @@ ProductOptions RunPlan::products(const std::filesystem::path& folder) const {
   options.folder = folder;
   options.name = name;
   options.cubes = made_cubes();
+  options.interleave = interleave;
   options.formats = formats;
   options.quicklook_channels = quicklook_channels;
   return options;

@@ -35,7 +35,8 @@ struct RunPlan {
   std::vector<std::string> notes;
   std::string name = "image";  ///< of the products
   QuantitySet cubes = usual_quantities(false);
-  ProductFormats formats;  ///< beside those that come with every run
+  std::string interleave = "bil";  ///< of the cubes, as headers say it
+  ProductFormats formats;          ///< beside those that come with every run
   std::vector<int> quicklook_channels;
   render::TileShare share;
   double error = 0.0;         ///< asked for, in the unit of the accuracy

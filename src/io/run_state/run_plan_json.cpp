@@ -248,6 +248,7 @@ void write_products(JsonWriter& json, const RunPlan& plan) {
     if (!format->name.empty()) formats.push_back(format->name);
   json.member("name", plan.name);
   json.member("cubes", cubes);
+  json.member("interleave", plan.interleave);
   json.member("formats", formats);
   json.member("quicklook_channels", plan.quicklook_channels);
 }
@@ -346,6 +347,7 @@ RunPlan plan_of(const JsonView& v) {
   plan.cubes = {};
   for (const JsonView& name : v["products"]["cubes"].items())
     if (const Quantity* quantity = find_quantity(name.text())) plan.cubes.add(*quantity);
+  plan.interleave = v["products"]["interleave"].text("bil");
   for (const JsonView& name : v["products"]["formats"].items())
     if (const ProductFormat* format = find_product_format(name.text())) plan.formats.add(*format);
   for (const JsonView& channel : v["products"]["quicklook_channels"].items())

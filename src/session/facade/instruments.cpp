@@ -79,6 +79,7 @@ InstrumentsOutcome render_instruments(const std::filesystem::path& file, const s
     documents.push_back(named(name, [&] { return chosen(file, set, name); }));
 
   session::SharedScene scene;
+  scene.share_temperatures();
   InstrumentsOutcome outcome;
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (options.render.deadline && std::chrono::steady_clock::now() >= *options.render.deadline) {

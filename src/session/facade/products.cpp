@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "io/envi/cube_layout.h"
 #include "io/files/mapped_file.h"
 #include "io/products/envi_reader.h"
 #include "io/products/part_file.h"
@@ -81,7 +82,6 @@ RunInfo run_info(const std::filesystem::path& path) {
 CubeInfo cube_info(const std::filesystem::path& file) {
   const io::EnviReader reader(file);
   const io::EnviHeader& header = reader.header();
-  const char* const interleaves[] = {"bsq", "bil", "bip"};
   return {.path = reader.data_path(),
           .description = header.description,
           .unit = header.data_units,
@@ -89,7 +89,7 @@ CubeInfo cube_info(const std::filesystem::path& file) {
           .height_px = header.lines,
           .bands = header.bands,
           .bytes_per_value = static_cast<int>(io::bytes_per_value(header.data_type)),
-          .interleave = interleaves[static_cast<int>(header.interleave)],
+          .interleave = std::string(io::name_of(header.interleave)),
           .map_info = header.map_info,
           .band_names = header.band_names,
           .wavelength = header.wavelength,

@@ -58,9 +58,12 @@ class Drawing {
       for (int line = from; line < to; ++line) {
         for (std::vector<std::byte>& of_cube : values) of_cube.clear();
         for (std::size_t c = first; c < end; ++c) full[c] += draw(line, c, c - first, values);
-        for (std::size_t k = 0; k < cubes_.size(); ++k)
-          cubes_[k]->write(line, image_.mosaic ? 0 : static_cast<int>(first),
-                           image_.mosaic ? through_filters(line, values[k]) : values[k]);
+        for (std::size_t k = 0; k < cubes_.size(); ++k) {
+          if (!image_.mosaic)
+            cubes_[k]->write(line, static_cast<int>(first), values[k]);
+          else
+            cubes_[k]->write(line, 0, through_filters(line, first, end, values[k], *cubes_[k]));
+        }
       }
       const std::scoped_lock lock(counting_);
       for (std::size_t c = first; c < end; ++c) saturated[c] += full[c];
@@ -75,15 +78,19 @@ class Drawing {
     return channels_[c].detector ? *channels_[c].detector : none;
   }
 
-  /// Of values of all channels, those that elements have through their own filters.
-  std::vector<std::byte> through_filters(int line, const std::vector<std::byte>& values) const {
+  /// The line of the mosaic with what elements have through the filters of the channels from `first` to before `end`, whose values these
+  /// are; what the others have was written before, or comes after.
+  std::vector<std::byte> through_filters(int line, std::size_t first, std::size_t end,
+                                         const std::vector<std::byte>& values, const LineCube& before) const {
     const auto width = static_cast<std::size_t>(width_);
-    const std::size_t bytes = values.size() / (width * channels_.size());
+    const std::size_t bytes = values.size() / (width * (end - first));
     std::vector<std::byte> own(width * bytes);
+    if (first > 0) before.read(line, own);
     for (std::size_t x = 0; x < width; ++x) {
       const auto channel = static_cast<std::size_t>(image_.mosaic->channel_at(static_cast<int>(x), line));
-      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>((channel * width + x) * bytes), bytes,
-                  own.begin() + static_cast<std::ptrdiff_t>(x * bytes));
+      if (channel < first || channel >= end) continue;
+      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(((channel - first) * width + x) * bytes),
+                  bytes, own.begin() + static_cast<std::ptrdiff_t>(x * bytes));
     }
     return own;
   }
@@ -140,14 +147,14 @@ class Drawing {
 };
 
 /// So many channels are drawn at once: their 1/f noise is held in memory for whole images.
-std::size_t channels_at_once(const io::EnviHeader& header, std::span<const render::ChannelInfo> channels) {
-  constexpr double kMost_bytes = 256e6;
+std::size_t channels_at_once(const io::EnviHeader& header, std::span<const render::ChannelInfo> channels,
+                             double most_bytes) {
   if (std::none_of(channels.begin(), channels.end(), [](const render::ChannelInfo& channel) {
         return channel.detector && channel.detector->one_over_f > 0.0;
       }))
     return channels.size();
   const double bytes = 4.0 * header.samples * header.lines;
-  return static_cast<std::size_t>(std::clamp(kMost_bytes / bytes, 1.0, static_cast<double>(channels.size())));
+  return static_cast<std::size_t>(std::clamp(most_bytes / bytes, 1.0, static_cast<double>(channels.size())));
 }
 
 /// One band, of which what is told by channel is told so.
@@ -214,7 +221,8 @@ void require_quantity(DetectedQuantity quantity, std::span<const render::Channel
 }
 
 Realization realize(const io::EnviReader& radiance, const render::ImageInfo& image, std::uint64_t seed,
-                    std::span<const DetectedCube> cubes, int threads, const CancelToken* cancel) {
+                    std::span<const DetectedCube> cubes, int threads, const CancelToken* cancel,
+                    double most_drift_bytes) {
   const std::span<const render::ChannelInfo> channels = image.channels;
   Realization result;
   for (const DetectedCube& cube : cubes) {
@@ -224,7 +232,7 @@ Realization realize(const io::EnviReader& radiance, const render::ImageInfo& ima
     result.cubes.push_back(std::make_unique<LineCube>(cube.path, std::move(header)));
   }
   Drawing drawing(radiance, image, seed, cubes, result.cubes);
-  const std::size_t at_once = image.mosaic ? channels.size() : channels_at_once(radiance.header(), channels);
+  const std::size_t at_once = channels_at_once(radiance.header(), channels, most_drift_bytes);
   for (std::size_t first = 0; first < channels.size(); first += at_once)
     drawing.draw(first, std::min(first + at_once, channels.size()), threads, cancel);
   result.saturated = drawing.saturated;

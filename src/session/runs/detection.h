@@ -50,8 +50,12 @@ struct Realization {
   std::vector<std::uint64_t> saturated;          ///< pixels, by channel
 };
 
+/// Of 1/f noise that is held: more channels are drawn after each other.
+inline constexpr double kMostDriftBytes = 256e6;
+
 /// One realization of what the channels of an image make of its cube of radiance, in as many cubes as are asked for.
 Realization realize(const io::EnviReader& radiance, const render::ImageInfo& image, std::uint64_t seed,
-                    std::span<const DetectedCube> cubes, int threads, const CancelToken* cancel);
+                    std::span<const DetectedCube> cubes, int threads, const CancelToken* cancel,
+                    double most_drift_bytes = kMostDriftBytes);
 
 }  // namespace ifov::session

@@ -68,6 +68,7 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
     if (io::is_asset_name(stamp.path))
       plan.notes.push_back(format("'{}' came from a program's memory: {} bytes, XXH3 {:016x}{:016x}",
                                   stamp.path, stamp.bytes, stamp.hash[1], stamp.hash[0]));
+  plan.interleave = document.output.interleave;
   plan.formats = io::product_formats(document.output.formats);
   plan.name = document.output.name;
   const bool map_tells = parts.camera->ground_grid().has_value() || plan.image.views != nullptr;

@@ -7,7 +7,7 @@
 #include "core/machine_memory.h"
 #include "core/parallel.h"
 #include "io/files/free_space.h"
-#include "io/products/bil_cube.h"
+#include "io/products/cube_file.h"
 #include "io/run_state/run_state.h"
 
 namespace ifov::session {
@@ -17,8 +17,8 @@ std::uint64_t buffer_bytes(const io::RunPlan& plan) {
   std::uint64_t bytes = std::min(kMostTiles, io::state_bytes(plan, false));
   for (const io::Quantity* quantity : plan.made_cubes()) {
     const io::CubeSize cube = io::cube_size(*quantity, plan.image);
-    bytes +=
-        io::BilCube::waiting_bytes(cube.width_px, cube.height_px, cube.bands, plan.tile_px, cube.value_bytes);
+    bytes += io::CubeFile::waiting_bytes(cube.width_px, cube.height_px, cube.bands, plan.tile_px,
+                                         cube.value_bytes);
   }
   return bytes;
 }

@@ -306,7 +306,7 @@ void require_weather(const io::Document& document) {
 std::optional<TemperatureErrors> solve_temperatures(const io::Document& document,
                                                     const atmosphere::WeatherSeries* weather,
                                                     const sensor::Camera& camera, scene::Scene& scene,
-                                                    int threads, LogSink* log) {
+                                                    SolvedClasses* shared, int threads, LogSink* log) {
   ByMaterial by_material;
   for (const scene::SurfaceState& state : scene.states)
     if (state.solved > 0) by_material[state.solved - 1];
@@ -332,9 +332,14 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
   for (auto& [material, solved] : by_material) {
     solved.thermal =
         thermal_of(document, document.scene.materials[material], scene, material, about.mean_air_k);
+    if (shared != nullptr && shared->contains(material)) {
+      solved.classes = shared->at(material);
+      continue;
+    }
     solved.classes = std::make_shared<const thermal::SurfaceClasses>(
         kept, thermal::ClassSurface{solved.thermal.solid, solved.thermal.skin, stand, solved.thermal.start},
         threads, past.changes(), past.highest_m(), true);
+    if (shared != nullptr) shared->emplace(material, solved.classes);
   }
   exposure::Neighbours::ByNumber by_number(scene.solved.size());
   for (const auto& [material, solved] : by_material) by_number[material] = solved.classes;

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/run_control.h"
 #include "session/loaded/temperature_errors.h"
+#include "session/solved/solved_classes.h"
 
 namespace ifov::atmosphere {
 class WeatherSeries;
@@ -31,11 +32,12 @@ void require_weather(const io::Document& document);
 
 /// Solves for the temperature of every material whose document asks for it (`"temperature": "solved"`) under its weather,
 /// and gives it to the scene; then measures what that may be off by at points that the camera sees. Nothing where nobody asks. InputError,
-/// located: what is missing (a time, weather, a place, what a material stands on). `weather` may be null.
+/// located: what is missing (a time, weather, a place, what a material stands on). `weather` may be null. `shared`, which may be null, has
+/// what sessions of the same scene, time and weather have solved, and gets what it lacks.
 std::optional<TemperatureErrors> solve_temperatures(const io::Document& document,
                                                     const atmosphere::WeatherSeries* weather,
                                                     const sensor::Camera& camera, scene::Scene& scene,
-                                                    int threads, LogSink* log);
+                                                    SolvedClasses* shared, int threads, LogSink* log);
 
 /// Puts what solved temperatures may be off by into the half-widths of the channels. InputError where an accuracy in kelvins is
 /// asked for that is finer than that; a warning where one in per cent is.

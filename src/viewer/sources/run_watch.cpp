@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "io/files/own_files.h"
-#include "io/products/bil_cube.h"
+#include "io/products/cube_file.h"
 #include "io/run_state/run_folder.h"
 #include "io/run_state/run_plan.h"
 #include "io/run_state/tile_index.h"
@@ -30,9 +30,10 @@ bool RunWatch::read_values(sampling::TileResult& tile, const std::function<bool(
     if (values.empty()) return true;
     const io::OwnFile file(folder_ / (plan_->name + "_" + quantity + ".img" + ending));
     if (!file) return false;
-    io::read_bil_tile(
+    io::read_cube_tile(
         [&](std::uint64_t offset, void* to, std::size_t bytes) { file.read_at(offset, to, bytes); },
-        plan_->image.width_px, bands, tile.tile, values);
+        {io::interleave_named(plan_->interleave), plan_->image.width_px, plan_->image.height_px, bands},
+        tile.tile, values);
     return true;
   };
   // The cubes get their own names when the run ends, which may be at any time.

@@ -137,6 +137,11 @@ SchemaType<OutputDocument> output_type() {
                     "begins the name of every product")
       .with_default("formats", &OutputDocument::formats, formats_type(), usual_formats(),
                     "kinds of products; the ENVI cubes and the run record are always written")
+      .with_default(
+          "interleave", &OutputDocument::interleave,
+          choice<std::string>({{"bil", "bil"}, {"bsq", "bsq"}, {"bip", "bip"}}), "\"bil\"",
+          "how values lie in the ENVI cubes: line by line, in each band by band (bil); band by band (bsq); or pixel by pixel, in each "
+          "band by band (bip)")
       .optional(
           "products", &OutputDocument::products, products_type(),
           "ENVI cubes beside the radiance, which is always written; if not given, those of the samples, the quality, the "

@@ -5,8 +5,8 @@
 namespace ifov::io {
 namespace {
 
-constexpr std::array<std::string_view, 8> kWords{"envi", "geotiff",    "netcdf", "glt",
-                                                 "vrt",  "demosaiced", "png",    "html"};
+constexpr std::array<std::string_view, 9> kWords{"envi",       "geotiff", "netcdf", "glt", "vrt",
+                                                 "demosaiced", "png",     "html",   "stac"};
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 
 #include "io/product_parts/product_headers.h"
 #include "io/product_parts/run_record.h"
+#include "io/products/cube_lines.h"
 #include "io/products/part_file.h"
 #include "io/products/product_format.h"
 #include "io/quantities/mosaic_quantities.h"
@@ -20,8 +21,9 @@ void write_demosaiced(PartFile& file, const FormatInput& input) {
   const RasterView raw = input.values_of(quantities::kMosaic);
   const auto width = static_cast<std::size_t>(image.width_px);
   std::map<int, std::vector<float>> lines;
-  std::vector<float> made(width);
-  std::uint64_t at = 0;
+  const CubeLayout layout{interleave_named(input.record.interleave), image.width_px, image.height_px,
+                          static_cast<int>(image.channels.size())};
+  std::vector<float> made(width * image.channels.size());
   for (int y = 0; y < image.height_px; ++y) {
     for (int line = std::max(0, y - mosaic.rows); line < std::min(image.height_px, y + mosaic.rows); ++line)
       if (auto [entry, is_new] = lines.try_emplace(line); is_new) {
@@ -29,17 +31,17 @@ void write_demosaiced(PartFile& file, const FormatInput& input) {
         raw.read(line, 0, entry->second);
       }
     lines.erase(lines.begin(), lines.lower_bound(y - mosaic.rows));
-    for (int c = 0; c < static_cast<int>(image.channels.size()); ++c) {
+    for (std::size_t c = 0; c < image.channels.size(); ++c)
       sensor::demosaic(
-          mosaic, c, y, image.height_px,
-          [&](int line) -> const std::vector<float>& { return lines.at(line); }, made);
-      file.write_at(at, made.data(), width * sizeof(float));
-      at += width * sizeof(float);
-    }
+          mosaic, static_cast<int>(c), y, image.height_px,
+          [&](int line) -> const std::vector<float>& { return lines.at(line); },
+          std::span(made).subspan(c * width, width));
+    write_cube_lines(file, layout, sizeof(float), y, std::as_bytes(std::span(made)));
   }
   EnviHeader header = image_header("radiance by channel, bilinear between the elements of a mosaic", image,
                                    input.record.identity, std::string());
   add_channels(header, image);
+  header.interleave = layout.interleave;
   header.data_units = image.radiance_unit;
   header.other["mosaic pattern"] = render::mosaic_pattern(image);
   input.put_header(to_text(header));

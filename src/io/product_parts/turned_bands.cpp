@@ -1,4 +1,4 @@
-#include "io/products/turned_bands.h"
+#include "io/product_parts/turned_bands.h"
 
 #include <immintrin.h>
 
@@ -50,11 +50,11 @@ void turn_one_by_one(const std::byte* from, std::size_t bands, std::byte* to, st
 
 void turn_bands(const void* from, std::size_t pixels, std::size_t bands, void* to, std::size_t to_stride,
                 std::size_t value_bytes) {
-  if (value_bytes == 8) {
+  if (value_bytes != 4) {
     for (std::size_t band = 0; band < bands; ++band)
       for (std::size_t x = 0; x < pixels; ++x)
-        std::memcpy(static_cast<std::byte*>(to) + 8 * (band * to_stride + x),
-                    static_cast<const std::byte*>(from) + 8 * (x * bands + band), 8);
+        std::memcpy(static_cast<std::byte*>(to) + value_bytes * (band * to_stride + x),
+                    static_cast<const std::byte*>(from) + value_bytes * (x * bands + band), value_bytes);
     return;
   }
   const std::size_t whole_pixels = pixels / kBlock * kBlock, whole_bands = bands / kBlock * kBlock;

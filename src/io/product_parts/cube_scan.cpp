@@ -1,9 +1,10 @@
-#include "io/products/cube_scan.h"
+#include "io/product_parts/cube_scan.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "io/product_parts/turned_bands.h"
 #include "sampling/intervals/bounded_error.h"
 
 namespace ifov::io {
@@ -94,10 +95,19 @@ double BandFigures::standard_deviation() const {
 }
 
 void CubeScan::take(const std::byte* line, std::size_t stride_bytes) {
-  const auto width = static_cast<std::size_t>(width_);
-  for (std::size_t band = 0; band < static_cast<std::size_t>(bands_); ++band) {
+  const auto width = static_cast<std::size_t>(width_), bands = static_cast<std::size_t>(bands_);
+  const bool by_pixel = interleave_ == EnviInterleave::bip;
+  if (by_pixel) {
+    sum_.update(line, value_bytes_ * width * bands);
+    if (!figures_.empty()) {
+      turned_.resize(value_bytes_ * width * bands);
+      turn_bands(line, width, bands, turned_.data(), width, value_bytes_);
+      line = turned_.data(), stride_bytes = value_bytes_ * width;
+    }
+  }
+  for (std::size_t band = 0; band < bands; ++band) {
     const std::byte* row = line + band * stride_bytes;
-    sum_.update(row, value_bytes_ * width);
+    if (!by_pixel && interleave_ != EnviInterleave::bsq) sum_.update(row, value_bytes_ * width);
     if (!figures_.empty()) figures_[band].add({reinterpret_cast<const float*>(row), width});
   }
   ++lines_;

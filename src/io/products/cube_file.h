@@ -12,19 +12,20 @@
 #include <utility>
 #include <vector>
 
+#include "io/envi/cube_layout.h"
+#include "io/product_parts/cube_scan.h"
 #include "io/product_parts/raster_view.h"
-#include "io/products/cube_scan.h"
+#include "io/product_parts/turned_lines.h"
 #include "io/products/part_file.h"
 #include "sampling/tile.h"
 
 namespace ifov::io {
 
-/// A band-interleaved-by-line cube, filled tile by tile in any order, from any thread. Tiles
-/// side by side are gathered in memory into whole lines, which go out in one piece: a line of one band of one
-/// tile is only some dozen bytes. What waits is bounded (`Limits::buffer_bytes`, or two strips up to 512 MiB, or
+/// A cube, filled tile by tile in any order, from any thread. Tiles side by side are gathered in memory into whole lines, which go
+/// out in one piece (band by band where the cube is band sequential): a line of one band of one tile is only some dozen bytes. What waits is bounded (`Limits::buffer_bytes`, or two strips up to 512 MiB, or
 /// one strip); beyond it incomplete strips are written segment by segment. Large cubes go past the page cache,
 /// one more strip in the background; a failure there is thrown by the next write() or flush().
-class BilCube {
+class CubeFile {
  public:
   /// float; unsigned of 32, 16, 8 bits; double. 16 and 8 bits of one band alone.
   enum class Values { real, integer, bits, byte, wide };
@@ -33,20 +34,19 @@ class BilCube {
     std::uint64_t large_bytes = kManyBytes;  ///< of a large cube
   };
 
-  BilCube(std::filesystem::path path, int width, int height, int bands, Values values, Limits limits,
-          PartFile::Left left = PartFile::Left::replace);
-  BilCube(std::filesystem::path path, int width, int height, int bands, Values values,
-          PartFile::Left left = PartFile::Left::replace)
-      : BilCube(std::move(path), width, height, bands, values, Limits(), left) {}
+  CubeFile(std::filesystem::path path, int width, int height, int bands, Values values, Limits limits,
+           PartFile::Left left = PartFile::Left::replace, EnviInterleave interleave = EnviInterleave::bil);
+  CubeFile(std::filesystem::path path, int width, int height, int bands, Values values,
+           PartFile::Left left = PartFile::Left::replace, EnviInterleave interleave = EnviInterleave::bil)
+      : CubeFile(std::move(path), width, height, bands, values, Limits(), left, interleave) {}
 
   /// What waits of a cube whose tiles, so high, come line by line.
   static std::uint64_t waiting_bytes(int width, int height, int bands, int tile_rows, int value_bytes = 4);
 
   void reserve() { file_.reserve(bytes()); }
   std::uint64_t bytes() const;
-  int width() const { return width_; }
-  int height() const { return height_; }
   int bands() const { return bands_; }
+  CubeLayout layout() const { return {interleave_, width_, height_, bands_}; }
 
   /// Values as [pixel * bands + band], pixels row by row.
   void write(sampling::PixelRect tile, std::span<const float> values);
@@ -61,7 +61,8 @@ class BilCube {
   /// Image lines [0, lines_written()) were written whole. From any thread.
   int lines_written() const { return lines_written_; }
 
-  /// What is told of the cube. Lines pass as they are written, or are read back where a later one came first.
+  /// What is told of the cube. Lines pass as they are written, or are read back where a later one came first; bytes of a
+  /// band-sequential cube, which come in another order, pass in finish_scan().
   CubeScan& scan() { return scan_; }
   /// After flush(): lets the lines pass that have not yet.
   void finish_scan();
@@ -81,8 +82,7 @@ class BilCube {
   };
   using Buffer = std::unique_ptr<std::byte, Free>;
 
-  /// All tiles that share their first and last line, as the file will have them: [row][band][x],
-  /// x padded to stride_.
+  /// All tiles that share their first and last line: [row][band][x], x padded to stride_; by pixel [row][x][band].
   struct Strip {
     int y0 = 0, y1 = 0;
     std::int64_t pixels = 0;  // finished
@@ -103,6 +103,9 @@ class BilCube {
   void write_strip(Strip& strip);
   void write_segments(const Strip& strip, int x0, int x1);
   void note_written(const Strip& strip);  // under the lock
+  bool by_pixel() const { return interleave_ == EnviInterleave::bip; }
+  void fetch(int line, int band, void* to) const;
+  void write_whole(const Strip& strip);
   bool scan_in_turn(const Strip& strip);
   void scan_written(const Strip& strip);
   void scan_file(int line_end);
@@ -112,9 +115,11 @@ class BilCube {
   int width_, height_, bands_;
   int stride_;  // of a row in memory
   Values values_;
+  EnviInterleave interleave_;  // of one band bil: all are the same
   std::size_t value_bytes_;
   Limits limits_;
   PartFile file_;
+  std::unique_ptr<const TurnedLines> turned_;  // of cubes by pixel, for those who look at them by bands
   std::mutex mutex_;
   Strips strips_;
   std::size_t buffered_bytes_ = 0;
@@ -134,7 +139,7 @@ class BilCube {
 };
 
 /// The values of a tile in a cube of floats, as [pixel * bands + band], where `read_at` reads the cube's file.
-void read_bil_tile(const std::function<void(std::uint64_t offset, void* to, std::size_t bytes)>& read_at,
-                   int width, int bands, sampling::PixelRect tile, std::span<float> values);
+void read_cube_tile(const std::function<void(std::uint64_t offset, void* to, std::size_t bytes)>& read_at,
+                    const CubeLayout& layout, sampling::PixelRect tile, std::span<float> values);
 
 }  // namespace ifov::io

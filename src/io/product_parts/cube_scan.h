@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "io/envi/envi_header.h"
 #include "io/product_parts/run_record.h"
 #include "io/product_parts/sha256.h"
 
@@ -34,18 +35,21 @@ class BandFigures {
   std::uint64_t finite_ = 0, total_ = 0;
 };
 
-/// What is told of a cube, found as its lines pass in the order of the file: the SHA-256 and figures of bands. It does
+/// What is told of a cube, found as its lines pass from the first to the last: the SHA-256 and figures of bands. It does
 /// not depend on the order in which tiles came.
 class CubeScan {
  public:
-  CubeScan(int width, int bands, std::size_t value_bytes = 4)
-      : width_(width), bands_(bands), value_bytes_(value_bytes) {}
+  /// The checksum is of what passes, unless the file holds its lines band by band: then of what add_bytes() is given.
+  CubeScan(int width, int bands, std::size_t value_bytes = 4, EnviInterleave interleave = EnviInterleave::bil)
+      : width_(width), bands_(bands), value_bytes_(value_bytes), interleave_(interleave) {}
 
   /// Before the first line: figures are wanted too, of values that are floats.
   void want_figures() { figures_.resize(static_cast<std::size_t>(bands_)); }
 
-  /// The next line: `bands` rows of `width` values, `stride_bytes` apart.
+  /// The next line: `bands` rows of `width` values, `stride_bytes` apart; by pixel `width` values of `bands`, without gaps.
   void take(const std::byte* line, std::size_t stride_bytes);
+  /// Of a band-sequential file, from its first byte on.
+  void add_bytes(std::span<const std::byte> bytes) { sum_.update(bytes.data(), bytes.size()); }
   int lines() const { return lines_; }
 
   /// Of all lines that were taken; call once.
@@ -55,6 +59,8 @@ class CubeScan {
  private:
   int width_, bands_, lines_ = 0;
   std::size_t value_bytes_;
+  EnviInterleave interleave_;
+  std::vector<std::byte> turned_;  // of a line by pixel
   Sha256 sum_;
   std::vector<BandFigures> figures_;
 };
