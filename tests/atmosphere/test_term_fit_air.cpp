@@ -109,6 +109,42 @@ TEST(TermFitInAir, TransmittancesAreThoseOfTheLines) {
   }
 }
 
+/// Of differences from the lines, the share that the bins' own errors hold.
+double held(const GasTermTable& terms, double narrowed = 1.0) {
+  double inside = 0.0, all = 0.0;
+  for (const char* model : {"tropical", "mid-latitude summer", "subarctic winter"}) {
+    const Profile& profile = model_atmosphere(model);
+    const std::vector<double> altitude_km = level_altitudes_km(0.0);
+    const ColumnTerms column(std::make_shared<const GasTermTable>(terms), profile, altitude_km);
+    for (const auto& [from_km, to_km] : {std::pair{0.0, 100.0}, std::pair{3.0, 100.0}, std::pair{0.0, 2.0}}) {
+      const LineByLine right(profile, from_km, to_km);
+      for (std::size_t bin = 0; bin < kBins; ++bin)
+        for (const double length : {1.0, 2.0, 5.0}) {
+          const double off = transmittance(column, bin, altitude_km, from_km, to_km, length) -
+                             right.transmittance(bin, length);
+          inside += std::abs(off) <= narrowed * terms.bins[bin].error ? 1.0 : 0.0;
+          all += 1.0;
+        }
+    }
+  }
+  return inside / all;
+}
+
+// With interpolation between states, which the comparison of terms with spectra does not see.
+TEST(TermFitInAir, BinsSayHowFarTheyAreFromTheLines) {
+  EXPECT_GE(held(fitted().table), 0.95);
+  EXPECT_LT(held(fitted().table, 1.0 / 3.0), 0.9) << "a third passes";
+  // States so far apart that nearly all of the error is that of interpolation.
+  const StateGrid few({0.3, 3.0, 30.0, 150.0, 450.0, 1080.0}, {190.0, 250.0, 310.0});
+  const GasSpectra coarse = test::spectra_of(Gas::h2o, lines(), kWater_u, kFrom_cm1 - 0.01,
+                                             kFrom_cm1 + kBins * kStep_cm1 + 0.01, 0.004, few);
+  const FittedTerms made = fit_terms({&coarse, 1}, fit_of());
+  EXPECT_GT(made.errors.between, 2.0 * made.errors.largest);
+  std::printf("fine %g, coarse: %g, a third %g; between %g, largest %g\n", held(fitted().table),
+              held(made.table), held(made.table, 1.0 / 3.0), made.errors.between, made.errors.largest);
+  EXPECT_GE(held(made.table), 0.95);
+}
+
 TEST(TermFitInAir, MoreTermsComeNearer) {
   double before = 1.0;
   for (const std::size_t terms : {2, 5, 16}) {
