@@ -191,6 +191,15 @@ class Used(Folded):
             run("render", "unsaid.json", "-q", "-o", "known", cwd=folder)
             self.assertNotIn("gas model", (folder / "known" / "image_half_width.img.hdr").read_text())
 
+    def test_clouds_do_not_count_as_an_error_of_the_terms(self):
+        """What comes straight through a cloud is next to nothing, and an error of transmittance was told as a share of that: 100 %."""
+        cloud = ', "clouds": [{"kind": "water", "base": "1.5 km", "top": "2 km", "optical_depth": 8}], "interval": "numerical"'
+        with Folder(clear=SCENE % (USED, ""), cloudy=SCENE % (USED + cloud, "")) as folder:
+            self.made(folder)
+            clear, cloudy = (float(re.search(r"numerical error of the air: \S+ to (\S+) % ", run("check", name, cwd=folder).stdout).group(1))
+                             for name in ("clear.json", "cloudy.json"))
+        self.assertLess(cloudy, 4 * clear)
+
     def test_other_channels_have_the_bands(self):
         outside = ', {"name": "red", "gaussian": {"center": "0.65 um", "fwhm": "0.04 um"}}'
         with Folder(plain=SCENE % ("", outside), own=SCENE % (USED, outside)) as folder:

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "atmosphere/column/light_limits.h"
 #include "atmosphere/particles/particles.h"
 
 namespace ifov::atmosphere {
