@@ -113,7 +113,7 @@ TEST(SphericalMonteCarlo, LowSunsBringMoreThanFallsOnLevelGround) {
   row.depth = 0.35;
   const Column column = column_of(row);
   for (const double sun_deg : {75.0, 85.0, 88.0}) {
-    const double sun = sun_deg * kDegree, mu = std::cos(sun);
+    const double sun = sun_deg * kDegree;
     const FluxProfile fluxes = solved(column, sun_deg, true).sunlit().fluxes();
     const double down = fluxes.at(0.0).diffuse_down, direct = fluxes.direct_down.back(),
                  up = fluxes.up.front(), out = down + direct + up, in = brought_in(column, sun);
