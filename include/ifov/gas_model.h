@@ -17,6 +17,8 @@ struct GasModelQuestion {
     std::filesystem::path file;    ///< cross sections by state (docs/formats/gas_model.md#spectra)
     double self_broadening = 1.0;  ///< of lines by the gas itself over that by air
     bool holds_continuum = false;  ///< the built-in continuum of this gas is to stay out
+    /// By what share of itself the depth of this gas by these spectra may be off, 0 to 1; none: not known
+    std::optional<double> depth_error = {};
   };
   std::vector<Spectra> spectra;  ///< all at the same wavenumbers and states; a gas is there once
   std::string source = {};       ///< in words, of lines, line shape and program; one line
@@ -36,6 +38,7 @@ struct GasModelOutcome {
   double first_cm1 = 0.0, last_cm1 = 0.0;
   double terms = 0.0;  ///< of a bin, mean
   double largest_error = 0.0, largest_error_at_cm1 = 0.0, rms_error = 0.0;
+  double between_states = 0.0;  ///< largest that interpolation between the spectra's states may add
   double mean_error = 0.0;      ///< largest over paths of the mean over all bins
   double random_overlap = 0.0;  ///< what gases that overlap at random would be off by, rms over bins
   std::size_t missed =

@@ -15,7 +15,7 @@ namespace ifov::cli {
 namespace {
 
 struct GasesArguments {
-  std::vector<std::string> spectra, self_broadening, continuum;
+  std::vector<std::string> spectra, self_broadening, depth_error, continuum;
   std::string to, range;
   GasModelQuestion question;
   bool quiet = false;
@@ -59,6 +59,10 @@ ExitCode make(const GasesArguments& arguments) {
     const auto [gas, times] = parts(text, "--self-broadening", "H2O=4.9");
     of_gas(question, gas, "--self-broadening").self_broadening = number(times, "--self-broadening");
   }
+  for (const std::string& text : arguments.depth_error) {
+    const auto [gas, share] = parts(text, "--depth-error", "H2O=0.03");
+    of_gas(question, gas, "--depth-error").depth_error = number(share, "--depth-error");
+  }
   for (const std::string& gas : arguments.continuum)
     of_gas(question, gas, "--continuum").holds_continuum = true;
   if (!arguments.range.empty()) {
@@ -84,6 +88,10 @@ ExitCode make(const GasesArguments& arguments) {
       "Transmittance along paths through six model atmospheres, terms less spectra: rms {:.2g}, largest {:.2g} (at {:g} "
       "cm-1), mean over all bins {:.2g}.\n",
       made.rms_error, made.largest_error, made.largest_error_at_cm1, made.mean_error));
+  if (made.between_states > 0.0)
+    say(format(
+        "Interpolation between the states of the spectra may add {:.2g} at most; bins have both in their error.\n",
+        made.between_states));
   if (question.spectra.size() > 1)
     say(format("The gases share their terms; overlapping at random they would be off by {:.2g} (rms).\n",
                made.random_overlap));
@@ -120,6 +128,13 @@ Command add_gases_command(CLI::App& app) {
       ->add_option("--self-broadening", arguments->self_broadening,
                    "GAS=TIMES: how much more than air the gas itself broadens its lines")
       ->type_name("GAS=TIMES")
+      ->allow_extra_args(false);
+  parser
+      ->add_option(
+          "--depth-error", arguments->depth_error,
+          "GAS=SHARE: by what share of itself the depth of the gas may be off by these spectra, such as 0.03; the error "
+          "of the model of the air then has this in place of that of the built-in bands")
+      ->type_name("GAS=SHARE")
       ->allow_extra_args(false);
   parser
       ->add_option("--continuum", arguments->continuum,

@@ -5,9 +5,10 @@ namespace {
 
 constexpr const char* kNumbers = "intervals hold the error of the air's numbers, not of its model";
 constexpr const char* kNumbersAndModel = "intervals hold the error of the air's numbers and of its model";
-constexpr const char* kWithoutClouds = ", as it is without clouds: what clouds add is not known";
+constexpr const char* kUnderClouds =
+    ", of clouds that of their particles: how far level clouds are from real ones is not known";
 constexpr const char* kOfBands =
-    ", as it is of the built-in bands: of spectra behind a gas model it is not known";
+    ", which takes spectra behind the gas model for as wrong as the built-in bands";
 
 }  // namespace
 
@@ -29,7 +30,7 @@ std::string what_intervals_hold(const ImageInfo& image) {
     case AirInIntervals::numbers: return kNumbers;
     case AirInIntervals::numbers_and_model: {
       const AtmosphereHalfWidth& air = *image.channels.front().air;
-      return std::string(kNumbersAndModel) + (air.model_without_clouds > 0.0 ? kWithoutClouds : "") +
+      return std::string(kNumbersAndModel) + (air.model_under_clouds > 0.0 ? kUnderClouds : "") +
              (air.model_of_bands > 0.0 ? kOfBands : "");
     }
   }

@@ -46,10 +46,9 @@ std::string model_error_note(std::span<const render::AtmosphereHalfWidth> air,
     if (share > high) high = share, worst = c;
   }
   return format(
-      "error of the model of the air: {}{:.2g} to {:.2g} % of a grey surface's radiance, most in '{}'{}; intervals {}",
-      cloudy ? "not known under clouds; of the air alone " : "", 100.0 * low, 100.0 * high,
-      channels[worst].name, cloudy ? ", and more with them" : "",
-      air[worst].model_counted > 0.0 ? cloudy ? "hold that of the air alone" : "hold it"
+      "error of the model of the air{}: {:.2g} to {:.2g} % of a grey surface's radiance, most in '{}'; intervals {}",
+      cloudy ? " and of what clouds consist of" : "", 100.0 * low, 100.0 * high, channels[worst].name,
+      air[worst].model_counted > 0.0 ? "hold it"
                                      : "do not hold it (\"interval\": \"with model\" in the atmosphere)");
 }
 

@@ -148,8 +148,11 @@ std::vector<std::string> notes(const Parts& parts) {
     if (modelled && modelled->gas_model)
       lines.push_back(format(
           "gas model: '{}', in place of the built-in bands of its gases in the channels within its range; what its terms are "
-          "off by, as it says, is part of the air's error, and the error of the model of the air is that of the bands",
-          modelled->gas_model->path));
+          "off by, as it says, is part of the air's error, and the error of the model of the air {}",
+          modelled->gas_model->path,
+          parts.air.front().model_of_bands > 0.0
+              ? "takes the spectra for as wrong as the bands: the file does not say what they are off by"
+              : "has what it says of its spectra"));
     const std::string haze =
         modelled && modelled->aerosol ? haze_statement(*modelled->aerosol) : std::string();
     if (!haze.empty())
@@ -167,8 +170,8 @@ std::vector<std::string> notes(const Parts& parts) {
     for (const io::CloudDocument& cloud : parts.document.atmosphere.modelled->clouds)
       lines.push_back(format("cloud: {}", cloud_statement(cloud)));
     lines.push_back(
-        "clouds: level, uniform and the same everywhere; how far they are from real ones is not known: no figure is stated for edges and "
-        "holes, the spread of sizes, the shapes of crystals and amounts that are not as written");
+        "clouds: level, uniform and the same everywhere; the error of the model of the air has what droplets and crystals of these "
+        "sizes may do otherwise, and no figure is stated for edges, holes and amounts that are not as written");
   }
   for (const std::string& line :
        scale_statements(parts.map_scales, ground_sample_m(*parts.camera, *parts.scene.world)))

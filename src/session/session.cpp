@@ -153,8 +153,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   if (document.atmosphere.modelled && document.atmosphere.modelled->interval == "with model")
     for (render::AtmosphereHalfWidth& air : p.air) {
       air.model_counted = 1.0;
-      air.model_without_clouds = document.atmosphere.modelled->clouds.empty() ? 0.0 : 1.0;
-      air.model_of_bands = document.atmosphere.modelled->gas_model ? 1.0 : 0.0;
+      air.model_under_clouds = document.atmosphere.modelled->clouds.empty() ? 0.0 : 1.0;
     }
   if (p.polarimetry) render::pass_optics(*p.polarimetry, p.air);
   if (!p.atmosphere) p.node_errors = render::node_half_widths(*p.spectral_scene);

@@ -216,4 +216,45 @@ TEST(CloudsRoundEarth, WhatIsStatedHoldsDarkChannelsAtDusk) {
       << "skies that molecules light are known better";
 }
 
+// Single directions, back towards a Sun that is up, where what clouds scatter more often was sent up to a third too much of.
+TEST(CloudsRoundEarth, PathsTowardsTheSunAreThoseOfPhotons) {
+  constexpr double kZenith_deg = 75.0, kBack_rad = 3.1;
+  for (const std::size_t which : {0, 2, 3})
+    for (const double sun_deg : {80.0, 86.0}) {
+      const DarkCase& air = kDark[which];
+      const SphericalMonteCarlo::Light right = photons_in(dark_column(air, 8), sun_deg, air.asymmetry)
+                                                   .above(kZenith_deg * kDegree, kBack_rad, 20000, 3);
+      const double found = solve(dark_column(air, 0), sun_deg)
+                               .sunlit()
+                               .line_of_sight({std::cos(kZenith_deg * kDegree), kBack_rad}, 1e4, 0.0)
+                               .radiance()
+                               .i;
+      const RoundEarthError stated =
+          round_earth_error(sun_deg * kDegree, {air.cloudy, air.molecules, air.depth});
+      EXPECT_LT(std::abs(found - right.all) - 2.5 * right.error, (stated.path + 0.005) * found)
+          << air.name << " " << sun_deg;
+    }
+}
+
+TEST(CloudsRoundEarth, WhatIsStatedHoldsDirectionsAtDusk) {
+  for (const std::size_t which : {0, 1})
+    for (const double sun_deg : {90.0, 90.5})
+      for (const double azimuth : {0.0, 3.1}) {
+        constexpr double kZenith_deg = 70.0;
+        const DarkCase& air = kDark[which];
+        const SphericalMonteCarlo photons = photons_in(dark_column(air, 8), sun_deg, air.asymmetry);
+        const ScatteredField light = solve(dark_column(air, 0), sun_deg).sunlit();
+        const RoundEarthError stated =
+            round_earth_error(sun_deg * kDegree, {air.cloudy, air.molecules, air.depth});
+        const double mu = std::cos(kZenith_deg * kDegree);
+        const SphericalMonteCarlo::Light sky = photons.sky(kZenith_deg * kDegree, azimuth, 10000, 4),
+                                         path = photons.above(kZenith_deg * kDegree, azimuth, 10000, 3);
+        const double our_sky = light.sky({-mu, azimuth}, 0.0).radiance().i,
+                     our_path = light.line_of_sight({mu, azimuth}, 1e4, 0.0).radiance().i;
+        EXPECT_LT(std::abs(our_sky - sky.all) - 2.5 * sky.error, stated.sky * our_sky) << air.name << sun_deg;
+        EXPECT_LT(std::abs(our_path - path.all) - 2.5 * path.error, stated.path * our_path)
+            << air.name << sun_deg;
+      }
+}
+
 }  // namespace test_clouds_round_earth

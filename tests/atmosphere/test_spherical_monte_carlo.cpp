@@ -72,4 +72,60 @@ TEST(SphericalMonteCarlo, MakesItsTableAnew) {
   EXPECT_GT(off(0.2), 10.0) << "a Sun that is 0.2 degrees lower passes";
 }
 
+namespace {
+
+/// Depth of a sunbeam that ends at an altitude, straight through shells.
+double beam_depth(const Column& column, double altitude_km, double sun_rad) {
+  constexpr double kRadius_km = 6371.0;
+  const double at = kRadius_km + altitude_km, along = at * std::cos(sun_rad), off = at * at - along * along;
+  double depth = 0.0;
+  for (std::size_t l = 0; l < column.levels.layers(); ++l) {
+    const double low = std::max(at, kRadius_km + column.levels.altitude_km[l]),
+                 high = kRadius_km + column.levels.altitude_km[l + 1];
+    if (high <= low) continue;
+    const double length = std::sqrt(high * high - off) - std::sqrt(low * low - off);
+    depth += (column.optics.rayleigh_scattering[l] + column.optics.aerosol_scattering[l]) * length /
+             (column.levels.altitude_km[l + 1] - column.levels.altitude_km[l]);
+  }
+  return depth;
+}
+
+/// What sunbeams leave in the air above a place, and what of them meets its ground.
+double brought_in(const Column& column, double sun_rad) {
+  double sum = std::cos(sun_rad) * std::exp(-beam_depth(column, 0.0, sun_rad));
+  constexpr int kSteps = 100;
+  for (std::size_t l = 0; l < column.levels.layers(); ++l) {
+    const double low = column.levels.altitude_km[l], high = column.levels.altitude_km[l + 1];
+    const double depth = column.optics.rayleigh_scattering[l] + column.optics.aerosol_scattering[l];
+    for (int k = 0; k < kSteps; ++k)
+      sum += depth / kSteps * std::exp(-beam_depth(column, low + (high - low) * (k + 0.5) / kSteps, sun_rad));
+  }
+  return sum;
+}
+
+}  // namespace
+
+// About a round Earth more light comes to a place under a low Sun than falls on a level plane there: beams come in from beside,
+// above where the Sun stands higher. What goes out is what beams bring, and what photons make of it.
+TEST(SphericalMonteCarlo, LowSunsBringMoreThanFallsOnLevelGround) {
+  Row row;
+  row.haze = true;
+  row.depth = 0.35;
+  const Column column = column_of(row);
+  for (const double sun_deg : {75.0, 85.0, 88.0}) {
+    const double sun = sun_deg * kDegree;
+    const FluxProfile fluxes = solved(column, sun_deg, true).sunlit().fluxes();
+    const double down = fluxes.at(0.0).diffuse_down, direct = fluxes.direct_down.back(),
+                 up = fluxes.up.front(), out = down + direct + up, in = brought_in(column, sun);
+    SphericalMonteCarlo air(column.levels.altitude_km, column.optics.rayleigh_scattering, sun);
+    air.add_haze(column.optics.aerosol_scattering, 0.65);
+    const SphericalMonteCarlo::Light right_down = air.flux(40000, 5), right_up = air.flux_up(40000, 6);
+    const double error = 3.0 * std::hypot(right_down.error, right_up.error);
+    EXPECT_LT(std::abs(out - right_down.all - direct - right_up.all), 0.01 * out + error) << sun_deg;
+    EXPECT_NEAR(out / in, 1.0, 0.01) << sun_deg;
+  }
+  const double low = 85.0 * kDegree;
+  EXPECT_GT(brought_in(column, low), 1.08 * std::cos(low)) << "level ground alone would do";
+}
+
 }  // namespace test_spherical_monte_carlo

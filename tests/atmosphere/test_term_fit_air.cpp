@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/gas/column_terms.h"
 #include "atmosphere/gas/term_fit.h"
@@ -107,6 +111,42 @@ TEST(TermFitInAir, TransmittancesAreThoseOfTheLines) {
     EXPECT_LT(measured.rms(), 0.002) << measured.text() << " in " << model;
     EXPECT_LT(measured.largest(), told.largest + 0.006) << measured.text() << " in " << model;
   }
+}
+
+/// Differences from the lines over the bins' own errors.
+std::vector<double> over_stated(const GasTermTable& terms) {
+  std::vector<double> ratios;
+  const Profile& profile = model_atmosphere("subarctic winter");
+  const std::vector<double> altitude_km = level_altitudes_km(0.0);
+  const ColumnTerms column(std::make_shared<const GasTermTable>(terms), profile, altitude_km);
+  for (const auto& [from_km, to_km] : {std::pair{0.0, 100.0}, std::pair{0.0, 2.0}}) {
+    const LineByLine right(profile, from_km, to_km);
+    for (std::size_t bin = 0; bin < kBins; ++bin)
+      for (const double length : {1.0, 2.0, 5.0})
+        ratios.push_back(std::abs(transmittance(column, bin, altitude_km, from_km, to_km, length) -
+                                  right.transmittance(bin, length)) /
+                         terms.bins[bin].error);
+  }
+  return ratios;
+}
+double share_within(const std::vector<double>& ratios, double most) {
+  return static_cast<double>(
+             std::count_if(ratios.begin(), ratios.end(), [&](double ratio) { return ratio <= most; })) /
+         static_cast<double>(ratios.size());
+}
+
+// With interpolation between states, which the comparison of terms with spectra does not see. Planted: a third of what is said.
+TEST(TermFitInAir, BinsSayHowFarTheyAreFromTheLines) {
+  const std::vector<double> fine = over_stated(fitted().table);
+  EXPECT_GE(share_within(fine, 1.0), 0.95);
+  EXPECT_LT(share_within(fine, 1.0 / 3.0), 0.9);
+  // States so far apart that nearly all of the error is that of interpolation.
+  const StateGrid few({0.3, 3.0, 30.0, 150.0, 450.0, 1080.0}, {190.0, 250.0, 310.0});
+  const GasSpectra coarse = test::spectra_of(Gas::h2o, lines(), kWater_u, kFrom_cm1 - 0.01,
+                                             kFrom_cm1 + kBins * kStep_cm1 + 0.01, 0.004, few);
+  const FittedTerms made = fit_terms({&coarse, 1}, fit_of());
+  EXPECT_GT(made.errors.between, 2.0 * made.errors.largest);
+  EXPECT_GE(share_within(over_stated(made.table), 1.0), 0.95);
 }
 
 TEST(TermFitInAir, MoreTermsComeNearer) {

@@ -115,24 +115,25 @@ class Said(unittest.TestCase):
             done = run("check", "yard.json", cwd=folder)
         self.assertEqual(done.returncode, 6, done.stderr)
         self.assertIn("cloud: water from 1 to 1.6 km, optical depth 10 (63", done.stdout)
-        self.assertRegex(done.stdout, r"error of the model of the air: not known under clouds; of the air alone \S+ to \S+ % of a grey "
-                                      r"surface's radiance, most in '\w+', and more with them; intervals hold that of the air alone")
-        self.assertIn("how far they are from real ones is not known: no figure is stated for edges and holes", done.stdout)
+        self.assertRegex(done.stdout, r"error of the model of the air and of what clouds consist of: \S+ to \S+ % of a grey "
+                                      r"surface's radiance, most in '\w+'; intervals hold it")
+        self.assertIn("no figure is stated for edges, holes and amounts that are not as written", done.stdout)
         with Folder(yard=THERMAL % CLEAR) as folder:
             done = run("check", "yard.json", cwd=folder)
-        self.assertNotIn("under clouds", done.stdout)
+        self.assertNotIn("what clouds consist of", done.stdout)
 
     def test_what_is_not_known_with_the_model(self):
-        words = "the error of the model of the air, which was found without clouds: under clouds they may be too narrow"
+        words = "not how far level and uniform clouds are from real ones"
         for interval, warned in (("", True), (', "interval": "with model"', True), (', "interval": "numerical"', False)):
             with Folder(yard=RED % (CLOUD % (STRATUS % 10) + interval)) as folder:
                 done = run("check", "yard.json", cwd=folder)
             self.assertEqual(words in done.stderr, warned, interval + done.stderr)
-        self.assertIn("and more with them; intervals do not hold it", done.stdout)
+        self.assertIn("; intervals do not hold it", done.stdout)
 
     def test_headers_say_what_intervals_do_not_hold(self):
         """They once said that they hold the error of the model, whatever clouds there were."""
-        unknown = "intervals hold the error of the air's numbers and of its model, as it is without clouds: what clouds add is not known"
+        unknown = "intervals hold the error of the air's numbers and of its model, of clouds that of their particles: how far level clouds are from " \
+                  "real ones is not known"
         for air, known in ((CLOUD % (STRATUS % 10), False), (CLEAR, True)):
             text = (RED % air).rstrip()[:-1] + ', "sampling": {"accuracy": {"error": "30 %"}}, "output": {"folder": "out"}}'
             with Folder(yard=text) as folder:
@@ -142,7 +143,7 @@ class Said(unittest.TestCase):
                 record = json.loads((folder / "out/image_run.json").read_text())["channels"][0]["air_half_width"]["model"]
             self.assertEqual(unknown in header, not known, header)
             self.assertEqual(unknown[1:] in done.stdout + done.stderr, not known, done.stdout)
-            self.assertEqual((record["in_interval"], record["found_without_clouds"], record["found_with_bands_alone"]), (True, not known, False))
+            self.assertEqual((record["in_interval"], record["under_clouds"], record["found_with_bands_alone"]), (True, not known, False))
 
     def test_droplets_and_crystals_where_they_cannot_be(self):
         wrong = '{"kind": "water", "base": "9 km", "top": "11 km", "optical_depth": 1}, {"kind": "ice", "base": "1 km", "top": "2 km", "optical_depth": 1}'

@@ -65,13 +65,19 @@ def columns(text, channel):
     return [float(word) if word != "-" else None for word in line.split()[1:]]
 
 
+def model_error(text):
+    """The largest of all channels, percent."""
+    return float(re.search(r"error of the model of the air: \S+ to (\S+) % ", text).group(1))
+
+
 class Made(Folded):
     def test_what_is_said_and_written(self):
         with Folder() as folder:
             said = self.made(folder, "--source", "two lines")
             found = re.fullmatch(r"m\.gases  \(gas model: 10 bins of 1 cm-1 from 4296 to 4306 cm-1, ([\d.]+) terms each\)\n"
                                  r"Transmittance along paths through six model atmospheres, terms less spectra: rms (\S+), largest "
-                                 r"(\S+) \(at \S+ cm-1\), mean over all bins (\S+)\.\n", said)
+                                 r"(\S+) \(at \S+ cm-1\), mean over all bins (\S+)\.\n"
+                                 r"Interpolation between the states of the spectra may add \S+ at most; bins have both in their error\.\n", said)
             self.assertIsNotNone(found, said)
             terms, rms, largest, mean = map(float, found.groups())
             self.assertTrue(1 <= terms <= 16 and 0 < rms <= 1e-3 and rms < largest < 2e-3 and mean < largest, found.groups())
@@ -86,10 +92,11 @@ class Made(Folded):
         with Folder() as folder:
             self.assertIn("3 bins of 2 cm-1 from 4298 to 4304 cm-1, 1.0 terms", self.made(folder, "--bin", "2", "--range", "4298,4304", "--terms", "1"))
             (folder / "h2o.csv").write_text(METHANE)
-            done = run("gases", "CH4=ch4.csv", "H2O=h2o.csv", "-o", "two.gases", "--self-broadening", "H2O=4.9", "--continuum", "H2O", cwd=folder)
+            done = run("gases", "CH4=ch4.csv", "H2O=h2o.csv", "-o", "two.gases", "--self-broadening", "H2O=4.9", "--continuum", "H2O",
+                       "--depth-error", "H2O=0.03", cwd=folder)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             self.assertRegex(done.stdout, r"The gases share their terms; overlapping at random they would be off by \S+ \(rms\)\.\n")
-            self.assertIn("\ngas CH4\ngas H2O self_broadening 4.9 continuum\n", (folder / "two.gases").read_text())
+            self.assertIn("\ngas CH4\ngas H2O self_broadening 4.9 depth_error 0.03 continuum\n", (folder / "two.gases").read_text())
 
     def test_mistakes(self):
         with Folder() as folder:
@@ -107,6 +114,8 @@ class Made(Folded):
                     (["CH4=gap.csv"], "the spectra have 0 points in the bin from 4300 to 4301 cm-1; expected 20 at least"),
                     (["CH4=nm.csv"], "nm.csv:1:1: found 'nm'; expected 'cm-1': the first column holds wavenumbers"),
                     (["CH4=ch4.csv", "--terms", "0"], "0 terms were asked for; expected 1 to 64"),
+                    (["CH4=ch4.csv", "--depth-error", "H2O=0.1"], "ifov: --depth-error names 'H2O', and no spectra are given of it"),
+                    (["CH4=ch4.csv", "--depth-error", "CH4=3"], "the depth of CH4 is said to be off by 3 of itself; expected 0 to 1"),
                     (["CH4=ch4.csv", "--self-broadening", "H2O=5"], "ifov: --self-broadening names 'H2O', and no spectra are given of it")):
                 with self.subTest(arguments):
                     done = run("gases", *arguments, "-o", "m.gases", cwd=folder)
@@ -169,10 +178,27 @@ class Used(Folded):
             self.assertIn("m.gases", said.stdout)
             said = run("check", "unsaid.json", cwd=folder)
             self.assertEqual(said.returncode, 6, said.stderr)
-            self.assertIn("which was found with the built-in bands: with a gas model they are those of the bands still", said.stderr)
+            self.assertIn("the gas model does not say what its spectra are off by ('ifov gases --depth-error')", said.stderr)
             run("render", "unsaid.json", "-q", "-o", "out", cwd=folder)
             header = (folder / "out" / "image_half_width.img.hdr").read_text()
-            self.assertIn("and of its model, as it is of the built-in bands: of spectra behind a gas model it is not known", header)
+            self.assertIn("and of its model, which takes spectra behind the gas model for as wrong as the built-in bands", header)
+            bands = model_error(said.stdout)
+            self.made(folder, "--depth-error", "CH4=0.02")
+            said = run("check", "unsaid.json", cwd=folder)
+            self.assertNotIn("gas model", said.stderr)
+            self.assertIn("the error of the model of the air has what it says of its spectra", said.stdout)
+            self.assertLess(model_error(said.stdout), 0.8 * bands)
+            run("render", "unsaid.json", "-q", "-o", "known", cwd=folder)
+            self.assertNotIn("gas model", (folder / "known" / "image_half_width.img.hdr").read_text())
+
+    def test_clouds_do_not_count_as_an_error_of_the_terms(self):
+        """What comes straight through a cloud is next to nothing, and an error of transmittance was told as a share of that: 100 %."""
+        cloud = ', "clouds": [{"kind": "water", "base": "1.5 km", "top": "2 km", "optical_depth": 8}], "interval": "numerical"'
+        with Folder(clear=SCENE % (USED, ""), cloudy=SCENE % (USED + cloud, "")) as folder:
+            self.made(folder)
+            clear, cloudy = (float(re.search(r"numerical error of the air: \S+ to (\S+) % ", run("check", name, cwd=folder).stdout).group(1))
+                             for name in ("clear.json", "cloudy.json"))
+        self.assertLess(cloudy, 4 * clear)
 
     def test_other_channels_have_the_bands(self):
         outside = ', {"name": "red", "gaussian": {"center": "0.65 um", "fwhm": "0.04 um"}}'

@@ -20,7 +20,7 @@ const std::string kModel =
     "bins 4300 2 3\n"
     "pressures 10 1000\n"
     "temperatures 220 300\n"
-    "gas H2O self_broadening 4.9\n"
+    "gas H2O self_broadening 4.9 depth_error 0.03\n"
     "gas CH4 continuum\n"
     "bin 4301 error 0.0004\n"
     "weights 0.75 0.25\n"
@@ -70,6 +70,9 @@ TEST(GasModelFile, HoldsWhatWasWritten) {
   EXPECT_EQ(table.gases[0].gas, Gas::h2o);
   EXPECT_EQ(table.gases[0].self_broadening, 4.9);
   EXPECT_FALSE(table.gases[0].holds_continuum);
+  EXPECT_EQ(table.gases[0].depth_error, 0.03);
+  EXPECT_FALSE(table.gases[1].depth_error);
+  EXPECT_FALSE(table.depth_errors_known());
   EXPECT_EQ(table.gases[1].gas, Gas::ch4);
   EXPECT_TRUE(table.gases[1].holds_continuum);
   ASSERT_EQ(table.bins.size(), 3u);
@@ -105,8 +108,10 @@ TEST(GasModelFile, SaysWhereItsHeadIsWrong) {
          "a.gases:6:1: ", "'pressures' is there twice");
   expect(changed("gas CH4", "gas HCl"), "a.gases:8:5: ", "unknown gas 'HCl'; expected 'H2O', 'CO2'");
   expect(changed("gas CH4", "gas H2O"), "a.gases:8:5: ", "the gas H2O is there twice");
-  expect(changed("CH4 continuum", "CH4 continuous"),
-         "a.gases:8:9: ", "found 'continuous'; expected 'self_broadening' and a number, or 'continuum'");
+  expect(changed("CH4 continuum", "CH4 continuous"), "a.gases:8:9: ",
+         "found 'continuous'; expected 'self_broadening' or 'depth_error' and a number, or 'continuum'");
+  expect(changed("depth_error 0.03", "depth_error 3"),
+         "a.gases:7:37: ", "found '3'; expected the share of its depth that the gas may be off by, 0 to 1");
 }
 
 TEST(GasModelFile, SaysWhereABinIsWrong) {

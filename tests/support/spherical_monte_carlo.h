@@ -72,6 +72,10 @@ class SphericalMonteCarlo {
   }
   /// Irradiance on level ground.
   Light flux(std::uint64_t paths, unsigned seed) const { return mean(ground(), std::nullopt, paths, seed); }
+  /// Irradiance from below on a level surface at the top of the air, above the observer's place.
+  Light flux_up(std::uint64_t paths, unsigned seed) const {
+    return mean({0.0, 0.0, radius_.back() * (1.0 - 1e-12)}, std::nullopt, paths, seed, -1.0);
+  }
 
  private:
   struct Piece {
@@ -165,8 +169,8 @@ class SphericalMonteCarlo {
   }
 
   /// `look`: none for an irradiance. Scattering along the first ray is forced, and its place is stratified.
-  Light mean(const Vector& from, const std::optional<Vector>& look, std::uint64_t paths,
-             unsigned seed) const {
+  Light mean(const Vector& from, const std::optional<Vector>& look, std::uint64_t paths, unsigned seed,
+             double upwards = 1.0) const {
     constexpr std::uint64_t kBatch = 1000;
     constexpr int kMostEvents = 100;
     constexpr double kWeak = 1e-3;
@@ -181,7 +185,7 @@ class SphericalMonteCarlo {
         Vector at = from, along = look ? *look : Vector{};
         double weight = 1.0;
         if (!look) {
-          along = turned({0.0, 0.0, 1.0}, std::sqrt(draw(engine)), 2.0 * std::numbers::pi * draw(engine));
+          along = turned({0.0, 0.0, upwards}, std::sqrt(draw(engine)), 2.0 * std::numbers::pi * draw(engine));
           weight = std::numbers::pi;
         }
         for (int event = 0; event < kMostEvents; ++event) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,8 +62,17 @@ class AtmosphereColumn {
   /// At a wavenumber of 200 to 50000 cm-1 (0.2 to 50 um); InputError outside. In the bin of a table of terms that it lies in,
   /// where there is one.
   ColumnOptics at(double wavenumber_cm1) const;
+  /// What gases of a table of terms absorb in the bin that a wavenumber lies in, and what of that may be too much: as the table
+  /// says, or `otherwise` of the depth. None without a table, or outside its bins.
+  struct Tabulated {
+    AbsorptionSet lines, off;
+  };
+  std::optional<Tabulated> tabulated(double wavenumber_cm1, double otherwise) const;
+  /// Of amounts along some path, by bands and continua: of all gases but those of a table of terms where that has a bin.
+  double band_transmittance(double wavenumber_cm1, const GasAmounts& amounts) const;
 
  private:
+  std::optional<std::size_t> term_bin(double wavenumber_cm1) const;
   AtmosphereDescription description_;
   ColumnOptions options_;
   BuiltProfile built_;

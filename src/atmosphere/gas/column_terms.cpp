@@ -25,17 +25,36 @@ ColumnTerms::ColumnTerms(std::shared_ptr<const GasTermTable> table, const Profil
   }
 }
 
-AbsorptionSet ColumnTerms::at(std::size_t bin) const {
+std::vector<Gas> ColumnTerms::gases() const {
+  std::vector<Gas> all;
+  for (const TermGas& of : table_->gases) all.push_back(of.gas);
+  return all;
+}
+
+/// Of the depths of each gas times its factor.
+template <class Factor>
+AbsorptionSet ColumnTerms::sum(std::size_t bin, const Factor& factor) const {
   const TermBin& here = table_->bins[bin];
   const std::size_t layers = gases_.front().layers.size();
   if (here.weight.empty()) return {{1.0}, {std::vector<double>(layers, 0.0)}};
   AbsorptionSet set{here.weight, std::vector(here.terms(), std::vector<double>(layers, 0.0))};
-  for (std::size_t g = 0; g < gases_.size(); ++g)
+  for (std::size_t g = 0; g < gases_.size(); ++g) {
+    const double of_gas = factor(table_->gases[g]);
     for (std::size_t l = 0; l < layers; ++l) {
       const std::vector<double> k = here.cross_sections(g, gases_[g].places[l]);
-      for (std::size_t t = 0; t < k.size(); ++t) set.depth[t][l] += k[t] * gases_[g].layers[l].molecules_cm2;
+      for (std::size_t t = 0; t < k.size(); ++t)
+        set.depth[t][l] += of_gas * k[t] * gases_[g].layers[l].molecules_cm2;
     }
+  }
   return set;
+}
+
+AbsorptionSet ColumnTerms::at(std::size_t bin) const {
+  return sum(bin, [](const TermGas&) { return 1.0; });
+}
+
+AbsorptionSet ColumnTerms::off_at(std::size_t bin, double otherwise) const {
+  return sum(bin, [&](const TermGas& gas) { return gas.depth_error.value_or(otherwise); });
 }
 
 void ColumnTerms::leave_out(ContinuumDepths& depths) const {

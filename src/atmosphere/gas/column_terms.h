@@ -18,12 +18,17 @@ class ColumnTerms {
   static constexpr double kMostOutside = 0.02;
 
   const GasTermTable& table() const { return *table_; }
+  std::vector<Gas> gases() const;
   /// What all its gases absorb in the bin; one term of depth 0 where none does.
   AbsorptionSet at(std::size_t bin) const;
+  /// The same terms with what of these depths may be too much: each gas's depth_error, or `otherwise` of a gas that says none.
+  AbsorptionSet off_at(std::size_t bin, double otherwise) const;
   /// Without the continua of gases whose cross sections hold them.
   void leave_out(ContinuumDepths& depths) const;
 
  private:
+  template <class Factor>
+  AbsorptionSet sum(std::size_t bin, const Factor& factor) const;
   struct Layered {
     std::vector<LayerGas> layers;
     std::vector<StateGrid::Place> places;

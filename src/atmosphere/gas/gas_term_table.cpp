@@ -63,6 +63,11 @@ std::optional<std::size_t> GasTermTable::bin_at(double wavenumber_cm1) const {
   return std::min(bins.size() - 1, static_cast<std::size_t>((wavenumber_cm1 - first_cm1) / step_cm1));
 }
 
+bool GasTermTable::depth_errors_known() const {
+  return std::all_of(gases.begin(), gases.end(),
+                     [](const TermGas& gas) { return gas.depth_error.has_value(); });
+}
+
 std::vector<LayerGas> layer_gas(const Profile& profile, const TermGas& gas,
                                 const std::vector<double>& altitude_km) {
   const std::vector<double>& share = profile.of(gas.gas);

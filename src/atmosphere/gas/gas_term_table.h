@@ -44,6 +44,8 @@ struct TermGas {
   double self_broadening = 1.0;
   /// The cross sections hold what of this gas is absorbed continuously, too: the built-in continuum of it stays out.
   bool holds_continuum = false;
+  /// By what share of itself the depth of this gas by these cross sections may be off, as whoever made them says.
+  std::optional<double> depth_error = {};
 };
 
 /// Terms of a spectral bin: the mean transmittance of the bin through a path is the sum of
@@ -78,6 +80,8 @@ struct GasTermTable {
   double centre_cm1(std::size_t bin) const { return first_cm1 + step_cm1 * (static_cast<double>(bin) + 0.5); }
   /// The bin that a wavenumber lies in; none at and beyond the ends.
   std::optional<std::size_t> bin_at(double wavenumber_cm1) const;
+  /// Whether every gas says what its depth may be off by.
+  bool depth_errors_known() const;
 };
 
 /// What a layer holds of one gas, and the state at which it absorbs: means weighted with its molecules.

@@ -23,6 +23,7 @@ struct TermFitErrors {
   double largest = 0.0, rms = 0.0;  ///< over bins and paths
   double largest_at_cm1 = 0.0;
   std::size_t missed = 0;  ///< bins whose error is beyond the one asked for
+  double between = 0.0;    ///< largest that interpolation between the states of the spectra may add
   double mean = 0.0;       ///< largest over paths of the mean over all bins: what wide channels see
   double terms = 0.0;      ///< in a bin, mean over those where something absorbs
   double overlap =
@@ -42,8 +43,10 @@ struct FittedTerms {
 /// from layer to layer where lines change their width, as far as the members of a set change alike. What is left of that, and of
 /// the number of terms, is the error of each bin: the largest along paths through the six model atmospheres (from the ground, 2, 5
 /// and 10 km to space, from the ground to 1 and to 5 km, vertical and 1.5, 3 and 6 times as long), all gases together and each by
-/// itself, against the spectra line by line, both with cross sections between states as the grid has them. Where no path loses
-/// more than a millionth, nothing absorbs. Only bins that the spectra cover may be asked for.
+/// itself, against the spectra line by line, both with cross sections between states as the grid has them; and on top what
+/// interpolation between states makes of the path: a third of what leaving out every second pressure, and every second temperature,
+/// makes, as for an error of second order. Where no path loses more than a millionth, nothing absorbs. Only bins that the spectra
+/// cover may be asked for.
 FittedTerms fit_terms(std::span<const GasSpectra> spectra, const TermFit& fit);
 
 }  // namespace ifov::atmosphere

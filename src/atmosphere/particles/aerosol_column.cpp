@@ -187,6 +187,10 @@ PhaseFunction AerosolColumn::phase_function(std::size_t region, double wavelengt
   return regions_[region].particles->phase_function(wavelength_um);
 }
 
+ParticleError AerosolColumn::cloud_error(std::size_t region, double wavelength_um) const {
+  return regions_[region].particles->cloud_error(wavelength_um);
+}
+
 double AerosolColumn::scattering_error(double wavelength_um) const {
   double sum = 0.0, scattering = 0.0;
   for (std::size_t r = 0; r < first_cloud_; ++r) {

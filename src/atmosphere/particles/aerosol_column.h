@@ -11,6 +11,7 @@ namespace ifov::atmosphere {
 
 class LayerHeights;
 class Particles;
+struct ParticleError;
 class PhaseFunction;
 struct AerosolDescription;
 struct ParticleLayer;
@@ -50,6 +51,7 @@ class AerosolColumn {
   PhaseFunction phase_function(std::size_t region, double wavelength_um) const;
   /// Particles::scattering_error, mean over what all regions but clouds scatter; 0 where there are none.
   double scattering_error(double wavelength_um) const;
+  ParticleError cloud_error(std::size_t region, double wavelength_um) const;
 
  private:
   struct Region {

@@ -29,6 +29,20 @@ double airy(double z) {
   return amplitude * amplitude;
 }
 
+class Droplets : public MieParticles {
+ public:
+  using MieParticles::MieParticles;
+  ParticleError cloud_error(double wavelength_um) const override { return droplet_error(wavelength_um); }
+};
+
+/// From 0 at 0.8 um, up to where extinction hardly changes and absorption is next to none, to 1 from 2 um on.
+double away_from_visible(double um) {
+  constexpr double kNear = 0.8, kFar = 2.0;
+  return std::clamp((um - kNear) / (kFar - kNear), 0.0, 1.0);
+}
+/// Up to here particles absorb a thousandth, and the mean over a wide band hangs on its edge.
+constexpr double kClear_um = 1.25;
+
 double scattered(const AerosolProperties& properties) {
   return std::clamp(1.0 - properties.absorption / properties.extinction, 0.0, 1.0);
 }
@@ -37,8 +51,17 @@ double scattered(const AerosolProperties& properties) {
 
 std::shared_ptr<const MieParticles> droplets(double effective_radius_um, double effective_variance) {
   const radiometry::RefractiveIndex& water = *radiometry::whole_refractive_index("water");
-  return std::make_shared<const MieParticles>(
-      gamma_by_effective_radius(effective_radius_um, effective_variance), water.n, water.k);
+  return std::make_shared<const Droplets>(gamma_by_effective_radius(effective_radius_um, effective_variance),
+                                          water.n, water.k);
+}
+
+ParticleError droplet_error(double wavelength_um) {
+  return {0.05 * away_from_visible(wavelength_um), 0.06, wavelength_um < kClear_um ? 0.50 : 0.30, 0.10};
+}
+
+ParticleError crystal_error(double wavelength_um) {
+  const double away = away_from_visible(wavelength_um);
+  return {0.10 * away, 0.30 + 0.12 * away, wavelength_um < kClear_um ? 0.40 : 0.25, 0.30};
 }
 
 IceCrystals::IceCrystals(double effective_radius_um, double effective_variance)

@@ -12,6 +12,11 @@ inline constexpr double kWaterDensity_g_m3 = 1e6, kIceDensity_g_m3 = 0.917e6;
 /// Mie's, with its polarization.
 std::shared_ptr<const MieParticles> droplets(double effective_radius_um, double effective_variance);
 
+/// What of droplets and crystals of the same effective radius other tables have, relative to ours: what holds the difference from
+/// Hu and Stamnes (1993) and Slingo (1989), and from Fu (1996), from 0.25 to 3.8 um (tests/atmosphere/test_cloud_error.cpp).
+ParticleError droplet_error(double wavelength_um);
+ParticleError crystal_error(double wavelength_um);
+
 /// Rough ice crystals of many shapes, effective radius 3/4 of their volume over their mean projected area.
 ///
 /// Extinction and absorption are those of spheres of ice (Warren and Brandt 2008) with the same ratio of volume to area, and
@@ -31,6 +36,7 @@ class IceCrystals : public Particles {
   IceCrystals(double effective_radius_um, double effective_variance);
   AerosolProperties properties(double wavelength_um) const override;
   PhaseFunction phase_function(double wavelength_um) const override;
+  ParticleError cloud_error(double wavelength_um) const override { return crystal_error(wavelength_um); }
   const MieParticles& spheres() const { return spheres_; }
 
  private:

@@ -32,12 +32,18 @@ inline RoundEarthError round_earth_error(double sun_zenith_rad, const RoundEarth
   const double dark = std::clamp(1.0 - air.molecules / kBright, 0.0, 1.0);
   // Within a degree of sunset light in haze and clouds falls to a tenth.
   const double sunset = risen(89.0, 90.0) * (1.0 - risen(90.5, 91.0));
+  // Single directions, in which clouds at dusk are off by more than fluxes are.
+  double of_path = 0.0, of_sky = 0.0;
+  if (air.cloudy) {
+    of_path = (0.03 + 0.07 * dark) * risen(75.0, 80.0);
+    of_sky = 1.2 * dark * sunset;
+  }
   if (air.cloudy)
     both += 0.02 * risen(70.0, 80.0) + 0.05 * risen(89.0, 90.0) + 0.2 * risen(92.0, 94.0) +
             dark * (0.65 * sunset + 0.25 * risen(90.5, 91.0));
   else
     both += 0.2 * dark * std::min(1.0, air.haze) * sunset;
-  return {kPath * lower + both, kSky * lower + both};
+  return {kPath * lower + both + of_path, kSky * lower + both + of_sky};
 }
 
 }  // namespace ifov::atmosphere

@@ -59,6 +59,19 @@ double thin(ScatteringColumn& column) {
   return share;
 }
 
+/// What molecules scatter over what aerosol does without its peak and what goes on forwards, 1 at most. Light that haze sends on
+/// from molecules' light keeps a direction; that which haze has from haze is bundled about the horizon, and two terms of a pattern
+/// would send what it lacks there backwards, as too much.
+double by_molecules(const ScatteringColumn& column) {
+  double molecules = 0.0, aerosol = 0.0;
+  for (std::size_t i = 0; i < column.layer_depth.size(); ++i) {
+    const ScatteringColumn::Mixture& mixture = column.mixtures[i];
+    molecules += column.layer_depth[i] * mixture.rayleigh;
+    aerosol += column.layer_depth[i] * mixture.aerosol * (1.0 - mixture.peak) * (1.0 - mixture.first);
+  }
+  return molecules < aerosol ? molecules / aerosol : 1.0;
+}
+
 /// Layers of haze and cloud that a low Sun does not get through are cut: sunlight that is scattered once is straight between
 /// boundaries, and all of it is scattered where the beam comes in.
 void cut(ScatteringColumn& column, double lowest_sun_rad) {
@@ -111,7 +124,7 @@ RoundEarthLight::RoundEarthLight(const ScatteringColumn& whole) {
   angle_rad_ = angles_about(sun_rad, own);
   ScatteringColumn column = whole;
   cut(column, sun_rad < kTurns_rad ? sun_rad : angle_rad_.back());
-  const double thinned = thin(column);
+  const double directed = by_molecules(column) * thin(column);
   const std::size_t angles = angle_rad_.size();
   const double own_rad[] = {sun_rad};
   const ShellOrders flat(column, {false, false}, own_rad, 0, {});
@@ -144,8 +157,8 @@ RoundEarthLight::RoundEarthLight(const ScatteringColumn& whole) {
         return between(flat.altitude_km(), z, angles, values.data() + k);
       };
       log_ratio_.push_back(of_shells(log_mean) - log_flat_.back());
-      up_.push_back(thinned * (of_shells(up) - flat_up));
-      sunward_.push_back(thinned * (of_shells(sunward) - flat_sunward));
+      up_.push_back(directed * (of_shells(up) - flat_up));
+      sunward_.push_back(directed * (of_shells(sunward) - flat_sunward));
     }
     flux_ratio_.push_back(std::exp(between(flat.altitude_km(), z, 1, log_flux.data()) -
                                    between(flat.altitude_km(), z, 1, flat.log_flux().data())));

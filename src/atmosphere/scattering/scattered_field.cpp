@@ -122,6 +122,17 @@ class SlantSource::Sum {
   StokesVector multiple_;
 };
 
+namespace {
+
+/// How much of the direction that haze keeps about a round Earth is counted: clouds and crystals send so much on forwards that two
+/// terms of their pattern are no measure of the rest.
+double directed_share(double asymmetry) {
+  constexpr double kAll = 0.65, kNone = 0.78;
+  return std::clamp((kNone - asymmetry) / (kNone - kAll), 0.0, 1.0);
+}
+
+}  // namespace
+
 PathLight SlantSource::path(double azimuth_rad, double observer_km, double length_km) const {
   const SolvedColumn& solved = field_->solved();
   PathLight light = single_scattering(solved.column, solved.aerosol_polarization, {mu_, azimuth_rad},
@@ -160,7 +171,8 @@ PathLight SlantSource::through_shells(double azimuth_rad, double lower_km, doubl
     const double sunward =
         (line.scattering_cosine() - sun_mu * from_mu) / std::sqrt(std::max(1e-12, 1.0 - sun_mu * sun_mu));
     const ScatteringColumn::Mixture& mixture = column.mixtures[column.mixture_of[sublayer]];
-    const double pattern = 3.0 * mixture.first * mixture.aerosol * (1.0 - mixture.peak);
+    const double pattern =
+        3.0 * mixture.first * directed_share(mixture.first) * mixture.aerosol * (1.0 - mixture.peak);
     return {change.ratio, pattern * (change.up * from_mu + change.sunward * sunward)};
   };
   Sum sum(*this, azimuth_rad);

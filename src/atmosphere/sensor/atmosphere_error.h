@@ -26,6 +26,10 @@ struct ChannelModelError {
          scattered_floor = 0.0;  ///< of sunlight scattered into the path, relative, and beside that
   double by_shape =
       0.0;  ///< likewise, of paths alone: particles taken for spheres; the sky's flux hardly knows
+  double by_clouds = 0.0,
+         sky_by_clouds =
+             0.0;         ///< likewise, of paths and of skylight: what droplets and crystals are taken for
+  bool of_bands = false;  ///< a table of terms in place of bands does not say what its depths may be off by
   double emission = 0.0, emission_less = 0.0;   ///< what the path emits; its change with less absorption
   double emission_other = 0.0;                  ///< how far it may be off beside that
   double sky_emission = 0.0, sky_change = 0.0;  ///< mean over a level surface's view; how far that may be off

@@ -165,6 +165,15 @@ class Estimate {
         part_of(ours.surface - right.surface, right.surface), 0.0};
   }
 
+  /// By gases alone: straight through a cloud next to nothing comes, and what comes by other ways is known as well.
+  double through_gases(const ChannelPoints& points, std::size_t p, bool day) const {
+    const SensorGeometry& geometry = question_.geometry;
+    constexpr double kLowest = 0.1;
+    const double view = 1.0 / std::cos(geometry.view_zenith_rad),
+                 sun = day ? 1.0 / std::max(kLowest, std::cos(geometry.any_sun_zenith_rad())) : 0.0;
+    return (day ? points.irradiance[p] : 1.0) * std::exp(-(view + sun) * points.gas_depth[p]);
+  }
+
   /// On top, what a table of terms says that it is off by: of transmittance, taken to have one sign in all bins.
   void tabulated_terms(std::size_t channel) {
     const ChannelLights& given = channels_[channel];
@@ -174,7 +183,8 @@ class Estimate {
     for (std::size_t p = 0; p < points.size(); ++p) {
       const double off = points.share[p] * points.points[p].optics->terms_error;
       error += off * (day ? points.irradiance[p] : 1.0);
-      through += points.share[p] * (day ? points.sun[p] : 1.0) * points.view[p];
+      through += points.share[p] * (!points.cloudy() ? (day ? points.sun[p] : 1.0) * points.view[p]
+                                                     : through_gases(points, p, day));
       if (points.points[p].wavelength_um >= kFirstThermal_um)
         emitted += off * radiometry::planck_w_m2_sr_um(points.points[p].wavelength_um, kGrey_k);
     }

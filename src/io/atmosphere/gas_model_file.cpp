@@ -140,9 +140,11 @@ class Reader {
         gas.holds_continuum = true;
       else if (words_[k].text == "self_broadening")
         gas.self_broadening = number(++k, 0.1, 20.0, "how much more than air the gas itself broadens");
+      else if (words_[k].text == "depth_error")
+        gas.depth_error = number(++k, 0.0, 1.0, "the share of its depth that the gas may be off by");
       else
-        fail(k,
-             format("found '{}'; expected 'self_broadening' and a number, or 'continuum'", words_[k].text));
+        fail(k, format("found '{}'; expected 'self_broadening' or 'depth_error' and a number, or 'continuum'",
+                       words_[k].text));
     }
     table_.gases.push_back(gas);
   }
@@ -262,6 +264,7 @@ std::string gas_model_text(const GasTermTable& table) {
   for (const TermGas& gas : table.gases) {
     text += format("gas {}", atmosphere::kGasNames[static_cast<std::size_t>(gas.gas)]);
     if (gas.self_broadening != 1.0) text += format(" self_broadening {:g}", gas.self_broadening);
+    if (gas.depth_error) text += format(" depth_error {:g}", *gas.depth_error);
     text += gas.holds_continuum ? " continuum\n" : "\n";
   }
   for (std::size_t b = 0; b < table.bins.size(); ++b) {

@@ -45,7 +45,7 @@ void write_air(JsonWriter& json, const render::AtmosphereHalfWidth& air) {
     json.member("emission", air.model_emission);
     if (air.model_counted > 0.0) {
       json.member("found_with_bands_alone", air.model_of_bands > 0.0);
-      json.member("found_without_clouds", air.model_without_clouds > 0.0);
+      json.member("under_clouds", air.model_under_clouds > 0.0);
     }
     json.member("in_interval", air.model_counted > 0.0);
     json.member("of_grey_surface", air.of_model(air.grey_radiance));

@@ -93,7 +93,7 @@ constinit const Quantity kAtmosphereHalfWidth{
 constinit const Quantity kAtmosphereModelError{
     .name = "air_model_error",
     .what =
-        "how far the radiance may be off because the model of the air is not the air, as found under clear skies; clouds add what is not known",
+        "how far the radiance may be off because the model of the air is not the air, of clouds as far as droplets and crystals are not what they are taken for",
     .unit = "",
     .role = Quantity::Role::error,
     .statistic = Quantity::Statistic::half_width,

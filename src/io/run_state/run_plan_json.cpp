@@ -47,7 +47,7 @@ constexpr std::pair<const char*, double render::AtmosphereHalfWidth::*> kAtmosph
     {"model_emission", &render::AtmosphereHalfWidth::model_emission},
     {"model_sky", &render::AtmosphereHalfWidth::model_sky},
     {"model_counted", &render::AtmosphereHalfWidth::model_counted},
-    {"model_without_clouds", &render::AtmosphereHalfWidth::model_without_clouds},
+    {"model_under_clouds", &render::AtmosphereHalfWidth::model_under_clouds},
     {"model_of_bands", &render::AtmosphereHalfWidth::model_of_bands}};
 
 void write_views(JsonWriter& json, const sensor::ViewList& list) {

@@ -33,16 +33,18 @@ std::vector<double> transmittances(const transport::SpectralScene& scene) {
 
 void add_model_error(const atmosphere::ChannelModelError& model, double transmittance,
                      AtmosphereHalfWidth& air) {
+  air.model_of_bands = model.of_bands ? 1.0 : 0.0;
   air.model_surface = model.surface;
   air.model_sunlight = model.sunlight;
   air.model_emission = model.emission_less;
   const double scattered = std::max(0.0, air.path_radiance - model.emission);
-  air.model_path =
-      (model.scattered + model.by_shape) * scattered + model.scattered_floor + model.emission_other;
+  air.model_path = (model.scattered + model.by_shape + model.by_clouds) * scattered + model.scattered_floor +
+                   model.emission_other;
   if (!(air.white_in_sky > 0.0)) return;
   const double warm = std::min(air.white_in_sky, transmittance * model.sky_emission);
   const double of_warm = model.sky_emission > 0.0 ? model.sky_change / model.sky_emission : 0.0;
-  air.model_sky = (of_warm * warm + model.scattered * (air.white_in_sky - warm)) / air.white_in_sky;
+  air.model_sky = (of_warm * warm + (model.scattered + model.sky_by_clouds) * (air.white_in_sky - warm)) /
+                  air.white_in_sky;
 }
 
 }  // namespace

@@ -26,9 +26,9 @@ struct AtmosphereHalfWidth {
 
   /// Of radiance as the channel has it; behind polarizers with what Q and U err by, of all light `before` them (0: not known).
   double of(double radiance, double before = 0.0) const;
-  /// By the model's own error (docs/theory/atmosphere_model_error.md); 1: intervals hold it, it was found without clouds or for bands.
+  /// By the model's own error (docs/theory/atmosphere_model_error.md); 1: intervals hold it, there are clouds, it is that of bands beside a gas model.
   double model_surface = 0.0, model_sunlight = 0.0, model_path = 0.0, model_emission = 0.0, model_sky = 0.0,
-         model_counted = 0.0, model_without_clouds = 0.0, model_of_bands = 0.0;
+         model_counted = 0.0, model_under_clouds = 0.0, model_of_bands = 0.0;
   double of_model(double radiance, double before = 0.0) const;
   double in_interval(double radiance, double before = 0.0) const;
   /// All that an interval holds of the air: numbers, and the model where it is counted.

@@ -35,8 +35,11 @@ std::vector<GasSpectra> read(const GasModelQuestion& question) {
     if (!(asked.self_broadening >= 0.1 && asked.self_broadening <= 20.0))
       throw InputError(format("self-broadening of {} is {:g} times that by air; expected 0.1 to 20",
                               asked.gas, asked.self_broadening));
+    if (asked.depth_error && !(*asked.depth_error >= 0.0 && *asked.depth_error <= 1.0))
+      throw InputError(format("the depth of {} is said to be off by {:g} of itself; expected 0 to 1",
+                              asked.gas, *asked.depth_error));
     GasSpectra spectra = io::read_gas_spectra(asked.file);
-    spectra.gas = {*gas, asked.self_broadening, asked.holds_continuum};
+    spectra.gas = {*gas, asked.self_broadening, asked.holds_continuum, asked.depth_error};
     if (!all.empty()) {
       const GasSpectra& first = all.front();
       const std::string pair =
@@ -162,6 +165,7 @@ GasModelOutcome make_gas_model(const GasModelQuestion& question, const std::file
           .largest_error = made.errors.largest,
           .largest_error_at_cm1 = made.errors.largest_at_cm1,
           .rms_error = made.errors.rms,
+          .between_states = made.errors.between,
           .mean_error = made.errors.mean,
           .random_overlap = made.errors.overlap,
           .missed = made.errors.missed,

@@ -46,12 +46,12 @@ void warn(const AtmosphereSubject& subject, const io::ModelledAtmosphere& modell
   warn_of_column(modelled, column, log);
   if (!modelled.clouds.empty() && modelled.interval == "with model")
     log.warn(
-        "intervals hold the error of the model of the air, which was found without clouds: under clouds they may be too "
-        "narrow");
-  if (modelled.gas_model && modelled.interval == "with model")
+        "intervals hold the error of the model of the air and of what clouds consist of, not how far level and uniform clouds are "
+        "from real ones");
+  if (modelled.gas_model && modelled.interval == "with model" && !column.gas_terms()->depth_errors_known())
     log.warn(
-        "intervals hold the error of the model of the air, which was found with the built-in bands: with a gas model they are "
-        "those of the bands still");
+        "intervals hold the error of the model of the air, which was found with the built-in bands: the gas model does not say what "
+        "its spectra are off by ('ifov gases --depth-error'), and they are taken for as wrong as the bands");
   const std::string narrow = narrow_channels(subject.channels, column.gas_terms());
   if (!narrow.empty()) log.warn(narrow);
 }
