@@ -8,6 +8,7 @@
 #include "exposure/neighbours.h"
 #include "exposure/past_scene.h"
 #include "exposure/past_suns.h"
+#include "exposure/point_rays.h"
 #include "scene/temperature_scope.h"
 #include "thermal/times/classes_of_times.h"
 
@@ -27,8 +28,6 @@ namespace ifov::exposure {
 /// at all times. What a ray meets that is not sky was another at each: times that follow each other share a row of the past at which that is asked for.
 class SurfacesOfTimes final : public scene::TemperaturesOfTimes {
  public:
-  static constexpr int kSkyPairs = 2;  // as SolvedSurface
-
   using ByTime = std::vector<std::shared_ptr<const thermal::SurfaceClasses>>;
   /// `by_number`: as Scene::solved, those that are solved. Keeps the references to the scene.
   SurfacesOfTimes(const std::map<std::size_t, ByTime>& by_number, PastScene scene, double sun_radius_rad,
@@ -37,7 +36,7 @@ class SurfacesOfTimes final : public scene::TemperaturesOfTimes {
   static std::unique_ptr<const SurfacesOfTimes> of(std::span<const scene::Scene* const> by_time);
 
   std::size_t times() const override { return times_; }
-  void at(std::size_t number, const geometry::SurfacePoint& point, std::uint64_t draw,
+  void at(std::size_t number, const geometry::SurfacePoint& point, std::uint64_t draw, double share,
           std::span<scene::EstimatedTemperature> by_time) const override;
   /// Rays to the Sun that a point takes.
   std::size_t sun_rays(std::size_t number) const { return 2 * classes_.at(number)->bins(); }
@@ -55,7 +54,9 @@ class SurfacesOfTimes final : public scene::TemperaturesOfTimes {
   struct Beside;
   void ask_beside(std::size_t number, const ExposedPoint& exposed, const thermal::Pose& pose,
                   std::uint64_t key, std::span<const math::Vec3> directions,
-                  std::span<const std::uint8_t> is_free, Beside& beside) const;
+                  std::span<const geometry::SurfacePoint> met, const PointRays& rays, Beside& beside) const;
+  void estimate(std::size_t number, const geometry::SurfacePoint& point, std::uint64_t key, double share,
+                std::span<scene::EstimatedTemperature> by_time) const;
 };
 
 }  // namespace ifov::exposure
