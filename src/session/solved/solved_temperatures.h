@@ -30,12 +30,13 @@ std::optional<SourcePosition> solved_temperature_at(const io::Document& document
 void require_weather(const io::Document& document);
 
 /// Solves for the temperature of every material whose document asks for it (`"temperature": "solved"`) under its weather,
-/// and gives it to the scene; then measures what that may be off by at points that the camera sees. Nothing where nobody asks. InputError,
+/// and gives it to the scene; then measures what that may be off by at points that the camera sees, and at some that it does not (`unseen`, and
+/// where something may show them). Nothing where nobody asks. InputError,
 /// located: what is missing (a time, weather, a place, what a material stands on). `weather` may be null.
 std::optional<TemperatureErrors> solve_temperatures(const io::Document& document,
                                                     const atmosphere::WeatherSeries* weather,
                                                     const sensor::Camera& camera, scene::Scene& scene,
-                                                    int threads, LogSink* log);
+                                                    bool unseen, int threads, LogSink* log);
 
 /// Puts what solved temperatures may be off by into the half-widths of the channels. InputError where an accuracy in kelvins is
 /// asked for that is finer than that; a warning where one in per cent is.
