@@ -41,6 +41,9 @@ PairMean mean_of_pairs(std::span<const std::uint8_t> answers) {
   return result;
 }
 
+static_assert(SolvedSurface::kSunPairs == PointRays::kSunPairs &&
+              SolvedSurface::kSkyPairs == PointRays::kSkyPairs);
+
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "exposure/past_scene.h"
-#include "exposure/point_rays.h"
 #include "scene/solved_temperature.h"
 #include "thermal/surface_classes.h"
 
@@ -14,6 +13,7 @@ namespace ifov::exposure {
 
 class ExposedPoint;
 class Neighbours;
+struct PointRays;
 
 /// The temperature of points of one material: its classes (thermal/surface_classes.h) by the point's own direction, the share
 /// of the sky that is free over it, and its own visibility of the Sun in the past, both asked by rays. 2 kSunPairs of these
@@ -22,7 +22,7 @@ class Neighbours;
 /// sent twice, now and at a time of the past by the size of s_k, and what they differ by counts with s_k.
 class SolvedSurface final : public scene::SolvedTemperature {
  public:
-  static constexpr int kSunPairs = PointRays::kSunPairs, kSkyPairs = PointRays::kSkyPairs;  ///< at most
+  static constexpr int kSunPairs = 5, kSkyPairs = 2;  ///< at most
 
   /// Keeps the references to the scene. `sun_radius_rad`: of the Sun's disc. Where things come and go, the classes have a
   /// `past_sky`.

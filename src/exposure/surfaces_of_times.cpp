@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "exposure/exposed_point.h"
+#include "exposure/past_suns.h"
+#include "exposure/point_rays.h"
 #include "exposure/solved_surface.h"
 #include "geometry/surface_point.h"
 #include "sampling/random.h"
@@ -178,6 +180,8 @@ SurfacesOfTimes::SurfacesOfTimes(const std::map<std::size_t, ByTime>& by_number,
         asked_[number].back().push_back({by_time[time].get(), neighbours_[time].get()});
     }
 }
+
+SurfacesOfTimes::~SurfacesOfTimes() = default;
 
 void SurfacesOfTimes::ask_beside(std::size_t number, const ExposedPoint& exposed, const thermal::Pose& pose,
                                  std::uint64_t key, std::span<const math::Vec3> directions,

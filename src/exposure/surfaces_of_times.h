@@ -7,8 +7,6 @@
 
 #include "exposure/neighbours.h"
 #include "exposure/past_scene.h"
-#include "exposure/past_suns.h"
-#include "exposure/point_rays.h"
 #include "scene/temperature_scope.h"
 #include "thermal/times/classes_of_times.h"
 
@@ -17,6 +15,9 @@ struct Scene;
 }
 
 namespace ifov::exposure {
+
+class PastSuns;
+struct PointRays;
 
 /// The temperatures of points at several times of one scene in which nothing came or went. Rays to where the Sun stood are asked
 /// once for all: two to each bin of the past (thermal/times/classes_of_times.h), at a time that is drawn within it (PastSuns). Where both see the same
@@ -32,6 +33,7 @@ class SurfacesOfTimes final : public scene::TemperaturesOfTimes {
   /// `by_number`: as Scene::solved, those that are solved. Keeps the references to the scene.
   SurfacesOfTimes(const std::map<std::size_t, ByTime>& by_number, PastScene scene, double sun_radius_rad,
                   std::vector<std::shared_ptr<const Neighbours>> neighbours = {});
+  ~SurfacesOfTimes() override;
   /// Of scenes of one world, by time; null where their pasts have no rows in common, something came or went, or nothing is solved.
   static std::unique_ptr<const SurfacesOfTimes> of(std::span<const scene::Scene* const> by_time);
 

@@ -5,6 +5,7 @@
 
 #include "core/format.h"
 #include "exposure/clear_days.h"
+#include "exposure/point_rays.h"
 #include "exposure/solved_surface.h"
 #include "geometry/world.h"
 #include "io/document/document.h"

@@ -13,7 +13,6 @@
 #include "exposure/past_scene.h"
 #include "geometry/world.h"
 #include "io/document/document.h"
-#include "materials/bsdf/bsdf.h"
 #include "scene/scene.h"
 #include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/with_position.h"
@@ -348,8 +347,7 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
         std::make_shared<const exposure::SolvedSurface>(solved.classes, past, kSunRadius_rad, neighbours);
 
   TemperatureErrors errors;
-  errors.mirrors = std::any_of(scene.materials.begin(), scene.materials.end(),
-                               [](const auto& material) { return !material.bsdf->is_lambertian(); });
+  errors.mirrors = may_show_unseen(scene);
   for (const auto& [material, solved] : by_material) {
     const double step_k = errors.by_material[material].step_k = step_error_k(solved, series, stand);
     errors.step_k = std::max(errors.step_k, step_k);

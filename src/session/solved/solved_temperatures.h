@@ -38,6 +38,9 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
                                                     const sensor::Camera& camera, scene::Scene& scene,
                                                     bool unseen, int threads, LogSink* log);
 
+/// Whether some material is not Lambertian: a mirror or a pane may show what the camera does not see.
+bool may_show_unseen(const scene::Scene& scene);
+
 /// Puts what solved temperatures may be off by into the half-widths of the channels. InputError where an accuracy in kelvins is
 /// asked for that is finer than that; a warning where one in per cent is.
 void count_temperature_errors(Parts& parts, LogSink& log);
