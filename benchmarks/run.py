@@ -14,7 +14,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 from drivers import (  # noqa: E402
     atmosphere, bookkeeping, channels, cluster, documents, hands, honesty, instances, micro, mitsuba, rami, refine, runs,
-    signals, speed, start, stream, studies,
+    signals, speed, start, stream, studies, temperatures,
 )
 from drivers.figures import Context, show  # noqa: E402
 
@@ -37,6 +37,7 @@ GROUPS = {
     "cluster": cluster.run,
     "mitsuba": mitsuba.run,
     "hands": hands.run,
+    "temperatures": temperatures.run,
 }
 
 

@@ -69,6 +69,7 @@ std::vector<JudgedPoint> judge_points(const std::string& text, const std::string
                                       const ThermalEffort& effort, int threads) {
   session::LoadOptions options;
   options.threads = threads;
+  options.unseen_temperatures = true;
   const session::Session session = session::Session::load(io::parse_document(text, name), nullptr, options);
   const session::Parts& parts = session.parts();
   const session::DocumentOutdoors about = session::outdoors_of_document(parts.document, *parts.weather);

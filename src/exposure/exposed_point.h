@@ -22,6 +22,7 @@ class ExposedPoint {
  public:
   ExposedPoint(const PastScene& scene, const geometry::SurfacePoint& point);
 
+  math::Point3 position_m() const { return origin_m_; }
   math::Vec3 normal() const { return normal_; }  ///< shading normal, out of the side that was met
   /// That, and how high above ground the point is, which may take a ray.
   thermal::Pose pose() const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "exposure/exposed_point.h"
 #include "geometry/surface_point.h"
@@ -16,8 +17,9 @@ namespace {
 
 constexpr int kTimes = 8;  // that may have warmed a neighbour, of which one is asked for
 constexpr double kUpright = 1e-6;
+constexpr double kNear_m = 20.0;  // about as high is the ground so far away, for the wind of what is met
 
-enum class Of { past, row, now, warmed, times, around, further, further_past };
+enum class Of { past, row, now, warmed, times, around, further, further_past, goes_on, corner };
 
 double number(std::uint64_t key, Of of, int k = 0) {
   return sampling::unit_double(sampling::hash(key, of, k));
@@ -48,10 +50,9 @@ bool Neighbours::sees_sun(const ExposedPoint& point, std::size_t row, std::uint6
   return is_free != 0;
 }
 
-bool Neighbours::warmed_by_sun(const ExposedPoint& point, const thermal::Pose& pose,
-                               const thermal::SurfaceClasses& classes,
-                               const thermal::SurfaceClasses::Corners& at, std::size_t row,
-                               std::uint64_t key) const {
+std::size_t Neighbours::warming_row(const thermal::Pose& pose, const thermal::SurfaceClasses& classes,
+                                    const thermal::SurfaceClasses::Corners& at, std::size_t row,
+                                    std::uint64_t key) const {
   std::array<std::size_t, kTimes> rows;
   std::array<double, kTimes> until_w_m2;
   double sum_w_m2 = 0.0;
@@ -75,10 +76,16 @@ bool Neighbours::warmed_by_sun(const ExposedPoint& point, const thermal::Pose& p
   } else {
     while (warmed > 0 && !(gain_w_m2(warmed) > 0.0)) --warmed;  // the last evening
   }
-  return sees_sun(point, warmed, sampling::hash(key, Of::warmed, 1));
+  return warmed;
 }
 
-thermal::FromBeside Neighbours::sent(const geometry::SurfacePoint& met, std::size_t row, int depth,
+thermal::Pose Neighbours::pose_of(const ExposedPoint& point, const geometry::SurfacePoint& met,
+                                  double ground_m) const {
+  if (std::isnan(ground_m) || met.distance_m > kNear_m) return point.pose();
+  return {point.normal(), std::max(0.0, met.position_m.z - ground_m)};
+}
+
+thermal::FromBeside Neighbours::sent(const geometry::SurfacePoint& met, std::size_t row, Behind behind,
                                      std::uint64_t key) const {
   const scene::Constituent main = scene_.resolve_without_temperature(met).constituents[0];
   const scene::SurfaceState& state = scene_.states[main.state];
@@ -87,13 +94,14 @@ thermal::FromBeside Neighbours::sent(const geometry::SurfacePoint& met, std::siz
   const thermal::Outdoors& now = classes.outdoors(row);
   const thermal::FromBeside ground = classes.from_ground(row);
   const ExposedPoint point(past_, met);
-  const thermal::Pose pose = point.pose();
+  const thermal::Pose pose = pose_of(point, met, behind.ground_m);
 
   double light_w_m2 = 0.0;
+  std::optional<bool> lit;
   if (const std::int32_t sunlit = classes.sunlit_row_of(row); sunlit >= 0) {
     const double cosine = math::dot(pose.normal, classes.sun_at(static_cast<std::size_t>(sunlit), 0.0));
-    if (cosine > 0.0 && sees_sun(point, row, sampling::hash(key, Of::now)))
-      light_w_m2 += now.direct_w_m2 * cosine;
+    if (cosine > 0.0) lit = sees_sun(point, row, sampling::hash(key, Of::now));
+    if (lit.value_or(false)) light_w_m2 += now.direct_w_m2 * cosine;
   }
   // One direction tells what is about it: sky, a further surface, or the ground.
   const math::Vec3 around =
@@ -104,10 +112,18 @@ thermal::FromBeside Neighbours::sent(const geometry::SurfacePoint& met, std::siz
     const math::Ray ray = point.ray(around);
     scene_.world->intersect({&ray, 1}, {&beyond, 1});
   }
-  const bool is_sky = around.z > 0.0 && !beyond.hit(), goes_on = beyond.hit() && depth > 0;
+  const bool is_sky = around.z > 0.0 && !beyond.hit(), goes_on = beyond.hit() && behind.depth > 0;
+  const auto is_asked = [&](int which) {
+    return goes_on && (behind.chance >= 1.0 || number(key, Of::goes_on, which) < behind.chance);
+  };
+  const Behind next{behind.depth - 1, behind.chance, behind.ground_m};
   thermal::FromBeside comes = ground;
   if (is_sky) comes = {now.diffuse_w_m2, now.longwave_w_m2};
-  if (goes_on) comes = sent(beyond, row, depth - 1, sampling::hash(key, Of::further));
+  if (is_asked(0)) {
+    const thermal::FromBeside more = sent(beyond, row, next, sampling::hash(key, Of::further));
+    comes.sunlight_w_m2 += (more.sunlight_w_m2 - ground.sunlight_w_m2) / behind.chance;
+    comes.longwave_w_m2 += (more.longwave_w_m2 - ground.longwave_w_m2) / behind.chance;
+  }
   light_w_m2 += comes.sunlight_w_m2;
   if (own == nullptr) {
     double given_k = main.mapped_temperature_k > 0.0 ? main.mapped_temperature_k : state.temperature_k;
@@ -116,33 +132,36 @@ thermal::FromBeside Neighbours::sent(const geometry::SurfacePoint& met, std::siz
             thermal::kStefanBoltzmann_w_m2_k4 * std::pow(given_k, 4)};
   }
   const double open = 0.5 * (1.0 + pose.normal.z);
-  const thermal::SurfaceClasses::Corners at = own->corners(pose);
+  const thermal::SurfaceClasses::Corners at = own->any_corner(pose, number(key, Of::corner));
   const auto then = own->then(at, is_sky && open > kUpright ? 1.0 / open : 0.0, own->bin_of_row(row));
   double surface_k = then.shaded_k;
-  if (then.rise_k != 0.0 && warmed_by_sun(point, pose, *own, at, row, sampling::hash(key, Of::warmed)))
-    surface_k += then.rise_k;
-  if (goes_on) {
+  if (then.rise_k != 0.0) {
+    const std::uint64_t warmed_key = sampling::hash(key, Of::warmed);
+    const std::size_t warmed = warming_row(pose, *own, at, row, warmed_key);
+    if (warmed == row && lit ? *lit : sees_sun(point, warmed, sampling::hash(warmed_key, Of::warmed, 1)))
+      surface_k += then.rise_k;
+  }
+  double fourth_power = std::pow(surface_k, 4);
+  if (is_asked(1)) {
     const std::size_t lag =
         own->draw_lag(at, number(key, Of::further_past, 0), number(key, Of::further_past, 1));
     const std::size_t then_row = row - std::min(row, lag);
-    surface_k += own->worth_of_all_k(at) *
-                 own->more_than_ground_w_m2(
-                     sent(beyond, then_row, depth - 1, sampling::hash(key, Of::further_past, 2)), then_row);
+    const double warmer_k =
+        surface_k + own->worth_of_all_k(at) *
+                        own->more_than_ground_w_m2(
+                            sent(beyond, then_row, next, sampling::hash(key, Of::further_past, 2)), then_row);
+    fourth_power += (std::pow(warmer_k, 4) - fourth_power) / behind.chance;
   }
   const thermal::Skin& skin = own->skin();
   return {(1.0 - skin.solar_absorptance) * light_w_m2,
-          skin.emissivity * thermal::kStefanBoltzmann_w_m2_k4 * std::pow(surface_k, 4) +
+          skin.emissivity * thermal::kStefanBoltzmann_w_m2_k4 * fourth_power +
               (1.0 - skin.emissivity) * comes.longwave_w_m2};
 }
 
 Neighbours::Change Neighbours::change(const ExposedPoint& point, const thermal::SurfaceClasses& classes,
                                       const thermal::SurfaceClasses::Corners& at, math::Vec3 direction,
-                                      std::uint64_t key, int depth) const {
-  if (!point.leaves(direction)) return {};
-  const math::Ray ray = point.ray(direction);
-  geometry::SurfacePoint met;
-  scene_.world->intersect({&ray, 1}, {&met, 1});
-  if (!met.hit()) return {};
+                                      const geometry::SurfacePoint& met, std::uint64_t key,
+                                      Behind behind) const {
   const thermal::SurfaceClasses::PastRow past =
       classes.draw_past(at, {number(key, Of::past, 0), number(key, Of::past, 1), number(key, Of::past, 2)});
   if (past_.changes()) {
@@ -152,20 +171,30 @@ Neighbours::Change Neighbours::change(const ExposedPoint& point, const thermal::
     if (was_free != 0) return {};
   }
   const double more_w_m2 =
-      classes.more_than_ground_w_m2(sent(met, past.row, depth, sampling::hash(key, Of::further)), past.row);
+      classes.more_than_ground_w_m2(sent(met, past.row, behind, sampling::hash(key, Of::further)), past.row);
   return {past.in_shade_k * more_w_m2, past.of_sun_k * more_w_m2};
 }
 
-void Neighbours::changes(std::span<const Time> by_time, const ExposedPoint& point, const thermal::Pose& pose,
-                         math::Vec3 direction, std::uint64_t key, std::span<Change> changes) {
+geometry::SurfacePoint Neighbours::met(const ExposedPoint& point, math::Vec3 direction) const {
+  geometry::SurfacePoint met;
+  if (!point.leaves(direction)) return met;
+  const math::Ray ray = point.ray(direction);
+  scene_.world->intersect({&ray, 1}, {&met, 1});
+  return met;
+}
+
+Neighbours::Change Neighbours::change(const ExposedPoint& point, const thermal::SurfaceClasses& classes,
+                                      const thermal::SurfaceClasses::Corners& at, math::Vec3 direction,
+                                      std::uint64_t key, Behind behind) const {
+  const geometry::SurfacePoint found = met(point, direction);
+  return found.hit() ? change(point, classes, at, direction, found, key, behind) : Change{};
+}
+
+void Neighbours::changes(std::span<const Time> by_time, const thermal::Pose& pose,
+                         const geometry::SurfacePoint& met, std::uint64_t key, Behind behind,
+                         std::span<Change> changes) {
   static thread_local std::vector<const thermal::SurfaceClasses*> classes;
   static thread_local std::vector<thermal::SurfaceClasses::PastRow> past;
-  std::fill(changes.begin(), changes.end(), Change{});
-  if (!point.leaves(direction)) return;
-  const math::Ray ray = point.ray(direction);
-  geometry::SurfacePoint met;
-  by_time.front().neighbours->scene_.world->intersect({&ray, 1}, {&met, 1});
-  if (!met.hit()) return;
   classes.clear();
   for (const Time& time : by_time) classes.push_back(time.classes);
   past.resize(by_time.size());
@@ -175,7 +204,7 @@ void Neighbours::changes(std::span<const Time> by_time, const ExposedPoint& poin
                                           number(key, Of::past, 2), number(key, Of::past, 3)},
                                          past);
   const double more_w_m2 = classes[drawn]->more_than_ground_w_m2(
-      by_time[drawn].neighbours->sent(met, past[drawn].row, kDepth, sampling::hash(key, Of::further)),
+      by_time[drawn].neighbours->sent(met, past[drawn].row, behind, sampling::hash(key, Of::further)),
       past[drawn].row);
   for (std::size_t t = 0; t < changes.size(); ++t)
     changes[t] = {past[t].in_shade_k * more_w_m2, past[t].of_sun_k * more_w_m2};

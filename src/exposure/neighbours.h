@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -32,11 +33,24 @@ class Neighbours {
   struct Change {
     double in_shade_k = 0.0, of_sun_k = 0.0;
   };
-  /// `at`: of the point's pose. `depth`: how many surfaces behind the one that is met light and warm it; what is beyond them is level ground.
   static constexpr int kDepth = 1;
+  /// Surfaces behind the one that is met, which light and warm it; what is beyond them is level ground.
+  struct Behind {
+    int depth = kDepth;
+    double chance = 1.0;  ///< by which each of the two is asked; what it says counts by the inverse
+    double ground_m =
+        std::numeric_limits<double>::quiet_NaN();  ///< below the point: taken for that of what is near
+  };
+  /// What stands in a direction that leaves the surface now.
+  geometry::SurfacePoint met(const ExposedPoint& point, math::Vec3 direction) const;
+  /// `at`: of the point's pose; `met`: in the direction, a hit.
+  Change change(const ExposedPoint& point, const thermal::SurfaceClasses& classes,
+                const thermal::SurfaceClasses::Corners& at, math::Vec3 direction,
+                const geometry::SurfacePoint& met, std::uint64_t key, Behind behind) const;
+  /// The same of whatever is met.
   Change change(const ExposedPoint& point, const thermal::SurfaceClasses& classes,
                 const thermal::SurfaceClasses::Corners& at, math::Vec3 direction, std::uint64_t key,
-                int depth = kDepth) const;
+                Behind behind) const;
 
   /// The same at several times of one scene, in which nothing came or went, by one row of the past for all. `by_time`: one material's classes, with
   /// the neighbours of each time.
@@ -44,21 +58,23 @@ class Neighbours {
     const thermal::SurfaceClasses* classes = nullptr;
     const Neighbours* neighbours = nullptr;
   };
-  static void changes(std::span<const Time> by_time, const ExposedPoint& point, const thermal::Pose& pose,
-                      math::Vec3 direction, std::uint64_t key, std::span<Change> changes);
+  static void changes(std::span<const Time> by_time, const thermal::Pose& pose,
+                      const geometry::SurfacePoint& met, std::uint64_t key, Behind behind,
+                      std::span<Change> changes);
 
   const ByNumber& classes() const { return classes_; }
   const scene::Scene& scene() const { return scene_; }
 
  private:
-  /// What a surface that was met sends at a row of the series, W m-2; `depth`: of further surfaces that light and warm it.
-  thermal::FromBeside sent(const geometry::SurfacePoint& met, std::size_t row, int depth,
+  /// What a surface that was met sends at a row of the series, W m-2.
+  thermal::FromBeside sent(const geometry::SurfacePoint& met, std::size_t row, Behind behind,
                            std::uint64_t key) const;
   bool sees_sun(const ExposedPoint& point, std::size_t row, std::uint64_t key) const;
-  /// Whether the Sun was seen at a time that warmed the surface until a row; false where none did.
-  bool warmed_by_sun(const ExposedPoint& point, const thermal::Pose& pose,
-                     const thermal::SurfaceClasses& classes, const thermal::SurfaceClasses::Corners& at,
-                     std::size_t row, std::uint64_t key) const;
+  /// A row at which the Sun warmed the surface until another.
+  std::size_t warming_row(const thermal::Pose& pose, const thermal::SurfaceClasses& classes,
+                          const thermal::SurfaceClasses::Corners& at, std::size_t row,
+                          std::uint64_t key) const;
+  thermal::Pose pose_of(const ExposedPoint& point, const geometry::SurfacePoint& met, double ground_m) const;
 
   scene::Scene scene_;
   PastScene past_;

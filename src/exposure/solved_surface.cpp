@@ -8,6 +8,7 @@
 
 #include "exposure/exposed_point.h"
 #include "exposure/neighbours.h"
+#include "exposure/point_rays.h"
 #include "geometry/surface_point.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
@@ -15,12 +16,12 @@
 namespace ifov::exposure {
 namespace {
 
-enum class Draw { sky, sun, past_sky, beside, below };
+enum class Draw { sky, sun, past_sky, beside, below, asked };
 
 constexpr double kLeastBelow = 0.002;  // of the view, that is below the horizon
-
 struct Directions {
   std::vector<math::Vec3> directions;
+  std::vector<geometry::SurfacePoint> met;
   std::vector<std::uint8_t> is_free;
   std::vector<double> weight_k, per_pair, times_s;
   std::array<std::size_t, 2 * SolvedSurface::kSunPairs> rows;
@@ -39,6 +40,9 @@ PairMean mean_of_pairs(std::span<const std::uint8_t> answers) {
   }
   return result;
 }
+
+static_assert(SolvedSurface::kSunPairs == PointRays::kSunPairs &&
+              SolvedSurface::kSkyPairs == PointRays::kSkyPairs);
 
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 
@@ -67,31 +71,42 @@ SolvedSurface::PastRay SolvedSurface::toward_sun(std::size_t row, std::uint64_t 
           classes_->time_s(classes_->row_of_series(row), steps)};
 }
 
-scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& point, std::uint64_t draw) const {
-  static thread_local Directions scratch;
+scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& point, std::uint64_t draw,
+                                              double share) const {
   const std::uint64_t key = sampling::hash(draw, bits(point.position_m.x), bits(point.position_m.y),
                                            bits(point.position_m.z), point.front);
+  const AskedByChance asked(*classes_, share);
+  if (asked.chance() < 1.0 && sampling::unit_double(sampling::hash(key, Draw::asked)) >= asked.chance())
+    return asked.else_taken();
+  return asked.moved(estimate(point, key, share));
+}
+
+scene::EstimatedTemperature SolvedSurface::estimate(const geometry::SurfacePoint& point, std::uint64_t key,
+                                                    double share) const {
+  static thread_local Directions scratch;
   const ExposedPoint exposed(scene_, point);
   const thermal::Pose pose = exposed.pose();
+  const thermal::SurfaceClasses::Corners at = classes_->corners(pose);
+  const PointRays rays(classes_->at_stake(at), share);
   std::vector<math::Vec3>& directions = scratch.directions;
-  exposed.sky_directions(sampling::hash(key, Draw::sky), kSkyPairs, directions);
+  exposed.sky_directions(sampling::hash(key, Draw::sky), rays.sky_pairs, directions);
   scratch.is_free.resize(std::max<std::size_t>(directions.size(), 2 * kSunPairs));
   PairMean sky{1.0, 0.0};
   if (!directions.empty()) {
-    exposed.free(directions, {}, scratch.is_free);
+    look(exposed, directions, scratch.met, scratch.is_free);
     sky = mean_of_pairs({scratch.is_free.data(), directions.size()});
   }
 
   std::vector<double>& sums_k = scratch.weight_k;
-  sums_k.resize(classes_->sunlit_rows());
-  const auto [shaded_k, of_sky_k] = classes_->shaded(pose, sky.mean, sums_k);
+  const std::size_t first_row = classes_->first_row(at);
+  sums_k.resize(classes_->sunlit_rows() - first_row);
+  const auto [shaded_k, of_sky_k] = classes_->shaded(at, pose.normal, sky.mean, sums_k);
   double variance_k2 = sky.variance * of_sky_k * of_sky_k;
   Beside beside;
-  if (neighbours_ != nullptr)
-    beside = this->beside(exposed, pose, key, directions, scratch.is_free, Neighbours::kDepth);
+  if (neighbours_ != nullptr) beside = this->beside(exposed, pose, at, key, directions, scratch.met, rays);
   std::array<std::uint8_t, 2 * kSkyPairs> sky_free{};
   std::copy_n(scratch.is_free.begin(), directions.size(), sky_free.begin());
-  const bool has_sky = !directions.empty();
+  const std::size_t sky_rays = directions.size();
   PastSky past;
   if (!changed_rows_.empty() && !directions.empty()) {
     past = past_sky(exposed, pose, key, directions, scratch.is_free, of_sky_k);
@@ -102,26 +117,27 @@ scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& poin
   // What the pairs of rays to what hides the sky tell goes with what they tell of the sky itself.
   const auto with_beside = [&](double kelvin, double sun_share) {
     if (neighbours_ == nullptr) return scene::EstimatedTemperature{kelvin, std::sqrt(variance_k2)};
-    const bool of_sky_too = has_sky && past.variance_k2 == 0.0;
+    const bool of_sky_too = sky_rays > 0 && past.variance_k2 == 0.0;
     if (of_sky_too) variance_k2 -= sky.variance * of_sky_k * of_sky_k;
     for (std::size_t k = 0; k < beside.in_shade_k.size(); k += 2) {
       double apart_k = beside.kelvin(k, sun_share) - beside.kelvin(k + 1, sun_share);
-      if (of_sky_too && k < sky_free.size())
-        apart_k += of_sky_k * (sky_free[k] - sky_free[k + 1]) / (2.0 * kSkyPairs);
+      if (of_sky_too && k < sky_rays)
+        apart_k += of_sky_k * (sky_free[k] - sky_free[k + 1]) / static_cast<double>(sky_rays);
       variance_k2 += apart_k * apart_k;
     }
-    return scene::EstimatedTemperature{kelvin + beside.warms_k(*classes_, pose, kelvin, sun_share),
+    return scene::EstimatedTemperature{kelvin + beside.warms_k(*classes_, at, kelvin, sun_share),
                                        std::sqrt(std::max(0.0, variance_k2))};
   };
   if (!(rise_k > 0.0)) return with_beside(shaded_k + past.in_shade_k, 0.0);
   directions.clear();
   scratch.times_s.clear();
-  for (int k = 0; k < 2 * kSunPairs; ++k) {
+  const auto sun_rays = static_cast<std::size_t>(2 * rays.sun_pairs);
+  for (std::size_t k = 0; k < sun_rays; ++k) {
     const std::uint64_t own = sampling::hash(key, Draw::sun, k);
-    const double place = rise_k * (k / 2 + sampling::unit_double(own)) / kSunPairs;
+    const double place = rise_k * (static_cast<double>(k / 2) + sampling::unit_double(own)) / rays.sun_pairs;
     const auto row = std::upper_bound(sums_k.begin(), sums_k.end() - 1, place) - sums_k.begin();
-    scratch.rows[static_cast<std::size_t>(k)] = static_cast<std::size_t>(row);
-    const PastRay ray = toward_sun(static_cast<std::size_t>(row), own);
+    scratch.rows[k] = static_cast<std::size_t>(row);
+    const PastRay ray = toward_sun(first_row + static_cast<std::size_t>(row), own);
     directions.push_back(ray.direction);
     if (scene_.changes()) scratch.times_s.push_back(ray.time_s);
   }
@@ -132,52 +148,65 @@ scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& poin
   double second = 0.0;
   if (sun.mean > 0.0 && sun.mean < 1.0) {
     scratch.per_pair.resize(sums_k.size());
-    classes_->bends(pose, sums_k, scratch.per_pair);
+    classes_->bends(at, sums_k, scratch.per_pair);
+    for (std::size_t k = 0; k < sun_rays; ++k)
+      for (std::size_t j = 1 - k % 2; j < sun_rays; j += 2)
+        if (scratch.is_free[k] != 0 && scratch.is_free[j] == 0)
+          second -= rise_k * scratch.per_pair[std::max(scratch.rows[j], scratch.rows[k])] /
+                    static_cast<double>(sun_rays * sun_rays);
   }
-  for (std::size_t k = 0; k < scratch.rows.size(); ++k)
-    for (std::size_t j = 1 - k % 2; j < scratch.rows.size(); j += 2)
-      if (scratch.is_free[k] != 0 && scratch.is_free[j] == 0)
-        second -= 0.25 * rise_k * scratch.per_pair[std::max(scratch.rows[j], scratch.rows[k])] /
-                  (kSunPairs * kSunPairs);
   const double past_k = past.in_shade_k + 0.5 * sun.mean * past.of_sun_k;
   return with_beside(shaded_k + past_k + (sun.mean + second) * rise_k, sun.mean);
 }
 
-double SolvedSurface::Beside::warms_k(const thermal::SurfaceClasses& classes, const thermal::Pose& pose,
-                                      double from_k, double sun_share) const {
+void SolvedSurface::look(const ExposedPoint& exposed, std::span<const math::Vec3> directions,
+                         std::vector<geometry::SurfacePoint>& met, std::span<std::uint8_t> is_free) const {
+  met.clear();
+  if (neighbours_ == nullptr) return exposed.free(directions, {}, is_free);
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    met.push_back(neighbours_->met(exposed, directions[k]));
+    is_free[k] = exposed.leaves(directions[k]) && !met[k].hit() ? 1 : 0;
+  }
+}
+
+double SolvedSurface::Beside::warms_k(const thermal::SurfaceClasses& classes,
+                                      const thermal::SurfaceClasses::Corners& at, double from_k,
+                                      double sun_share) const {
   std::array<double, 2> sum_k{};
   for (std::size_t k = 0; k < in_shade_k.size(); ++k) sum_k[k % 2] += kelvin(k, sun_share);
   // The first and the second rays of all pairs are two estimates of half of it.
-  return sum_k[0] + sum_k[1] - 4.0 * classes.bend_of_gain(pose, from_k) * sum_k[0] * sum_k[1];
+  return sum_k[0] + sum_k[1] - 4.0 * classes.bend_of_gain(at, from_k) * sum_k[0] * sum_k[1];
 }
 
 SolvedSurface::Beside SolvedSurface::beside(const ExposedPoint& exposed, const thermal::Pose& pose,
-                                            std::uint64_t key, std::span<const math::Vec3> directions,
-                                            std::span<const std::uint8_t> is_free, int depth) const {
+                                            const thermal::SurfaceClasses::Corners& at, std::uint64_t key,
+                                            std::span<const math::Vec3> directions,
+                                            std::span<const geometry::SurfacePoint> met,
+                                            const PointRays& rays) const {
   Beside found;
   const double above = 0.5 * (1.0 + pose.normal.z), below = 1.0 - above;
-  const auto all_free = [&] {
-    return std::count(is_free.begin(), is_free.begin() + static_cast<std::ptrdiff_t>(directions.size()),
-                      std::uint8_t{0}) == 0;
+  const double worth_k = classes_->worth_of_all_k(at);
+  const Neighbours::Behind behind{rays.depth, rays.chance_behind, exposed.position_m().z - pose.height_m};
+  // A ray of little worth goes on by chance, and counts the more.
+  const auto add = [&](std::size_t number, Draw of, std::size_t k, double view, math::Vec3 direction,
+                       const geometry::SurfacePoint* hit) {
+    const double chance = rays.chance_beside(view, worth_k);
+    if (chance < 1.0 && sampling::unit_double(sampling::hash(key, of, k, Draw::asked)) >= chance) return;
+    const std::uint64_t own = sampling::hash(key, of, k);
+    const auto change = hit != nullptr
+                            ? neighbours_->change(exposed, *classes_, at, direction, *hit, own, behind)
+                            : neighbours_->change(exposed, *classes_, at, direction, own, behind);
+    found.in_shade_k[number] = view / chance * change.in_shade_k;
+    found.of_sun_k[number] = view / chance * change.of_sun_k;
   };
-  if (below < kLeastBelow && all_free()) return found;
-  const thermal::SurfaceClasses::Corners at = classes_->corners(pose);
-  for (std::size_t k = 0; k < directions.size(); ++k) {
-    if (is_free[k] != 0) continue;
-    const auto change = neighbours_->change(exposed, *classes_, at, directions[k],
-                                            sampling::hash(key, Draw::beside, k), depth);
-    found.in_shade_k[k] = above / static_cast<double>(directions.size()) * change.in_shade_k;
-    found.of_sun_k[k] = above / static_cast<double>(directions.size()) * change.of_sun_k;
-  }
+  for (std::size_t k = 0; k < directions.size(); ++k)
+    if (met[k].hit())
+      add(k, Draw::beside, k, above / static_cast<double>(directions.size()), directions[k], &met[k]);
   if (below < kLeastBelow) return found;
   static thread_local std::vector<math::Vec3> downward;
   exposed.ground_directions(sampling::hash(key, Draw::below), 1, downward);
-  for (std::size_t k = 0; k < downward.size(); ++k) {
-    const auto change =
-        neighbours_->change(exposed, *classes_, at, downward[k], sampling::hash(key, Draw::below, k), depth);
-    found.in_shade_k[2 * kSkyPairs + k] = 0.5 * below * change.in_shade_k;
-    found.of_sun_k[2 * kSkyPairs + k] = 0.5 * below * change.of_sun_k;
-  }
+  for (std::size_t k = 0; k < downward.size(); ++k)
+    add(2 * kSkyPairs + k, Draw::below, k, 0.5 * below, downward[k], nullptr);
   return found;
 }
 
@@ -197,16 +226,18 @@ double SolvedSurface::beside_k(const geometry::SurfacePoint& point, const Exposu
   if (neighbours_ == nullptr) return 0.0;
   const ExposedPoint exposed(scene_, point);
   const thermal::Pose pose(exposed.normal(), exposure.height_m);
+  const thermal::SurfaceClasses::Corners at = classes_->corners(pose);
   const double sun = sun_share(point, exposure), kelvin = temperature_k(point, exposure);
+  const PointRays all(Neighbours::kDepth + further);
+  std::vector<geometry::SurfacePoint> met;
   std::vector<math::Vec3> directions;
   std::vector<std::uint8_t> is_free(2 * kSkyPairs);
   double sum_k = 0.0;
   for (int draw = 0; draw < draws; ++draw) {
     const std::uint64_t own = sampling::hash(key, draw);
     exposed.sky_directions(sampling::hash(own, Draw::sky), kSkyPairs, directions);
-    if (!directions.empty()) exposed.free(directions, {}, is_free);
-    sum_k += beside(exposed, pose, own, directions, is_free, Neighbours::kDepth + further)
-                 .warms_k(*classes_, pose, kelvin, sun);
+    look(exposed, directions, met, is_free);
+    sum_k += beside(exposed, pose, at, own, directions, met, all).warms_k(*classes_, at, kelvin, sun);
   }
   return sum_k / draws;
 }

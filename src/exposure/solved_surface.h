@@ -13,6 +13,7 @@ namespace ifov::exposure {
 
 class ExposedPoint;
 class Neighbours;
+struct PointRays;
 
 /// The temperature of points of one material: its classes (thermal/surface_classes.h) by the point's own direction, the share
 /// of the sky that is free over it, and its own visibility of the Sun in the past, both asked by rays. 2 kSunPairs of these
@@ -21,14 +22,16 @@ class Neighbours;
 /// sent twice, now and at a time of the past by the size of s_k, and what they differ by counts with s_k.
 class SolvedSurface final : public scene::SolvedTemperature {
  public:
-  static constexpr int kSunPairs = 5, kSkyPairs = 2;
+  static constexpr int kSunPairs = 5, kSkyPairs = 2;  ///< at most
 
   /// Keeps the references to the scene. `sun_radius_rad`: of the Sun's disc. Where things come and go, the classes have a
   /// `past_sky`.
   SolvedSurface(std::shared_ptr<const thermal::SurfaceClasses> classes, PastScene scene,
                 double sun_radius_rad, std::shared_ptr<const Neighbours> neighbours = nullptr);
 
-  scene::EstimatedTemperature at(const geometry::SurfacePoint& point, std::uint64_t draw) const override;
+  using scene::SolvedTemperature::at;
+  scene::EstimatedTemperature at(const geometry::SurfacePoint& point, std::uint64_t draw,
+                                 double share) const override;
   double coldest_k() const override { return classes_->coldest_k(); }
   double hottest_k() const override { return classes_->hottest_k(); }
 
@@ -71,6 +74,11 @@ class SolvedSurface final : public scene::SolvedTemperature {
   double sun_radius_rad() const { return sun_radius_rad_; }
 
  private:
+  scene::EstimatedTemperature estimate(const geometry::SurfacePoint& point, std::uint64_t key,
+                                       double share) const;
+  /// What is met now, and what is sky; `met` stays empty without neighbours.
+  void look(const ExposedPoint& exposed, std::span<const math::Vec3> directions,
+            std::vector<geometry::SurfacePoint>& met, std::span<std::uint8_t> is_free) const;
   struct PastRay {
     math::Vec3 direction;
     double time_s = 0.0;
@@ -97,12 +105,13 @@ class SolvedSurface final : public scene::SolvedTemperature {
       return in_shade_k[ray] + sun_share * of_sun_k[ray];
     }
     /// Of all, to second order, by what a point is warmer for it than `from_k`.
-    double warms_k(const thermal::SurfaceClasses& classes, const thermal::Pose& pose, double from_k,
-                   double sun_share) const;
+    double warms_k(const thermal::SurfaceClasses& classes, const thermal::SurfaceClasses::Corners& at,
+                   double from_k, double sun_share) const;
   };
-  Beside beside(const ExposedPoint& exposed, const thermal::Pose& pose, std::uint64_t key,
-                std::span<const math::Vec3> directions, std::span<const std::uint8_t> is_free,
-                int depth) const;
+  Beside beside(const ExposedPoint& exposed, const thermal::Pose& pose,
+                const thermal::SurfaceClasses::Corners& at, std::uint64_t key,
+                std::span<const math::Vec3> directions, std::span<const geometry::SurfacePoint> met,
+                const PointRays& rays) const;
 
   std::shared_ptr<const thermal::SurfaceClasses> classes_;
   PastScene scene_;

@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "exposure/exposed_point.h"
+#include "exposure/past_suns.h"
+#include "exposure/point_rays.h"
 #include "exposure/solved_surface.h"
 #include "geometry/surface_point.h"
 #include "sampling/random.h"
@@ -16,7 +18,7 @@ namespace {
 
 using thermal::ClassesOfTimes;
 
-enum class Asked { sky, sun, beside, below };
+enum class Asked { sky, sun, beside, below, asked };
 
 constexpr std::size_t kShareRows = 8;         // times
 constexpr double kLeastBelowHorizon = 0.002;  // of the view
@@ -132,6 +134,17 @@ void add_mixed(Pairs& pairs, std::size_t bins, std::size_t lanes) {
   add_bends(pairs, disagreements, bins, lanes);
 }
 
+/// Of some times the most.
+thermal::SurfaceClasses::AtStake at_stake(const ClassesOfTimes& classes, const thermal::Pose& pose) {
+  constexpr std::size_t kSome = 4;
+  thermal::SurfaceClasses::AtStake most;
+  for (std::size_t t = 0; t < classes.times(); t += (classes.times() + kSome - 1) / kSome) {
+    const auto one = classes.of_time(t).at_stake(classes.of_time(t).corners(pose));
+    most.of_sky_k = std::max(most.of_sky_k, std::abs(one.of_sky_k));
+  }
+  return most;
+}
+
 }  // namespace
 
 /// By ray and time: what it meets that is not sky; those to the sky first, then two to below the horizon.
@@ -168,9 +181,12 @@ SurfacesOfTimes::SurfacesOfTimes(const std::map<std::size_t, ByTime>& by_number,
     }
 }
 
+SurfacesOfTimes::~SurfacesOfTimes() = default;
+
 void SurfacesOfTimes::ask_beside(std::size_t number, const ExposedPoint& exposed, const thermal::Pose& pose,
                                  std::uint64_t key, std::span<const math::Vec3> directions,
-                                 std::span<const std::uint8_t> is_free, Beside& beside) const {
+                                 std::span<const geometry::SurfacePoint> met, const PointRays& rays,
+                                 Beside& beside) const {
   static thread_local std::vector<math::Vec3> downward;
   static thread_local std::vector<Neighbours::Change> of_group;
   const double above = 0.5 * (1.0 + pose.normal.z), below = 1.0 - above;
@@ -179,16 +195,23 @@ void SurfacesOfTimes::ask_beside(std::size_t number, const ExposedPoint& exposed
   beside.above = directions.size();
   beside.below = downward.size();
   beside.changes.assign((beside.above + beside.below) * times_, {});
+  const thermal::SurfaceClasses& any = classes_[number]->of_time(0);
+  const double worth_k = any.worth_of_all_k(any.corners(pose));
   for (std::size_t ray = 0; ray < beside.above + beside.below; ++ray) {
     const bool is_above = ray < beside.above;
-    if (is_above && is_free[ray] != 0) continue;
-    const math::Vec3 direction = is_above ? directions[ray] : downward[ray - beside.above];
-    const double share =
+    if (is_above && !met[ray].hit()) continue;
+    const double view =
         is_above ? above / static_cast<double>(beside.above) : below / static_cast<double>(beside.below);
+    // Rays of little worth go on by chance, the same to all times, and count the more.
+    const double chance = rays.chance_beside(view, worth_k), share = view / chance;
+    if (chance < 1.0 && sampling::unit_double(sampling::hash(key, Asked::asked, ray)) >= chance) continue;
+    const geometry::SurfacePoint hit =
+        is_above ? met[ray] : neighbours_.front()->met(exposed, downward[ray - beside.above]);
+    if (!hit.hit()) continue;
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       of_group.resize(groups_[g].size());
-      Neighbours::changes(asked_[number][g], exposed, pose, direction,
-                          sampling::hash(key, Asked::beside, ray, g), of_group);
+      Neighbours::changes(asked_[number][g], pose, hit, sampling::hash(key, Asked::beside, ray, g),
+                          {rays.depth, rays.chance_behind, exposed.position_m().z - pose.height_m}, of_group);
       for (std::size_t k = 0; k < of_group.size(); ++k)
         beside.changes[ray * times_ + groups_[g][k]] = {share * of_group[k].in_shade_k,
                                                         share * of_group[k].of_sun_k};
@@ -222,32 +245,56 @@ std::unique_ptr<const SurfacesOfTimes> SurfacesOfTimes::of(std::span<const scene
 }
 
 void SurfacesOfTimes::at(std::size_t number, const geometry::SurfacePoint& point, std::uint64_t draw,
-                         std::span<scene::EstimatedTemperature> by_time) const {
-  static thread_local Pairs pairs;
+                         double share, std::span<scene::EstimatedTemperature> by_time) const {
   const ClassesOfTimes& classes = *classes_[number];
-  const std::size_t lanes = classes.lanes(), bins = classes.bins();
   const std::uint64_t key = sampling::hash(draw, bits_of(point.position_m.x), bits_of(point.position_m.y),
                                            bits_of(point.position_m.z), point.front);
+  const double by_chance = sampling::unit_double(sampling::hash(key, Asked::asked));
+  bool any = false;
+  for (std::size_t t = 0; t < by_time.size(); ++t)
+    any = any || by_chance < AskedByChance(classes.of_time(t), share).chance();
+  if (any) estimate(number, point, key, share, by_time);
+  for (std::size_t t = 0; t < by_time.size(); ++t) {
+    const AskedByChance asked(classes.of_time(t), share);
+    by_time[t] = by_chance < asked.chance() ? asked.moved(by_time[t]) : asked.else_taken();
+  }
+}
+
+void SurfacesOfTimes::estimate(std::size_t number, const geometry::SurfacePoint& point, std::uint64_t key,
+                               double share, std::span<scene::EstimatedTemperature> by_time) const {
+  static thread_local Pairs pairs;
+  static thread_local std::vector<geometry::SurfacePoint> met;
+  const ClassesOfTimes& classes = *classes_[number];
+  const std::size_t lanes = classes.lanes(), bins = classes.bins();
   const ExposedPoint exposed(scene_, point);
-  exposed.sky_directions(sampling::hash(key, Asked::sky), kSkyPairs, pairs.directions);
+  const thermal::Pose pose = exposed.pose();
+  const PointRays rays(at_stake(classes, pose), share);
+  exposed.sky_directions(sampling::hash(key, Asked::sky), rays.sky_pairs, pairs.directions);
   double sky = 1.0, sky_variance = 0.0;
+  met.clear();
   if (const std::size_t count = pairs.directions.size(); count > 0) {
     pairs.is_free.resize(count);
-    exposed.free(pairs.directions, {}, pairs.is_free);
+    if (neighbours_.empty()) {
+      exposed.free(pairs.directions, {}, pairs.is_free);
+    } else {
+      for (std::size_t k = 0; k < count; ++k) {
+        met.push_back(neighbours_.front()->met(exposed, pairs.directions[k]));
+        pairs.is_free[k] = exposed.leaves(pairs.directions[k]) && !met[k].hit() ? 1 : 0;
+      }
+    }
     sky = 0.0;
     for (std::size_t k = 0; k + 1 < count; k += 2) {
       sky += static_cast<double>(pairs.is_free[k] + pairs.is_free[k + 1]) / static_cast<double>(count);
       if (pairs.is_free[k] != pairs.is_free[k + 1]) sky_variance += 1.0 / static_cast<double>(count * count);
     }
   }
-  const thermal::Pose pose = exposed.pose();
   classes.at(pose, sky, pairs.at);
   static thread_local Beside beside;
   static thread_local std::vector<std::uint8_t> sky_free;
   if (!groups_.empty()) {
     sky_free.assign(pairs.is_free.begin(),
                     pairs.is_free.begin() + static_cast<std::ptrdiff_t>(pairs.directions.size()));
-    ask_beside(number, exposed, pose, key, pairs.directions, sky_free, beside);
+    ask_beside(number, exposed, pose, key, pairs.directions, met, rays, beside);
   }
   pairs.directions.clear();
   pairs.suns = suns_[number]->draw(sampling::hash(key, Asked::sun));
@@ -290,7 +337,8 @@ void SurfacesOfTimes::at(std::size_t number, const geometry::SurfacePoint& point
     double more_k = sum_k[0] + sum_k[1];
     if (more_k != 0.0)
       more_k -= 4.0 * sum_k[0] * sum_k[1] *
-                classes.of_time(t).bend_of_gain(pose, static_cast<double>(pairs.kelvin[t]));
+                classes.of_time(t).bend_of_gain(classes.of_time(t).corners(pose),
+                                                static_cast<double>(pairs.kelvin[t]));
     pairs.kelvin[t] += static_cast<float>(more_k);
     pairs.variance[t] += static_cast<float>(variance_k2);
   }

@@ -7,7 +7,6 @@
 
 #include "exposure/neighbours.h"
 #include "exposure/past_scene.h"
-#include "exposure/past_suns.h"
 #include "scene/temperature_scope.h"
 #include "thermal/times/classes_of_times.h"
 
@@ -16,6 +15,9 @@ struct Scene;
 }
 
 namespace ifov::exposure {
+
+class PastSuns;
+struct PointRays;
 
 /// The temperatures of points at several times of one scene in which nothing came or went. Rays to where the Sun stood are asked
 /// once for all: two to each bin of the past (thermal/times/classes_of_times.h), at a time that is drawn within it (PastSuns). Where both see the same
@@ -27,17 +29,16 @@ namespace ifov::exposure {
 /// at all times. What a ray meets that is not sky was another at each: times that follow each other share a row of the past at which that is asked for.
 class SurfacesOfTimes final : public scene::TemperaturesOfTimes {
  public:
-  static constexpr int kSkyPairs = 2;  // as SolvedSurface
-
   using ByTime = std::vector<std::shared_ptr<const thermal::SurfaceClasses>>;
   /// `by_number`: as Scene::solved, those that are solved. Keeps the references to the scene.
   SurfacesOfTimes(const std::map<std::size_t, ByTime>& by_number, PastScene scene, double sun_radius_rad,
                   std::vector<std::shared_ptr<const Neighbours>> neighbours = {});
+  ~SurfacesOfTimes() override;
   /// Of scenes of one world, by time; null where their pasts have no rows in common, something came or went, or nothing is solved.
   static std::unique_ptr<const SurfacesOfTimes> of(std::span<const scene::Scene* const> by_time);
 
   std::size_t times() const override { return times_; }
-  void at(std::size_t number, const geometry::SurfacePoint& point, std::uint64_t draw,
+  void at(std::size_t number, const geometry::SurfacePoint& point, std::uint64_t draw, double share,
           std::span<scene::EstimatedTemperature> by_time) const override;
   /// Rays to the Sun that a point takes.
   std::size_t sun_rays(std::size_t number) const { return 2 * classes_.at(number)->bins(); }
@@ -55,7 +56,9 @@ class SurfacesOfTimes final : public scene::TemperaturesOfTimes {
   struct Beside;
   void ask_beside(std::size_t number, const ExposedPoint& exposed, const thermal::Pose& pose,
                   std::uint64_t key, std::span<const math::Vec3> directions,
-                  std::span<const std::uint8_t> is_free, Beside& beside) const;
+                  std::span<const geometry::SurfacePoint> met, const PointRays& rays, Beside& beside) const;
+  void estimate(std::size_t number, const geometry::SurfacePoint& point, std::uint64_t key, double share,
+                std::span<scene::EstimatedTemperature> by_time) const;
 };
 
 }  // namespace ifov::exposure

@@ -101,13 +101,14 @@ std::vector<bool> Scene::lobe_assignments() const {
       *this, [&](std::uint32_t material) { return materials::has_narrow_lobe(*materials[material].bsdf); });
 }
 
-ResolvedSurface Scene::resolve(const geometry::SurfacePoint& point, std::uint64_t draw) const {
+ResolvedSurface Scene::resolve(const geometry::SurfacePoint& point, std::uint64_t draw, double share) const {
   ResolvedSurface surface = resolve_without_temperature(point);
-  if (!solved.empty()) solve(point, draw, surface);
+  if (!solved.empty()) solve(point, draw, share, surface);
   return surface;
 }
 
-void Scene::solve(const geometry::SurfacePoint& point, std::uint64_t draw, ResolvedSurface& surface) const {
+void Scene::solve(const geometry::SurfacePoint& point, std::uint64_t draw, double share,
+                  ResolvedSurface& surface) const {
   std::uint32_t known = 0;
   EstimatedTemperature estimate;
   for (std::size_t k = 0; k < surface.count; ++k) {
@@ -116,7 +117,8 @@ void Scene::solve(const geometry::SurfacePoint& point, std::uint64_t draw, Resol
     if (by == 0) continue;
     TemperatureScope* const scope = TemperatureScope::current();
     if (by != known)
-      estimate = scope != nullptr ? scope->answer(by - 1, point, draw) : solved[by - 1]->at(point, draw);
+      estimate = scope != nullptr ? scope->answer(by - 1, point, draw, share)
+                                  : solved[by - 1]->at(point, draw, share);
     known = by;
     part.mapped_temperature_k = estimate.kelvin;
     part.deviation_k = estimate.deviation_k;

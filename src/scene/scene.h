@@ -139,8 +139,9 @@ struct Scene {
   SurfaceState surroundings;
   ViewPath view_path;
 
-  /// `draw`: by whose chance solved temperatures are estimated (SolvedTemperature::at).
-  ResolvedSurface resolve(const geometry::SurfacePoint& point, std::uint64_t draw = 0) const;
+  /// `draw`, `share`: by whose chance solved temperatures are estimated, and for how much light (SolvedTemperature::at).
+  ResolvedSurface resolve(const geometry::SurfacePoint& point, std::uint64_t draw = 0,
+                          double share = 1) const;
   /// The same where nobody asks for temperatures: solved ones, which take rays, are not there.
   ResolvedSurface resolve_without_temperature(const geometry::SurfacePoint& point) const;
   /// By surface assignment: whether any of its materials is a mirror. Empty where none is.
@@ -161,7 +162,7 @@ struct Scene {
 
  private:
   ResolvedSurface resolve_own(const geometry::SurfacePoint& point) const;
-  void solve(const geometry::SurfacePoint& point, std::uint64_t draw, ResolvedSurface& surface) const;
+  void solve(const geometry::SurfacePoint& at, std::uint64_t draw, double share, ResolvedSurface& of) const;
 };
 
 /// The materials that truth tells apart: all but those that are further curves of another (Material::curve_of), which

@@ -20,8 +20,13 @@ class SolvedTemperature {
  public:
   virtual ~SolvedTemperature() = default;
 
-  /// Without bias. Depends on the point and on `draw` alone, of which every value gives other rays into the past.
-  virtual EstimatedTemperature at(const geometry::SurfacePoint& point, std::uint64_t draw) const = 0;
+  /// Without bias. Depends on the point, on `share` and on `draw` alone, of which every value gives other rays into the past. `share`: what of
+  /// the surface's emission its caller's light takes, about; where that is little, few rays have to do.
+  virtual EstimatedTemperature at(const geometry::SurfacePoint& point, std::uint64_t draw,
+                                  double share) const = 0;
+  EstimatedTemperature at(const geometry::SurfacePoint& point, std::uint64_t draw) const {
+    return at(point, draw, 1.0);
+  }
 
   /// Between which temperatures lie; estimates of them may stray beyond by their deviations.
   virtual double coldest_k() const = 0;

@@ -14,7 +14,7 @@ class TemperaturesOfTimes {
   virtual ~TemperaturesOfTimes() = default;
   virtual std::size_t times() const = 0;
   /// As SolvedTemperature::at of Scene::solved[number], by time: without bias at each, by rays that they share.
-  virtual void at(std::size_t number, const geometry::SurfacePoint& point, std::uint64_t draw,
+  virtual void at(std::size_t number, const geometry::SurfacePoint& point, std::uint64_t draw, double share,
                   std::span<EstimatedTemperature> by_time) const = 0;
 };
 
@@ -27,7 +27,7 @@ class TemperatureScope {
   TemperatureScope& operator=(const TemperatureScope&) = delete;
 
   virtual EstimatedTemperature answer(std::size_t number, const geometry::SurfacePoint& point,
-                                      std::uint64_t draw) = 0;
+                                      std::uint64_t draw, double share) = 0;
   static TemperatureScope* current();  ///< null: none
 
  private:

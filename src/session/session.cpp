@@ -120,8 +120,9 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   check_image_size(document.sources, document.sampling,
                    static_cast<std::int64_t>(p.camera->width_px()) * p.camera->height_px());
   if (!p.scene.solved.empty())
-    p.temperature_errors = solve_temperatures(document, p.weather.get(), *p.camera, p.scene, shared.classes(),
-                                              options.threads, log);
+    p.temperature_errors =
+        solve_temperatures(document, p.weather.get(), *p.camera, p.scene, options.unseen_temperatures,
+                           shared.classes(), options.threads, log);
   p.assumed_surroundings =
       assume_surroundings(document.light, document.atmosphere, *p.camera, p.scene).value_or("");
   if (!p.assumed_surroundings.empty()) log->info(p.assumed_surroundings);

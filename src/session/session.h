@@ -34,6 +34,7 @@ struct LoadOptions {
   const CancelToken* cancel = nullptr;  ///< asked while the atmosphere is worked out
   ProgressSink* progress = nullptr;     ///< of the atmosphere: solutions instead of pixels
   SharedScene* shared = nullptr;        ///< of the same document at other times; null: it is alone
+  bool unseen_temperatures = false;  ///< measure solved ones also where neither camera nor mirror shows them
 };
 
 struct ProductFile {

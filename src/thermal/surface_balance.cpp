@@ -65,9 +65,9 @@ SurfaceBalance::Row SurfaceBalance::row_of(const OutdoorsSeries& series, const S
   row.given.ground_longwave = skin_.emissivity * beside->longwave_w_m2;
   row.given.power = skin_.power_w_m2;
   row.air = now.air;
-  row.wind_m_s = wind_at_m_s(now.wind_m_s, series.anemometer, stand.height_m, stand.terrain);
-  row.windward = windward_share(stand.tilt_rad, stand.azimuth_rad, now.wind_from_rad);
-  row.forced_w_m2_k = forced_convection(row.wind_m_s, row.windward);
+  row.forced_w_m2_k =
+      forced_convection(wind_at_m_s(now.wind_m_s, series.anemometer, stand.height_m, stand.terrain),
+                        windward_share(stand.tilt_rad, stand.azimuth_rad, now.wind_from_rad));
   return row;
 }
 
@@ -93,8 +93,7 @@ const SurfaceBalance::Row& SurfaceBalance::at(double time_s, Row& between) const
   row.air.temperature_k = mix(a.air.temperature_k, b.air.temperature_k, share);
   row.air.vapour_pa = mix(a.air.vapour_pa, b.air.vapour_pa, share);
   row.air.pressure_pa = mix(a.air.pressure_pa, b.air.pressure_pa, share);
-  row.wind_m_s = mix(a.wind_m_s, b.wind_m_s, share);
-  row.forced_w_m2_k = forced_convection(row.wind_m_s, row.windward);
+  row.forced_w_m2_k = mix(a.forced_w_m2_k, b.forced_w_m2_k, share);
   return row;
 }
 

@@ -85,8 +85,7 @@ class SurfaceBalance : public SurfaceExchange {
   struct Row {
     Fluxes given;
     MoistAir air;
-    double wind_m_s = 0.0;
-    double windward = 1.0, forced_w_m2_k = 0.0;  ///< of forced convection, at glass
+    double forced_w_m2_k = 0.0;  ///< of forced convection, at glass
   };
   Row row_of(const OutdoorsSeries& series, const Stand& stand, std::size_t index, double visibility,
              double free_sky, const FromBeside* beside);

@@ -15,6 +15,7 @@ constexpr std::size_t kDirections = 2 + (kTilts - 1) * kAzimuths;
 constexpr double kLeastRise_k = 0.1;            // of a surface that the Sun warms
 constexpr double kLeastBend = 0.01;             // below it the kernels are one
 constexpr double kLeastLeft = 0.01;             // of all weights: what is older meets nothing yet older
+constexpr double kForgotten = 1e-4;             // of all weights: what is older is left out
 constexpr double kGauss = 0.28867513459481287;  // 1 / sqrt(12)
 constexpr int kSides = 4;                       // of the directions that tell what is coldest and hottest
 // Of the largest rise, as the Sun may stand 33 degrees from the nearest of those, in front of a direction between them; and of
@@ -66,6 +67,8 @@ SurfaceClasses::SurfaceClasses(std::shared_ptr<const OutdoorsSeries> series, Cla
                                   (k - 2) % kSides * (kAzimuths / kSides)));
   });
   coldest_k_ = hottest_k_ = bounding[0]->shaded_k[0];
+  for (std::size_t sky = 0; sky < 2; ++sky)
+    middle_k_ += 0.5 * bounding[0]->shaded_k[sky] + 0.25 * bounding[0]->rise_k[sky];
   double warmest_shaded_k = coldest_k_, most_k = 0.0;
   for (const Node* node : bounding)
     for (std::size_t sky = 0; sky < 2; ++sky) {
@@ -94,6 +97,11 @@ void SurfaceClasses::solve(Node& node, double height_m, double tilt_rad, double 
     node.past_kernel.assign(series_->rows.size(), 0.0f);
     node.past_difference = node.past_kernel;
   }
+  const auto gain_w_m2 = [&](const Row& row) {
+    return row.absorbed_w_m2 * std::max(0.0, math::dot(normal, row.sun));
+  };
+  std::array<bool, 2> is_warmed{};
+  node.first = rows_.size();
   for (std::size_t sky = 0; sky < 2; ++sky) {
     stand.free_sky = static_cast<double>(sky);
     const SurfaceSolution shaded = solved(0.0), sunlit = solved(1.0);
@@ -109,9 +117,6 @@ void SurfaceClasses::solve(Node& node, double height_m, double tilt_rad, double 
     }
     if (bins() > 0) keep_past(node, sky, shaded, sunlit, at_shade, at_sun);
     double sum_k = 0.0, of_difference_k = 0.0;
-    const auto gain_w_m2 = [&](const Row& row) {
-      return row.absorbed_w_m2 * std::max(0.0, math::dot(normal, row.sun));
-    };
     for (const Row& row : rows_) {
       node.kernel[sky].push_back(static_cast<float>(std::max(0.0, mean(row.index))));
       node.difference[sky].push_back(static_cast<float>(difference(row.index)));
@@ -119,16 +124,35 @@ void SurfaceClasses::solve(Node& node, double height_m, double tilt_rad, double 
       of_difference_k += static_cast<double>(node.difference[sky].back()) * gain_w_m2(row);
     }
     node.ratio[sky] = 1.0;
+    double forgotten = 0.0;
+    for (std::size_t k = 0; k < rows_.size(); ++k)
+      forgotten += kForgotten * static_cast<double>(node.kernel[sky][k]) * rows_[k].absorbed_w_m2;
+    std::size_t first = 0;
+    for (; first < rows_.size(); ++first)
+      if (!((forgotten -= static_cast<double>(node.kernel[sky][first]) * rows_[first].absorbed_w_m2) > 0.0))
+        break;
+    node.first = std::min(node.first, first);
     if (!(sum_k > kLeastRise_k)) continue;
     if (std::abs(of_difference_k) > kLeastBend * sum_k)
       node.shift[sky] = std::clamp((node.rise_k[sky] - sum_k) / of_difference_k, -0.5, 0.5);
-    double shifted_k = 0.0;
     for (std::size_t k = 0; k < rows_.size(); ++k) {
       float& kernel = node.kernel[sky][k];
       kernel = std::max(0.0f, kernel + static_cast<float>(node.shift[sky]) * node.difference[sky][k]);
-      shifted_k += static_cast<double>(kernel) * gain_w_m2(rows_[k]);
+    }
+    is_warmed[sky] = true;
+  }
+  for (std::size_t sky = 0; sky < 2; ++sky) {
+    if (!is_warmed[sky]) continue;
+    double shifted_k = 0.0;
+    math::Vec3 towards_sun{};
+    for (std::size_t k = node.first; k < rows_.size(); ++k) {
+      const double weight_k = static_cast<double>(node.kernel[sky][k]) * gain_w_m2(rows_[k]);
+      shifted_k += weight_k;
+      towards_sun = towards_sun + weight_k * rows_[k].sun;
     }
     node.ratio[sky] = node.rise_k[sky] / shifted_k;
+    const double together = math::length(towards_sun) / shifted_k;
+    node.sun_spread = std::max(node.sun_spread, std::sqrt(std::max(0.0, 1.0 - together * together)));
   }
 }
 
@@ -219,48 +243,105 @@ SurfaceClasses::Corners SurfaceClasses::corners(const Pose& pose) const {
   return found;
 }
 
+SurfaceClasses::Corners SurfaceClasses::any_corner(const Pose& pose, double by_chance) const {
+  const Turn turn = turn_of(pose.normal);
+  const AboveLevel above = level_of(pose.height_m);
+  const auto is_next = [&](double share) {
+    const bool next = by_chance < share;
+    by_chance = next ? by_chance / share : (by_chance - share) / (1.0 - share);
+    return next ? 1 : 0;
+  };
+  const int level = above.level + is_next(above.stronger), ring = turn.ring + is_next(turn.up);
+  const int azimuth = ring % kTilts == 0 ? 0 : (turn.azimuth + is_next(turn.east)) % kAzimuths;
+  Corners found;
+  found.count = 1;
+  found.all[0].place = place_of(level, ring, azimuth);
+  found.all[0].share = 1.0;
+  found.all[0].node = &node_at(found.all[0].place);
+  return found;
+}
+
+std::size_t SurfaceClasses::first_row(const Corners& at) const {
+  std::size_t first = rows_.size();
+  for (const Corner& corner : at) first = std::min(first, corner.node->first);
+  return first;
+}
+
 void SurfaceClasses::bends(const Pose& pose, std::span<const double> sum_k,
                            std::span<double> per_pair) const {
+  const Corners at = corners(pose);
+  const std::size_t first = first_row(at);
+  std::fill_n(per_pair.begin(), first, 0.0);
+  bends(at, sum_k.subspan(first), per_pair.subspan(first));
+}
+
+SurfaceClasses::Shade SurfaceClasses::shaded(const Pose& pose, double free_sky,
+                                             std::span<double> weight_k) const {
+  const Corners at = corners(pose);
+  const std::size_t first = first_row(at);
+  std::fill_n(weight_k.begin(), first, 0.0);
+  return shaded(at, pose.normal, free_sky, weight_k.subspan(first));
+}
+
+SurfaceClasses::AtStake SurfaceClasses::at_stake(const Corners& at) const {
+  AtStake found;
+  for (const Corner& corner : at) {
+    const Node& node = *corner.node;
+    found.of_sky_k += corner.share * (node.shaded_k[1] - node.shaded_k[0]);
+    found.sun_spread += corner.share * node.sun_spread;
+    found.rise_k += corner.share * 0.5 * (node.rise_k[0] + node.rise_k[1]);
+  }
+  return found;
+}
+
+void SurfaceClasses::bends(const Corners& at, std::span<const double> sum_k,
+                           std::span<double> per_pair) const {
   static thread_local std::vector<double> kernel, bent;
-  kernel.assign(rows_.size(), 0.0);
-  bent.assign(rows_.size(), 0.0);
-  for (const Corner& corner : corners(pose)) {
+  const std::size_t count = sum_k.size(), first = rows_.size() - count;
+  kernel.assign(count, 0.0);
+  bent.assign(count, 0.0);
+  for (const Corner& corner : at) {
     const Node& node = *corner.node;
     for (std::size_t sky = 0; sky < 2; ++sky) {
       const double shift = node.shift[sky], factor = 0.5 * corner.share * (1.0 + 2.0 * shift);
-      for (std::size_t k = 0; k < rows_.size(); ++k) {
-        kernel[k] += 0.5 * corner.share * static_cast<double>(node.kernel[sky][k]);
-        bent[k] += factor * static_cast<double>(node.difference[sky][k]);
+      const float* const of_node = node.kernel[sky].data() + first;
+      const float* const difference = node.difference[sky].data() + first;
+      for (std::size_t k = 0; k < count; ++k) {
+        kernel[k] += 0.5 * corner.share * static_cast<double>(of_node[k]);
+        bent[k] += factor * static_cast<double>(difference[k]);
       }
     }
   }
-  const double least_k = rows_.empty() ? 0.0 : kLeastLeft * sum_k.back();
+  const double least_k = count == 0 ? 0.0 : kLeastLeft * sum_k.back();
   double bend = 0.0, last = 0.0, q = 0.0;
-  for (std::size_t k = rows_.size(); k-- > 0; last = bend) {
+  for (std::size_t k = count; k-- > 0; last = bend) {
     if (kernel[k] > 0.0) bend = std::clamp(bent[k] / kernel[k], -1.0, 1.0);
     if (sum_k[k] > least_k) q += (bend - last) / sum_k[k];
     per_pair[k] = q;
   }
 }
 
-SurfaceClasses::Shade SurfaceClasses::shaded(const Pose& pose, double free_sky,
+SurfaceClasses::Shade SurfaceClasses::shaded(const Corners& at, math::Vec3 normal, double free_sky,
                                              std::span<double> weight_k) const {
   Shade shade;
+  const std::size_t count = weight_k.size(), first = rows_.size() - count;
   std::fill(weight_k.begin(), weight_k.end(), 0.0);
-  for (const Corner& corner : corners(pose)) {
+  for (const Corner& corner : at) {
     const Node& node = *corner.node;
     shade.kelvin += corner.share * std::lerp(node.shaded_k[0], node.shaded_k[1], free_sky);
     shade.of_sky_k += corner.share * (node.shaded_k[1] - node.shaded_k[0]);
     const double factor = corner.share * std::lerp(node.ratio[0], node.ratio[1], free_sky);
     const double of_hidden = factor * (1.0 - free_sky), of_free = factor * free_sky;
-    const float* const hidden = node.kernel[0].data();
-    const float* const free = node.kernel[1].data();
+    const float* const hidden = node.kernel[0].data() + first;
+    const float* const free = node.kernel[1].data() + first;
     double* __restrict sum = weight_k.data();
-    for (std::size_t k = 0; k < rows_.size(); ++k)
+    for (std::size_t k = 0; k < count; ++k)
       sum[k] += of_hidden * static_cast<double>(hidden[k]) + of_free * static_cast<double>(free[k]);
   }
-  for (std::size_t k = 0; k < rows_.size(); ++k)
-    weight_k[k] *= rows_[k].absorbed_w_m2 * std::max(0.0, math::dot(pose.normal, rows_[k].sun));
+  for (std::size_t k = 0; k < count; ++k) {
+    const Row& row = rows_[first + k];
+    weight_k[k] *= row.absorbed_w_m2 * std::max(0.0, math::dot(normal, row.sun));
+  }
   return shade;
 }
 

@@ -115,6 +115,18 @@ class SurfaceClasses {
     const Corner* end() const { return all.data() + count; }
   };
   Corners corners(const Pose& pose) const;
+  /// One of them, as often as it has a share, for all of it: what is linear in them is right in the mean. `by_chance`: 0 to 1.
+  Corners any_corner(const Pose& pose, double by_chance) const;
+  /// Of the sunlit rows from first_row() on alone: those before are worth nothing.
+  std::size_t first_row(const Corners& at) const;
+  Shade shaded(const Corners& at, math::Vec3 normal, double free_sky, std::span<double> weight_k) const;
+  void bends(const Corners& at, std::span<const double> sum_k, std::span<double> per_pair) const;
+  /// What a free sky is worth (Shade::of_sky_k), how far apart the places of the Sun are that count (0: all in one; about 1: all over a day),
+  /// and what it is worth where it is always seen: about, to know how many rays to send.
+  struct AtStake {
+    double of_sky_k = 0.0, sun_spread = 0.0, rise_k = 0.0;
+  };
+  AtStake at_stake(const Corners& at) const;
 
   // What surfaces send to each other; only with `neighbours`. The past is told in bins, the last row first, a sixth of what lies behind
   // them long and half an hour at most.
@@ -153,7 +165,7 @@ class SurfaceClasses {
   double worth_of_all_k(const Corners& at) const;
   /// Of what a gain throughout the past adds to a surface that had `kelvin` without it, its square is lost: a warmer surface emits more than in
   /// proportion, 6 e sigma T^2 of the square, and what that is worth. Per kelvin.
-  double bend_of_gain(const Pose& pose, double kelvin) const;
+  double bend_of_gain(const Corners& at, double kelvin) const;
   double ground_reflectance() const { return surface_.stand.ground_reflectance; }
   FromBeside from_ground(std::size_t row) const { return of_level_ground(outdoors(row), surface_.stand); }
   const Skin& skin() const { return surface_.skin; }
@@ -163,6 +175,8 @@ class SurfaceClasses {
   /// Of all that can come out: of ten directions, with a margin for those between them.
   double coldest_k() const { return coldest_k_; }
   double hottest_k() const { return hottest_k_; }
+  /// Of a level surface half in the Sun, under half of its sky.
+  double middle_k() const { return middle_k_; }
 
  private:
   struct Row {
@@ -173,6 +187,8 @@ class SurfaceClasses {
   /// A direction: with the sky hidden and free.
   struct Node {
     std::array<double, 2> shaded_k{}, rise_k{}, ratio{}, shift{};
+    double sun_spread = 0.0;                               ///< about its mean direction, weighed by w
+    std::size_t first = 0;                                 ///< sunlit row; kernels are 0 before it
     std::array<std::vector<float>, 2> kernel, difference;  ///< by sunlit row: K, not below 0; K_1 - K_0
     /// By row of the series, of both skies: mean of K_0 and K_1, and K_1 - K_0; empty without `past_sky`.
     std::vector<float> past_kernel, past_difference;
@@ -224,7 +240,7 @@ class SurfaceClasses {
   };
   PastBins past_;
   mutable std::vector<Place> places_;  ///< level by level: facing up, facing down, and rings between
-  double coldest_k_ = 0.0, hottest_k_ = 0.0;
+  double coldest_k_ = 0.0, hottest_k_ = 0.0, middle_k_ = 0.0;
 };
 
 }  // namespace ifov::thermal

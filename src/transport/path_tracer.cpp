@@ -111,8 +111,8 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
       pass(paths_[k], hits_[k]);
     } else if (hits_[k].hit()) {
       const PathKey& key = paths_[k].key;
-      const scene::ResolvedSurface surface =
-          scene_.scene().resolve(hits_[k], sampling::hash(key.sequence, key.index, depth));
+      const scene::ResolvedSurface surface = scene_.scene().resolve(
+          hits_[k], sampling::hash(key.sequence, key.index, depth), static_cast<double>(paths_[k].share));
       if (depth == 0) record_.paths[k].seen_material = surface.constituents[0].material;
       if (passages_ && forks(paths_[k], hits_[k], surface)) {
         const std::uint32_t number = paths_[k].number, twin = fork(number);

@@ -21,6 +21,8 @@ constexpr double kSunRadius_rad = 0.00465;
 
 Session load(const DaysOfJune& weather, const char* hour, const std::string& materials,
              const std::string& objects) {
+  LoadOptions options;
+  options.unseen_temperatures = true;
   return Session::load(
       io::parse_document(format(
                              R"({{"ifov": 1, "time": "2026-06-21T{}:00Z", "weather": {{"file": "{}"}},
@@ -32,7 +34,7 @@ Session load(const DaysOfJune& weather, const char* hour, const std::string& mat
           "sampling": {{"accuracy": {{"error": "50 K"}}}}}})",
                              hour, weather.path(), materials, objects),
                          "beside.json"),
-      nullptr);
+      nullptr, options);
 }
 
 geometry::SurfacePoint met_by(const Parts& parts, math::Point3 from, math::Vec3 along) {

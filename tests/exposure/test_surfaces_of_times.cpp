@@ -92,7 +92,7 @@ TEST(SurfacesOfTimes, MeansAreThoseOfExactSums) {
     std::vector<double> mean_k(12, 0.0), squares_k2(12, 0.0), told_k2(12, 0.0);
     std::vector<scene::EstimatedTemperature> one(12);
     for (int draw = 0; draw < kDraws; ++draw) {
-      shared->at(place.number, point, static_cast<std::uint64_t>(draw), one);
+      shared->at(place.number, point, static_cast<std::uint64_t>(draw), 1.0, one);
       for (std::size_t t = 0; t < 12; ++t) {
         mean_k[t] += one[t].kelvin / kDraws;
         squares_k2[t] += one[t].kelvin * one[t].kelvin / kDraws;

@@ -38,10 +38,10 @@ class SharedPaths::Handles final : public scene::TemperatureScope {
   explicit Handles(const scene::TemperaturesOfTimes& of) : of_(of), times_(of.times()) {}
 
   scene::EstimatedTemperature answer(std::size_t number, const geometry::SurfacePoint& point,
-                                     std::uint64_t draw) override {
+                                     std::uint64_t draw, double share) override {
     const std::size_t at = asked_.size();
     asked_.resize(at + times_);
-    of_.at(number, point, draw, {asked_.data() + at, times_});
+    of_.at(number, point, draw, share, {asked_.data() + at, times_});
     return {kHandle_k + static_cast<double>(at / times_), 0.0};
   }
   /// The constituents that hold such an answer.

@@ -19,8 +19,8 @@ class TemperaturesByTime {
    public:
     Scope(TemperaturesByTime& all, std::size_t time) : all_(all), time_(time) {}
     scene::EstimatedTemperature answer(std::size_t number, const geometry::SurfacePoint& point,
-                                       std::uint64_t draw) override {
-      return all_.at(number, point, draw, time_);
+                                       std::uint64_t draw, double share) override {
+      return all_.at(number, point, draw, share, time_);
     }
 
    private:
@@ -30,7 +30,7 @@ class TemperaturesByTime {
 
  private:
   scene::EstimatedTemperature at(std::size_t number, const geometry::SurfacePoint& point, std::uint64_t draw,
-                                 std::size_t time);
+                                 double share, std::size_t time);
 
   const scene::TemperaturesOfTimes& of_;
   std::size_t times_;

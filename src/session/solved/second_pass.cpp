@@ -187,12 +187,13 @@ BesideOff beside_off(const Neighbourhood& about, const exposure::SolvedSurface& 
     double linear_k = 0.0;
     for (std::size_t k = 0; k < beside.hits.size(); ++k)
       for (int draw = 0; draw < kDrawsOfRay; ++draw) {
-        const auto change = surface.neighbours()->change(exposed, *solved.classes, at, beside.directions[k],
-                                                         sampling::hash(own, k, draw));
+        const auto change = surface.neighbours()->change(
+            exposed, *solved.classes, at, beside.directions[k], sampling::hash(own, k, draw),
+            {kDepth, 1.0, exposed.position_m().z - pose.height_m});
         linear_k += (change.in_shade_k + sun * change.of_sun_k) / kDrawsOfRay;
       }
     linear_k *= beside.view / static_cast<double>(beside.hits.size());
-    linear_k -= solved.classes->bend_of_gain(pose, full_k) * linear_k * linear_k;
+    linear_k -= solved.classes->bend_of_gain(at, full_k) * linear_k * linear_k;
     const double there_k = full_solution(solved, about.series, about.stand, normal, exposure,
                                          sum_of(about, beside, exposure, 0.5 * (1.0 + normal.z), own, kDepth))
                                .history.nodes.back()

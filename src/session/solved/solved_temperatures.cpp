@@ -172,10 +172,12 @@ PointsOfMaterials solved_points(const scene::Scene& scene, std::span<const geome
 
 /// Points that the camera sees, evenly over the image, of each material about as many as it fills; made up where those are few.
 std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor::Camera& camera,
-                                         const ByMaterial& by_material, const exposure::PastScene& past) {
+                                         const ByMaterial& by_material, const exposure::PastScene& past,
+                                         bool unseen) {
   const std::vector<geometry::SurfacePoint> seen = hits_of_camera(*scene.world, camera, kAcross);
   PointsOfMaterials of_material = solved_points(scene, seen);
-  const std::vector<geometry::SurfacePoint> met = met_from(scene, past, seen);
+  std::vector<geometry::SurfacePoint> met;
+  if (unseen) met = met_from(scene, past, seen);
   PointsOfMaterials met_of_material = solved_points(scene, met);
   std::size_t all = 0;
   for (const auto& [material, found] : of_material) all += found.size();
@@ -306,7 +308,8 @@ void require_weather(const io::Document& document) {
 std::optional<TemperatureErrors> solve_temperatures(const io::Document& document,
                                                     const atmosphere::WeatherSeries* weather,
                                                     const sensor::Camera& camera, scene::Scene& scene,
-                                                    SolvedClasses* shared, int threads, LogSink* log) {
+                                                    bool unseen, SolvedClasses* shared, int threads,
+                                                    LogSink* log) {
   ByMaterial by_material;
   for (const scene::SurfaceState& state : scene.states)
     if (state.solved > 0) by_material[state.solved - 1];
@@ -350,12 +353,13 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
         std::make_shared<const exposure::SolvedSurface>(solved.classes, past, kSunRadius_rad, neighbours);
 
   TemperatureErrors errors;
+  errors.mirrors = may_show_unseen(scene);
   for (const auto& [material, solved] : by_material) {
     const double step_k = errors.by_material[material].step_k = step_error_k(solved, series, stand);
     errors.step_k = std::max(errors.step_k, step_k);
   }
   measure(errors, document, {scene, past, by_material, series, stand, kSunRadius_rad},
-          points_by_material(scene, camera, by_material, past), threads);
+          points_by_material(scene, camera, by_material, past, unseen || errors.mirrors), threads);
   errors.weather = about.statement;
   for (const std::string& note : about.outdoors.notes) errors.weather += "; " + note;
   if (log != nullptr) warn_of_another_sun(scene, series.rows.back(), *log);

@@ -87,10 +87,13 @@ void refuse_or_tell(const Parts& parts, const Reach& reach, double asked_k, LogS
 
 }  // namespace
 
+bool may_show_unseen(const scene::Scene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const materials::Material& material) { return !material.bsdf->is_lambertian(); });
+}
+
 void count_temperature_errors(Parts& parts, LogSink& log) {
   if (!parts.temperature_errors) return;
-  for (const auto& material : parts.scene.materials)
-    if (!material.bsdf->is_lambertian()) parts.temperature_errors->mirrors = true;
   const double half_width_k = parts.temperature_errors->half_width_k();
   const render::AccuracyRequest* request = parts.plan.request ? &*parts.plan.request : nullptr;
   const std::vector<double> shares = shares_of_worst(parts);

@@ -79,7 +79,9 @@ io::TemperatureReport point_temperature(const io::Document& document, const Poin
   const thermal::OutdoorsSeries& series = about.outdoors.series;
   std::optional<std::size_t> object;
   if (!question.object.empty()) object = object_of(document, question.object);
-  const Session session = Session::load(document, nullptr);
+  LoadOptions options;
+  options.unseen_temperatures = true;
+  const Session session = Session::load(document, nullptr, options);
   const LookedForPoint point = look_for(session.parts(), object, question);
   require_solved(document, point, question);
   const auto* const surface = dynamic_cast<const exposure::SolvedSurface*>(point.surface);

@@ -28,8 +28,10 @@ struct SolvedScene::Inside {
 };
 
 SolvedScene::SolvedScene(const io::Document& document, const std::string& name, const StudyOptions& options) {
-  auto inside =
-      std::make_unique<Inside>(session::Session::load(kept_document(document, name, options), nullptr));
+  session::LoadOptions loading;
+  loading.unseen_temperatures = true;
+  auto inside = std::make_unique<Inside>(
+      session::Session::load(kept_document(document, name, options), nullptr, loading));
   const session::Parts& all = inside->session.parts();
   inside->by_material = session::solved_materials(all.document, all.scene, inside->about.mean_air_k);
   inside_ = std::move(inside);

@@ -152,9 +152,8 @@ double SurfaceClasses::worth_of_all_k(const Corners& at) const {
   return sum_k;
 }
 
-double SurfaceClasses::bend_of_gain(const Pose& pose, double kelvin) const {
-  return worth_of_all_k(corners(pose)) * 6.0 * surface_.skin.emissivity * kStefanBoltzmann_w_m2_k4 * kelvin *
-         kelvin;
+double SurfaceClasses::bend_of_gain(const Corners& at, double kelvin) const {
+  return worth_of_all_k(at) * 6.0 * surface_.skin.emissivity * kStefanBoltzmann_w_m2_k4 * kelvin * kelvin;
 }
 
 SurfaceClasses::Then SurfaceClasses::then(const Corners& at, double free_sky, std::size_t bin) const {

@@ -1,0 +1,95 @@
+// Few rays where little light is at stake: the same temperatures in the mean, and told by how much they scatter.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/format.h"
+#include "exposure/clear_days.h"
+#include "exposure/point_rays.h"
+#include "exposure/solved_surface.h"
+#include "geometry/world.h"
+#include "io/document/document.h"
+#include "session/loaded/parts.h"
+#include "session/session.h"
+
+namespace ifov::session::test_point_rays {
+namespace {
+
+struct Spread {
+  double mean_k = 0.0, variance_k2 = 0.0, told_k2 = 0.0, faulty_k = 0.0;
+};
+
+Spread spread_of(const exposure::SolvedSurface& surface, const geometry::SurfacePoint& point, double share) {
+  constexpr int kDraws = 12000;
+  const exposure::AskedByChance asked(surface.classes(), share);
+  const double else_k = asked.else_taken().kelvin;
+  double sum = 0.0, squares = 0.0;
+  Spread found;
+  for (std::uint64_t draw = 0; draw < kDraws; ++draw) {
+    const scene::EstimatedTemperature one = surface.at(point, draw, share);
+    const double off_k = one.kelvin - else_k;
+    sum += off_k / kDraws;
+    squares += off_k * off_k / kDraws;
+    found.told_k2 += one.deviation_k * one.deviation_k / kDraws;
+    found.faulty_k += (else_k + off_k * asked.chance()) / kDraws;
+  }
+  found.mean_k = else_k + sum;
+  found.variance_k2 = squares - sum * sum;
+  return found;
+}
+
+double error_k(const Spread& a, const Spread& b) {
+  return std::sqrt((a.variance_k2 + b.variance_k2) / 12000.0);
+}
+
+// At a wall, in its shadow and under a sheet. The planted fault: what is asked for by chance is not made up for.
+TEST(PointRays, SmallSharesAreAsWarmInTheMeanAndTellTheirSpread) {
+  const ClearDays weather("shares", 2.5);
+  const Session session = Session::load(
+      io::parse_document(format(
+                             R"({{"ifov": 1, "time": "2026-06-21T15:00:00Z", "weather": {{"file": "{}"}},
+          "temperatures": {{"spin_up": "1 d", "step": "20 min", "repeat_first_day": true}},
+          "scene": {{"origin": {{"latitude": "52 deg", "longitude": "5 deg"}}, "materials": {{
+              "lawn": {{"reflectance": {{"library": "grass, lawn"}}, "temperature": "solved"}},
+              "leaf": {{"reflectance": {{"library": "leaf, aspen"}}, "temperature": "solved"}}}},
+            "objects": [{{"plane": {{}}, "material": "lawn"}},
+              {{"box": {{"low": ["-1 m", "0 m", "0 m"], "high": ["1 m", "0.2 m", "1.5 m"]}}, "material": "leaf"}},
+              {{"box": {{"low": ["-1 m", "1 m", "0.8 m"], "high": ["1 m", "2 m", "0.82 m"]}}, "material": "leaf"}}]}},
+          "light": {{"sky": {{"temperature": "255 K"}}}},
+          "sensor": {{"camera": {{"orthographic": {{"gsd": "1 m", "pixels": [4, 4]}}}},
+            "channels": [{{"name": "thermal", "monochromatic": {{"at": "10 um"}}}}]}},
+          "sampling": {{"accuracy": {{"error": "50 K"}}}}}})",
+                             weather.path()),
+                         "shares.json"),
+      nullptr);
+  const scene::Scene& scene = session.parts().scene;
+  struct Place {
+    math::Point3 from;
+    math::Vec3 along;
+    std::size_t number;
+  };
+  bool by_chance = false;
+  double off = 0.0;
+  for (const Place& place :
+       {Place{{0.3, 0.6, 0.5}, {0.0, 0.0, -1.0}, 0}, Place{{0.2, 0.9, 0.6}, {0.0, -1.0, 0.0}, 1},
+        Place{{0.1, 1.5, 0.4}, {0.0, 0.0, 1.0}, 1}, Place{{-0.4, 1.3, 0.5}, {0.0, 0.0, -1.0}, 0}}) {
+    const math::Ray ray{.origin_m = place.from, .direction = place.along};
+    geometry::SurfacePoint point;
+    scene.world->intersect({&ray, 1}, {&point, 1});
+    ASSERT_TRUE(point.hit());
+    const auto& surface = dynamic_cast<const exposure::SolvedSurface&>(*scene.solved.at(place.number));
+    const Spread whole = spread_of(surface, point, 1.0), little = spread_of(surface, point, 0.05);
+    EXPECT_NEAR(little.mean_k, whole.mean_k, 4.0 * error_k(little, whole)) << place.number;
+    for (const Spread& one : {whole, little}) {
+      EXPECT_GT(one.told_k2, 0.85 * one.variance_k2 - 1e-3) << place.number;
+      EXPECT_LT(one.told_k2, 1.25 * one.variance_k2 + 1e-3) << place.number;
+    }
+    if (exposure::AskedByChance(surface.classes(), 0.05).chance() < 1.0) by_chance = true;
+    off = std::max(off, std::abs(little.faulty_k - whole.mean_k) / error_k(little, whole));
+  }
+  EXPECT_TRUE(by_chance);
+  EXPECT_GT(off, 6.0);
+}
+
+}  // namespace
+}  // namespace ifov::session::test_point_rays
