@@ -9,6 +9,111 @@
 
 namespace ifov::sampling {
 
+struct PixelFootprint::Values {
+  virtual ~Values() = default;
+  virtual double at(double dx, double dy) const = 0;
+  virtual void at(std::span<const double> x, std::span<const double> y, Point2 at,
+                  std::span<double> to) const = 0;
+  /// Of a rectangle within the half width.
+  virtual double integral(double x0, double y0, double x1, double y1) const = 0;
+};
+
+namespace {
+
+/// Of equal cells over the half width, bilinear between their centres.
+struct Table final : PixelFootprint::Values {
+  Table(double half_width_px, int cells_per_side, std::vector<double> density_px2,
+        std::vector<double> summed_areas)
+      : half_width(half_width_px),
+        cells(cells_per_side),
+        density(std::move(density_px2)),
+        summed(std::move(summed_areas)) {}
+  double half_width;
+  int cells;                    // per side
+  std::vector<double> density;  // h at cell centres
+  std::vector<double> summed;   // summed-area table, (cells + 1)^2
+  double at(double dx, double dy) const override;
+  void at(std::span<const double> x, std::span<const double> y, Point2 at,
+          std::span<double> to) const override;
+  double integral(double x0, double y0, double x1, double y1) const override;
+};
+
+/// A density along an axis, straight between the centres of equal cells.
+struct Profile {
+  Profile(double half_width_px, std::vector<double> values);
+  double at(double d) const;
+  double integral_to(double d) const;
+
+  double half_width, cells_per_px;
+  std::vector<double> density, below;  // at centres; integrals up to there, and over all
+};
+
+Profile::Profile(double half_width_px, std::vector<double> values)
+    : half_width(half_width_px),
+      cells_per_px(static_cast<double>(values.size()) / (2.0 * half_width_px)),
+      density(std::move(values)) {
+  double sum = 0.0;
+  for (double v : density) {
+    if (!(v >= 0.0) || !std::isfinite(v))
+      throw std::invalid_argument("a footprint's values must be finite and not negative");
+    sum += v;
+  }
+  if (density.size() < 2 || sum == 0.0)
+    throw std::invalid_argument("a footprint's profile needs values, not all zero");
+  for (double& v : density) v *= cells_per_px / sum;
+  // Beyond the outermost centres the outermost values hold.
+  double so_far = 0.5 * density.front() / cells_per_px;
+  for (std::size_t k = 0; k < density.size(); ++k) {
+    if (k > 0) so_far += 0.5 * (density[k - 1] + density[k]) / cells_per_px;
+    below.push_back(so_far);
+  }
+}
+
+inline double Profile::at(double d) const {
+  const double last = static_cast<double>(density.size()) - 1.0;
+  const double place = std::min(std::max((d + half_width) * cells_per_px - 0.5, 0.0), last);
+  const int low = std::min(static_cast<int>(place), static_cast<int>(density.size()) - 2);
+  const double share = place - low;
+  const double inside = (1.0 - share) * density[low] + share * density[low + 1];
+  return std::abs(d) > half_width ? 0.0 : inside;
+}
+
+double Profile::integral_to(double d) const {
+  const double place = (std::clamp(d, -half_width, half_width) + half_width) * cells_per_px - 0.5;
+  if (place <= 0.0) return (place + 0.5) * density.front() / cells_per_px;
+  const std::size_t low = std::min(static_cast<std::size_t>(place), density.size() - 1);
+  const double share = place - static_cast<double>(low);
+  if (low + 1 == density.size()) return below[low] + share * density.back() / cells_per_px;
+  return below[low] + share * (density[low] + 0.5 * share * (density[low + 1] - density[low])) / cells_per_px;
+}
+
+/// Integral along the pieces up to a place.
+double striped_below(std::span<const PixelFootprint::Piece> pieces, double y_px) {
+  double sum = 0.0;
+  for (const PixelFootprint::Piece& piece : pieces) {
+    if (!(y_px > piece.y0)) break;
+    const double end = std::min(y_px, piece.y1);
+    sum += 0.5 * (piece.from + piece.at(end)) * (end - piece.y0);
+  }
+  return sum;
+}
+
+struct Product final : PixelFootprint::Values {
+  Product(Profile x, Profile y) : across(std::move(x)), along(std::move(y)) {}
+  Profile across, along;
+  double at(double dx, double dy) const override { return across.at(dx) * along.at(dy); }
+  void at(std::span<const double> x, std::span<const double> y, Point2 at,
+          std::span<double> to) const override {
+    for (std::size_t k = 0; k < to.size(); ++k) to[k] = across.at(x[k] - at.x) * along.at(y[k] - at.y);
+  }
+  double integral(double x0, double y0, double x1, double y1) const override {
+    return (across.integral_to(x1) - across.integral_to(x0)) *
+           (along.integral_to(y1) - along.integral_to(y0));
+  }
+};
+
+}  // namespace
+
 PixelFootprint PixelFootprint::box(double side_px) {
   if (!(side_px > 0.0) || !std::isfinite(side_px))
     throw std::invalid_argument("a footprint's side must be positive");
@@ -33,41 +138,20 @@ PixelFootprint PixelFootprint::tabulated(double half_width_px, int cells_per_sid
 
   PixelFootprint footprint;
   footprint.half_width_ = half_width_px;
-  footprint.cells_ = cells_per_side;
   const double cell_side = 2.0 * half_width_px / cells_per_side;
   footprint.cell_ = cell_side;
   for (double& v : values) v /= sum * cell_side * cell_side;
-  footprint.density_ = std::move(values);
-  footprint.summed_.assign((n + 1) * (n + 1), 0.0);
+  std::vector<double> summed((n + 1) * (n + 1), 0.0);
   for (std::size_t j = 0; j < n; ++j) {
     double row = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
-      row += footprint.density_[j * n + i] * cell_side * cell_side;
-      footprint.summed_[(j + 1) * (n + 1) + i + 1] = footprint.summed_[j * (n + 1) + i + 1] + row;
+      row += values[j * n + i] * cell_side * cell_side;
+      summed[(j + 1) * (n + 1) + i + 1] = summed[j * (n + 1) + i + 1] + row;
     }
   }
+  footprint.values_ =
+      std::make_shared<const Table>(half_width_px, cells_per_side, std::move(values), std::move(summed));
   return footprint;
-}
-
-PixelFootprint::Profile PixelFootprint::profile(double half_width_px, std::vector<double> values) {
-  const std::size_t n = values.size();
-  double sum = 0.0;
-  for (double v : values) {
-    if (!(v >= 0.0) || !std::isfinite(v))
-      throw std::invalid_argument("a footprint's values must be finite and not negative");
-    sum += v;
-  }
-  if (n < 2 || sum == 0.0) throw std::invalid_argument("a footprint's profile needs values, not all zero");
-  Profile made{half_width_px, static_cast<double>(n) / (2.0 * half_width_px), std::move(values), {}};
-  for (double& v : made.density) v *= made.cells_per_px / sum;
-  // Beyond the outermost centres the outermost values hold.
-  double below = 0.5 * made.density.front() / made.cells_per_px;
-  for (std::size_t k = 0; k < n; ++k) {
-    if (k > 0) below += 0.5 * (made.density[k - 1] + made.density[k]) / made.cells_per_px;
-    made.below.push_back(below);
-  }
-  made.below.push_back(below + 0.5 * made.density.back() / made.cells_per_px);
-  return made;
 }
 
 PixelFootprint PixelFootprint::product(double half_width_px, double cell_px, std::vector<double> across,
@@ -77,27 +161,9 @@ PixelFootprint PixelFootprint::product(double half_width_px, double cell_px, std
   PixelFootprint footprint;
   footprint.half_width_ = half_width_px;
   footprint.cell_ = cell_px;
-  footprint.axes_.push_back(profile(half_width_px, std::move(across)));
-  footprint.axes_.push_back(profile(half_width_px, std::move(along)));
+  footprint.values_ = std::make_shared<const Product>(Profile(half_width_px, std::move(across)),
+                                                      Profile(half_width_px, std::move(along)));
   return footprint;
-}
-
-double PixelFootprint::Profile::at(double d) const {
-  const double last = static_cast<double>(density.size()) - 1.0;
-  const double place = std::min(std::max((d + half_width) * cells_per_px - 0.5, 0.0), last);
-  const int low = std::min(static_cast<int>(place), static_cast<int>(density.size()) - 2);
-  const double share = place - low;
-  const double inside = (1.0 - share) * density[low] + share * density[low + 1];
-  return std::abs(d) > half_width ? 0.0 : inside;
-}
-
-double PixelFootprint::Profile::integral_to(double d) const {
-  const double place = (std::clamp(d, -half_width, half_width) + half_width) * cells_per_px - 0.5;
-  if (place <= 0.0) return (place + 0.5) * density.front() / cells_per_px;
-  const std::size_t low = std::min(static_cast<std::size_t>(place), density.size() - 1);
-  const double share = place - static_cast<double>(low);
-  if (low + 1 == density.size()) return below[low] + share * density.back() / cells_per_px;
-  return below[low] + share * (density[low] + 0.5 * share * (density[low + 1] - density[low])) / cells_per_px;
 }
 
 PixelFootprint PixelFootprint::striped(double side_px, std::vector<Piece> pieces) {
@@ -127,16 +193,6 @@ PixelFootprint PixelFootprint::striped_along_x(double side_px, std::vector<Piece
   return footprint;
 }
 
-double PixelFootprint::striped_below(double y_px) const {
-  double sum = 0.0;
-  for (const Piece& piece : pieces_) {
-    if (!(y_px > piece.y0)) break;
-    const double end = std::min(y_px, piece.y1);
-    sum += 0.5 * (piece.from + piece.at(end)) * (end - piece.y0);
-  }
-  return sum;
-}
-
 double PixelFootprint::density(double dx_px, double dy_px) const {
   if (std::abs(dx_px) > half_width_ || std::abs(dy_px) > half_width_) return 0.0;
   if (!pieces_.empty()) {
@@ -147,40 +203,39 @@ double PixelFootprint::density(double dx_px, double dy_px) const {
     return 0.0;
   }
   if (uniform()) return 0.25 / (half_width_ * half_width_);
-  if (!axes_.empty()) return axes_[0].at(dx_px) * axes_[1].at(dy_px);
-  const double cells_per_px = cells_ / (2.0 * half_width_);
+  return values_->at(dx_px, dy_px);
+}
+
+double Table::at(double dx_px, double dy_px) const {
+  const double cells_per_px = cells / (2.0 * half_width);
   // Beyond the outermost centres the outermost values hold, which keeps the integral at 1.
   const auto locate = [&](double d, int& low, double& share) {
-    const double at = std::clamp((d + half_width_) * cells_per_px - 0.5, 0.0, cells_ - 1.0);
-    low = std::min(static_cast<int>(at), std::max(0, cells_ - 2));
+    const double at = std::clamp((d + half_width) * cells_per_px - 0.5, 0.0, cells - 1.0);
+    low = std::min(static_cast<int>(at), std::max(0, cells - 2));
     share = at - low;
   };
   int i = 0, j = 0;
   double s = 0.0, t = 0.0;
   locate(dx_px, i, s);
   locate(dy_px, j, t);
-  const int i1 = std::min(i + 1, cells_ - 1), j1 = std::min(j + 1, cells_ - 1);
+  const int i1 = std::min(i + 1, cells - 1), j1 = std::min(j + 1, cells - 1);
   const auto at = [&](int column, int row) {
-    return density_[static_cast<std::size_t>(row * cells_ + column)];
+    return density[static_cast<std::size_t>(row * cells + column)];
   };
   return (1.0 - t) * ((1.0 - s) * at(i, j) + s * at(i1, j)) + t * ((1.0 - s) * at(i, j1) + s * at(i1, j1));
 }
 
 void PixelFootprint::densities(std::span<const double> x, std::span<const double> y, Point2 at,
                                std::span<double> to) const {
-  if (!axes_.empty()) {
-    const Profile &across = axes_[0], &along = axes_[1];
-    for (std::size_t k = 0; k < to.size(); ++k) to[k] = across.at(x[k] - at.x) * along.at(y[k] - at.y);
-    return;
-  }
-  if (cells_ == 0) {
-    for (std::size_t k = 0; k < to.size(); ++k) to[k] = density(x[k] - at.x, y[k] - at.y);
-    return;
-  }
+  if (values_) return values_->at(x, y, at, to);
+  for (std::size_t k = 0; k < to.size(); ++k) to[k] = density(x[k] - at.x, y[k] - at.y);
+}
+
+void Table::at(std::span<const double> x, std::span<const double> y, Point2 at, std::span<double> to) const {
   // As density() has it, without a branch, so that the loop becomes one over vectors.
-  const double half = half_width_, cells_per_px = cells_ / (2.0 * half_width_), last = cells_ - 1.0;
-  const int before_last = std::max(0, cells_ - 2), cells = cells_, next = cells_ > 1 ? 1 : 0;
-  const double* const table = density_.data();
+  const double half = half_width, cells_per_px = cells / (2.0 * half_width), last = cells - 1.0;
+  const int before_last = std::max(0, cells - 2), side = cells, next = cells > 1 ? 1 : 0;
+  const double* const table = density.data();
   const double *const xs = x.data(), *const ys = y.data();
   double* const found = to.data();
   for (std::size_t k = 0; k < to.size(); ++k) {
@@ -190,7 +245,7 @@ void PixelFootprint::densities(std::span<const double> x, std::span<const double
     const int i = std::min(static_cast<int>(across), before_last),
               j = std::min(static_cast<int>(down), before_last);
     const double s = across - i, t = down - j;
-    const int own = j * cells + i, below = own + next * cells;
+    const int own = j * side + i, below = own + next * side;
     const double inside = (1.0 - t) * ((1.0 - s) * table[own] + s * table[own + next]) +
                           t * ((1.0 - s) * table[below] + s * table[below + next]);
     found[k] = std::abs(dx) > half || std::abs(dy) > half ? 0.0 : inside;
@@ -204,30 +259,32 @@ double PixelFootprint::integral(double x0_px, double y0_px, double x1_px, double
   if (!pieces_.empty()) {
     const double across =
         std::min(along_x_ ? y1 : x1, half_width_across_) - std::max(along_x_ ? y0 : x0, -half_width_across_);
-    const double along = striped_below(along_x_ ? x1 : y1) - striped_below(along_x_ ? x0 : y0);
+    const double along =
+        striped_below(pieces_, along_x_ ? x1 : y1) - striped_below(pieces_, along_x_ ? x0 : y0);
     return across > 0.0 ? 0.5 * across / half_width_across_ * along : 0.0;
   }
   if (uniform()) return (x1 - x0) * (y1 - y0) * 0.25 / (half_width_ * half_width_);
-  if (!axes_.empty())
-    return (axes_[0].integral_to(x1) - axes_[0].integral_to(x0)) *
-           (axes_[1].integral_to(y1) - axes_[1].integral_to(y0));
+  return values_->integral(x0, y0, x1, y1);
+}
+
+double Table::integral(double x0, double y0, double x1, double y1) const {
   // Of the bilinear density: up to a place, all cells before the last centre count whole, that one and the next in part.
-  const double cells_per_px = cells_ / (2.0 * half_width_);
+  const double cells_per_px = cells / (2.0 * half_width);
   struct Share {
     int cell;
     double own, next;
   };
   const auto share_of = [&](double d) -> Share {
-    const double u = (d + half_width_) * cells_per_px;
-    const int cell = std::clamp(static_cast<int>(std::floor(u - 0.5)), 0, cells_ - 1);
+    const double u = (d + half_width) * cells_per_px;
+    const int cell = std::clamp(static_cast<int>(std::floor(u - 0.5)), 0, cells - 1);
     const double past = u - 0.5 - cell;  // the centre
-    if (past < 0.0 || cell == cells_ - 1) return {cell, u - cell, 0.0};
+    if (past < 0.0 || cell == cells - 1) return {cell, u - cell, 0.0};
     return {cell, 0.5 + past - 0.5 * past * past, 0.5 * past * past};
   };
-  const auto summed = [&](double x, double y) {
+  const auto below = [&](double x, double y) {
     const Share across = share_of(x), down = share_of(y);
     const auto row = [&](int j) {
-      const double* sums = &summed_[static_cast<std::size_t>(j * (cells_ + 1) + across.cell)];
+      const double* sums = &summed[static_cast<std::size_t>(j * (cells + 1) + across.cell)];
       double sum = sums[0] + across.own * (sums[1] - sums[0]);
       if (across.next > 0.0) sum += across.next * (sums[2] - sums[1]);
       return sum;
@@ -237,7 +294,7 @@ double PixelFootprint::integral(double x0_px, double y0_px, double x1_px, double
     if (down.next > 0.0) sum += down.next * (row(down.cell + 2) - own);
     return sum;
   };
-  return summed(x1, y1) - summed(x0, y1) - summed(x1, y0) + summed(x0, y0);
+  return below(x1, y1) - below(x0, y1) - below(x1, y0) + below(x0, y0);
 }
 
 }  // namespace ifov::sampling

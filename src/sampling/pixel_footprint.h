@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,7 @@ struct Point2;
 /// h(dx, dy) in 1/px^2 about the pixel's centre, with integral 1 and support |dx|, |dy| <= half_width_px.
 class PixelFootprint {
  public:
+  struct Values;  // of tables and products
   /// A uniform square of the given side (1: the whole pixel; less: a fill factor of side^2).
   static PixelFootprint box(double side_px);
 
@@ -18,8 +20,7 @@ class PixelFootprint {
   /// row by row, y downwards; normalised here. Negative values are an error.
   static PixelFootprint tabulated(double half_width_px, int cells_per_side, std::vector<double> values);
 
-  /// The product of a density along x and one along y, each by its values at the centres of equal cells over the half width, any number
-  /// of them; normalised here. `cell_px`: as of a table.
+  /// The product of densities along x and y, by values at the centres of equal cells, any number; normalised here. `cell_px`: as of a table.
   static PixelFootprint product(double half_width_px, double cell_px, std::vector<double> across,
                                 std::vector<double> along);
 
@@ -55,25 +56,10 @@ class PixelFootprint {
 
  private:
   PixelFootprint() = default;
-  double striped_below(double y_px) const;  // integral along the pieces up to there
-
-  /// A density along an axis, straight between the centres of equal cells.
-  struct Profile {
-    double half_width = 0.0, cells_per_px = 0.0;
-    std::vector<double> density, below;  // at centres; integrals up to there, and over all
-    double at(double d) const;
-    double integral_to(double d) const;
-  };
-  static Profile profile(double half_width_px, std::vector<double> values);
-
-  double half_width_ = 0.5, half_width_across_ = 0.5;
+  double half_width_ = 0.5, half_width_across_ = 0.5, cell_ = 0.0;
   bool along_x_ = false;
-  double cell_ = 0.0;
-  int cells_ = 0;                // of a table, per side; 0 for others
-  std::vector<Profile> axes_;    // of a product; empty for others
-  std::vector<Piece> pieces_;    // their integral 1; empty for others
-  std::vector<double> density_;  // h at cell centres
-  std::vector<double> summed_;   // summed-area table, (cells_ + 1)^2
+  std::vector<Piece> pieces_;             // their integral 1; empty for others
+  std::shared_ptr<const Values> values_;  // null of a box and of pieces
 };
 
 }  // namespace ifov::sampling

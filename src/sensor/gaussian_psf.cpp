@@ -54,16 +54,4 @@ std::unique_ptr<Psf> make_gaussian_psf(double sigma_px, double cut_sigmas) {
   return std::make_unique<GaussianPsf>(sigma_px, cut_sigmas);
 }
 
-double gaussian_cut_sigmas(double sigma_px, double contrast, double widest_px) {
-  constexpr double kLeast = 4.4, kMost = 8.0, kStep = 0.1, kLeftOut = 1e-4;
-  double cut = kLeast;
-  const auto left_out = [&] {
-    const double kept = std::erf(cut / std::numbers::sqrt2);
-    return 1.0 - kept * kept;
-  };
-  while (contrast * left_out() > kLeftOut && cut + kStep <= std::min(kMost, widest_px / sigma_px))
-    cut += kStep;
-  return cut;
-}
-
 }  // namespace ifov::sensor

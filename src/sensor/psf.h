@@ -55,9 +55,6 @@ class Psf {
 /// Gaussian exp(-r^2 / (2 sigma^2)), cut to the square |dx|, |dy| <= cut_sigmas * sigma. The default of 4.4
 /// leaves out 1 - erf(4.4 / sqrt 2)^2 = 2.2e-5 of the energy; a wider one makes more pixels share each ray.
 std::unique_ptr<Psf> make_gaussian_psf(double sigma_px, double cut_sigmas = 4.4);
-/// Where to cut it, sigmas, beside things that are `contrast` times as bright as the rest: what is left out of them is 1e-4 of the rest at
-/// most, unless more than `widest_px` would be kept. 4.4 to 8.
-double gaussian_cut_sigmas(double sigma_px, double contrast, double widest_px);
 
 /// Diffraction, cut at the radius that encircles the given share of the energy; what lies beyond is PsfWings'.
 std::unique_ptr<Psf> make_airy_psf(const AiryAperture& aperture, double encircled_energy = 0.95);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/error.h"
 #include "io/document/atmosphere_document.h"
 #include "io/document/document.h"
+#include "render/wings/outshining.h"
 #include "sampling/footprint_groups.h"
 #include "sampling/means/region_interval.h"
 #include "sampling/pixel_footprint.h"
@@ -22,9 +22,6 @@
 #include "session/assembly/whole/sensor_assembly.h"
 #include "session/loaded/parts.h"
 #include "session/loaded/single_views.h"
-#include "transport/emitter_choice.h"
-#include "transport/shining_parts.h"
-#include "transport/spectral_scene.h"
 
 namespace ifov::session {
 namespace {
@@ -151,48 +148,14 @@ void assemble_response(Parts& parts, double contrast) {
       std::make_shared<const sampling::FootprintGroups>(std::move(groups), std::move(group_of_channel));
 }
 
-struct Outshining {
-  double contrast = 1.0;         ///< how many times as bright as white in its light, and as what is warm
-  std::vector<double> radiance;  ///< by channel, W m-2 sr-1 um-1, at most
-};
-
-/// The brightest of a scene: what emits, and the Sun in mirrors, panes and gloss.
-Outshining outshining(const Parts& parts) {
-  Outshining found;
-  found.radiance.assign(parts.channels.size(), 0.0);
-  const transport::EmitterChoice shining(
-      *parts.spectral_scene, transport::EmitterChoice::InMirrors{transport::ShiningParts::kContrast});
-  for (std::uint32_t a = 0; shining.any() && a < parts.scene.assignments.size(); ++a) {
-    if (!shining.wanted()[a]) continue;
-    found.contrast = std::max(found.contrast, shining.contrast(a));
-    const std::vector<double> highest = shining.highest(a);
-    for (std::size_t c = 0; c < found.radiance.size(); ++c)
-      found.radiance[c] = std::max(found.radiance[c], highest[c]);
-  }
-  const std::optional<scene::Sun>& sun = parts.scene.sun;
-  const auto& materials = parts.scene.materials;
-  if (sun && sun->is_up() && std::any_of(materials.begin(), materials.end(), [](const auto& material) {
-        return !material.bsdf->is_lambertian();
-      })) {
-    // A point's image is as small as the Sun's.
-    constexpr double kDisc_rad = 0.00465;
-    const double sine = std::sin(std::max(sun->half_angle_rad, kDisc_rad));
-    found.contrast = std::max(found.contrast, 1.0 / (sine * sine));
-    for (std::size_t c = 0; c < found.radiance.size(); ++c)
-      found.radiance[c] =
-          std::max(found.radiance[c], radiometry::channel_mean(parts.channels[c], sun->irradiance) /
-                                          (std::numbers::pi * sine * sine));
-  }
-  return found;
-}
-
 }  // namespace
 
 void assemble_response(Parts& parts) { assemble_response(parts, 1.0); }
 
 void keep_more_of_psf(Parts& parts) {
   if (!std::holds_alternative<io::GaussianPsf>(parts.sensor->psf)) return;
-  Outshining found = outshining(parts);
+  // Others have wings, or end where they are measured.
+  render::Outshining found = render::outshining(*parts.spectral_scene);
   if (!(found.contrast > 1.0)) return;
   assemble_response(parts, found.contrast);
   parts.outshining = std::move(found.radiance);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/format.h"
+#include "io/product_parts/cube_tile.h"
 #include "io/products/cube_file.h"
 #include "io/products/cube_lines.h"
 #include "io/written_image.h"

@@ -69,25 +69,6 @@ AtmosphereColumn::AtmosphereColumn(const AtmosphereDescription& description, con
   }
 }
 
-std::optional<std::size_t> AtmosphereColumn::term_bin(double wavenumber_cm1) const {
-  return terms_ != nullptr ? terms_->table().bin_at(wavenumber_cm1) : std::nullopt;
-}
-
-std::optional<AtmosphereColumn::Tabulated> AtmosphereColumn::tabulated(double wavenumber_cm1,
-                                                                       double otherwise) const {
-  const std::optional<std::size_t> bin = term_bin(wavenumber_cm1);
-  if (!bin) return std::nullopt;
-  return Tabulated{terms_->at(*bin), terms_->off_at(*bin, otherwise)};
-}
-
-double AtmosphereColumn::band_transmittance(double wavenumber_cm1, const GasAmounts& amounts) const {
-  ContinuumDepths continuum = continuum_depths(wavenumber_cm1, amounts, description_.gas_model);
-  const bool within = term_bin(wavenumber_cm1).has_value();
-  if (within) terms_->leave_out(continuum);
-  return transmittance_without(within ? terms_->gases() : std::vector<Gas>(), std::exp(-continuum.total()),
-                               wavenumber_cm1, amounts, description_.gas_model);
-}
-
 ColumnOptics AtmosphereColumn::at(double wavenumber_cm1) const {
   if (!(wavenumber_cm1 >= 200.0 && wavenumber_cm1 <= 50000.0))
     throw InputError(format("the atmosphere at {} cm-1: expected 200 to 50000 cm-1", wavenumber_cm1));
@@ -95,7 +76,8 @@ ColumnOptics AtmosphereColumn::at(double wavenumber_cm1) const {
   optics.wavenumber_cm1 = wavenumber_cm1;
   optics.wavelength_um = 1e4 / wavenumber_cm1;
   const bool warm = optics.wavelength_um >= kFirstThermal_um;
-  const std::optional<std::size_t> bin = term_bin(wavenumber_cm1);
+  const std::optional<std::size_t> bin =
+      terms_ != nullptr ? terms_->table().bin_at(wavenumber_cm1) : std::nullopt;
   if (bin) optics.terms_error = terms_->table().bins[*bin].error;
   const std::vector<Gas> tabulated = bin ? terms_->gases() : std::vector<Gas>();
   optics.lines =

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,22 +56,14 @@ class AtmosphereColumn {
   /// What had to be changed in what was asked for, in words for the user.
   const std::vector<std::string>& remarks() const { return built_.remarks; }
 
-  /// Terms in place of bands; null where there are none.
+  /// Terms in place of bands, as their table has them and as the layers; null where there are none.
   const GasTermTable* gas_terms() const { return description_.gas_terms.get(); }
+  const ColumnTerms* terms() const { return terms_.get(); }
   /// At a wavenumber of 200 to 50000 cm-1 (0.2 to 50 um); InputError outside. In the bin of a table of terms that it lies in,
   /// where there is one.
   ColumnOptics at(double wavenumber_cm1) const;
-  /// What gases of a table of terms absorb in the bin that a wavenumber lies in, and what of that may be too much: as the table
-  /// says, or `otherwise` of the depth. None without a table, or outside its bins.
-  struct Tabulated {
-    AbsorptionSet lines, off;
-  };
-  std::optional<Tabulated> tabulated(double wavenumber_cm1, double otherwise) const;
-  /// Of amounts along some path, by bands and continua: of all gases but those of a table of terms where that has a bin.
-  double band_transmittance(double wavenumber_cm1, const GasAmounts& amounts) const;
 
  private:
-  std::optional<std::size_t> term_bin(double wavenumber_cm1) const;
   AtmosphereDescription description_;
   ColumnOptions options_;
   BuiltProfile built_;

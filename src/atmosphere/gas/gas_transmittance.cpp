@@ -1,6 +1,5 @@
 #include "atmosphere/gas/gas_transmittance.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "atmosphere/gas/band_model.h"
@@ -40,17 +39,9 @@ double line_transmittance(Gas gas, double wavenumber_cm1, const GasAmounts& amou
 }
 
 double gas_transmittance(double wavenumber_cm1, const GasAmounts& amounts, GasModel model) {
-  return transmittance_without({}, std::exp(-continuum_depths(wavenumber_cm1, amounts, model).total()),
-                               wavenumber_cm1, amounts, model);
-}
-
-double transmittance_without(const std::vector<Gas>& without, double continuous, double wavenumber_cm1,
-                             const GasAmounts& amounts, GasModel model) {
-  double transmittance = continuous;
+  double transmittance = std::exp(-continuum_depths(wavenumber_cm1, amounts, model).total());
   for (const ActiveBand& active : active_bands(wavenumber_cm1, model))
-    if (std::find(without.begin(), without.end(), BandModel::instance().bands()[active.band].gas) ==
-        without.end())
-      transmittance *= transmittance_of(active, amounts);
+    transmittance *= transmittance_of(active, amounts);
   return transmittance;
 }
 

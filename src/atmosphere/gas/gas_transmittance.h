@@ -21,8 +21,5 @@ double line_transmittance(Gas gas, double wavenumber_cm1, const GasAmounts& amou
 
 /// Of all lines and continua.
 double gas_transmittance(double wavenumber_cm1, const GasAmounts& amounts, GasModel model);
-/// `continuous` times that of the lines of all gases but some.
-double transmittance_without(const std::vector<Gas>& without, double continuous, double wavenumber_cm1,
-                             const GasAmounts& amounts, GasModel model);
 
 }  // namespace ifov::atmosphere

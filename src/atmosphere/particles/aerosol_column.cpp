@@ -187,19 +187,4 @@ PhaseFunction AerosolColumn::phase_function(std::size_t region, double wavelengt
   return regions_[region].particles->phase_function(wavelength_um);
 }
 
-ParticleError AerosolColumn::cloud_error(std::size_t region, double wavelength_um) const {
-  return regions_[region].particles->cloud_error(wavelength_um);
-}
-
-double AerosolColumn::scattering_error(double wavelength_um) const {
-  double sum = 0.0, scattering = 0.0;
-  for (std::size_t r = 0; r < first_cloud_; ++r) {
-    const AerosolProperties here = properties(r, wavelength_um);
-    const double scattered = thickness_550(r, 0.0, kTopOfAtmosphereKm) * (here.extinction - here.absorption);
-    scattering += scattered;
-    if (scattered > 0.0) sum += scattered * regions_[r].particles->scattering_error(wavelength_um);
-  }
-  return scattering > 0.0 ? sum / scattering : 0.0;
-}
-
 }  // namespace ifov::atmosphere

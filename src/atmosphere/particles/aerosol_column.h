@@ -11,7 +11,6 @@ namespace ifov::atmosphere {
 
 class LayerHeights;
 class Particles;
-struct ParticleError;
 class PhaseFunction;
 struct AerosolDescription;
 struct ParticleLayer;
@@ -49,9 +48,7 @@ class AerosolColumn {
   double extinction_550_km(std::size_t region, double altitude) const;
   AerosolProperties properties(std::size_t region, double wavelength_um) const;
   PhaseFunction phase_function(std::size_t region, double wavelength_um) const;
-  /// Particles::scattering_error, mean over what all regions but clouds scatter; 0 where there are none.
-  double scattering_error(double wavelength_um) const;
-  ParticleError cloud_error(std::size_t region, double wavelength_um) const;
+  const Particles& particles(std::size_t region) const { return *regions_[region].particles; }
 
  private:
   struct Region {

@@ -61,7 +61,7 @@ CloudError cloud_error(const AerosolColumn& aerosol, double wavelength_um, doubl
                       std::clamp(1.0 - properties.absorption / properties.extinction, 0.0, 1.0),
                       properties.asymmetry};
     if (!(cloud.depth > 0.0)) continue;
-    const ParticleError of = aerosol.cloud_error(r, wavelength_um);
+    const ParticleError of = aerosol.particles(r).cloud_error(wavelength_um);
     // Slanting light from above knows absorption better than two diffuse streams do.
     constexpr double kSlant = 1.3;
     const TwoStreams light = cloud.light();

@@ -7,9 +7,11 @@
 #include <string_view>
 
 #include "atmosphere/column/light_limits.h"
+#include "atmosphere/column/tabulated_gases.h"
 #include "atmosphere/gas/gas_term_table.h"
 #include "atmosphere/gas/gas_transmittance.h"
 #include "atmosphere/particles/cloud_error.h"
+#include "atmosphere/particles/particles.h"
 #include "atmosphere/sensor/model_error_table.h"
 #include "atmosphere/sensor/sensor_geometry.h"
 #include "atmosphere/tables/table_text.h"
@@ -60,17 +62,30 @@ struct PathDepth {
   }
 };
 
+/// Particles::scattering_error, mean over what all regions but clouds scatter; 0 where there are none.
+double error_by_shape(const AerosolColumn& aerosol, double um) {
+  double sum = 0.0, scattering = 0.0;
+  for (std::size_t r = 0; r < aerosol.first_cloud(); ++r) {
+    const AerosolProperties here = aerosol.properties(r, um);
+    const double scattered =
+        aerosol.thickness_550(r, 0.0, kTopOfAtmosphereKm) * (here.extinction - here.absorption);
+    scattering += scattered;
+    if (scattered > 0.0) sum += scattered * aerosol.particles(r).scattering_error(um);
+  }
+  return scattering > 0.0 ? sum / scattering : 0.0;
+}
+
 /// Gases of a column at a wavenumber: those of its table of terms, layer by layer, and all others.
 class GasesAt {
  public:
   GasesAt(const AtmosphereColumn& column, double nu, const ModelErrorTable& table)
-      : column_(column), nu_(nu), tabulated_(column.tabulated(nu, table.at(1e4 / nu).gas)) {}
+      : column_(column), nu_(nu), tabulated_(tabulated_gases(column, nu, table.at(1e4 / nu).gas)) {}
 
   /// `crossed(low, high)`: length of the way through a layer over its height.
   template <class Crossed>
   PathDepth along(const GasAmounts& amounts, const Crossed& crossed) const {
     PathDepth path{
-        -std::log(std::max(kOpaque, column_.band_transmittance(nu_, amounts))), 0.0, {1.0}, {0.0}, {0.0}};
+        -std::log(std::max(kOpaque, band_transmittance(column_, nu_, amounts))), 0.0, {1.0}, {0.0}, {0.0}};
     if (!tabulated_) return path;
     const std::vector<double>& z = column_.levels().altitude_km;
     path.weight = tabulated_->lines.weight;
@@ -96,7 +111,7 @@ class GasesAt {
  private:
   const AtmosphereColumn& column_;
   double nu_;
-  std::optional<AtmosphereColumn::Tabulated> tabulated_;
+  std::optional<TabulatedGases> tabulated_;
 };
 
 /// Of a layer what lies between two altitudes, times the slant of the way.
@@ -368,7 +383,7 @@ ChannelModelError channel_model_error(const AtmosphereColumn& column, std::span<
       error.sky_by_clouds += share * clouds.below;
       const double hazy = haze_share(layers);
       error.scattered += share * table.of_scattered(um, hazy);
-      error.by_shape += share * hazy * column.aerosol().scattering_error(um);
+      error.by_shape += share * hazy * error_by_shape(column.aerosol(), um);
       error.scattered_floor +=
           share * table.at(um).floor * bins[b].irradiance * geometry.sun_sine() / std::numbers::pi;
     }

@@ -138,8 +138,4 @@ class CubeFile {
   std::future<void> sending_;  // the last member: it ends before what it uses does
 };
 
-/// The values of a tile in a cube of floats, as [pixel * bands + band], where `read_at` reads the cube's file.
-void read_cube_tile(const std::function<void(std::uint64_t offset, void* to, std::size_t bytes)>& read_at,
-                    const CubeLayout& layout, sampling::PixelRect tile, std::span<float> values);
-
 }  // namespace ifov::io

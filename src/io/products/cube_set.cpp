@@ -1,3 +1,4 @@
+#include "io/product_parts/cube_tile.h"
 #include "io/products/cube_set.h"
 
 #include <algorithm>

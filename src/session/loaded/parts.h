@@ -83,9 +83,8 @@ struct Parts {
   std::unique_ptr<sampling::PixelFootprint> footprint;
   std::shared_ptr<const sampling::FootprintGroups> groups;  ///< of channels that differ; null: none do
   std::vector<std::unique_ptr<sensor::PsfWings>> wings;     ///< by group; empty where the PSF has none
-  /// By channel: share of its energy that stands neither in the footprint nor in wings, or elsewhere than in the group's; empty: none.
-  std::vector<double> psf_cut;
-  std::vector<double> outshining;  ///< as render::RenderJob's
+  /// By channel: share of the PSF's energy that stands in no footprint and no wings, or elsewhere; the most that outshines the scene; or empty.
+  std::vector<double> psf_cut, outshining;
   std::unique_ptr<transport::SpectralScene> spectral_scene;
   std::unique_ptr<render::ChannelBrightness> brightness;
   std::vector<render::AtmosphereHalfWidth> air;    ///< by channel; empty without a modelled atmosphere

@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "io/files/own_files.h"
-#include "io/products/cube_file.h"
+#include "io/product_parts/cube_tile.h"
 #include "io/run_state/run_folder.h"
 #include "io/run_state/run_plan.h"
 #include "io/run_state/tile_index.h"

@@ -1,6 +1,8 @@
 #include "session/assembly/whole/sensor_assembly.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "core/overloaded.h"
 #include "geometry/world.h"
@@ -157,6 +159,24 @@ sensor::Pupil assemble_pupil(const io::SensorDocument& sensor, double wavelength
   return pupil;
 }
 
+namespace {
+
+/// Where to cut a Gaussian, sigmas, beside things that are `contrast` times as bright as the rest: what is left out of them is 1e-4 of the rest at
+/// most, unless more than `widest_px` would be kept. 4.4 to 8.
+double gaussian_cut_sigmas(double sigma_px, double contrast, double widest_px) {
+  constexpr double kLeast = 4.4, kMost = 8.0, kStep = 0.1, kLeftOut = 1e-4;
+  double cut = kLeast;
+  const auto left_out = [&] {
+    const double kept = std::erf(cut / std::numbers::sqrt2);
+    return 1.0 - kept * kept;
+  };
+  while (contrast * left_out() > kLeftOut && cut + kStep <= std::min(kMost, widest_px / sigma_px))
+    cut += kStep;
+  return cut;
+}
+
+}  // namespace
+
 std::unique_ptr<sensor::Psf> assemble_psf(const io::DocumentSources& sources,
                                           const io::SensorDocument& sensor, double wavelength_um,
                                           double contrast) {
@@ -167,7 +187,7 @@ std::unique_ptr<sensor::Psf> assemble_psf(const io::DocumentSources& sources,
                    [&](const io::GaussianPsf& gaussian) -> Made {
                      return sensor::make_gaussian_psf(
                          gaussian.sigma_px,
-                         sensor::gaussian_cut_sigmas(gaussian.sigma_px, contrast, kFarthestPsf_px));
+                         gaussian_cut_sigmas(gaussian.sigma_px, contrast, kFarthestPsf_px));
                    },
                    [&](const io::AiryPsf&) -> Made {
                      sensor::AiryAperture aperture = airy_aperture(sensor);
