@@ -111,7 +111,7 @@ TEST(GasModelFile, SaysWhereItsHeadIsWrong) {
   expect(changed("CH4 continuum", "CH4 continuous"), "a.gases:8:9: ",
          "found 'continuous'; expected 'self_broadening' or 'depth_error' and a number, or 'continuum'");
   expect(changed("depth_error 0.03", "depth_error 3"),
-         "a.gases:7:37: ", "found '3'; expected the share of its depth that the gas may be off by, 0 to 1");
+         "a.gases:7:41: ", "found '3'; expected the share of its depth that the gas may be off by, 0 to 1");
 }
 
 TEST(GasModelFile, SaysWhereABinIsWrong) {

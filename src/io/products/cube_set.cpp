@@ -1,4 +1,3 @@
-#include "io/product_parts/cube_tile.h"
 #include "io/products/cube_set.h"
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include "core/parallel.h"
 #include "io/envi/cube_layout.h"
 #include "io/files/own_files.h"
+#include "io/product_parts/cube_tile.h"
 #include "io/products/quantity_header.h"
 #include "io/quantities/radiance_quantities.h"
 
