@@ -10,6 +10,7 @@
 #include "atmosphere/particles/aerosol_components.h"
 #include "atmosphere/particles/aerosol_description.h"
 #include "atmosphere/particles/aerosol_types.h"
+#include "atmosphere/particles/cloud_error.h"
 #include "atmosphere/profile/built_profile.h"
 #include "atmosphere/profile/profile_description.h"
 #include "atmosphere/scattering/phase/scattering_matrix.h"
@@ -158,8 +159,7 @@ TEST(AerosolComponents, SpheresAreNoDust) {
     AerosolDescription description;
     description.type = type;
     description.aot550 = 0.5;
-    return AerosolColumn(description, build_profile({}).profile, "mid-latitude summer")
-        .scattering_error(0.55);
+    return haze_error(AerosolColumn(description, build_profile({}).profile, "mid-latitude summer"), 0.55);
   };
   EXPECT_GT(of_column("desert"), 0.4 * desert->scattering_error(0.55));
   EXPECT_LT(of_column("desert"), desert->scattering_error(0.55));

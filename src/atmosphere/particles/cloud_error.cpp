@@ -89,4 +89,16 @@ CloudError cloud_error(const AerosolColumn& aerosol, double wavelength_um, doubl
   return error;
 }
 
+double haze_error(const AerosolColumn& aerosol, double wavelength_um) {
+  double sum = 0.0, scattering = 0.0;
+  for (std::size_t r = 0; r < aerosol.first_cloud(); ++r) {
+    const AerosolProperties here = aerosol.properties(r, wavelength_um);
+    const double scattered =
+        aerosol.thickness_550(r, 0.0, kTopOfAtmosphereKm) * (here.extinction - here.absorption);
+    scattering += scattered;
+    if (scattered > 0.0) sum += scattered * aerosol.particles(r).scattering_error(wavelength_um);
+  }
+  return scattering > 0.0 ? sum / scattering : 0.0;
+}
+
 }  // namespace ifov::atmosphere

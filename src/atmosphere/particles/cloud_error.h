@@ -25,4 +25,8 @@ struct CloudError {
 /// `other`: what the air sends back of diffuse light without the clouds.
 CloudError cloud_error(const AerosolColumn& aerosol, double wavelength_um, double other);
 
+/// How far light that haze scatters may be off because it is taken for something else: Particles::scattering_error, mean over what all
+/// regions but clouds scatter; 0 where there are none.
+double haze_error(const AerosolColumn& aerosol, double wavelength_um);
+
 }  // namespace ifov::atmosphere

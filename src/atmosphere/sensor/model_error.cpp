@@ -11,7 +11,6 @@
 #include "atmosphere/gas/gas_term_table.h"
 #include "atmosphere/gas/gas_transmittance.h"
 #include "atmosphere/particles/cloud_error.h"
-#include "atmosphere/particles/particles.h"
 #include "atmosphere/sensor/model_error_table.h"
 #include "atmosphere/sensor/sensor_geometry.h"
 #include "atmosphere/tables/table_text.h"
@@ -61,19 +60,6 @@ struct PathDepth {
     return sum * std::exp(-bands + of_bands);
   }
 };
-
-/// Particles::scattering_error, mean over what all regions but clouds scatter; 0 where there are none.
-double error_by_shape(const AerosolColumn& aerosol, double um) {
-  double sum = 0.0, scattering = 0.0;
-  for (std::size_t r = 0; r < aerosol.first_cloud(); ++r) {
-    const AerosolProperties here = aerosol.properties(r, um);
-    const double scattered =
-        aerosol.thickness_550(r, 0.0, kTopOfAtmosphereKm) * (here.extinction - here.absorption);
-    scattering += scattered;
-    if (scattered > 0.0) sum += scattered * aerosol.particles(r).scattering_error(um);
-  }
-  return scattering > 0.0 ? sum / scattering : 0.0;
-}
 
 /// Gases of a column at a wavenumber: those of its table of terms, layer by layer, and all others.
 class GasesAt {
@@ -383,7 +369,7 @@ ChannelModelError channel_model_error(const AtmosphereColumn& column, std::span<
       error.sky_by_clouds += share * clouds.below;
       const double hazy = haze_share(layers);
       error.scattered += share * table.of_scattered(um, hazy);
-      error.by_shape += share * hazy * error_by_shape(column.aerosol(), um);
+      error.by_shape += share * hazy * haze_error(column.aerosol(), um);
       error.scattered_floor +=
           share * table.at(um).floor * bins[b].irradiance * geometry.sun_sine() / std::numbers::pi;
     }
