@@ -39,15 +39,21 @@ std::vector<double> angles_about(double sun_zenith_rad, std::size_t& own) {
 /// Up to the first the Sun counts as equally high all along each ray, from the second on it turns.
 constexpr double kStill_rad = 74.0 * math::kDegree, kTurns_rad = 80.0 * math::kDegree;
 
-/// Clouds and fog are thinned to a depth that orders of scattering get through: within a thick one light goes its way over
-/// less than what an Earth is round over, and what comes out goes with what came in.
-constexpr double kMostDepth = 0.5;  // of what aerosol scatters, times 1 - g
-double thin(ScatteringColumn& column) {
+/// Depth of what aerosol scatters without its peak, times 1 - g.
+double turned_by_aerosol(const ScatteringColumn& column) {
   double depth = 0.0;
   for (std::size_t i = 0; i < column.layer_depth.size(); ++i) {
     const ScatteringColumn::Mixture& mixture = column.mixtures[i];
     depth += column.layer_depth[i] * mixture.aerosol * (1.0 - mixture.peak) * (1.0 - mixture.first);
   }
+  return depth;
+}
+
+/// Clouds and fog are thinned to a depth that orders of scattering get through: within a thick one light goes its way over
+/// less than what an Earth is round over, and what comes out goes with what came in.
+constexpr double kMostDepth = 0.5;
+double thin(ScatteringColumn& column) {
+  const double depth = turned_by_aerosol(column);
   if (depth <= kMostDepth) return 1.0;
   const double share = kMostDepth / depth;
   for (std::size_t i = 0; i < column.layer_depth.size(); ++i) {
@@ -63,12 +69,10 @@ double thin(ScatteringColumn& column) {
 /// from molecules' light keeps a direction; that which haze has from haze is bundled about the horizon, and two terms of a pattern
 /// would send what it lacks there backwards, as too much.
 double by_molecules(const ScatteringColumn& column) {
-  double molecules = 0.0, aerosol = 0.0;
-  for (std::size_t i = 0; i < column.layer_depth.size(); ++i) {
-    const ScatteringColumn::Mixture& mixture = column.mixtures[i];
-    molecules += column.layer_depth[i] * mixture.rayleigh;
-    aerosol += column.layer_depth[i] * mixture.aerosol * (1.0 - mixture.peak) * (1.0 - mixture.first);
-  }
+  double molecules = 0.0;
+  for (std::size_t i = 0; i < column.layer_depth.size(); ++i)
+    molecules += column.layer_depth[i] * column.mixtures[i].rayleigh;
+  const double aerosol = turned_by_aerosol(column);
   return molecules < aerosol ? molecules / aerosol : 1.0;
 }
 
@@ -124,7 +128,8 @@ RoundEarthLight::RoundEarthLight(const ScatteringColumn& whole) {
   angle_rad_ = angles_about(sun_rad, own);
   ScatteringColumn column = whole;
   cut(column, sun_rad < kTurns_rad ? sun_rad : angle_rad_.back());
-  const double directed = by_molecules(column) * thin(column);
+  double directed = by_molecules(column);  // before it is thinned
+  directed *= thin(column);
   const std::size_t angles = angle_rad_.size();
   const double own_rad[] = {sun_rad};
   const ShellOrders flat(column, {false, false}, own_rad, 0, {});
