@@ -52,6 +52,7 @@ class HemisphereView final : public SingleView {
   /// Of what is met face to face: the pixel is pi of projected solid angle.
   double gsd_m(math::Point3 position_m) const override;
   CameraPose pose(double line_px) const override;
+  bool bends_sharply() const override { return true; }  ///< along the diagonals of its square
 
  private:
   math::Point3 origin_m_;

@@ -36,7 +36,7 @@ bool SceneField::may_have_corners(sampling::Label a, sampling::Label b) const {
   // Who throws a shadow is not known, nor what a mirror shows or throws, and a map's cells turn anywhere.
   const std::uint32_t object = object_of(a);
   if (SurfaceLabel::sun_of(a) != SurfaceLabel::sun_of(b) || through_.any() || mirror_light_ != nullptr ||
-      (object == object_of(b) && material_of(a) != material_of(b)))
+      camera_.bends_sharply() || (object == object_of(b) && material_of(a) != material_of(b)))
     return true;
   const geometry::World& world = *scene_.scene().world;
   const auto has_corners = [&](sampling::Label label) {

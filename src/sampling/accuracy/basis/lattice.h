@@ -9,8 +9,9 @@
 
 namespace ifov::sampling {
 
-/// Refinement of a lattice cell stops after this many halvings.
-constexpr int kMaxLevel = 9;
+/// Refinement of a lattice cell stops after this many halvings: of one of half a pixel at 1.5e-5 px, so that a flame of 1e-8 of a
+/// pixel's area is followed all the same. Keys of edges (below) hold no more.
+constexpr int kMaxLevel = 15;
 
 /// The integer-keyed lattice of a tile and its halo. Positions count in fine units of 1 / (cells <<
 /// kMaxLevel) px from the top left corner of the domain; a cell of level l is (1 << kMaxLevel) >> l units
@@ -86,15 +87,16 @@ class Lattice {
            (static_cast<std::uint64_t>(level) << 1) | static_cast<std::uint64_t>(vertical);
   }
 
-  /// Image-wide position, for random numbers.
-  std::int64_t image_x(std::int32_t x) const {
-    return static_cast<std::int64_t>(domain_.x0) * units_per_px_ + x;
-  }
-  std::int64_t image_y(std::int32_t y) const {
-    return static_cast<std::int64_t>(domain_.y0) * units_per_px_ + y;
-  }
+  /// Image-wide position, for random numbers: the same for a vertex whatever is left to the finest levels.
+  std::int64_t image_x(std::int32_t x) const { return image_wide(domain_.x0, x); }
+  std::int64_t image_y(std::int32_t y) const { return image_wide(domain_.y0, y); }
 
  private:
+  std::int64_t image_wide(int origin, std::int32_t fine) const {
+    constexpr int kFinest = 6;  // levels
+    const std::int64_t at = static_cast<std::int64_t>(origin) * units_per_px_ + fine;
+    return (at >> kFinest) ^ static_cast<std::int64_t>(static_cast<std::uint64_t>(at) << (64 - kFinest));
+  }
   static int clamp_index(int i, int count) { return i < 0 ? 0 : i >= count ? count - 1 : i; }
   double at_px(std::int32_t fine, int origin) const {
     const std::int32_t whole = whole_px(fine);

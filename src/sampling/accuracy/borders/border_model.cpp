@@ -98,6 +98,15 @@ void BorderModel::sweep(const Cell& cell, const CurveShape& shape, double swept[
   }
 }
 
+void BorderModel::sweep_at_most(const Cell& cell, const CurveShape& shape, double swept[2]) const {
+  sweep(cell, shape, swept);
+  const Curve& curve = curves_[cell.chord];
+  const double widths[2] = {brackets_[curve.bracket[0]].width(), brackets_[curve.bracket[1]].width()};
+  constexpr double kShort = 0.1;
+  if (shape.chord > kShort * std::max(widths[0], widths[1])) return;
+  for (int end = 0; end < 2; ++end) swept[end] = std::max(swept[end], 0.5 * widths[1 - end]);
+}
+
 double BorderModel::area_beyond(const Cell& cell, const CurveShape& shape) const {
   const Curve& curve = curves_[cell.chord];
   double area = 0.0, swept[2];
@@ -115,7 +124,7 @@ double BorderModel::area_variance(const Cell& cell, const CurveShape& shape) con
   const Curve& curve = curves_[cell.chord];
   const Point2 d = shape.b - shape.a;
   double variance = 0.0, swept[2];
-  sweep(cell, shape, swept);
+  sweep_at_most(cell, shape, swept);
   for (int t = 0; t < 2; ++t) {
     const double width = brackets_[curve.bracket[t]].width();
     variance += 0.5 * swept[t] * swept[t] * width * width / 12.0;

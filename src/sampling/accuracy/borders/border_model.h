@@ -51,6 +51,9 @@ class BorderModel {
   Polygon outer_region(const Cell& cell, const CurveShape& shape) const;
   /// Length swept by the border per unit of motion of each end along its side.
   void sweep(const Cell& cell, const CurveShape& shape, double swept[2]) const;
+  /// The same as far as it is known: where both ends lie at a corner of the cell, for all that their brackets tell, the border may be as
+  /// long as these.
+  void sweep_at_most(const Cell& cell, const CurveShape& shape, double swept[2]) const;
   /// Area that `inner` gains, px^2, where the middles of the brackets of its ends lie beyond the sides (Bracket::excess).
   double area_beyond(const Cell& cell, const CurveShape& shape) const;
   /// Variance of the area of `inner` in px^4, from crossings, middle and legs; Curve::loose_area comes on

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -26,6 +27,15 @@ constexpr double kAlongLeg = 2.0 / 3.0;
 /// it is, once the height is known to this share of itself (an arc of 5/6 of the height is where the rays are).
 constexpr double kSteep = 0.1, kBetweenArcAndCorner = 0.625, kKnownHeight = 1.0 / 3.0;
 
+/// An arc that is as steep as that need not be part of a circle: outlines of round things that are seen aslant. What it encloses with its
+/// chord is less than a circle through its ends and its middle does by so many times the square of what it is off at a quarter of the
+/// way, as a share of the height (ellipses' quarters, to 0.6 of the one axis by the other).
+constexpr double kOfSkew = 2.2;
+/// Share of the allowed standard error that may come of that, and the share of the height that is let pass anyway.
+constexpr double kLooseSkew = 0.02, kUsualSkew = 0.15;
+/// That is about so much of what the curvatures towards its two ends differ by, as a share of their mean.
+constexpr double kSkewOfCurvatures = 0.3;
+
 /// One tentative curve on its way through verification. Its middle is looked for on a line through the
 /// chord's middle; beyond the curve on that line the label is `far`, before it `near`. It is `guessed` where nothing predicts it.
 struct CurveCheck {
@@ -39,6 +49,8 @@ struct CurveCheck {
   std::uint32_t far = 0, near = 0;
   bool may_have_corners = false;  ///< the border
   bool corner_matters = false;    ///< it turns sharply enough from a neighbour for one that would
+  double unevenness = INFINITY;   ///< what the curvatures towards both ends differ by, over their mean
+  double most_skew = kUsualSkew;  ///< of an arc's height, at a quarter of the way from its ends
   bool smooth = false, guessed = false, beyond_wrong = false, has_apex = false, corner = false,
        confirmed = false, measured = false;
   Point2 apex;
@@ -47,6 +59,13 @@ struct CurveCheck {
   double middle() const { return 0.5 * (low + high); }
   bool may_be_corner() const { return may_have_corners && !corner && std::abs(middle()) > kSteep * chord; }
   bool knows_height() const { return high - low <= 1.000001 * kKnownHeight * std::abs(middle()); }
+  /// How high a circle through the ends and the middle is at a quarter of the way.
+  double quarter_height() const {
+    const double height = std::abs(middle());
+    if (height < 1e-6 * chord) return 0.75 * middle();
+    const double radius = (0.25 * chord * chord + height * height) / (2.0 * height);
+    return std::copysign(std::sqrt(radius * radius - chord * chord / 16.0) - (radius - height), middle());
+  }
   /// How many of the rays between arc and corner saw the latter: one, where its apex is not over the chord's middle.
   int corners_seen(const std::uint32_t* seen) const {
     const std::uint32_t of_corner = middle() > 0.0 ? far : near;
@@ -112,9 +131,9 @@ struct CurveCheck {
         if (dot(across, normal) < 0.0) across = -1.0 * across;
         margin = std::max(margin, blur);
       } else {
-        foot = 0.5 * (centre + end) + (0.75 * middle()) * normal;
+        foot = 0.5 * (centre + end) + (most_skew < kUsualSkew ? quarter_height() : 0.75 * middle()) * normal;
         across = normal;
-        margin = std::max(margin, 0.15 * std::abs(middle()));
+        margin = std::max(margin, most_skew * std::abs(middle()));
       }
       add(points, foot + margin * across);
       add(points, foot - margin * across);

@@ -76,6 +76,10 @@ CurvePredictor::Verdict CurvePredictor::predict(CurveCheck& check) const {
   check.chord = length(d);
   check.centre = 0.5 * (a + b);
   if (check.chord < 1e-9) {
+    const double width =
+        std::max(model_.brackets()[curve.bracket[0]].width(), model_.brackets()[curve.bracket[1]].width());
+    check.low = -0.5 * width;
+    check.high = 0.5 * width;
     return Verdict::accept;
   }
   check.normal = {-d.y / check.chord, d.x / check.chord};
@@ -193,6 +197,8 @@ CurvePredictor::Verdict CurvePredictor::predict(CurveCheck& check) const {
     check.guessed = true;
     check.predicted = (2.0 * dither_.phase(key) - 1.0) * check.tolerance;
   }
+  if (neighbours == 2 && curvature[0] * curvature[1] > 0.0)
+    check.unevenness = 2.0 * std::abs(curvature[0] - curvature[1]) / std::abs(curvature[0] + curvature[1]);
   check.smooth =
       neighbours == 2 && !turns &&
       disagreement <= std::max(1.5 * std::max(check.tolerance, blur), 0.35 * std::abs(check.predicted));

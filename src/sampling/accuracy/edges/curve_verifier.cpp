@@ -147,6 +147,19 @@ void CurveVerifier::follow(CurveCheck& check) {
 
 void CurveVerifier::follow_arc(CurveCheck& check) {
   check.stage = CurveCheck::Stage::legs;
+  const double height = std::abs(check.middle());
+  if (!check.corner && height > kSteep * check.chord) {
+    const Cell& cell = tree_[check.cell];
+    const Curve& curve = model_.curve_of(cell);
+    const double enclosed =
+                     2.0 / 3.0 * check.chord * height * contrast_(cell.pixel, curve.inner, curve.outer),
+                 skew = std::sqrt(kLooseSkew * pixels_.allowed_deviation(cell.pixel) / (kOfSkew * enclosed));
+    const bool of_circle = check.confirmed && kSkewOfCurvatures * check.unevenness <= skew;
+    if (skew < kUsualSkew && !of_circle) {
+      check.most_skew = skew;
+      return;
+    }
+  }
   if (check.corner_matters) return;
   if (!check.corner && ((check.confirmed && check.smooth) || check.chord <= 6.0 * check.tolerance))
     accept(check);

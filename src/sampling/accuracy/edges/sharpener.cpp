@@ -68,7 +68,7 @@ void Sharpener::collect_curve(std::uint32_t pixel, std::uint32_t index) {
   const Point2 d = shape.b - shape.a;
   const double contrast = contrast_(pixel, curve.inner, curve.outer), square = contrast * contrast;
   double swept[2];
-  model_.sweep(cell, shape, swept);
+  model_.sweep_at_most(cell, shape, swept);
   for (int t = 0; t < 2; ++t) crossings_.add(curve.bracket[t], 0.5 * swept[t] * swept[t] * square / 12.0);
   middles_.push_back({pixel, index, 4.0 / 9.0 * (d.x * d.x + d.y * d.y) * square / 12.0});
   if (curve.loose_area > 0.0) loose_.push_back({index, curve.loose_area * curve.loose_area * square, true});
