@@ -35,6 +35,11 @@ def is_document(text):
     return re.search(r'"ifov"\s*:', text) is not None
 
 
+def small(text):
+    """With at most 24 pixels a side: what is in the images that commands make is not looked at."""
+    return re.sub(r'("pixels": )\[(\d+), (\d+)\]', lambda m: f"{m[1]}[{min(24, int(m[2]))}, {min(24, int(m[3]))}]", text)
+
+
 def commands_of(page):
     """The page's own commands that are quick to run."""
     return [line for language, text, _ in blocks(page) if language == "sh" for line in text.splitlines()
@@ -80,7 +85,7 @@ class Docs(unittest.TestCase):
                 write_tables(page, folder)
                 for language, text, name in page_blocks:
                     if language == "json" and name:
-                        (pathlib.Path(folder) / name).write_text(text)
+                        (pathlib.Path(folder) / name).write_text(small(text))
                 for command in commands:
                     with self.subTest(page=page.relative_to(ROOT), command=command):
                         if command.startswith("build/ifov atmosphere") and re.search("--(plot|resolved)", command):
