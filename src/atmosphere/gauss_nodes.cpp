@@ -1,13 +1,15 @@
 #include "atmosphere/gauss_nodes.h"
 
+#include <array>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 #include <stdexcept>
 
 namespace ifov::atmosphere {
+namespace {
 
-GaussNodes gauss_nodes(int count) {
-  if (count < 1) throw std::invalid_argument("a quadrature needs at least one node");
+GaussNodes solved(int count) {
   GaussNodes nodes{std::vector<double>(count), std::vector<double>(count)};
   for (int i = 0; i < count; ++i) {
     double x = -std::cos(std::numbers::pi * (i + 0.75) / (count + 0.5));
@@ -28,6 +30,20 @@ GaussNodes gauss_nodes(int count) {
     nodes.weight[i] = 1.0 / ((1.0 - x * x) * slope * slope);
   }
   return nodes;
+}
+
+}  // namespace
+
+GaussNodes gauss_nodes(int count) {
+  if (count < 1) throw std::invalid_argument("a quadrature needs at least one node");
+  // Columns of air ask for the same few counts for each wavelength.
+  constexpr std::size_t kKept = 64;
+  static std::array<std::once_flag, kKept> made;
+  static std::array<GaussNodes, kKept> kept;
+  const auto k = static_cast<std::size_t>(count);
+  if (k >= kKept) return solved(count);
+  std::call_once(made[k], [&] { kept[k] = solved(count); });
+  return kept[k];
 }
 
 }  // namespace ifov::atmosphere

@@ -37,7 +37,7 @@ STREET = """{"ifov": 1, "time": "2026-06-21T12:00Z",
  "sampling": {"accuracy": {"error": "8 K"}, "tile": 5},
  "output": {"products": ["half_width", "abundance", "temperature"], "formats": ["envi", "png"]}}
 """
-LONG = STREET.replace("[14, 10]", "[84, 60]").replace("0.5 m", "8.4 cm")
+LONG = STREET.replace("[14, 10]", "[56, 40]").replace("0.5 m", "12.6 cm")
 NIGHT = "2026-06-21T18:00Z/PT2H/3"
 # Steps of 15 minutes do not fall on each other: each time has paths of its own.
 APART = "2026-06-21T18:00Z/PT2H5M/3"

@@ -43,22 +43,22 @@ def straight(velocity_m_s, position_m=(0, 0, HIGH_M), **attitude):
 
 
 def overlap(low, high, edges):
-    """Of the pixels between rising edges, the part of each."""
-    return np.clip(np.minimum(high, edges[1:]) - np.maximum(low, edges[:-1]), 0, None) / np.diff(edges)
+    """Of the pixels between rising edges (along the last axis), the part of each."""
+    return np.clip(np.minimum(high, edges[..., 1:]) - np.maximum(low, edges[..., :-1]), 0, None) / np.diff(edges)
 
 
 def covered(velocity_m_s, exposure_s, row_period_s, instants=801):
     """The camera looks straight down with north above: what stands still runs against its way, and grows as it comes down."""
     parts = np.zeros((PIXELS, PIXELS))
-    shares = (np.arange(instants) + 0.5) / instants - 0.5 if exposure_s else [0.0]
+    shares = ((np.arange(instants) + 0.5) / instants - 0.5 if exposure_s else np.zeros(1))[:, None]
     for row in range(PIXELS):
-        for share in shares:
-            t = (row + 0.5 - PIXELS / 2) * row_period_s + share * exposure_s
-            gsd_m = GSD_M * (HIGH_M + velocity_m_s[2] * t) / HIGH_M
-            edges = (np.arange(PIXELS + 1) - PIXELS / 2) * gsd_m
-            x, y = CAR_AT_M[0] - velocity_m_s[0] * t, -(CAR_AT_M[1] - velocity_m_s[1] * t)
-            parts[row] += overlap(x - CAR_M[0] / 2, x + CAR_M[0] / 2, edges) * overlap(y - CAR_M[1] / 2, y + CAR_M[1] / 2, edges[row:row + 2])
-    return parts / len(shares)
+        t = (row + 0.5 - PIXELS / 2) * row_period_s + shares * exposure_s
+        gsd_m = GSD_M * (HIGH_M + velocity_m_s[2] * t) / HIGH_M
+        edges = (np.arange(PIXELS + 1) - PIXELS / 2) * gsd_m
+        x, y = CAR_AT_M[0] - velocity_m_s[0] * t, -(CAR_AT_M[1] - velocity_m_s[1] * t)
+        parts[row] = (overlap(x - CAR_M[0] / 2, x + CAR_M[0] / 2, edges) *
+                      overlap(y - CAR_M[1] / 2, y + CAR_M[1] / 2, edges[:, row:row + 2])).mean(axis=0)
+    return parts
 
 
 def furthest(velocity_m_s, exposure_s, row_period_s, moves=True):

@@ -40,8 +40,8 @@ OBJECTS = [
 SUN = {"disc": {"zenith": "35 deg", "azimuth": "160 deg"}}
 LAMPS = [{"sphere": {"at": ["-2 m", "0.8 m", "1.5 m"], "radius": "8 cm", "flux": "20000 lm", "temperature": "2900 K"}}]
 CHANNELS = [{"name": "red", "gaussian": {"center": "0.65 um", "fwhm": "4 nm"}},
-            {"name": "middle", "gaussian": {"center": "3.9 um", "fwhm": "0.2 um"}},
-            {"name": "thermal", "gaussian": {"center": "10.5 um", "fwhm": "0.5 um"}}]
+            {"name": "middle", "gaussian": {"center": "3.9 um", "fwhm": "0.02 um"}},
+            {"name": "thermal", "gaussian": {"center": "10.5 um", "fwhm": "0.1 um"}}]
 CAMERA = {"frame": {"pixels": [6, 5], "focal_length": "20 mm", "pitch": "1.5 mm", "position": ["0 m", "-9 m", "9 m"], "look_at": ["-0.3 m", "0 m", "0 m"]}}
 MODELLED = {"profile": "mid-latitude summer", "aerosol": {"type": "rural", "visibility": "23 km"}}
 TABULATED = {"tabulated": {"transmittance": 0.8, "path_radiance": "2 W m-2 sr-1 um-1"}}

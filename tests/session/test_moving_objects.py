@@ -53,13 +53,13 @@ def overlap(low, high, edges):
 def covered_by_frame(velocity_m_s, exposure_s, row_period_s, instants=801):
     edges = (np.arange(PIXELS + 1) - PIXELS / 2) * GSD_M
     covered = np.zeros((PIXELS, PIXELS))
-    shares = (np.arange(instants) + 0.5) / instants - 0.5
+    shares = ((np.arange(instants) + 0.5) / instants - 0.5 if exposure_s else np.zeros(1))[:, None]
     for row in range(PIXELS):
-        for share in shares if exposure_s else [0.0]:
-            t = (row + 0.5 - PIXELS / 2) * row_period_s + share * exposure_s
-            x, y = CAR_AT_M[0] + velocity_m_s[0] * t, -(CAR_AT_M[1] + velocity_m_s[1] * t)
-            covered[row] += overlap(x - CAR_M[0] / 2, x + CAR_M[0] / 2, edges) * overlap(y - CAR_M[1] / 2, y + CAR_M[1] / 2, edges[row:row + 2])
-    return covered / (instants if exposure_s else 1)
+        t = (row + 0.5 - PIXELS / 2) * row_period_s + shares * exposure_s
+        x, y = CAR_AT_M[0] + velocity_m_s[0] * t, -(CAR_AT_M[1] + velocity_m_s[1] * t)
+        covered[row] = (overlap(x - CAR_M[0] / 2, x + CAR_M[0] / 2, edges) *
+                        overlap(y - CAR_M[1] / 2, y + CAR_M[1] / 2, edges[row:row + 2])).mean(axis=0)
+    return covered
 
 
 def covered_by_scanner(velocity_m_s, speed_m_s, instants=2001):
@@ -67,13 +67,13 @@ def covered_by_scanner(velocity_m_s, speed_m_s, instants=2001):
     edges = (np.arange(PIXELS + 1) - PIXELS / 2) * GSD_M
     covered = np.zeros((PIXELS, PIXELS))
     period_s = GSD_M / speed_m_s
+    shares = ((np.arange(instants) + 0.5) / instants)[:, None]
     for row in range(PIXELS):
-        for share in (np.arange(instants) + 0.5) / instants:
-            t = (row - PIXELS / 2 + share) * period_s
-            x, y = -(CAR_AT_M[0] + velocity_m_s[0] * t), CAR_AT_M[1] + velocity_m_s[1] * t
-            if abs(speed_m_s * t - y) <= CAR_M[1] / 2:
-                covered[row] += overlap(x - CAR_M[0] / 2, x + CAR_M[0] / 2, edges)
-    return covered / instants
+        t = (row - PIXELS / 2 + shares) * period_s
+        x, y = -(CAR_AT_M[0] + velocity_m_s[0] * t), CAR_AT_M[1] + velocity_m_s[1] * t
+        over = abs(speed_m_s * t - y) <= CAR_M[1] / 2
+        covered[row] = (over * overlap(x - CAR_M[0] / 2, x + CAR_M[0] / 2, edges)).mean(axis=0)
+    return covered
 
 
 def furthest(camera, platform, velocity_m_s, covered, moves=True):

@@ -18,7 +18,7 @@ Q = 1e-6 * 0.1 / (10e-3 * channel_footprints.PX)  # at 1 um, aperture 10 mm: one
 
 def overlap_mtf(q, frequencies, wavefront, is_open=lambda x, y: numpy.hypot(x, y) <= 1.0):
     """Along x; `wavefront` in wavelengths over the unit disc."""
-    n = 800
+    n = 400
     at = ((numpy.arange(n) + 0.5) / n * 2.0 - 1.0) * 1.05
     x, y = numpy.meshgrid(at, at)
 

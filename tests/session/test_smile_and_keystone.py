@@ -1,6 +1,7 @@
 """Responses that differ from detector column to detector column (smile) and places that differ by channel (keystone), against closed
 forms: spectra of which means over Gaussian responses are known, and the share of an element that an edge covers."""
 
+import functools
 import json
 import math
 import re
@@ -280,16 +281,19 @@ def honest_scene(name):
 class Coverage(unittest.TestCase):
     """Intervals of scenes whose truth grids of thousands of paths a pixel find."""
 
-    def held(self, name, seeds, narrower=1.0, grids=(83, 97)):
+    @staticmethod
+    @functools.cache
+    def images(name, seeds, grids=(83, 97)):
+        """The truth, and images with their half-widths."""
         with tempfile.TemporaryDirectory() as scratch:
             folder, scene = Path(scratch), honest_scene(name)
             truth = numpy.mean([image_of(scene, folder, {"grid": {"elements": [cells, cells]}}, 990 + cells) for cells in grids], axis=0)
-            inside = count = 0
-            for seed in range(1, seeds + 1):
-                found, half_width = image_of(scene, folder, {"accuracy": {"error": "2 %"}}, seed)
-                inside += (numpy.abs(found - truth) <= narrower * half_width).sum()
-                count += truth.size
-        return inside, count
+            return truth, [image_of(scene, folder, {"accuracy": {"error": "2 %"}}, seed) for seed in range(1, seeds + 1)]
+
+    def held(self, name, seeds, narrower=1.0):
+        truth, images = self.images(name, seeds)
+        inside = sum((numpy.abs(found - truth) <= narrower * half_width).sum() for found, half_width in images)
+        return inside, seeds * truth.size
 
     def test_intervals_hold_what_they_say(self):
         shares = numpy.array([self.held(name, 2) for name in ("gable_roof", "wall_foot")]).sum(axis=0)

@@ -100,6 +100,7 @@ ShellOrders::End ShellOrders::end(double altitude_km, std::size_t layer, double 
                            ? 1.0 / std::sqrt(start * start + length * (length + 2.0 * start * mu))
                            : 1.0 / start;
   end.mu = geometry_.spherical ? (start * mu + length) * end.inverse_radius : mu;
+  end.half_sine = 0.5 * std::sqrt(std::max(0.0, 1.0 - end.mu * end.mu));
   end.layer = layer;
   end.below = std::clamp((boundary[layer] - altitude_km) / (boundary[layer] - boundary[layer + 1]), 0.0, 1.0);
   const auto above = std::upper_bound(altitude_km_.begin() + 1, altitude_km_.end() - 1, altitude_km);
@@ -116,6 +117,8 @@ ShellOrders::Ray ShellOrders::ray(double altitude_km, double mu, double longest_
   const double nearest = start * std::sqrt(1.0 - mu * mu);
   const auto half = [&](double altitude) { return half_chord_km(kEarthRadius_km + altitude, nearest); };
   Ray ray;
+  ray.pieces.reserve(boundary.size());
+  ray.ends.reserve(boundary.size() + 1);
   double walked = 0.0, last_km = altitude_km;
   const auto add = [&](std::size_t layer, double to_km, double length) {
     if (!(length > walked)) return;

@@ -74,6 +74,7 @@ PhaseFunction::PhaseFunction(std::shared_ptr<const PhaseAngles> angles, std::vec
   given_mean_ = mean;
   for (double& value : at_nodes_) value /= mean;
   for (double& value : logarithms_) value -= std::log(mean);
+  set_moments();
 }
 
 void PhaseFunction::set_slopes() {
@@ -173,12 +174,13 @@ double PhaseFunction::forward_for(double width, double height) const {
   return std::max({4.0 * mean - beside - above - across, beside, above});
 }
 
-double PhaseFunction::moment(int l) const {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < at_nodes_.size(); ++k)
-    sum += angles_->nodes[k].weight * at_nodes_[k] *
-           angles_->d00[k * PhaseAngles::kMoments + static_cast<std::size_t>(l)];
-  return sum;
+void PhaseFunction::set_moments() {
+  moments_.assign(PhaseAngles::kMoments, 0.0);
+  for (std::size_t k = 0; k < at_nodes_.size(); ++k) {
+    const double light = angles_->nodes[k].weight * at_nodes_[k];
+    const double* d = angles_->d00.data() + k * PhaseAngles::kMoments;
+    for (std::size_t l = 0; l < moments_.size(); ++l) moments_[l] += light * d[l];
+  }
 }
 
 double AerosolPhases::moment(std::size_t layer, int l) const {

@@ -60,7 +60,7 @@ class PhaseFunction {
   double forward_for(double width, double height) const;
   /// Mean over the sphere of the function times Legendre's polynomial l < PhaseAngles::kMoments: the asymmetry is
   /// moment 1.
-  double moment(int l) const;
+  double moment(int l) const { return moments_[static_cast<std::size_t>(l)]; }
 
   /// The scattering matrix at an angle and at one of the nodes; `peak_polarization` is of particle_matrix.
   ScatteringMatrix matrix(double cosine, double peak_polarization) const;
@@ -76,6 +76,7 @@ class PhaseFunction {
 
  private:
   void set_slopes();
+  void set_moments();
   double peak_mean(double exponent) const;
   double fitted_exponent(double mean) const;
   double logarithm(std::size_t step, double position) const;
@@ -89,7 +90,7 @@ class PhaseFunction {
   std::shared_ptr<const PhaseAngles> angles_;
   std::vector<double> logarithms_, slope_;  ///< slope: per radian
   double peak_exponent_ = 2.0, given_mean_ = 1.0;
-  std::vector<double> at_nodes_;
+  std::vector<double> at_nodes_, moments_;
   std::shared_ptr<const PolarizationRatios> polarization_;
 };
 

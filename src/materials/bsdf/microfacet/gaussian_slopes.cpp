@@ -11,9 +11,15 @@ namespace {
 
 constexpr double kSteepest = 8.0;  // beyond it erfc is below 1e-28
 constexpr double kLeastShare = 1e-17;
+constexpr double kSmallStep = 1e-9;
+
+/// `density` is that of the slope, exp(-slope^2) / sqrt(pi).
+double seen_below(double cosine, double sine, double slope, double density) {
+  return 0.5 * (cosine * std::erfc(-slope) + sine * density);
+}
 
 double seen_below(double cosine, double sine, double slope) {
-  return 0.5 * (cosine * std::erfc(-slope) + sine * std::numbers::inv_sqrtpi * std::exp(-slope * slope));
+  return seen_below(cosine, sine, slope, std::numbers::inv_sqrtpi * std::exp(-slope * slope));
 }
 
 }  // namespace
@@ -36,16 +42,14 @@ double seen_quantile(double cosine, double sine, double share) {
   const double wanted = std::max(kLeastShare, share) * seen(cosine, sine);
   double low = -kSteepest, high = sine * kSteepest > cosine ? cosine / sine : kSteepest;
   double slope = std::clamp(quantile(share), low, high);
-  // Newton's steps, kept within what is known to hold the root.
+  // Newton's steps, kept within what is known to hold the root. After one below kSmallStep the error is its square.
   for (int k = 0; k < 60; ++k) {
-    const double excess = seen_below(cosine, sine, slope) - wanted;
+    const double density = std::numbers::inv_sqrtpi * std::exp(-slope * slope);
+    const double excess = seen_below(cosine, sine, slope, density) - wanted;
     (excess > 0.0 ? high : low) = slope;
-    const double rate = (cosine - slope * sine) * std::exp(-slope * slope) * std::numbers::inv_sqrtpi;
-    double next = slope - excess / rate;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    const double step = std::abs(next - slope);
-    slope = next;
-    if (step <= 2e-16 * (1.0 + std::abs(slope))) break;
+    const double next = slope - excess / ((cosine - slope * sine) * density);
+    if (std::abs(next - slope) <= kSmallStep) return std::clamp(next, low, high);
+    slope = next > low && next < high ? next : 0.5 * (low + high);
   }
   return slope;
 }
