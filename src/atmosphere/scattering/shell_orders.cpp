@@ -118,13 +118,14 @@ void ShellOrders::add_still(const Ray& ray, double mu, int azimuths, const Light
       const double* low = beam_.data() + end.layer * angles + k;
       return (1.0 - end.below) * low[0] + end.below * low[angles];
     };
+    // Of light that is scattered again: its mean, and that of it times the cosine with the vertical and with the ray's horizontal.
     struct Source {
-      double mean = 0.0, along = 0.0, turned = 0.0;
+      double mean = 0.0, along = 0.0, across = 0.0;
     };
     const auto light = [&](const End& end) -> Source {
       if (before == nullptr) return {sunbeam(end), 0.0, 0.0};
       return {at(end, before->mean), end.mu * at(end, before->up),
-              0.5 * std::sqrt(std::max(0.0, 1.0 - end.mu * end.mu)) * at(end, before->sunward)};
+              std::sqrt(std::max(0.0, 1.0 - end.mu * end.mu)) * at(end, before->sunward)};
     };
     double transmission = 1.0, even = 0.0, turned = 0.0;
     Source near = ray.ends.empty() ? Source{} : light(ray.ends.front());
@@ -132,19 +133,17 @@ void ShellOrders::add_still(const Ray& ray, double mu, int azimuths, const Light
       const Piece& piece = ray.pieces[p];
       const Source far = light(ray.ends[p + 1]);
       const double mean = transmission * (piece.step.near * near.mean + piece.step.far * far.mean);
-      // The light at a boundary is that of the layer entered: layers' ends are shared.
-      if (before == nullptr) {
-        for (int a = 0; a < azimuths; ++a) {
-          const double turn = turns[static_cast<std::size_t>(a)];
-          const double scattered = piece.scattered(along_vertical + across * turn) * mean / azimuths;
-          even += scattered;
-          turned += turn * scattered;
-        }
-      } else {
-        even += transmission * (piece.step.near * piece.again(near.mean, near.along) +
-                                piece.step.far * piece.again(far.mean, far.along));
-        turned += transmission * 3.0 * piece.asymmetry * piece.rest *
-                  (piece.step.near * near.turned + piece.step.far * far.turned);
+      // The light at a boundary is that of the layer entered: layers' ends are shared. Azimuths one by one, as where the Sun turns:
+      // what a pattern of two terms lacks is not the same of their mean.
+      for (const double turn : turns) {
+        const double scattered =
+            (before == nullptr
+                 ? piece.scattered(along_vertical + across * turn) * mean
+                 : transmission * (piece.step.near * piece.again(near.mean, near.along + turn * near.across) +
+                                   piece.step.far * piece.again(far.mean, far.along + turn * far.across))) /
+            azimuths;
+        even += scattered;
+        turned += turn * scattered;
       }
       transmission *= piece.step.transmission;
       near = far;
