@@ -51,6 +51,7 @@ class ShellLineOfSight {
   template <class Add>
   void beam_slants(double radius, double mu, const Add& add) const;
   void add_beams(std::span<const double> place_km);
+  void add_beams_from_above(std::span<const double> place_km);
 
   bool spherical_;
   std::vector<double> altitude_km_;  ///< of the layers' boundaries
