@@ -128,9 +128,7 @@ void ShellOrders::add_still(const Ray& ray, double mu, int azimuths, const Light
       return {at(end, before->mean), end.mu * at(end, before->up), end.level * at(end, before->sunward)};
     };
     double transmission = 1.0, even = 0.0, turned = 0.0;
-    std::vector<double> forward(
-        turns.size());  // of aerosol, by azimuth; layers of one asymmetry follow each other
-    double asymmetry = 2.0;
+    double asymmetry = 2.0;  // of what `forward` is for: layers of one follow each other
     Source near = ray.ends.empty() ? Source{} : light(ray.ends.front());
     for (std::size_t p = 0; p < ray.pieces.size(); ++p) {
       const Piece& piece = ray.pieces[p];
