@@ -1,5 +1,6 @@
 #include "session/surveys/sensor_survey.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/overloaded.h"
@@ -8,6 +9,7 @@
 #include "io/document/detector_document.h"
 #include "io/document/origin_document.h"
 #include "io/document/sensor_document.h"
+#include "io/document/spectrometer_document.h"
 #include "render/image_info.h"
 #include "sensor/airy_aperture.h"
 #include "sensor/along_track.h"
@@ -16,7 +18,9 @@
 #include "sensor/mtf.h"
 #include "sensor/psf.h"
 #include "sensor/pupil.h"
+#include "sensor/spectrometer/column_responses.h"
 #include "session/assembly/shared/with_position.h"
+#include "session/assembly/whole/across_track.h"
 #include "session/assembly/whole/detector_assembly.h"
 #include "session/assembly/whole/noise_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
@@ -91,6 +95,32 @@ void tell_detector(const ChannelDetector& detector, const radiometry::Channel& c
                                                  obscuration, cycles_px);
 }
 
+SensorDescription::Channel::Range range_of(const std::vector<double>& values) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return {*least, *most};
+}
+
+/// What differs from column to column of the detector, and from element to element.
+void tell_columns(const io::DocumentSources& sources, const io::SensorDocument& sensor,
+                  const std::vector<radiometry::Channel>& channels, SensorDescription& told) {
+  const auto smile = assemble_smile(sources, sensor, channels, told.width_px);
+  const auto keystone = assemble_keystone(sources, sensor, channels, told.width_px);
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    SensorDescription::Channel& one = told.channels[c];
+    if (smile && !(*smile)[c].columns.centre_um.empty()) {
+      one.centres_um = range_of((*smile)[c].columns.centre_um);
+      one.fwhms_um = range_of((*smile)[c].columns.fwhm_um);
+    }
+    if (!keystone.empty() && !keystone[c].empty()) one.shift_px = range_of(keystone[c]);
+  }
+  if (!sensor.mosaic) return;
+  for (const std::vector<io::DocumentName>& row : sensor.mosaic->rows) {
+    told.mosaic += told.mosaic.empty() ? "(" : ", (";
+    for (const io::DocumentName& name : row) told.mosaic += (&name == &row.front() ? "" : ", ") + name.name;
+    told.mosaic += ')';
+  }
+}
+
 }  // namespace
 
 SensorDescription survey_sensor(const io::DocumentSources& sources, const io::SensorDocument& sensor,
@@ -130,6 +160,7 @@ SensorDescription survey_sensor(const io::DocumentSources& sources, const io::Se
               radiometry::channel_brightness_temperature_k(channels[c], detectors[c].reference_w_m2_sr_um),
               one);
   }
+  tell_columns(sources, sensor, channels, told);
   return told;
 }
 
