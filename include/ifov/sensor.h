@@ -43,7 +43,8 @@ struct SensorDescription {
     std::optional<Range> shift_px;              ///< with a keystone
   };
   std::vector<Channel> channels;
-  std::string mosaic;  ///< names of channels by element, rows in parentheses; empty: elements see all channels
+  std::string
+      mosaic;  ///< names of channels by element, rows in parentheses; empty: elements see all channels
 };
 
 /// Formulas: docs/theory/detectors.md. Neither scene nor atmosphere is loaded: a nadir camera whose height follows from the scene stands on

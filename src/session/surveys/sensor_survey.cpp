@@ -1,6 +1,5 @@
 #include "session/surveys/sensor_survey.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/overloaded.h"
@@ -9,7 +8,6 @@
 #include "io/document/detector_document.h"
 #include "io/document/origin_document.h"
 #include "io/document/sensor_document.h"
-#include "io/document/spectrometer_document.h"
 #include "render/image_info.h"
 #include "sensor/airy_aperture.h"
 #include "sensor/along_track.h"
@@ -18,12 +16,11 @@
 #include "sensor/mtf.h"
 #include "sensor/psf.h"
 #include "sensor/pupil.h"
-#include "sensor/spectrometer/column_responses.h"
 #include "session/assembly/shared/with_position.h"
-#include "session/assembly/whole/across_track.h"
 #include "session/assembly/whole/detector_assembly.h"
 #include "session/assembly/whole/noise_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
+#include "session/surveys/sensor_columns.h"
 
 namespace ifov::session {
 namespace {
@@ -93,32 +90,6 @@ void tell_detector(const ChannelDetector& detector, const radiometry::Channel& c
   const double pitch_um = 1e6 * std::sqrt(detector.optics.area_m2 / fill_factor);
   told.diffraction_mtf = sensor::diffraction_mtf(channel.centre_um * detector.optics.f_number / pitch_um,
                                                  obscuration, cycles_px);
-}
-
-SensorDescription::Channel::Range range_of(const std::vector<double>& values) {
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  return {*least, *most};
-}
-
-/// What differs from column to column of the detector, and from element to element.
-void tell_columns(const io::DocumentSources& sources, const io::SensorDocument& sensor,
-                  const std::vector<radiometry::Channel>& channels, SensorDescription& told) {
-  const auto smile = assemble_smile(sources, sensor, channels, told.width_px);
-  const auto keystone = assemble_keystone(sources, sensor, channels, told.width_px);
-  for (std::size_t c = 0; c < channels.size(); ++c) {
-    SensorDescription::Channel& one = told.channels[c];
-    if (smile && !(*smile)[c].columns.centre_um.empty()) {
-      one.centres_um = range_of((*smile)[c].columns.centre_um);
-      one.fwhms_um = range_of((*smile)[c].columns.fwhm_um);
-    }
-    if (!keystone.empty() && !keystone[c].empty()) one.shift_px = range_of(keystone[c]);
-  }
-  if (!sensor.mosaic) return;
-  for (const std::vector<io::DocumentName>& row : sensor.mosaic->rows) {
-    told.mosaic += told.mosaic.empty() ? "(" : ", (";
-    for (const io::DocumentName& name : row) told.mosaic += (&name == &row.front() ? "" : ", ") + name.name;
-    told.mosaic += ')';
-  }
 }
 
 }  // namespace
