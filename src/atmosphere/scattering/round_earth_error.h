@@ -39,7 +39,7 @@ inline RoundEarthError round_earth_error(double sun_zenith_rad, const RoundEarth
     of_sky = dark * (1.2 * sunset + 0.03 * risen(86.0, 89.0));
   } else {
     const double thick = std::min(1.0, air.haze) * (1.0 - risen(91.0, 92.0));
-    of_path = thick * (0.004 * risen(74.0, 82.0) + 0.012 * risen(87.0, 89.0));
+    of_path = thick * (0.004 * risen(74.0, 82.0) + 0.04 * risen(87.0, 89.0));
     of_sky = thick * (0.01 * risen(74.0, 82.0) + 0.03 * risen(84.0, 89.0));
   }
   if (air.cloudy)
