@@ -35,8 +35,16 @@ struct SensorDescription {
     double nedl = 0.0;           ///< W m-2 sr-1 um-1; 0: no noise is told
     std::optional<double> nedt;  ///< K, at the temperature of the radiance, or at 300 K
     std::optional<double> nedt_at_k;
+    /// Of a spectrometer, by detector column: the least and the most that its centre and its width are, and how far to the right it looks.
+    struct Range {
+      double least = 0.0, most = 0.0;
+    };
+    std::optional<Range> centres_um, fwhms_um;  ///< with a smile
+    std::optional<Range> shift_px;              ///< with a keystone
   };
   std::vector<Channel> channels;
+  std::string
+      mosaic;  ///< names of channels by element, rows in parentheses; empty: elements see all channels
 };
 
 /// Formulas: docs/theory/detectors.md. Neither scene nor atmosphere is loaded: a nadir camera whose height follows from the scene stands on

@@ -20,6 +20,7 @@ void say_camera(const SensorDescription& sensor) {
   if (sensor.smear_px) text += format(", smear {:.3g} pixels", *sensor.smear_px);
   if (sensor.row_shift_px) text += format(", {:.3g} pixels from row to row", *sensor.row_shift_px);
   say(text + "\n");
+  if (!sensor.mosaic.empty()) say(format("mosaic {}\n", sensor.mosaic));
 }
 
 void say_channel(const SensorDescription::Channel& channel) {
@@ -27,6 +28,13 @@ void say_channel(const SensorDescription::Channel& channel) {
     say(format("  {:<12} {}\n", name, text));
   };
   say(format("{}: {:.5g} um, {:.4g} um wide\n", channel.name, channel.centre_um, channel.fwhm_um));
+  if (channel.centres_um)
+    line("smile",
+         format("{:.6g} to {:.6g} um, {:.4g} to {:.4g} um wide, by column", channel.centres_um->least,
+                channel.centres_um->most, channel.fwhms_um->least, channel.fwhms_um->most));
+  if (channel.shift_px)
+    line("keystone", format("{:.3g} to {:.3g} pixels to the right, by column", channel.shift_px->least,
+                            channel.shift_px->most));
   std::string mtf = format("pixel {:.3f}", channel.pixel_mtf);
   if (channel.psf_mtf) mtf += format(", document's PSF {:.3f}", *channel.psf_mtf);
   if (channel.diffraction_mtf) mtf += format(", diffraction {:.3f}", *channel.diffraction_mtf);
@@ -80,7 +88,8 @@ Command add_sensor_command(CLI::App& app) {
   add_inputs_below(*parser);
   parser->footer(
       "GSD, swath and IFOV where the middle of the image meets z = 0, and of a frame that flies how far its picture moves; by channel the MTF at half a cycle a pixel, and with a\n"
-      "'detector' photons, electrons, how full the well is, SNR, NEdL and NEdT, of one exposure at the detector's 'reference'.\n\n"
+      "'detector' photons, electrons, how full the well is, SNR, NEdL and NEdT, of one exposure at the detector's 'reference'; of a spectrometer\n"
+      "how far smile and keystone take its columns (all other figures are of the channel's own response), and the pattern of a mosaic.\n\n"
       "Examples:\n"
       "  ifov sensor scene.json\n"
       "  ifov sensor scene.json --set sensor.detector.reference='{\"reflectance\": 0.3, \"sun_zenith\": \"40 deg\"}'");

@@ -236,6 +236,38 @@ TEST(CloudsRoundEarth, PathsTowardsTheSunAreThoseOfPhotons) {
     }
 }
 
+// What two terms of a pattern lack must be cut off alike in both geometries, and the edge of haze is a place where light changes.
+TEST(CloudsRoundEarth, HazeUnderALowSunIsThatOfPhotons) {
+  const DarkCase& air = kDark[4];
+  const Column column = dark_column(air, 0);
+  for (const double sun_deg : {80.0, 89.0}) {
+    const SphericalMonteCarlo photons = photons_in(column, sun_deg, air.asymmetry);
+    const SphericalMonteCarlo::Light right = photons.sky(0.0, 0.0, 100000, 5);
+    const double found = solve(column, sun_deg).sunlit().sky({-1.0, 0.0}, 0.0).radiance().i;
+    const auto off = [&](double factor) {
+      return std::abs(factor * found / right.all - 1.0) - 2.5 * right.error / right.all;
+    };
+    EXPECT_LT(off(1.0), 0.005) << sun_deg;
+    // What a pattern that is cut off in one geometry alone makes of it, and light between altitudes on both sides of the edge.
+    EXPECT_GT(off(sun_deg < 85.0 ? 1.024 : 1.05), 0.005) << sun_deg;
+  }
+}
+
+// Where the Sun of the place that a line of sight meets is not yet level light falls by a tenth in a twentieth of a degree.
+TEST(CloudsRoundEarth, SkyAtSunsetUnderThickCirrusTurnsToTheSun) {
+  const DarkCase& air = kDark[1];
+  constexpr double kSun_deg = 90.0, kZenith_deg = 70.0;
+  const SphericalMonteCarlo::Light right =
+      photons_in(dark_column(air, 8), kSun_deg, air.asymmetry).sky(kZenith_deg * kDegree, 0.0, 40000, 4);
+  const double found = solve(dark_column(air, 0), kSun_deg)
+                           .sunlit()
+                           .sky({-std::cos(kZenith_deg * kDegree), 0.0}, 0.0)
+                           .radiance()
+                           .i;
+  EXPECT_GT(found, 0.36 * right.all);
+  EXPECT_LT(right.error, 0.15 * right.all);
+}
+
 TEST(CloudsRoundEarth, WhatIsStatedHoldsDirectionsAtDusk) {
   for (const std::size_t which : {0, 1})
     for (const double sun_deg : {90.0, 90.5})

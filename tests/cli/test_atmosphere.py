@@ -72,6 +72,14 @@ class Table(unittest.TestCase):
             self.assertLess(table["red"][3], solar)
             self.assertTrue(200 < table["thermal"][8] < 294)
 
+    def test_says_that_it_is_not_of_single_columns(self):
+        smile = (NEAR % AIR).replace('"camera":', '"smile": {"polynomial": {"center": ["1 nm"]}}, "camera":')
+        with Folder(yard=smile, plain=NEAR % AIR) as folder:
+            done, plain = run("atmosphere", "yard.json", cwd=folder), run("atmosphere", "plain.json", cwd=folder)
+            self.assertEqual((done.returncode, done.stdout), (0, plain.stdout))
+            self.assertIn("the sensor has a smile: what is told is of its channels' own responses, not of single columns'", done.stderr)
+            self.assertEqual(plain.stderr, "")
+
     def test_what_correction_codes_ask_for(self):
         with Folder(yard=YARD % AIR) as folder:
             text = run("atmosphere", "yard.json", cwd=folder).stdout

@@ -44,6 +44,32 @@ class Sensor(unittest.TestCase):
         self.assertAlmostEqual(self.number(thermal, "NEdT +# K at 300 K") / (nedl / slope), 1, delta=1e-3)
         self.assertIn("pixel 0.637, document's PSF 1.000", thermal)
 
+    def test_what_differs_from_column_to_column(self):
+        columns = 40
+        document = {"ifov": 1, "scene": {"materials": {"ground": {"reflectance": 0.3}}, "objects": [{"plane": {}, "material": "ground"}]},
+                    "sensor": {"camera": {"orthographic": {"gsd": "1 m", "pixels": [columns, 4]}},
+                               "channels": [{"name": "a", "gaussian": {"center": "500 nm", "fwhm": "10 nm"}},
+                                            {"name": "b", "gaussian": {"center": "900 nm", "fwhm": "12 nm"}}],
+                               "smile": {"between": {"shortest": {"center": ["0 nm", "0 nm", "-2 nm"]},
+                                                     "longest": {"center": ["0 nm", "1 nm"], "fwhm": ["0 nm", "0 nm", "0.5 nm"]}}},
+                               "keystone": {"between": {"shortest": {"shift": ["0 px"]}, "longest": {"shift": ["0.25 px", "0.5 px"]}}}},
+                    "sampling": {"single": {}}}
+        out = self.told(json.dumps(document))
+        last, middle = 1 - 1 / columns, 1 / columns  # the middles of columns, of -1 to 1
+        a, b = out[out.index("a: "):out.index("b: ")], out[out.index("b: "):]
+        self.assertAlmostEqual(self.number(a, "smile +# to"), 0.5 - 0.002 * last ** 2, delta=1e-6)
+        self.assertAlmostEqual(self.number(a, "to # um, 0.01 to 0.01 um wide, by column"), 0.5 - 0.002 * middle ** 2, delta=1e-6)
+        self.assertAlmostEqual(self.number(b, "smile +# to"), 0.9 - 0.001 * last, delta=1e-6)
+        self.assertAlmostEqual(self.number(b, "to # um wide, by column"), 0.012 + 0.0005 * last ** 2, delta=1e-5)
+        self.assertNotIn("keystone", a)
+        self.assertAlmostEqual(self.number(b, "keystone +# to"), 0.25 - 0.5 * last, delta=1e-3)
+        self.assertAlmostEqual(self.number(b, "to # pixels to the right"), 0.25 + 0.5 * last, delta=1e-3)
+        self.assertNotIn("mosaic", out)
+        del document["sensor"]["smile"], document["sensor"]["keystone"]
+        self.assertNotRegex(self.told(json.dumps(document)), "smile|keystone")
+        document["sensor"]["mosaic"] = [["a", "b"], ["b", "a"]]
+        self.assertIn("\nmosaic (a, b), (b, a)\n", self.told(json.dumps(document)))
+
     def test_another_light(self):
         out = self.told(text(), "--set", 'sensor.detector.reference={"radiance": "20 W m-2 sr-1 um-1"}')
         self.assertIn("radiance     20 W m-2 sr-1 um-1\n", out)

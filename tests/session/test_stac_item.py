@@ -31,7 +31,7 @@ def document(camera, formats=("envi", "png", "html", "stac"), products=("half_wi
                                   {"box": {"low": ["-9 m", "-6 m", "0 m"], "high": ["5 m", "7 m", "0.01 m"]}, "material": "roof"}]},
             "light": {"sun": {"disc": {}}},
             "sensor": {"camera": camera,
-                       "channels": [{"name": "red", "gaussian": {"center": "0.65 um", "fwhm": "40 nm"}},
+                       "channels": [{"name": "red", "top_hat": {"from": "0.65 um", "to": "0.7 um"}},
                                     {"name": "nir", "gaussian": {"center": "0.85 um", "fwhm": "60 nm"}}]},
             "sampling": {"accuracy": {"error": "20 %"}}, "output": {"formats": list(formats), "products": list(products)}}
     made.update(more)
@@ -145,6 +145,8 @@ class StacItem(unittest.TestCase):
                 self.assertEqual(asset["file:size"], len(content))
                 self.assertEqual(asset["file:checksum"], "1220" + hashlib.sha256(content).hexdigest())
         self.assertEqual([band["name"] for band in item["assets"]["radiance"]["eo:bands"]], ["red", "nir"])
+        # 0.7 - 0.65 is 0.04999999999999993 in doubles.
+        self.assertEqual(item["assets"]["radiance"]["eo:bands"][0], {"name": "red", "center_wavelength": 0.675, "full_width_half_max": 0.05})
         self.assertEqual(item["assets"]["radiance"]["eo:bands"][1], {"name": "nir", "center_wavelength": 0.85, "full_width_half_max": 0.06})
         self.assertNotIn("eo:bands", item["assets"]["location"])
         self.assertEqual(item["assets"]["half_width"]["roles"], ["data", "uncertainty"])

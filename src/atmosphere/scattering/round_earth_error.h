@@ -7,7 +7,7 @@
 namespace ifov::atmosphere {
 
 /// How far light may be off by RoundEarthLight under a low Sun, relative, as measured with haze: of paths up to 80 degrees from the
-/// nadir, and of the sky (docs/theory/atmosphere_round_earth.md). 0 where the Sun is 10 degrees above the horizon and more.
+/// nadir, and of the sky (docs/theory/atmosphere_round_earth.md). 0 where the Sun is 20 degrees above the horizon and more.
 struct RoundEarthError {
   double path = 0.0, sky = 0.0;
 };
@@ -32,11 +32,15 @@ inline RoundEarthError round_earth_error(double sun_zenith_rad, const RoundEarth
   const double dark = std::clamp(1.0 - air.molecules / kBright, 0.0, 1.0);
   // Within a degree of sunset light in haze and clouds falls to a tenth.
   const double sunset = risen(89.0, 90.0) * (1.0 - risen(90.5, 91.0));
-  // Single directions, in which clouds at dusk are off by more than fluxes are.
+  // Single directions, in which clouds at dusk are off by more than fluxes are, and thick haze at dusk towards the Sun.
   double of_path = 0.0, of_sky = 0.0;
   if (air.cloudy) {
     of_path = (0.03 + 0.07 * dark) * risen(75.0, 80.0);
-    of_sky = 1.2 * dark * sunset;
+    of_sky = dark * (1.2 * sunset + 0.03 * risen(86.0, 89.0));
+  } else {
+    const double thick = std::min(1.0, air.haze) * (1.0 - risen(91.0, 92.0));
+    of_path = thick * (0.004 * risen(74.0, 82.0) + 0.04 * risen(87.0, 89.0));
+    of_sky = thick * (0.01 * risen(74.0, 82.0) + 0.03 * risen(84.0, 89.0));
   }
   if (air.cloudy)
     both += 0.02 * risen(70.0, 80.0) + 0.05 * risen(89.0, 90.0) + 0.2 * risen(92.0, 94.0) +

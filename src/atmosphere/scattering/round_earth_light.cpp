@@ -24,13 +24,23 @@ Steps steps_for(double sun_zenith_rad) {
   return {1.0 * math::kDegree, 8, 6};
 }
 
-std::vector<double> angles_about(double sun_zenith_rad, std::size_t& own) {
+/// Where haze or clouds scatter more than molecules do, light in them falls to a tenth within half a degree of sunset: there steps
+/// are quarters.
+std::vector<double> angles_about(double sun_zenith_rad, bool finely, std::size_t& own) {
+  constexpr double kFirst_rad = 88.9 * math::kDegree, kLast_rad = 91.1 * math::kDegree,
+                   kSet_rad = 90.75 * math::kDegree;  // from there on nothing sees it rise
+  finely = finely && sun_zenith_rad < kSet_rad;
+  constexpr int kParts = 4, kFar = 2;
   const Steps steps = steps_for(sun_zenith_rad);
   std::vector<double> angles;
   for (int k = -steps.below; k <= steps.above; ++k) {
     const double angle = sun_zenith_rad + k * steps.step_rad;
     if (k == 0) own = angles.size();
-    if (k == 0 || (angle >= 0.0 && angle < kLowestSun_rad + 3.0 * math::kDegree)) angles.push_back(angle);
+    if (k != 0 && !(angle >= 0.0 && angle < kLowestSun_rad + 3.0 * math::kDegree)) continue;
+    angles.push_back(angle);
+    if (!finely || k < -kFar || k >= kFar || angle + steps.step_rad < kFirst_rad || angle > kLast_rad)
+      continue;
+    for (int part = 1; part < kParts; ++part) angles.push_back(angle + steps.step_rad * part / kParts);
   }
   while (angles.size() < 3) angles.push_back(angles.back() + steps.step_rad);
   return angles;
@@ -125,7 +135,7 @@ double between(const std::vector<double>& altitude_km, double z, std::size_t str
 RoundEarthLight::RoundEarthLight(const ScatteringColumn& whole) {
   std::size_t own = 0;
   const double sun_rad = std::acos(whole.sun_mu);
-  angle_rad_ = angles_about(sun_rad, own);
+  angle_rad_ = angles_about(sun_rad, by_molecules(whole) < 1.0, own);
   ScatteringColumn column = whole;
   cut(column, sun_rad < kTurns_rad ? sun_rad : angle_rad_.back());
   double directed = by_molecules(column);  // before it is thinned
@@ -173,11 +183,18 @@ RoundEarthLight::RoundEarthLight(const ScatteringColumn& whole) {
 RoundEarthLight::Change RoundEarthLight::change(std::size_t sublayer, double position, double sun_mu) const {
   const double angle = std::clamp(std::acos(sun_mu), angle_rad_.front(), angle_rad_.back());
   // A parabola through the three nearest.
-  const double step = angle_rad_[1] - angle_rad_[0], place = (angle - angle_rad_[0]) / step;
-  const std::size_t middle = static_cast<std::size_t>(
-      std::clamp(std::floor(place + 0.5), 1.0, static_cast<double>(angle_rad_.size() - 2)));
-  const double x = place - static_cast<double>(middle);
-  const double before = 0.5 * x * (x - 1.0), after = 0.5 * x * (x + 1.0), here = 1.0 - x * x;
+  const std::size_t above = static_cast<std::size_t>(
+      std::upper_bound(angle_rad_.begin() + 1, angle_rad_.end() - 1, angle) - angle_rad_.begin());
+  const bool nearer_below = angle - angle_rad_[above - 1] < angle_rad_[above] - angle;
+  const std::size_t middle =
+      std::clamp<std::size_t>(nearer_below ? above - 1 : above, 1, angle_rad_.size() - 2);
+  const double from_low = angle - angle_rad_[middle - 1], from_middle = angle - angle_rad_[middle],
+               from_high = angle - angle_rad_[middle + 1];
+  const double below_step = angle_rad_[middle] - angle_rad_[middle - 1],
+               above_step = angle_rad_[middle + 1] - angle_rad_[middle];
+  const double before = from_middle * from_high / (below_step * (below_step + above_step)),
+               here = -from_low * from_high / (below_step * above_step),
+               after = from_low * from_middle / (above_step * (below_step + above_step));
   const auto at = [&](const std::vector<double>& values) {
     const double* top = values.data() + sublayer * angle_rad_.size() + middle;
     const double* bottom = top + angle_rad_.size();

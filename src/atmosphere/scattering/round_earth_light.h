@@ -30,7 +30,7 @@ class RoundEarthLight {
   const std::vector<double>& flux_ratio() const { return flux_ratio_; }
 
  private:
-  std::vector<double> angle_rad_;     ///< of the Sun from the zenith, rising, evenly spaced
+  std::vector<double> angle_rad_;     ///< of the Sun from the zenith, rising
   std::vector<double> log_ratio_;     ///< [boundary][angle]
   std::vector<double> up_, sunward_;  ///< [boundary][angle]: changes over the mean radiance
   std::vector<double> log_flat_;      ///< [boundary]: of the mean radiance in flat layers

@@ -1,8 +1,10 @@
 #include "atmosphere/scattering/scattering_column.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include "atmosphere/scattering/layer_cuts.h"
@@ -60,9 +62,13 @@ class ForwardPeaks {
     const AerosolPhases& phases = *optics_.aerosol_phases;
     const double* share = phases.shares(layer);
     // Layers of one kind of haze follow each other, and a moment is an integral.
-    if (last_ == nullptr || !std::equal(share, share + phases.functions.size(), last_))
-      peak_ = without_peak(std::max(phases.moment(layer, terms_), 0.0), phases.moment(layer, 1),
-                           phases.moment(layer, 2));
+    if (last_ == nullptr || !std::equal(share, share + phases.functions.size(), last_)) {
+      double sums[] = {0.0, 0.0, 0.0};
+      for (std::size_t f = 0; f < phases.functions.size(); ++f)
+        if (share[f] > 0.0)
+          for (std::size_t k = 0; k < 3; ++k) sums[k] += share[f] * moments_of(f)[k];
+      peak_ = without_peak(std::max(sums[0], 0.0), sums[1], sums[2]);
+    }
     last_ = share;
     return peak_;
   }
@@ -72,8 +78,18 @@ class ForwardPeaks {
     if (!(share < 1.0)) return {share, 0.0, 0.0};
     return {share, (first - share) / (1.0 - share), (second - share) / (1.0 - share)};
   }
+  /// The one that is cut off, the first and the second of a phase function: integrals, and layers mix the same few functions.
+  const std::array<double, 3>& moments_of(std::size_t function) {
+    const AerosolPhases& phases = *optics_.aerosol_phases;
+    if (moments_.empty()) moments_.resize(phases.functions.size());
+    std::optional<std::array<double, 3>>& known = moments_[function];
+    const PhaseFunction& of = phases.functions[function];
+    if (!known) known = {of.moment(terms_), of.moment(1), of.moment(2)};
+    return *known;
+  }
   const LayerOptics& optics_;
   int terms_;
+  std::vector<std::optional<std::array<double, 3>>> moments_;
   const double* last_ = nullptr;
   Peak peak_;
 };

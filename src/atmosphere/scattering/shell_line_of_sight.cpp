@@ -130,9 +130,38 @@ void ShellLineOfSight::beam_slants(double radius, double mu, const Add& add) con
 void ShellLineOfSight::add_beams(std::span<const double> place_km) {
   const std::size_t layers = altitude_km_.size() - 1, places = place_km.size();
   sun_slant_.assign(layers * places, 0.0);
+  if (spherical_ && *std::min_element(sun_mu_.begin(), sun_mu_.end()) >= 0.0) {
+    add_beams_from_above(place_km);
+    return;
+  }
   for (std::size_t e = 0; e < places; ++e)
     beam_slants(kEarthRadius_km + place_km[e], sun_mu_[e],
                 [&](std::size_t k, double slant) { sun_slant_[k * places + e] = slant; });
+}
+
+/// What beam_slants() says where the Sun is up at every place, shell by shell for all places at once.
+void ShellLineOfSight::add_beams_from_above(std::span<const double> place_km) {
+  const std::size_t layers = altitude_km_.size() - 1, places = place_km.size();
+  std::vector<double> nearest(places), here(places), above(places);
+  for (std::size_t e = 0; e < places; ++e) {
+    const double radius = kEarthRadius_km + place_km[e];
+    nearest[e] = radius * std::sqrt(std::max(0.0, 1.0 - sun_mu_[e] * sun_mu_[e]));
+    here[e] = half_chord_km(radius, nearest[e]);
+    above[e] = half_chord_km(kEarthRadius_km + altitude_km_.front(), nearest[e]);
+  }
+  const double* __restrict from = nearest.data(), * __restrict start = here.data();
+  double* __restrict upper = above.data();
+  for (std::size_t k = 0; k < layers; ++k) {
+    const double shell = kEarthRadius_km + altitude_km_[k + 1],
+                 thickness = altitude_km_[k] - altitude_km_[k + 1];
+    double* __restrict slant = sun_slant_.data() + k * places;
+    for (std::size_t e = 0; e < places; ++e) {
+      // half_chord_km() without a branch
+      const double below = std::sqrt(std::max(0.0, (shell - from[e]) * (shell + from[e])));
+      slant[e] = std::max(0.0, upper[e] - std::max(start[e], below)) / thickness;
+      upper[e] = below;
+    }
+  }
 }
 
 double ShellLineOfSight::beam_depth_within(std::size_t piece, double share,

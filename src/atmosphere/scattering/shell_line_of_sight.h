@@ -50,7 +50,7 @@ class ShellLineOfSight {
   /// Of the beam that arrives at this radius under this cosine, in each layer, length over thickness: told to add(layer, slant).
   template <class Add>
   void beam_slants(double radius, double mu, const Add& add) const;
-  void add_beams(std::span<const double> place_km);
+  void add_beams(std::span<const double> place_km), add_beams_from_above(std::span<const double> place_km);
 
   bool spherical_;
   std::vector<double> altitude_km_;  ///< of the layers' boundaries

@@ -107,8 +107,13 @@ void ShellOrders::add_still(const Ray& ray, double mu, int azimuths, const Light
   const std::size_t angles = angle_rad_.size();
   const double sine = std::sqrt(1.0 - mu * mu);
   std::vector<double> turns;  // cosines of azimuths
+<<<<<<< HEAD
   for (int a = 0; before == nullptr && a < azimuths; ++a)
     turns.push_back(std::cos((a + 0.5) * kPi / azimuths));
+=======
+  for (int a = 0; a < azimuths; ++a) turns.push_back(std::cos((a + 0.5) * kPi / azimuths));
+  std::vector<double> forward(turns.size());  // what aerosol scatters of the sunbeam, by azimuth
+>>>>>>> air
   for (std::size_t k = 0; k < angles; ++k) {
     const double along_vertical = mu * std::cos(angle_rad_[k]), across = sine * std::sin(angle_rad_[k]);
     const auto at = [&](const End& end, const std::vector<double>& values) {
@@ -119,32 +124,52 @@ void ShellOrders::add_still(const Ray& ray, double mu, int azimuths, const Light
       const double* low = beam_.data() + end.layer * angles + k;
       return (1.0 - end.below) * low[0] + end.below * low[angles];
     };
+    // Of light that is scattered again: its mean, and that of it times the cosine with the vertical and with the ray's horizontal.
     struct Source {
-      double mean = 0.0, along = 0.0, turned = 0.0;
+      double mean = 0.0, along = 0.0, across = 0.0;
     };
     const auto light = [&](const End& end) -> Source {
       if (before == nullptr) return {sunbeam(end), 0.0, 0.0};
+<<<<<<< HEAD
       return {at(end, before->mean), end.mu * at(end, before->up), end.half_sine * at(end, before->sunward)};
+=======
+      return {at(end, before->mean), end.mu * at(end, before->up), end.level * at(end, before->sunward)};
+>>>>>>> air
     };
     double transmission = 1.0, even = 0.0, turned = 0.0;
+    double asymmetry = 2.0;  // of what `forward` is for: layers of one follow each other
     Source near = ray.ends.empty() ? Source{} : light(ray.ends.front());
     for (std::size_t p = 0; p < ray.pieces.size(); ++p) {
       const Piece& piece = ray.pieces[p];
-      const Source far = light(ray.ends[p + 1]);
-      const double mean = transmission * (piece.step.near * near.mean + piece.step.far * far.mean);
       // The light at a boundary is that of the layer entered: layers' ends are shared.
+      const Source far = light(ray.ends[p + 1]);
+      const double near_weight = transmission * piece.step.near, far_weight = transmission * piece.step.far;
       if (before == nullptr) {
-        for (int a = 0; a < azimuths; ++a) {
-          const double turn = turns[static_cast<std::size_t>(a)];
-          const double scattered = piece.scattered(along_vertical + across * turn) * mean / azimuths;
+        if (piece.asymmetry != asymmetry) {
+          asymmetry = piece.asymmetry;
+          for (std::size_t a = 0; a < turns.size(); ++a)
+            forward[a] = piece.by_aerosol(along_vertical + across * turns[a]);
+        }
+        const double mean = (near_weight * near.mean + far_weight * far.mean) / azimuths;
+        for (std::size_t a = 0; a < turns.size(); ++a) {
+          const double scattered = piece.scattered(along_vertical + across * turns[a], forward[a]) * mean;
+          even += scattered;
+          turned += turns[a] * scattered;
+        }
+      } else if (piece.is_whole(near.mean, near.along, near.across) &&
+                 piece.is_whole(far.mean, far.along, far.across)) {
+        even +=
+            near_weight * piece.again(near.mean, near.along) + far_weight * piece.again(far.mean, far.along);
+        turned += 0.5 * piece.kept() * (near_weight * near.across + far_weight * far.across);
+      } else {
+        // Azimuths one by one, as where the Sun turns: what a pattern of two terms lacks is not the same of their mean.
+        for (const double turn : turns) {
+          const double scattered = (near_weight * piece.again(near.mean, near.along + turn * near.across) +
+                                    far_weight * piece.again(far.mean, far.along + turn * far.across)) /
+                                   azimuths;
           even += scattered;
           turned += turn * scattered;
         }
-      } else {
-        even += transmission * (piece.step.near * piece.again(near.mean, near.along) +
-                                piece.step.far * piece.again(far.mean, far.along));
-        turned += transmission * 3.0 * piece.asymmetry * piece.rest *
-                  (piece.step.near * near.turned + piece.step.far * far.turned);
       }
       transmission *= piece.step.transmission;
       near = far;
@@ -158,8 +183,7 @@ void ShellOrders::add_still(const Ray& ray, double mu, int azimuths, const Light
 void ShellOrders::add_turning(const Ray& ray, double mu, int azimuths, const Light* before,
                               Arriving& arriving) const {
   const std::size_t angles = angle_rad_.size(), ends = ray.ends.size();
-  const double step = angles > 1 ? angle_rad_[1] - angle_rad_[0] : 1.0;
-  const double sine = std::sqrt(1.0 - mu * mu), most = static_cast<double>(angles - 1) - 1e-9;
+  const double sine = std::sqrt(1.0 - mu * mu);
   const double beam_most = static_cast<double>(beam_angles_ - 1) - 1e-9;
   struct Source {
     double mean = 0.0, along = 0.0;
@@ -168,7 +192,8 @@ void ShellOrders::add_turning(const Ray& ray, double mu, int azimuths, const Lig
     arriving.even[k] = arriving.turned[k] = 0.0;
     for (int a = 0; a < azimuths; ++a) {
       const std::size_t first = (k * static_cast<std::size_t>(azimuths) + static_cast<std::size_t>(a)) * ends;
-      const float *sun = ray.sun_rad.data() + first, *sunward = ray.sunward.data() + first;
+      const float *sun = ray.sun_rad.data() + first, *places = ray.place.data() + first,
+                  *sunward = ray.sunward.data() + first;
       const auto light = [&](std::size_t e) -> Source {
         const End& end = ray.ends[e];
         if (before == nullptr) {
@@ -180,7 +205,7 @@ void ShellOrders::add_turning(const Ray& ray, double mu, int azimuths, const Lig
                       end.below * ((1.0 - share) * below[0] + share * below[1]),
                   0.0};
         }
-        const double place = std::clamp((sun[e] - angle_rad_[0]) / step, 0.0, most);
+        const double place = places[e];
         const std::size_t at = static_cast<std::size_t>(place), low = end.low * angles + at;
         const double share = place - static_cast<double>(at);
         // Logarithms between the Sun's angles, light itself between altitudes, as along rays that do not turn: what steps in

@@ -23,7 +23,7 @@ class ShellOrders {
     int azimuths = 3;         ///< on one side of the Sun's plane
     double longest_km = 1e9;  ///< pieces of rays
   };
-  /// Zenith angles of the Sun rise evenly. Fluxes are told for angle `own`.
+  /// Zenith angles of the Sun rise. Fluxes are told for angle `own`.
   ShellOrders(const ScatteringColumn& column, const Geometry& geometry,
               std::span<const double> sun_zenith_rad, std::size_t own, const Fineness& fineness);
 

@@ -15,6 +15,8 @@ constexpr double kBeyond_rad = 9.0 * math::kDegree, kBeamStep_rad = 0.25 * math:
 
 /// Aerosol that scatters more than this lies between no two altitudes at which light is kept, but in one layer.
 constexpr double kThickestStep = 0.5;
+/// Nor does the upper edge of haze on the ground lie between two, where light changes fast: it scatters so much more below than above.
+constexpr double kThinnestHaze = 0.02, kEdge = 0.25;
 /// Distance between altitudes at which the light is kept.
 double spacing_of_altitudes_km(double height_km) {
   return height_km < 6.0    ? 1.4
@@ -37,7 +39,11 @@ void ShellOrders::add_suns(double mu, int azimuths, Ray& ray) const {
         const double here =
             std::clamp((end.radius_start * sun + end.length * along) * end.inverse_radius, -1.0, 1.0);
         const double level = std::sqrt(std::max(1e-12, 1.0 - here * here));
-        ray.sun_rad.push_back(static_cast<float>(std::acos(here)));
+        const double sun_rad = std::acos(here);
+        const auto after = std::upper_bound(angle_rad_.begin() + 1, angle_rad_.end() - 1, sun_rad);
+        const double share = std::clamp((sun_rad - after[-1]) / (after[0] - after[-1]), 0.0, 0.99999);
+        ray.sun_rad.push_back(static_cast<float>(sun_rad));
+        ray.place.push_back(static_cast<float>(static_cast<double>(after - angle_rad_.begin() - 1) + share));
         ray.sunward.push_back(static_cast<float>((along - here * end.mu) / level));
       }
     }
@@ -46,11 +52,20 @@ void ShellOrders::add_suns(double mu, int azimuths, Ray& ray) const {
 void ShellOrders::choose_altitudes() {
   const std::vector<double>& boundary = column_.layer_altitude_km;
   altitude_km_ = {boundary.back()};
+  const auto aerosol = [&](std::size_t layer) {
+    const ScatteringColumn::Mixture& mixture = column_.mixtures[layer];
+    return column_.layer_depth[layer] * mixture.aerosol * (1.0 - mixture.peak);
+  };
+  const auto density = [&](std::size_t layer) {
+    return aerosol(layer) / (boundary[layer] - boundary[layer + 1]);
+  };
   double scattered = 0.0;  // since the last altitude
+  bool on_ground = true;
   for (std::size_t b = boundary.size() - 1; b-- > 0;) {
-    const ScatteringColumn::Mixture& mixture = column_.mixtures[b];
-    scattered += column_.layer_depth[b] * mixture.aerosol * (1.0 - mixture.peak);
-    if (b == 0 || scattered > kThickestStep ||
+    scattered += aerosol(b);
+    const bool edge = b > 0 && on_ground && scattered > kThinnestHaze && density(b - 1) < kEdge * density(b);
+    on_ground = on_ground && !edge && b > 0 && kEdge * density(b - 1) <= density(b);
+    if (b == 0 || scattered > kThickestStep || edge ||
         boundary[b] >= altitude_km_.back() + spacing_of_altitudes_km(altitude_km_.back() - boundary.back())) {
       altitude_km_.push_back(boundary[b]);
       scattered = 0.0;
@@ -61,8 +76,6 @@ void ShellOrders::choose_altitudes() {
 void ShellOrders::tabulate_beams() {
   const std::vector<double>&boundary = column_.layer_altitude_km, &depth = column_.layer_depth;
   beam_angles_ = angle_rad_.size();
-  beam_first_rad_ = angle_rad_.front();
-  beam_step_rad_ = beam_angles_ > 1 ? angle_rad_[1] - angle_rad_[0] : 0.0;
   if (geometry_.sun_turns) {
     beam_first_rad_ = std::max(0.0, angle_rad_.front() - kBeyond_rad);
     beam_step_rad_ = kBeamStep_rad;
@@ -73,8 +86,10 @@ void ShellOrders::tabulate_beams() {
   std::vector<double> chord(boundary.size());
   for (std::size_t b = 0; b < boundary.size(); ++b)
     for (std::size_t k = 0; k < beam_angles_; ++k) {
-      const double angle = beam_first_rad_ + static_cast<double>(k) * beam_step_rad_, mu = std::cos(angle),
-                   radius = kEarthRadius_km + boundary[b], nearest = radius * std::sin(angle);
+      const double angle = geometry_.sun_turns ? beam_first_rad_ + static_cast<double>(k) * beam_step_rad_
+                                               : angle_rad_[k],
+                   mu = std::cos(angle), radius = kEarthRadius_km + boundary[b],
+                   nearest = radius * std::sin(angle);
       double sum = 0.0;
       if (mu < 0.0 && nearest < ground) {
         beam_.push_back(0.0);
@@ -100,7 +115,11 @@ ShellOrders::End ShellOrders::end(double altitude_km, std::size_t layer, double 
                            ? 1.0 / std::sqrt(start * start + length * (length + 2.0 * start * mu))
                            : 1.0 / start;
   end.mu = geometry_.spherical ? (start * mu + length) * end.inverse_radius : mu;
+<<<<<<< HEAD
   end.half_sine = 0.5 * std::sqrt(std::max(0.0, 1.0 - end.mu * end.mu));
+=======
+  end.level = std::sqrt(std::max(0.0, 1.0 - end.mu * end.mu));
+>>>>>>> air
   end.layer = layer;
   end.below = std::clamp((boundary[layer] - altitude_km) / (boundary[layer] - boundary[layer + 1]), 0.0, 1.0);
   const auto above = std::upper_bound(altitude_km_.begin() + 1, altitude_km_.end() - 1, altitude_km);

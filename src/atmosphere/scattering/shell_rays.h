@@ -14,10 +14,16 @@ namespace ifov::atmosphere {
 struct ShellOrders::End {
   double length = 0.0, radius_start = 0.0, inverse_radius = 0.0;
   std::size_t layer = 0, low = 0;
+<<<<<<< HEAD
   double mu = 0.0;          ///< of the ray with the vertical there
   double half_sine = 0.0;   ///< half the sine of that angle
   double below = 0.0;       ///< share of boundary `layer` + 1
   double high_share = 0.0;  ///< share of altitude `low` + 1
+=======
+  double mu = 0.0, level = 1.0;  ///< cosine and sine of the ray with the vertical there
+  double below = 0.0;            ///< share of boundary `layer` + 1
+  double high_share = 0.0;       ///< share of altitude `low` + 1
+>>>>>>> air
 };
 struct ShellOrders::Piece {
   double molecules, rest;  ///< albedos
@@ -25,26 +31,34 @@ struct ShellOrders::Piece {
   LinearSource step;
   /// Sunlight scattered, by the cosine of the scattering angle: by molecules, and by aerosol as Henyey and Greenstein have it. Few
   /// of Legendre's polynomials would do, but for falling below 0, where the Sun is high and all light that goes up is scattered back.
-  double scattered(double cosine) const {
+  double scattered(double cosine) const { return scattered(cosine, by_aerosol(cosine)); }
+  double scattered(double cosine, double aerosol) const {
+    return (molecules * 0.75 * (1.0 + cosine * cosine) + rest * aerosol) * 0.25 / std::numbers::pi;
+  }
+  double by_aerosol(double cosine) const {
     const double root = 1.0 + asymmetry * (asymmetry - 2.0 * cosine);
-    return (molecules * 0.75 * (1.0 + cosine * cosine) +
-            rest * (1.0 - asymmetry * asymmetry) / (root * std::sqrt(root))) *
-           0.25 / std::numbers::pi;
+    return (1.0 - asymmetry * asymmetry) / (root * std::sqrt(root));
   }
   /// Scattered light that is scattered again: its mean, and the mean of it times the cosine with the direction it goes on to. Two terms
   /// tell of a beam more than there is.
   double again(double mean, double along) const {
-    constexpr double kLeast = 0.1;
-    return std::max(kLeast * (molecules + rest) * mean,
-                    (molecules + rest) * mean + 3.0 * asymmetry * rest * along);
+    return std::max(kLeast * (molecules + rest) * mean, (molecules + rest) * mean + kept() * along);
   }
+  /// Of light's mean cosine with a direction.
+  double kept() const { return 3.0 * asymmetry * rest; }
+  /// Whether nothing is cut off, whatever the azimuth.
+  bool is_whole(double mean, double along, double across) const {
+    return (1.0 - kLeast) * (molecules + rest) * mean + kept() * along >= std::abs(kept() * across);
+  }
+  static constexpr double kLeast = 0.1;
 };
 /// Pieces from the observer on, and their ends.
 struct ShellOrders::Ray {
   std::vector<Piece> pieces;
   std::vector<End> ends;
-  /// [angle][azimuth][end]: zenith angle of the Sun, and cosine of the ray with the horizontal towards it.
-  std::vector<float> sun_rad, sunward;
+  /// [angle][azimuth][end]: zenith angle of the Sun, its place among the angles (number and share of the way to the next), and
+  /// cosine of the ray with the horizontal towards it.
+  std::vector<float> sun_rad, place, sunward;
 };
 
 }  // namespace ifov::atmosphere

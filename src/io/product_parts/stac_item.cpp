@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <string_view>
 
 #include "core/error.h"
+#include "core/format.h"
 #include "geodesy/utc_time.h"
 #include "io/json/json_writer.h"
 #include "io/product_parts/map_info.h"
@@ -246,6 +248,13 @@ void write_projection(JsonWriter& json, const render::ImageInfo& image) {
               std::array{g[1] + 0.0, g[2] + 0.0, g[0] + 0.0, g[4] + 0.0, g[5] + 0.0, g[3] + 0.0});
 }
 
+/// Without the last digits, which differences of what a document gives leave: 0.45 of 0.5 um is 0.05 um wide.
+double as_given(double value) {
+  const std::string text = format("{:.12g}", value);
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
 void write_asset(JsonWriter& json, const StacAsset& asset, const std::string& file, const ProductFile* known,
                  const render::ImageInfo& image) {
   json.object(asset.key, [&] {
@@ -262,8 +271,8 @@ void write_asset(JsonWriter& json, const StacAsset& asset, const std::string& fi
         for (const render::ChannelInfo& channel : image.channels)
           json.object([&] {
             json.member("name", channel.name);
-            json.member("center_wavelength", channel.centre_um);
-            json.member("full_width_half_max", channel.fwhm_um);
+            json.member("center_wavelength", as_given(channel.centre_um));
+            json.member("full_width_half_max", as_given(channel.fwhm_um));
           });
       });
   });

@@ -100,6 +100,12 @@ std::size_t sky_channel(const std::vector<radiometry::Channel>& channels, const 
   return best;
 }
 
+bool has_smile(const io::SensorDocument& sensor) {
+  return sensor.smile || std::ranges::any_of(sensor.channels, [](const io::ChannelDocument& channel) {
+           return channel.smile != nullptr;
+         });
+}
+
 }  // namespace
 
 io::AtmosphereReport survey_atmosphere(const io::Document& original, const AtmosphereQuestion& question) {
@@ -142,6 +148,10 @@ io::AtmosphereReport survey_atmosphere(const io::Document& original, const Atmos
       warn_of_column(*document.atmosphere.modelled, column, *question.log);
       const std::string narrow = narrow_channels(stage.channels, column.gas_terms());
       if (!narrow.empty()) question.log->warn(narrow);
+      if (has_smile(document.sensor))
+        question.log->warn(
+            "the sensor has a smile: what is told is of its channels' own responses, not of single columns' (`ifov "
+            "sensor` tells how far these are from them)");
     }
     std::optional<std::size_t> shown;
     if (question.sky)

@@ -20,6 +20,7 @@
 #include "session/assembly/whole/detector_assembly.h"
 #include "session/assembly/whole/noise_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
+#include "session/surveys/sensor_columns.h"
 
 namespace ifov::session {
 namespace {
@@ -130,6 +131,7 @@ SensorDescription survey_sensor(const io::DocumentSources& sources, const io::Se
               radiometry::channel_brightness_temperature_k(channels[c], detectors[c].reference_w_m2_sr_um),
               one);
   }
+  tell_columns(sources, sensor, channels, told);
   return told;
 }
 
