@@ -8,10 +8,13 @@ struct SurfacePoint;
 
 namespace ifov::scene {
 
-/// A temperature that is estimated by chance, and the standard deviation of that.
+/// A temperature that is estimated by chance, and the standard deviation of that. Where it is asked for by chance alone, light is
+/// that of another temperature and `times` what the estimate's is more than that: without bias, however light goes by kelvins.
 struct EstimatedTemperature {
   double kelvin = 0.0;
   double deviation_k = 0.0;
+  double else_k = 0.0;
+  double times = 1.0;  ///< 1: the estimate alone
 };
 
 /// What a surface's temperature is at a point, where it follows from what the Sun, the sky and the air did there. Called for
