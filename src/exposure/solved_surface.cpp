@@ -49,13 +49,11 @@ std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 }  // namespace
 
 SolvedSurface::SolvedSurface(std::shared_ptr<const thermal::SurfaceClasses> classes, PastScene scene,
-                             double sun_radius_rad, std::shared_ptr<const Neighbours> neighbours,
-                             int most_sun_pairs)
+                             double sun_radius_rad, std::shared_ptr<const Neighbours> neighbours)
     : classes_(std::move(classes)),
       scene_(std::move(scene)),
       neighbours_(std::move(neighbours)),
-      sun_radius_rad_(sun_radius_rad),
-      most_sun_pairs_(most_sun_pairs) {
+      sun_radius_rad_(sun_radius_rad) {
   if (!scene_.changes()) return;
   // The last row stands for all that follows it.
   for (std::size_t row = 0; row < classes_->rows(); ++row)
@@ -133,11 +131,10 @@ scene::EstimatedTemperature SolvedSurface::estimate(const geometry::SurfacePoint
   if (!(rise_k > 0.0)) return with_beside(shaded_k + past.in_shade_k, 0.0);
   directions.clear();
   scratch.times_s.clear();
-  const int sun_pairs = std::min(rays.sun_pairs, most_sun_pairs_);
-  const auto sun_rays = static_cast<std::size_t>(2 * sun_pairs);
+  const auto sun_rays = static_cast<std::size_t>(2 * rays.sun_pairs);
   for (std::size_t k = 0; k < sun_rays; ++k) {
     const std::uint64_t own = sampling::hash(key, Draw::sun, k);
-    const double place = rise_k * (static_cast<double>(k / 2) + sampling::unit_double(own)) / sun_pairs;
+    const double place = rise_k * (static_cast<double>(k / 2) + sampling::unit_double(own)) / rays.sun_pairs;
     const auto row = std::upper_bound(sums_k.begin(), sums_k.end() - 1, place) - sums_k.begin();
     scratch.rows[k] = static_cast<std::size_t>(row);
     const PastRay ray = toward_sun(first_row + static_cast<std::size_t>(row), own);

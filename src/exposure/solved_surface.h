@@ -27,8 +27,7 @@ class SolvedSurface final : public scene::SolvedTemperature {
   /// Keeps the references to the scene. `sun_radius_rad`: of the Sun's disc. Where things come and go, the classes have a
   /// `past_sky`.
   SolvedSurface(std::shared_ptr<const thermal::SurfaceClasses> classes, PastScene scene,
-                double sun_radius_rad, std::shared_ptr<const Neighbours> neighbours = nullptr,
-                int most_sun_pairs = kSunPairs);
+                double sun_radius_rad, std::shared_ptr<const Neighbours> neighbours = nullptr);
 
   using scene::SolvedTemperature::at;
   scene::EstimatedTemperature at(const geometry::SurfacePoint& point, std::uint64_t draw,
@@ -67,10 +66,6 @@ class SolvedSurface final : public scene::SolvedTemperature {
   bool sees_surfaces(const geometry::SurfacePoint& point, std::uint64_t key) const;
   /// The same where what hides the sky is taken to be as the ground.
   SolvedSurface without_neighbours() const { return {classes_, scene_, sun_radius_rad_}; }
-  /// The same by no more pairs of rays to the Sun.
-  SolvedSurface with_sun_pairs(int most) const {
-    return {classes_, scene_, sun_radius_rad_, neighbours_, most};
-  }
   /// Null: what hides the sky is taken to be as the ground.
   const std::shared_ptr<const Neighbours>& neighbours() const { return neighbours_; }
   const thermal::SurfaceClasses& classes() const { return *classes_; }
@@ -122,7 +117,6 @@ class SolvedSurface final : public scene::SolvedTemperature {
   PastScene scene_;
   std::shared_ptr<const Neighbours> neighbours_;
   double sun_radius_rad_;
-  int most_sun_pairs_;
   std::vector<std::size_t> changed_rows_;  ///< of the series, about which something is not as it is now
 };
 

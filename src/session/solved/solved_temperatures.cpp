@@ -20,7 +20,6 @@
 #include "session/assembly/whole/camera_grid.h"
 #include "session/solved/document_outdoors.h"
 #include "session/solved/second_pass.h"
-#include "session/solved/sun_pairs.h"
 #include "thermal/wind_profile.h"
 
 namespace ifov::session {
@@ -337,23 +336,6 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
   }
 }
 
-/// Gives surfaces no more rays to the Sun than the image is worth.
-void choose_sun_pairs(scene::Scene& scene, const sensor::Camera& camera, ByMaterial& by_material,
-                      const Firsts& firsts, int threads) {
-  const auto seen = points_of_pixels(scene, camera, firsts);
-  std::vector<std::pair<std::uint32_t, int>> chosen;
-  for (const auto& [first, pairs] : seen) chosen.emplace_back(first, 0);
-  parallel_for(static_cast<std::int64_t>(chosen.size()), threads, [&](std::int64_t k) {
-    auto& [first, pairs] = chosen[static_cast<std::size_t>(k)];
-    pairs = sun_pairs_worth(*by_material.at(first).surface, seen.at(first));
-  });
-  const std::map<std::uint32_t, int> by_first(chosen.begin(), chosen.end());
-  for (auto& [material, solved] : by_material)
-    if (const auto found = by_first.find(firsts.at(material)); found != by_first.end())
-      scene.solved[material] = solved.surface =
-          std::make_shared<const exposure::SolvedSurface>(solved.surface->with_sun_pairs(found->second));
-}
-
 }  // namespace
 
 std::optional<SourcePosition> solved_temperature_at(const io::Document& document) {
@@ -424,8 +406,6 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
   for (auto& [material, solved] : by_material)
     scene.solved[material] = solved.surface =
         std::make_shared<const exposure::SolvedSurface>(solved.classes, past, kSunRadius_rad, neighbours);
-
-  choose_sun_pairs(scene, camera, by_material, firsts, threads);
 
   TemperatureErrors errors;
   errors.mirrors = may_show_unseen(scene);
