@@ -18,6 +18,7 @@ struct PointRays {
   double apart_w_m2 = 1e30;    ///< by which what is met is taken to differ from the ground
   double chance_behind = 1.0;  ///< as Neighbours::Behind
   int depth = 1;
+  bool in_full = true;  ///< not for a small share of the light
 
   /// Of a share of the light that is asked for.
   PointRays(const thermal::SurfaceClasses::AtStake& at_stake, double share);
@@ -33,14 +34,14 @@ struct PointRays {
   static constexpr double kLeastAsked = 0.25;
 };
 
-/// A temperature for a small share of the light, which is asked for by chance alone, and else taken for some other one: that one is moved by the
-/// inverse of the chance, by no more than radiance bears.
+/// A temperature for a small share of the light, which is asked for by chance alone, and else taken for some other one: what light it is
+/// more than that one's counts by the inverse of the chance.
 class AskedByChance {
  public:
   AskedByChance(const thermal::SurfaceClasses& classes, double share);
   double chance() const { return chance_; }
-  scene::EstimatedTemperature else_taken() const { return {else_k_, 0.0}; }
-  scene::EstimatedTemperature moved(const scene::EstimatedTemperature& asked) const;
+  scene::EstimatedTemperature else_taken() const { return {else_k_}; }
+  scene::EstimatedTemperature counted(const scene::EstimatedTemperature& asked) const;
 
  private:
   double else_k_, chance_;

@@ -78,7 +78,7 @@ scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& poin
   const AskedByChance asked(*classes_, share);
   if (asked.chance() < 1.0 && sampling::unit_double(sampling::hash(key, Draw::asked)) >= asked.chance())
     return asked.else_taken();
-  return asked.moved(estimate(point, key, share));
+  return asked.counted(estimate(point, key, share));
 }
 
 scene::EstimatedTemperature SolvedSurface::estimate(const geometry::SurfacePoint& point, std::uint64_t key,
@@ -125,7 +125,7 @@ scene::EstimatedTemperature SolvedSurface::estimate(const geometry::SurfacePoint
         apart_k += of_sky_k * (sky_free[k] - sky_free[k + 1]) / static_cast<double>(sky_rays);
       variance_k2 += apart_k * apart_k;
     }
-    return scene::EstimatedTemperature{kelvin + beside.warms_k(*classes_, at, kelvin, sun_share),
+    return scene::EstimatedTemperature{kelvin + beside.warms_k(*classes_, at, sun_share),
                                        std::sqrt(std::max(0.0, variance_k2))};
   };
   if (!(rise_k > 0.0)) return with_beside(shaded_k + past.in_shade_k, 0.0);
@@ -170,12 +170,11 @@ void SolvedSurface::look(const ExposedPoint& exposed, std::span<const math::Vec3
 }
 
 double SolvedSurface::Beside::warms_k(const thermal::SurfaceClasses& classes,
-                                      const thermal::SurfaceClasses::Corners& at, double from_k,
-                                      double sun_share) const {
+                                      const thermal::SurfaceClasses::Corners& at, double sun_share) const {
   std::array<double, 2> sum_k{};
   for (std::size_t k = 0; k < in_shade_k.size(); ++k) sum_k[k % 2] += kelvin(k, sun_share);
   // The first and the second rays of all pairs are two estimates of half of it.
-  return sum_k[0] + sum_k[1] - 4.0 * classes.bend_of_gain(at, from_k) * sum_k[0] * sum_k[1];
+  return sum_k[0] + sum_k[1] - 4.0 * classes.bend_of_gain(at) * sum_k[0] * sum_k[1];
 }
 
 SolvedSurface::Beside SolvedSurface::beside(const ExposedPoint& exposed, const thermal::Pose& pose,
@@ -227,7 +226,7 @@ double SolvedSurface::beside_k(const geometry::SurfacePoint& point, const Exposu
   const ExposedPoint exposed(scene_, point);
   const thermal::Pose pose(exposed.normal(), exposure.height_m);
   const thermal::SurfaceClasses::Corners at = classes_->corners(pose);
-  const double sun = sun_share(point, exposure), kelvin = temperature_k(point, exposure);
+  const double sun = sun_share(point, exposure);
   const PointRays all(Neighbours::kDepth + further);
   std::vector<geometry::SurfacePoint> met;
   std::vector<math::Vec3> directions;
@@ -237,7 +236,7 @@ double SolvedSurface::beside_k(const geometry::SurfacePoint& point, const Exposu
     const std::uint64_t own = sampling::hash(key, draw);
     exposed.sky_directions(sampling::hash(own, Draw::sky), kSkyPairs, directions);
     look(exposed, directions, met, is_free);
-    sum_k += beside(exposed, pose, at, own, directions, met, all).warms_k(*classes_, at, kelvin, sun);
+    sum_k += beside(exposed, pose, at, own, directions, met, all).warms_k(*classes_, at, sun);
   }
   return sum_k / draws;
 }

@@ -104,9 +104,9 @@ class SolvedSurface final : public scene::SolvedTemperature {
     double kelvin(std::size_t ray, double sun_share) const {
       return in_shade_k[ray] + sun_share * of_sun_k[ray];
     }
-    /// Of all, to second order, by what a point is warmer for it than `from_k`.
+    /// Of all, to second order, by what a point is warmer for it.
     double warms_k(const thermal::SurfaceClasses& classes, const thermal::SurfaceClasses::Corners& at,
-                   double from_k, double sun_share) const;
+                   double sun_share) const;
   };
   Beside beside(const ExposedPoint& exposed, const thermal::Pose& pose,
                 const thermal::SurfaceClasses::Corners& at, std::uint64_t key,

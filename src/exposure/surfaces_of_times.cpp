@@ -256,7 +256,7 @@ void SurfacesOfTimes::at(std::size_t number, const geometry::SurfacePoint& point
   if (any) estimate(number, point, key, share, by_time);
   for (std::size_t t = 0; t < by_time.size(); ++t) {
     const AskedByChance asked(classes.of_time(t), share);
-    by_time[t] = by_chance < asked.chance() ? asked.moved(by_time[t]) : asked.else_taken();
+    by_time[t] = by_chance < asked.chance() ? asked.counted(by_time[t]) : asked.else_taken();
   }
 }
 
@@ -268,7 +268,9 @@ void SurfacesOfTimes::estimate(std::size_t number, const geometry::SurfacePoint&
   const std::size_t lanes = classes.lanes(), bins = classes.bins();
   const ExposedPoint exposed(scene_, point);
   const thermal::Pose pose = exposed.pose();
-  const PointRays rays(at_stake(classes, pose), share);
+  const thermal::SurfaceClasses::AtStake stake = at_stake(classes, pose);
+  PointRays rays(stake, share);
+  if (rays.in_full && stake.of_sky_k > PointRays::kLittle_k) rays.sky_pairs = PointRays::kSkyPairs;
   exposed.sky_directions(sampling::hash(key, Asked::sky), rays.sky_pairs, pairs.directions);
   double sky = 1.0, sky_variance = 0.0;
   met.clear();
@@ -336,9 +338,7 @@ void SurfacesOfTimes::estimate(std::size_t number, const geometry::SurfacePoint&
     }
     double more_k = sum_k[0] + sum_k[1];
     if (more_k != 0.0)
-      more_k -= 4.0 * sum_k[0] * sum_k[1] *
-                classes.of_time(t).bend_of_gain(classes.of_time(t).corners(pose),
-                                                static_cast<double>(pairs.kelvin[t]));
+      more_k -= 4.0 * sum_k[0] * sum_k[1] * classes.of_time(t).bend_of_gain(classes.of_time(t).corners(pose));
     pairs.kelvin[t] += static_cast<float>(more_k);
     pairs.variance[t] += static_cast<float>(variance_k2);
   }

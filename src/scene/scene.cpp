@@ -122,6 +122,8 @@ void Scene::solve(const geometry::SurfacePoint& point, std::uint64_t draw, doubl
     known = by;
     part.mapped_temperature_k = estimate.kelvin;
     part.deviation_k = estimate.deviation_k;
+    part.else_k = static_cast<float>(estimate.else_k);
+    part.times = static_cast<float>(estimate.times);
   }
 }
 
@@ -150,6 +152,7 @@ ResolvedSurface Scene::resolve_own(const geometry::SurfacePoint& point) const {
   only.weight = 1.0;
   only.mapped_temperature_k = 0.0;
   only.deviation_k = 0.0;
+  only.times = 1.0f;
   if (const materials::TemperatureMap* map = assignment.temperature_map(index, behind))
     only.mapped_temperature_k = map->at_k(position);
   for (const auto& pattern : assignment.patterns) pattern->apply(point, surface);

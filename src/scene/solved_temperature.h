@@ -8,10 +8,10 @@ struct SurfacePoint;
 
 namespace ifov::scene {
 
-/// A temperature that is estimated by chance, and the standard deviation of that.
+/// A temperature that is estimated by chance, and its standard deviation. Light is that of `else_k` and `times` what is more than that.
 struct EstimatedTemperature {
-  double kelvin = 0.0;
-  double deviation_k = 0.0;
+  double kelvin = 0.0, deviation_k = 0.0;
+  double else_k = 0.0, times = 1.0;  ///< 1: the estimate's alone
 };
 
 /// What a surface's temperature is at a point, where it follows from what the Sun, the sky and the air did there. Called for

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "core/parallel.h"
 #include "thermal/solid.h"
@@ -101,6 +102,7 @@ void SurfaceClasses::solve(Node& node, double height_m, double tilt_rad, double 
     return row.absorbed_w_m2 * std::max(0.0, math::dot(normal, row.sun));
   };
   std::array<bool, 2> is_warmed{};
+  Worths worths;
   node.first = rows_.size();
   for (std::size_t sky = 0; sky < 2; ++sky) {
     stand.free_sky = static_cast<double>(sky);
@@ -116,6 +118,10 @@ void SurfaceClasses::solve(Node& node, double height_m, double tilt_rad, double 
       node.past_difference[row] += static_cast<float>(0.5 * difference(row));
     }
     if (bins() > 0) keep_past(node, sky, shaded, sunlit, at_shade, at_sun);
+    worths.kelvin[2 * sky] = node.shaded_k[sky];
+    worths.kelvin[2 * sky + 1] = node.shaded_k[sky] + node.rise_k[sky];
+    worths.worth_k[2 * sky] = std::accumulate(at_shade.begin(), at_shade.end(), 0.0);
+    worths.worth_k[2 * sky + 1] = std::accumulate(at_sun.begin(), at_sun.end(), 0.0);
     double sum_k = 0.0, of_difference_k = 0.0;
     for (const Row& row : rows_) {
       node.kernel[sky].push_back(static_cast<float>(std::max(0.0, mean(row.index))));
@@ -141,6 +147,7 @@ void SurfaceClasses::solve(Node& node, double height_m, double tilt_rad, double 
     }
     is_warmed[sky] = true;
   }
+  node.bend = bend_of(worths);
   for (std::size_t sky = 0; sky < 2; ++sky) {
     if (!is_warmed[sky]) continue;
     double shifted_k = 0.0;

@@ -163,9 +163,9 @@ class SurfaceClasses {
   Then then(const Corners& at, double free_sky, std::size_t bin) const;
   /// The same throughout the past, a mean of sunlit and shaded.
   double worth_of_all_k(const Corners& at) const;
-  /// Of what a gain throughout the past adds to a surface that had `kelvin` without it, its square is lost: a warmer surface emits more than in
-  /// proportion, 6 e sigma T^2 of the square, and what that is worth. Per kelvin.
-  double bend_of_gain(const Corners& at, double kelvin) const;
+  /// Of what a gain throughout the past adds to a surface its square is lost, times this: a warmer surface emits, gives to still air and evaporates
+  /// more than in proportion, so that the next watt is worth less. Per kelvin.
+  double bend_of_gain(const Corners& at) const;
   double ground_reflectance() const { return surface_.stand.ground_reflectance; }
   FromBeside from_ground(std::size_t row) const { return of_level_ground(outdoors(row), surface_.stand); }
   const Skin& skin() const { return surface_.skin; }
@@ -192,11 +192,18 @@ class SurfaceClasses {
     std::array<std::vector<float>, 2> kernel, difference;  ///< by sunlit row: K, not below 0; K_1 - K_0
     /// By row of the series, of both skies: mean of K_0 and K_1, and K_1 - K_0; empty without `past_sky`.
     std::vector<float> past_kernel, past_difference;
-    /// By bin of the past; by sky where there are two. Sums of the kernels over the bin, K_0 and K_1 - K_0, and shares of sums of them up to
+    /// By bin of the past. Sums of the kernels over the bin, K_0 and K_1 - K_0, and shares of sums of them up to
     /// it: by what they are worth under the light of the time, and alone.
-    std::array<std::vector<float>, 2> shaded_then_k, rise_then_k;
+    std::vector<std::array<float, 4>>
+        then_k;  ///< shaded, and the rise in the Sun, each with the sky hidden and free
     std::vector<float> worth, worth_of_sun, drawn, lagged;
+    double bend = 0.0;  ///< of a gain throughout the past, per kelvin that it warms by
   };
+  /// Of the kernels of both histories under both skies, and the kelvins that each comes to.
+  struct Worths {
+    std::array<double, 4> kelvin{}, worth_k{};
+  };
+  double bend_of(const Worths& worths) const;
   void keep_past(Node& node, std::size_t sky, const SurfaceSolution& shaded, const SurfaceSolution& sunlit,
                  std::span<const double> at_shade, std::span<const double> at_sun) const;
   void make_bins();

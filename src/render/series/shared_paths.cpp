@@ -60,6 +60,8 @@ class SharedPaths::Handles final : public scene::TemperatureScope {
       scene::Constituent& part = paths.mixed[place.mixed].surface.constituents[place.constituent];
       part.mapped_temperature_k = one.kelvin;
       part.deviation_k = one.deviation_k;
+      part.else_k = static_cast<float>(one.else_k);
+      part.times = static_cast<float>(one.times);
     }
   }
 

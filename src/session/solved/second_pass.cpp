@@ -193,7 +193,7 @@ BesideOff beside_off(const Neighbourhood& about, const exposure::SolvedSurface& 
         linear_k += (change.in_shade_k + sun * change.of_sun_k) / kDrawsOfRay;
       }
     linear_k *= beside.view / static_cast<double>(beside.hits.size());
-    linear_k -= solved.classes->bend_of_gain(at, full_k) * linear_k * linear_k;
+    linear_k -= solved.classes->bend_of_gain(at) * linear_k * linear_k;
     const double there_k = full_solution(solved, about.series, about.stand, normal, exposure,
                                          sum_of(about, beside, exposure, 0.5 * (1.0 + normal.z), own, kDepth))
                                .history.nodes.back()

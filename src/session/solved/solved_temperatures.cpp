@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <tuple>
 
 #include "atmosphere/weather_series.h"
 #include "core/parallel.h"
@@ -47,6 +48,47 @@ ThermalMaterial thermal_of(const io::Document& document, const io::MaterialDocum
           "the temperature of '{}' is to be solved, and it has neither \"thermal\" nor a reflectance of the "
           "library, of which it is known what it stands on",
           source.name));
+}
+
+/// Whether two materials are one to heat: what differs is what they look like.
+bool is_same(const ThermalMaterial& one, const ThermalMaterial& other) {
+  const auto layer = [](const thermal::SolidLayer& of) {
+    return std::tie(of.thickness_m, of.conductivity_w_m_k, of.density_kg_m3, of.specific_heat_j_kg_k);
+  };
+  const auto skin = [](const thermal::Skin& of) {
+    return std::tie(of.solar_absorptance, of.emissivity, of.roughness, of.wetness.share,
+                    of.wetness.resistance_s_m, of.power_w_m2, of.convecting_faces, of.melts_k);
+  };
+  const auto back = [](const thermal::Back& of) {
+    if (const auto* held = std::get_if<thermal::HeldBack>(&of))
+      return std::tuple(of.index(), held->temperature_k, 0.0);
+    if (const auto* room = std::get_if<thermal::RoomAir>(&of))
+      return std::tuple(of.index(), room->temperature_k, room->conductance_w_m2_k);
+    if (const auto* deep = std::get_if<thermal::DeepGround>(&of))
+      return std::tuple(of.index(), deep->temperature_k, 0.0);
+    return std::tuple(of.index(), 0.0, 0.0);
+  };
+  const auto &first = one.solid.layers, &second = other.solid.layers;
+  return one.start == other.start && skin(one.skin) == skin(other.skin) &&
+         back(one.solid.back) == back(other.solid.back) && first.size() == second.size() &&
+         std::equal(first.begin(), first.end(), second.begin(),
+                    [&](const auto& a, const auto& b) { return layer(a) == layer(b); });
+}
+
+/// By material the first that is the same to heat, whose classes it has.
+using Firsts = std::map<std::uint32_t, std::uint32_t>;
+
+Firsts firsts_of(const ByMaterial& by_material) {
+  Firsts firsts;
+  for (const auto& [material, solved] : by_material) {
+    firsts[material] = material;
+    for (const auto& [earlier, first] : firsts)
+      if (earlier == first && is_same(by_material.at(earlier).thermal, solved.thermal)) {
+        firsts[material] = earlier;
+        break;
+      }
+  }
+  return firsts;
 }
 
 /// The Sun of the image is the one that warmed the scene, unless the document has put it elsewhere.
@@ -159,30 +201,33 @@ void add_beside(std::vector<Measured>& points, const SolvedMaterial& solved,
 
 using PointsOfMaterials = std::map<std::uint32_t, std::vector<const geometry::SurfacePoint*>>;
 
-PointsOfMaterials solved_points(const scene::Scene& scene, std::span<const geometry::SurfacePoint> points) {
+PointsOfMaterials solved_points(const scene::Scene& scene, std::span<const geometry::SurfacePoint> points,
+                                const Firsts& firsts) {
   PointsOfMaterials of_material;
   for (const geometry::SurfacePoint& point : points) {
     if (!point.hit()) continue;
     const scene::ResolvedSurface surface = scene.resolve_without_temperature(point);
     if (const std::uint32_t by = scene.states[surface.constituents[0].state].solved; by > 0)
-      of_material[by - 1].push_back(&point);
+      of_material[firsts.at(by - 1)].push_back(&point);
   }
   return of_material;
 }
 
-/// Points that the camera sees, evenly over the image, of each material about as many as it fills; made up where those are few.
+/// Points that the camera sees, evenly over the image, of each material about as many as it fills; made up where those are few. Materials that
+/// are the same to heat are one.
 std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor::Camera& camera,
-                                         const ByMaterial& by_material, const exposure::PastScene& past,
-                                         bool unseen) {
+                                         const ByMaterial& by_material, const Firsts& firsts,
+                                         const exposure::PastScene& past, bool unseen) {
   const std::vector<geometry::SurfacePoint> seen = hits_of_camera(*scene.world, camera, kAcross);
-  PointsOfMaterials of_material = solved_points(scene, seen);
+  PointsOfMaterials of_material = solved_points(scene, seen, firsts);
   std::vector<geometry::SurfacePoint> met;
   if (unseen) met = met_from(scene, past, seen);
-  PointsOfMaterials met_of_material = solved_points(scene, met);
+  PointsOfMaterials met_of_material = solved_points(scene, met, firsts);
   std::size_t all = 0;
   for (const auto& [material, found] : of_material) all += found.size();
   std::vector<Measured> points;
   for (const auto& [material, solved] : by_material) {
+    if (firsts.at(material) != material) continue;
     const auto& found = of_material[material];
     const std::size_t share = all > kMeasured ? kMeasured * found.size() / all : found.size();
     const std::size_t count = std::min(found.size(), std::max(share, kLeastMeasured));
@@ -202,7 +247,7 @@ std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor
 
 /// What classes make of the points against solutions in full, material by material; of the root mean squares the largest.
 void measure(TemperatureErrors& errors, const io::Document& document, const Neighbourhood& about,
-             std::vector<Measured> points, int threads) {
+             const Firsts& firsts, std::vector<Measured> points, int threads) {
   const exposure::PastScene& past = about.past;
   parallel_for(static_cast<std::int64_t>(points.size()), threads, [&](std::int64_t k) {
     const auto number = static_cast<std::size_t>(k);
@@ -231,6 +276,10 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
   });
   double worst_half_width_k = 0.0;
   for (const auto& [material, solved] : about.by_material) {
+    if (firsts.at(material) != material) {
+      errors.by_material[material] = errors.by_material.at(firsts.at(material));
+      continue;
+    }
     double sum_k = 0.0, squares_k2 = 0.0, count = 0.0;
     std::array<std::pair<double, int>, 2> beside{};     // squares, points: that the camera sees, that are met
     std::array<std::pair<double, double>, 2> chosen{};  // squares, points
@@ -332,9 +381,15 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
   const thermal::OutdoorsSeries& series = *kept;
   const thermal::Stand stand = open_stand(about);
   const exposure::PastScene past(*scene.world, scene.departed.get());
-  for (auto& [material, solved] : by_material) {
+  for (auto& [material, solved] : by_material)
     solved.thermal =
         thermal_of(document, document.scene.materials[material], scene, material, about.mean_air_k);
+  const Firsts firsts = firsts_of(by_material);
+  for (auto& [material, solved] : by_material) {
+    if (firsts.at(material) != material) {
+      solved.classes = by_material.at(firsts.at(material)).classes;
+      continue;
+    }
     if (shared != nullptr && shared->contains(material)) {
       solved.classes = shared->at(material);
       continue;
@@ -355,11 +410,12 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
   TemperatureErrors errors;
   errors.mirrors = may_show_unseen(scene);
   for (const auto& [material, solved] : by_material) {
+    if (firsts.at(material) != material) continue;
     const double step_k = errors.by_material[material].step_k = step_error_k(solved, series, stand);
     errors.step_k = std::max(errors.step_k, step_k);
   }
-  measure(errors, document, {scene, past, by_material, series, stand, kSunRadius_rad},
-          points_by_material(scene, camera, by_material, past, unseen || errors.mirrors), threads);
+  measure(errors, document, {scene, past, by_material, series, stand, kSunRadius_rad}, firsts,
+          points_by_material(scene, camera, by_material, firsts, past, unseen || errors.mirrors), threads);
   errors.weather = about.statement;
   for (const std::string& note : about.outdoors.notes) errors.weather += "; " + note;
   if (log != nullptr) warn_of_another_sun(scene, series.rows.back(), *log);

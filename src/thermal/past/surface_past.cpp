@@ -13,6 +13,8 @@ constexpr std::size_t kShareOfLag = 6;
 // Of drawing rows by night, and what their global irradiance adds, W m-2: about what surfaces send more or less than the ground.
 constexpr double kOfNight_w_m2 = 20.0, kOfLight = 0.15;
 
+constexpr double kApart_k = 4.0;
+
 double light_of(const Outdoors& now) {
   return kOfNight_w_m2 +
          kOfLight * (now.diffuse_w_m2 + now.direct_w_m2 * std::max(0.0, std::sin(now.sun_elevation_rad)));
@@ -50,13 +52,14 @@ SurfaceClasses::BinRows SurfaceClasses::rows_of_bin(std::size_t bin) const {
 void SurfaceClasses::keep_past(Node& node, std::size_t sky, const SurfaceSolution& shaded,
                                const SurfaceSolution& sunlit, std::span<const double> at_shade,
                                std::span<const double> at_sun) const {
+  node.then_k.resize(bins());
   node.worth.resize(bins());
   node.worth_of_sun.resize(bins());
   for (std::size_t bin = 0; bin < bins(); ++bin) {
     const auto [first, count] = rows_of_bin(bin);
     const std::size_t middle = first - count / 2;
-    node.shaded_then_k[sky].push_back(static_cast<float>(shaded.surface_k(middle)));
-    node.rise_then_k[sky].push_back(static_cast<float>(sunlit.surface_k(middle) - shaded.surface_k(middle)));
+    node.then_k[bin][sky] = static_cast<float>(shaded.surface_k(middle));
+    node.then_k[bin][2 + sky] = static_cast<float>(sunlit.surface_k(middle) - shaded.surface_k(middle));
     for (std::size_t row = first + 1 - count; row <= first; ++row) {
       node.worth[bin] += static_cast<float>(0.5 * at_shade[row]);
       node.worth_of_sun[bin] += static_cast<float>(0.5 * (at_sun[row] - at_shade[row]));
@@ -152,18 +155,40 @@ double SurfaceClasses::worth_of_all_k(const Corners& at) const {
   return sum_k;
 }
 
-double SurfaceClasses::bend_of_gain(const Corners& at, double kelvin) const {
-  return worth_of_all_k(at) * 6.0 * surface_.skin.emissivity * kStefanBoltzmann_w_m2_k4 * kelvin * kelvin;
+double SurfaceClasses::bend_of(const Worths& worths) const {
+  double kelvin = 0.0, worth_k = 0.0, squares_k2 = 0.0, products = 0.0;
+  for (std::size_t k = 0; k < worths.kelvin.size(); ++k) {
+    kelvin += 0.25 * worths.kelvin[k];
+    worth_k += 0.25 * worths.worth_k[k];
+  }
+  for (std::size_t k = 0; k < worths.kelvin.size(); ++k) {
+    const double off_k = worths.kelvin[k] - kelvin;
+    squares_k2 += off_k * off_k;
+    products += off_k * (worths.worth_k[k] - worth_k);
+  }
+  // What they emit alone bends at least; where all come to about the same, nothing else is known, and far from them the slope between
+  // them says little.
+  const double emitted =
+      worth_k * 6.0 * surface_.skin.emissivity * kStefanBoltzmann_w_m2_k4 * kelvin * kelvin;
+  if (!(worth_k > 0.0)) return 0.0;
+  return std::max(emitted, -0.5 * products / (worth_k * (squares_k2 + kApart_k * kApart_k)));
+}
+
+double SurfaceClasses::bend_of_gain(const Corners& at) const {
+  double bend = 0.0;
+  for (const Corner& corner : at) bend += corner.share * corner.node->bend;
+  return bend;
 }
 
 SurfaceClasses::Then SurfaceClasses::then(const Corners& at, double free_sky, std::size_t bin) const {
   Then found;
   for (const Corner& corner : at) {
-    const auto between = [&](const std::array<std::vector<float>, 2>& of) {
-      return std::lerp(static_cast<double>(of[0][bin]), static_cast<double>(of[1][bin]), free_sky);
+    const std::array<float, 4>& then_k = corner.node->then_k[bin];
+    const auto between = [&](std::size_t of) {
+      return std::lerp(static_cast<double>(then_k[of]), static_cast<double>(then_k[of + 1]), free_sky);
     };
-    found.shaded_k += corner.share * between(corner.node->shaded_then_k);
-    found.rise_k += corner.share * between(corner.node->rise_then_k);
+    found.shaded_k += corner.share * between(0);
+    found.rise_k += corner.share * between(2);
   }
   return found;
 }
