@@ -107,13 +107,8 @@ void ShellOrders::add_still(const Ray& ray, double mu, int azimuths, const Light
   const std::size_t angles = angle_rad_.size();
   const double sine = std::sqrt(1.0 - mu * mu);
   std::vector<double> turns;  // cosines of azimuths
-<<<<<<< HEAD
-  for (int a = 0; before == nullptr && a < azimuths; ++a)
-    turns.push_back(std::cos((a + 0.5) * kPi / azimuths));
-=======
   for (int a = 0; a < azimuths; ++a) turns.push_back(std::cos((a + 0.5) * kPi / azimuths));
   std::vector<double> forward(turns.size());  // what aerosol scatters of the sunbeam, by azimuth
->>>>>>> air
   for (std::size_t k = 0; k < angles; ++k) {
     const double along_vertical = mu * std::cos(angle_rad_[k]), across = sine * std::sin(angle_rad_[k]);
     const auto at = [&](const End& end, const std::vector<double>& values) {
@@ -130,11 +125,7 @@ void ShellOrders::add_still(const Ray& ray, double mu, int azimuths, const Light
     };
     const auto light = [&](const End& end) -> Source {
       if (before == nullptr) return {sunbeam(end), 0.0, 0.0};
-<<<<<<< HEAD
-      return {at(end, before->mean), end.mu * at(end, before->up), end.half_sine * at(end, before->sunward)};
-=======
       return {at(end, before->mean), end.mu * at(end, before->up), end.level * at(end, before->sunward)};
->>>>>>> air
     };
     double transmission = 1.0, even = 0.0, turned = 0.0;
     double asymmetry = 2.0;  // of what `forward` is for: layers of one follow each other

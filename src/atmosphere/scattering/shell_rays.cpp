@@ -115,11 +115,7 @@ ShellOrders::End ShellOrders::end(double altitude_km, std::size_t layer, double 
                            ? 1.0 / std::sqrt(start * start + length * (length + 2.0 * start * mu))
                            : 1.0 / start;
   end.mu = geometry_.spherical ? (start * mu + length) * end.inverse_radius : mu;
-<<<<<<< HEAD
-  end.half_sine = 0.5 * std::sqrt(std::max(0.0, 1.0 - end.mu * end.mu));
-=======
   end.level = std::sqrt(std::max(0.0, 1.0 - end.mu * end.mu));
->>>>>>> air
   end.layer = layer;
   end.below = std::clamp((boundary[layer] - altitude_km) / (boundary[layer] - boundary[layer + 1]), 0.0, 1.0);
   const auto above = std::upper_bound(altitude_km_.begin() + 1, altitude_km_.end() - 1, altitude_km);

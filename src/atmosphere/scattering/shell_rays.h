@@ -14,16 +14,9 @@ namespace ifov::atmosphere {
 struct ShellOrders::End {
   double length = 0.0, radius_start = 0.0, inverse_radius = 0.0;
   std::size_t layer = 0, low = 0;
-<<<<<<< HEAD
-  double mu = 0.0;          ///< of the ray with the vertical there
-  double half_sine = 0.0;   ///< half the sine of that angle
-  double below = 0.0;       ///< share of boundary `layer` + 1
-  double high_share = 0.0;  ///< share of altitude `low` + 1
-=======
   double mu = 0.0, level = 1.0;  ///< cosine and sine of the ray with the vertical there
   double below = 0.0;            ///< share of boundary `layer` + 1
   double high_share = 0.0;       ///< share of altitude `low` + 1
->>>>>>> air
 };
 struct ShellOrders::Piece {
   double molecules, rest;  ///< albedos
