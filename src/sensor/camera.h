@@ -74,7 +74,7 @@ class Camera {
   virtual double exposure_s() const { return 0.0; }    ///< of a point; 0 where y alone tells when
   virtual double row_period_s() const { return 0.0; }  ///< from one row's exposure to the next's
   virtual const FlyingFrameCamera* flying() const { return nullptr; }  ///< itself where it is one
-  virtual bool bends_sharply() const { return false; }  ///< whether smooth lines may have corners in the image
+  virtual bool bends_sharply() const { return false; }  ///< smooth lines may have corners in the image
   bool moves_while_exposed() const { return flying() != nullptr && exposure_s() > 0.0; }
   /// What its pixels are spread over beside the optics, along image y by its motion and along x by elements that are swept.
   virtual AlongTrack along_track() const;

@@ -9,14 +9,12 @@
 
 namespace ifov::sampling {
 
-/// Refinement of a lattice cell stops after this many halvings: of one of half a pixel at 1.5e-5 px, so that a flame of 1e-8 of a
-/// pixel's area is followed all the same. Keys of edges (below) hold no more.
+/// Halvings of a lattice cell: flames of 1e-8 of a pixel are followed. Keys of edges (below) hold no more.
 constexpr int kMaxLevel = 15;
 
-/// The integer-keyed lattice of a tile and its halo. Positions count in fine units of 1 / (cells <<
-/// kMaxLevel) px from the top left corner of the domain; a cell of level l is (1 << kMaxLevel) >> l units
-/// wide. The image-wide position of a vertex is what its random numbers are keyed by, so that neighbouring
-/// tiles agree about it.
+/// The integer-keyed lattice of a tile and its halo. Positions count in fine units of 1 / (cells << kMaxLevel) px from the top left
+/// corner of the domain; a cell of level l is (1 << kMaxLevel) >> l units wide. The image-wide position of a vertex is what its random
+/// numbers are keyed by, so that neighbouring tiles agree about it.
 class Lattice {
  public:
   Lattice(PixelRect domain, int cells_per_pixel)
