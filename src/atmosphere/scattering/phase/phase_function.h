@@ -58,8 +58,7 @@ class PhaseFunction {
   /// small), so that the function has its own mean over it where it is linear along both sides between the corners;
   /// never less than at the next corner.
   double forward_for(double width, double height) const;
-  /// Mean over the sphere of the function times Legendre's polynomial l < PhaseAngles::kMoments: the asymmetry is
-  /// moment 1.
+  /// Mean over the sphere of the function times Legendre's polynomial l < PhaseAngles::kMoments: the asymmetry is moment 1.
   double moment(int l) const { return moments_[static_cast<std::size_t>(l)]; }
 
   /// The scattering matrix at an angle and at one of the nodes; `peak_polarization` is of particle_matrix.
