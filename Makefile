@@ -19,6 +19,8 @@ COMPILER :=
 CXX_clang = $(shell command -v clang++ || command -v clang++-14 || echo clang++)
 BUILD := build$(COMPILER:%=-%)$(patsubst %,-%,$(shell echo $(TYPE:Release=) | tr A-Z a-z))
 JOBS := $(shell nproc)
+# Tests of ranks, browsers and killed runs wait as long as they work.
+TESTS_AT_ONCE := $(shell expr $(JOBS) + 1)
 # Each source alone, which shows that it includes what it needs, where nobody waits for the build.
 ALONE := $(if $(filter-out build,$(BUILD)),-DIFOV_JOIN_SOURCES=OFF)
 TOOLS := cmake --build $(BUILD) -j $(JOBS)
@@ -56,7 +58,7 @@ deb: program python
 test: configure
 	@$(TOOLS) --target all
 	@sh tools/make_python.sh $(BUILD) || true
-	@python3 tools/run_tests.py $(BUILD) --jobs $(JOBS)
+	@python3 tools/run_tests.py $(BUILD) --jobs $(TESTS_AT_ONCE)
 
 bench: configure
 	@$(TOOLS) --target all benchmarks
