@@ -17,10 +17,13 @@ class AccuracyParts;
 /// both.
 class AccuracySampler : public PixelSampler {
  public:
-  /// Errors: std::invalid_argument where an option is out of its range (lattice 1..32, probes 0..16).
+  /// Cells of the lattice along a side of a pixel, and of a tile with what a PSF reaches beside it, at most.
+  static constexpr int kMostLattice = 32, kMostCells = 1 << 14;
+
+  /// Errors: std::invalid_argument where an option is out of its range (lattice 1..kMostLattice, probes 0..16).
   explicit AccuracySampler(AccuracyOptions options = {});
 
-  /// Errors: std::invalid_argument without a tolerance, a footprint or steering channels; Cancelled.
+  /// Errors: std::invalid_argument without a tolerance, a footprint or steering channels, or with a tile of too many cells; Cancelled.
   void sample(const TileProblem& problem, Field& field, TileResult& result) const override;
 
   /// One pixel, so that the pixels beside a tile's rim are traced as they are in the neighbouring tile.

@@ -52,7 +52,7 @@ SchemaType<std::shared_ptr<const SamplerSettings>> accuracy_type() {
       .optional("channel", &AccuracySampling::channel, name_of("a channel"), "that is judged; without it all")
       .with_default("simultaneous", &AccuracySampling::simultaneous, boolean(), "false",
                     "confidence for all channels of a pixel at once")
-      .optional("lattice", &AccuracySampling::lattice, integer(1, 64),
+      .optional("lattice", &AccuracySampling::lattice, integer(1, sampling::AccuracySampler::kMostLattice),
                 "cells of the detection lattice along a side of a pixel; chosen if not given")
       .with_default("probes", &AccuracySampling::probes, integer(0, 10000), "9",
                     "probing rays in a flagged pixel and round")

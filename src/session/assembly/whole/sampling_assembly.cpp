@@ -7,6 +7,7 @@
 #include "io/document/sampling_document.h"
 #include "io/document/sensor_document.h"
 #include "render/image_renderer.h"
+#include "sampling/accuracy/accuracy_sampler.h"
 #include "sampling/tile.h"
 #include "sensor/spectrometer/column_responses.h"
 #include "session/assembly/whole/noise_assembly.h"
@@ -135,6 +136,15 @@ void check_image_size(const io::DocumentSources& sources, const io::SamplingDocu
         sources, accuracy->position,
         "the error is asked of the image, and the image is one pixel: \"of\": \"pixel\" is "
         "of each pixel's own interval");
+  constexpr int kReach_px = 192;  // of a PSF, on either side of a tile
+  if (accuracy != nullptr && accuracy->lattice &&
+      *accuracy->lattice * (sampling.tile_px + 2 * kReach_px) > sampling::AccuracySampler::kMostCells)
+    throw io::document_error(
+        sources, accuracy->position,
+        format(
+            "a lattice of {0} cells a pixel goes with a 'tile' of {1} pixels at most, and it has {2}: give a smaller tile or a coarser lattice",
+            *accuracy->lattice, sampling::AccuracySampler::kMostCells / *accuracy->lattice - 2 * kReach_px,
+            sampling.tile_px));
   const std::optional<int> audited = sampling.method->audited_pixels();
   if (audited && *audited > pixels)
     throw io::document_error(
