@@ -26,6 +26,8 @@ constexpr double kLongest_px = 0.25;
 /// Spread of directions from which Newton's method is begun.
 constexpr double kNewton = 1e-2;
 constexpr int kDeepest = 80;
+/// Of triangles that are seen in part: along the line where a plane of mirrors ends for the camera each division makes more of them.
+constexpr int kDeepestInPart = 24;
 /// Spread of directions over the slope of a lobe's micro-facets, and over the distance from the highlight's middle.
 constexpr double kLobeStep = 0.3, kLobeGrowth = 0.2;
 /// Wider triangles might hold a highlight that none of their corners is near.
@@ -165,6 +167,10 @@ void GlintSearch::search(Vec3 plane_normal, double offset_m, std::uint64_t numbe
     low_x = std::min(low_x, image.x_px), high_x = std::max(high_x, image.x_px);
     low_y = std::min(low_y, image.y_px), high_y = std::max(high_y, image.y_px);
   }
+  // What stands beside the camera has a window as large as one likes.
+  low_x = std::max(low_x, -margin_), high_x = std::min(high_x, camera_.width_px() + margin_);
+  low_y = std::max(low_y, -margin_), high_y = std::min(high_y, camera_.height_px() + margin_);
+  if (!(low_x < high_x) || !(low_y < high_y)) return;
   const Surface window = [&](double u, double v, Point3& at, Vec3& normal) {
     const sampling::FocalPoint image{u, v};
     math::Ray ray;
@@ -177,7 +183,9 @@ void GlintSearch::search(Vec3 plane_normal, double offset_m, std::uint64_t numbe
                                                     : Point3{NAN, NAN, NAN};
     normal = plane_normal;
   };
+  least_part_ = kLongest_px;
   divide_quad(window, low_x, low_y, high_x, high_y, number, found);
+  least_part_ = 0.0;
 }
 
 void GlintSearch::divide_quad(const Surface& surface, double u0, double v0, double u1, double v1,
@@ -247,7 +255,15 @@ void GlintSearch::divide(const Surface& surface, const Cell& whole, std::uint64_
       }
     } else {
       if (!c[0].seen && !c[1].seen && !c[2].seen && cell.depth > 12) continue;
-      longest = cell.depth % 3;
+      if (cell.depth > kDeepestInPart) continue;
+      // The longest side by its parameters: else triangles become slivers along the line where they are no longer seen.
+      double side = -1.0;
+      for (int k = 0; k < 3; ++k) {
+        const Corner &from = c[k], &to = c[(k + 1) % 3];
+        const double parameters = std::hypot(to.u - from.u, to.v - from.v);
+        if (parameters > side) side = parameters, longest = k;
+      }
+      if (side < least_part_) continue;
     }
     if (cell.depth >= kDeepest) continue;
     const Corner &p = c[longest], &q = c[(longest + 1) % 3], &r = c[(longest + 2) % 3];

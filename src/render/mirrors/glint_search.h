@@ -100,6 +100,8 @@ class GlintSearch {
   double steps_ = 0.0;  // across a ball's half-angle
   std::size_t most_ = ~std::size_t{0};
   std::uint64_t seed_, drawn_ = 0;
+  double least_part_ =
+      0.0;  // of parameters' differences: triangles of less that are seen in part are left away
   bool broken_off_ = false;
   std::vector<Cell> cells_;
   std::vector<math::Point3> solved_;  // of this surface
