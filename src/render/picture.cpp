@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "render/bright_places.h"
 #include "render/channels_by_column.h"
 #include "render/field/scene_field.h"
 #include "render/image_renderer.h"
@@ -68,6 +69,7 @@ Picture::Picture(const RenderJob& job, const RenderControl& control)
   if (job.sampler.takes_many_values() && job.polarimetry == nullptr)
     sky_shares_ = open_sky_shares(job.scene, job.camera);
   if (!sky_shares_.empty()) transport_.sky_shares = &sky_shares_;
+  if (job.sampler.asks_for_bright_places()) find_bright_places();
   const sampling::TileProblem whole = problem_of({0, 0, job.camera.width_px(), job.camera.height_px()});
   const auto surveyed = [this, &whole] {
     auto field = this->field();
@@ -90,6 +92,7 @@ sampling::TileProblem Picture::problem_of(const sampling::PixelRect& tile) const
   problem.groups = job_.groups;
   problem.tolerance = job_.tolerance;
   problem.steering_channels = steering_channels_;
+  problem.bright = &bright_places_;
   problem.cancel = cancel_;
   problem.keep_memory = job_.keep_memory;
   return problem;
@@ -107,11 +110,9 @@ std::unique_ptr<SceneField> Picture::tracer() const {
 
 void Picture::find_pilots() {
   const scene::Scene& scene = job_.scene.scene();
-  std::vector<math::Vec3> towards_sun, glare;
-  if (scene.sun) {
-    towards_sun = transport::fixed_disc_points(scene.sun->direction, scene.sun->half_angle_rad);
-    glare = PilotRays::sun_and_its_images(scene.sun->direction, job_.scene.sun_mirrors());
-  }
+  std::vector<math::Vec3> towards_sun;
+  if (scene.sun) towards_sun = transport::fixed_disc_points(scene.sun->direction, scene.sun->half_angle_rad);
+  const std::vector<math::Vec3> glare = this->glare();
   const auto of = [&](const sensor::Camera& camera) {
     return PilotRays(*scene.world, scene.assignments.size(), camera, towards_sun,
                      job_.scene.sought_assignments(), margin_px_, glare);
@@ -121,6 +122,25 @@ void Picture::find_pilots() {
   std::vector<PilotRays> flown;
   for (const double time_s : instants_s) flown.push_back(of(*camera_at(job_.camera, time_s)));
   flown_pilots_ = FlownPilots(std::move(flown));
+}
+
+std::vector<math::Vec3> Picture::glare() const {
+  const scene::Scene& scene = job_.scene.scene();
+  if (!scene.sun) return {};
+  return PilotRays::sun_and_its_images(scene.sun->direction, job_.scene.sun_mirrors());
+}
+
+void Picture::find_bright_places() {
+  const auto field = this->field();
+  // In a picture that is smeared as a whole, things have no place.
+  if (!field->instants_s().empty()) return;
+  std::vector<WingSpots::Box> boxes = unsampled_.met();
+  for (const WingSpots::Box& box : shining_map_places(job_.scene, job_.camera, job_.seed, cancel_, *field))
+    boxes.push_back(box);
+  const scene::Scene& scene = job_.scene.scene();
+  bright_places_ =
+      bright_places(job_.scene, job_.camera, boxes, glare(), scene.sun ? scene.sun->half_angle_rad : 0.0);
+  rays_ += field->counts();
 }
 
 PilotRays::Near Picture::pilots_near(const sampling::PixelRect& tile, SceneField& field) const {

@@ -8,6 +8,7 @@
 #include "render/flown_pilots.h"
 #include "render/parts/light_told.h"
 #include "render/unsampled_light.h"
+#include "sampling/image/bright_places.h"
 #include "sampling/image/survey.h"
 #include "sampling/tile.h"
 #include "transport/transport_options.h"
@@ -39,6 +40,9 @@ class Picture {
   sampling::TileProblem problem_of(const sampling::PixelRect& tile) const;
   void find_wings();
   void find_pilots();
+  void find_bright_places();
+  /// Directions in which the sensor would see the Sun.
+  std::vector<math::Vec3> glare() const;
   /// Those near a tile; the field is told where what is small is when.
   PilotRays::Near pilots_near(const sampling::PixelRect& tile, SceneField& field) const;
 
@@ -50,6 +54,7 @@ class Picture {
   transport::TransportOptions transport_;
   std::optional<PilotRays> pilot_rays_;
   FlownPilots flown_pilots_{{}};  // of a camera that moves while it is exposed
+  sampling::BrightPlaces bright_places_;
   std::vector<int> steering_channels_;
   std::vector<float> sky_shares_;
   std::unique_ptr<const sampling::ImageSurvey> survey_;

@@ -26,6 +26,8 @@ class PixelSampler {
   virtual bool can_refine() const { return false; }
   /// Whether no pixel rests on a few values: they may then scatter about their mean as they like, below 0 too.
   virtual bool takes_many_values() const { return false; }
+  /// Whether it asks where small things outshine the scene (TileProblem::bright).
+  virtual bool asks_for_bright_places() const { return false; }
 };
 
 }  // namespace ifov::sampling

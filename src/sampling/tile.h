@@ -20,6 +20,7 @@ class CancelToken;
 namespace ifov::sampling {
 
 class BoundedError;
+class BrightPlaces;
 class ColumnFootprints;
 class FootprintGroups;
 class ImageSurvey;
@@ -51,6 +52,7 @@ struct TileProblem {
   /// The object of each seed (Field::object_of), where any ray that meets it finds all of it, or kNoObject; empty: of none.
   std::span<const std::uint32_t> pilot_objects;
   std::span<const ThinShadow> thin_shadows;  ///< of tile and halo
+  const BrightPlaces* bright = nullptr;      ///< of the whole image; null: none are known
   const CancelToken* cancel = nullptr;       ///< throws ifov::Cancelled when set
   bool keep_memory = false;                  ///< fill TileResult::memory
   const ImageSurvey* survey = nullptr;  ///< what PixelSampler::survey() found; null where it finds nothing

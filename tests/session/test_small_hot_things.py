@@ -37,14 +37,30 @@ def disk(x, y, area, cosine, azimuth):
                      "normal": [sine * math.cos(azimuth), sine * math.sin(azimuth), cosine]}, "material": "hot"}
 
 
+CAMERA = {"camera": {"orthographic": {"gsd": "1 m", "pixels": [COLUMNS, ROWS]}}}
+
+
+def cubes(folder):
+    """Radiance and half-widths, pixel by pixel."""
+    values = [array.array("f") for _ in range(2)]
+    for name, cube in zip(("radiance", "half_width"), values):
+        cube.frombytes((folder / f"image_{name}.img").read_bytes())
+    return values
+
+
+def under_gaussian(from_, at, sigma):
+    """Share of a point's light that falls on a pixel that begins there, in one direction."""
+    return 0.5 * (math.erf((from_ + 1 - at) / (sigma * math.sqrt(2.0))) - math.erf((from_ - at) / (sigma * math.sqrt(2.0))))
+
+
 class SmallHotThings(unittest.TestCase):
-    def render(self, objects, sensor, hot, cold, sky, seed, read):
+    def render(self, objects, sensor, hot, cold, sky, seed, read, accuracy=None):
         document = {"ifov": 1, "scene": {"materials": {"ground": {"reflectance": 0.0, "temperature": f"{cold} K"},
                                                        "hot": {"reflectance": 0.0, "temperature": f"{hot} K"}},
                                          "objects": [{"plane": {}, "material": "ground"}, *objects]},
                     "light": {"sky": {"radiance": f"{sky} W m-2 sr-1 um-1"}}, "seed": seed,
                     "sensor": {**sensor, "channels": [{"name": "mir", "top_hat": {"from": "3.999 um", "to": "4.001 um"}}]},
-                    "sampling": {"accuracy": {"error": "2 %"}}, "output": {"formats": ["envi"]}}
+                    "sampling": {"accuracy": {"error": "2 %", **(accuracy or {})}}, "output": {"formats": ["envi"]}}
         with tempfile.TemporaryDirectory() as folder:
             (Path(folder) / "scene.json").write_text(json.dumps(document))
             done = subprocess.run([PROGRAM, "render", "scene.json", "-o", "out", "-q"], cwd=folder, capture_output=True, text=True, check=False)
@@ -60,13 +76,7 @@ class SmallHotThings(unittest.TestCase):
                 x, y = (k + 0.5 + draw.uniform(-spread, spread) for k in (column, row))
                 hot[row * COLUMNS + column] = make(x - COLUMNS / 2, ROWS / 2 - y, area)
 
-        def cubes(folder):
-            values = [array.array("f") for _ in range(2)]
-            for name, cube in zip(("radiance", "half_width"), values):
-                cube.frombytes((folder / f"image_{name}.img").read_bytes())
-            return values
-        (found, widths), code = self.render(list(hot.values()), {"camera": {"orthographic": {"gsd": "1 m", "pixels": [COLUMNS, ROWS]}}},
-                                            kelvins, cold, 0.0, seed, cubes)
+        (found, widths), code = self.render(list(hot.values()), CAMERA, kelvins, cold, 0.0, seed, cubes)
         truth = [radiance(cold) + (area * (radiance(kelvins) - radiance(cold)) if k in hot else 0.0) for k in range(COLUMNS * ROWS)]
         return [(value - true) / width for value, true, width in zip(found, truth, widths)], code
 
@@ -94,6 +104,28 @@ class SmallHotThings(unittest.TestCase):
         held, farthest = self.judge(cases, 1200.0, 250.0)
         self.assertGreater(held, 0.94)
         self.assertLess(farthest, 2.0)
+
+    def test_images_as_a_whole(self):
+        """Three flames in an image that is judged as a whole, one of them beyond its rim: no point of a pixel meets them."""
+        places = [(2.3, 1.4), (5.71, 3.52), (6.2, -0.4)]
+        for radius, sigma, accuracy in ((0.01, 0.5, {}), (0.01, 0.0, {}), (3e-4, 0.5, {}), (0.01, 0.5, {"audit": 20}), (0.01, 0.5, {"pooling": True})):
+            area = math.pi * radius * radius
+            objects = [ball(x - COLUMNS / 2, ROWS / 2 - y, 1.0, radius) for x, y in places]
+            truth = []
+            for row in range(ROWS):
+                for column in range(COLUMNS):
+                    shares = [under_gaussian(column, x, sigma) * under_gaussian(row, y, sigma) if sigma > 0.0 else
+                              (math.floor(x), math.floor(y)) == (column, row) for x, y in places]
+                    truth.append(radiance(250.0) + area * (radiance(2000.0) - radiance(250.0)) * sum(shares))
+            asked = 0.02 * sum(truth) / len(truth)
+            sensor = {**CAMERA, **({"psf": {"gaussian": {"sigma": f"{sigma} px"}}} if sigma > 0.0 else {})}
+            for seed in (1, 2):
+                (found, widths), _ = self.render(objects, sensor, 2000.0, 250.0, 0.0, seed, cubes, {"of": "image", **accuracy})
+                case = f"radius {radius}, sigma {sigma}, {accuracy}, seed {seed}"
+                error = math.sqrt(sum((value - true) ** 2 for value, true in zip(found, truth)) / len(truth))
+                self.assertLess(error, 1.5 * asked, case)
+                held = sum(abs(value - true) <= width + 1e-5 * true for value, true, width in zip(found, truth, widths)) / len(truth)
+                self.assertGreater(held, 0.85, case)
 
     def test_irradiance_at_points(self):
         """Above them, where the hemisphere's square has corners, and on its axes and diagonals."""

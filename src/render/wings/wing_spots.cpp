@@ -24,24 +24,6 @@ std::uint64_t key_of(int x, int y) {
 }
 int box_pixel(double x_px) { return static_cast<int>(std::floor(x_px)); }
 
-/// The box of a ball's image; false where it is not in the picture's plane.
-bool box_of(math::Point3 centre_m, double radius_m, const sensor::Camera& camera, WingSpots::Box& box) {
-  if (!camera.project(centre_m, box.centre)) return false;
-  double x = 0.0, y = 0.0;
-  for (const math::Vec3 axis : {math::Vec3{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}) {
-    sampling::FocalPoint end;
-    if (!camera.project(centre_m + radius_m * axis, end)) return false;
-    x = std::hypot(x, end.x_px - box.centre.x_px);
-    y = std::hypot(y, end.y_px - box.centre.y_px);
-  }
-  box.half_width_px = kMargin * x + kRounding_px;
-  box.half_height_px = kMargin * y + kRounding_px;
-  const auto near = [](double at_px, int pixels) {
-    return at_px > -WingSpots::kOutside_px && at_px < pixels + WingSpots::kOutside_px;
-  };
-  return near(box.centre.x_px, camera.width_px()) && near(box.centre.y_px, camera.height_px());
-}
-
 /// Cuts it into equal boxes that are small enough.
 void add_parts(const WingSpots::Box& box, std::vector<WingSpots::Box>& boxes) {
   const auto parts = [](double half_px) {
@@ -74,14 +56,35 @@ WingSpots::WingSpots(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
   }
 }
 
+std::optional<WingSpots::Box> WingSpots::about(math::Point3 centre_m, double radius_m,
+                                               const sensor::Camera& camera) {
+  Box box{};
+  if (!camera.project(centre_m, box.centre)) return {};
+  double x = 0.0, y = 0.0;
+  for (const math::Vec3 axis : {math::Vec3{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}) {
+    sampling::FocalPoint end;
+    if (!camera.project(centre_m + radius_m * axis, end)) return {};
+    x = std::hypot(x, end.x_px - box.centre.x_px);
+    y = std::hypot(y, end.y_px - box.centre.y_px);
+  }
+  box.half_width_px = kMargin * x + kRounding_px;
+  box.half_height_px = kMargin * y + kRounding_px;
+  const auto near = [](double at_px, int pixels) {
+    return at_px > -kOutside_px && at_px < pixels + kOutside_px;
+  };
+  if (!near(box.centre.x_px, camera.width_px()) || !near(box.centre.y_px, camera.height_px())) return {};
+  return box;
+}
+
 WingSpots WingSpots::find(const transport::SpectralScene& scene, const sensor::Camera& camera,
                           std::vector<Box> others) {
   const transport::ShiningParts parts(scene);
   std::vector<Box> boxes = std::move(others);
   for (const transport::ShiningParts::Part& part : parts.parts()) {
-    Box box{};
+    const std::optional<Box> seen = about(part.ball.centre_m, part.ball.radius_m, camera);
+    if (!seen) continue;
+    Box box = *seen;
     box.across = 16;
-    if (!box_of(part.ball.centre_m, part.ball.radius_m, camera, box)) continue;
     if (2.0 * std::max(box.half_width_px, box.half_height_px) > kMet_px) continue;
     box.strength = part.contrast * part.fill * box.area_px2();
     add_parts(box, boxes);

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "math/vec3.h"
 #include "sampling/field.h"
 #include "sampling/pixel_rect.h"
 
@@ -57,6 +58,9 @@ class WingSpots {
   /// Of none where nothing outshines the scene. `others`: where mirrors and maps show such things.
   static WingSpots find(const transport::SpectralScene& scene, const sensor::Camera& camera,
                         std::vector<Box> others);
+
+  /// The box of a ball's image; none where that is not in the picture's plane, or farther outside than kOutside_px.
+  static std::optional<Box> about(math::Point3 centre_m, double radius_m, const sensor::Camera& camera);
 
   const std::vector<Box>& boxes() const { return boxes_; }
   /// The number of the first box that holds a point.

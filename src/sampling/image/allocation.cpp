@@ -75,7 +75,9 @@ Allocation::Allocation(std::span<const SurveyedPixel> pixels, std::vector<double
   std::vector<double> multiplier(judged.size(),
                                  1.0 / static_cast<double>(std::max<std::size_t>(1, judged.size())));
   std::vector<Sizes> chosen_by(pixels.size()), judged_by(pixels.size());
-  const double share = 1.0 / static_cast<double>(std::max<std::size_t>(1, pixels.size()));
+  std::vector<double> shares;
+  for (const SurveyedPixel& pixel : pixels)
+    shares.push_back(pixel.share > 0.0 ? pixel.share : 1.0 / static_cast<double>(pixels.size()));
   std::vector<double> error(judged.size());  // by judged column, over its limit
 
   // By judged column and over its limit.
@@ -105,6 +107,7 @@ Allocation::Allocation(std::span<const SurveyedPixel> pixels, std::vector<double
     planned_direct_ = planned_rest_ = 0.0;
     for (std::size_t p = 0; p < pixels.size(); ++p) {
       const Numbers n = numbers(chosen_by[p]);
+      const double share = shares[p];
       planned_direct_ += share * n.direct;
       planned_rest_ += share * n.rest;
       const double of_direct = direct_left(share, n.direct), of_rest = rest_left(1.0, kNotPooled, n.rest);
@@ -135,7 +138,7 @@ Allocation::Allocation(std::span<const SurveyedPixel> pixels, std::vector<double
   const auto take_price = [&] {
     const auto over = [&] {
       double sum = 0.0;
-      for (std::size_t p = 0; p < pixels.size(); ++p) sum += share * left(p);
+      for (std::size_t p = 0; p < pixels.size(); ++p) sum += shares[p] * left(p);
       return sum;
     };
     if (price_ == 1.0) {
@@ -158,11 +161,12 @@ Allocation::Allocation(std::span<const SurveyedPixel> pixels, std::vector<double
     double main_direct = 0.0, main_rest = 0.0, of_direct = 0.0, of_rest = 0.0;
     for (std::size_t p = 0; p < pixels.size(); ++p) {
       const Numbers n = numbers(chosen_by[p]);
-      main_direct +=
-          judged_by[p].direct * std::pow(kPilotCount, kExponent - 1.0) * std::pow(n.direct, -kExponent);
-      main_rest += judged_by[p].rest / n.rest;
-      of_direct += judged_by[p].direct / kPilotCount;
-      of_rest += judged_by[p].rest / kPilotWhole;
+      const double share = shares[p];
+      main_direct += share * judged_by[p].direct * std::pow(kPilotCount, kExponent - 1.0) *
+                     std::pow(n.direct, -kExponent);
+      main_rest += share * judged_by[p].rest / n.rest;
+      of_direct += share * judged_by[p].direct / kPilotCount;
+      of_rest += share * judged_by[p].rest / kPilotWhole;
     }
     pilot_direct_weight_ = main_direct + of_direct > 0.0 ? main_direct / (main_direct + of_direct) : 0.0;
     pilot_rest_weight_ = main_rest + of_rest > 0.0 ? main_rest / (main_rest + of_rest) : 0.0;
@@ -187,13 +191,16 @@ Allocation::Allocation(std::span<const SurveyedPixel> pixels, std::vector<double
   // from the price, which moves all columns alike to first order.
   double sum = 0.0, squares = 0.0;
   for (std::size_t p = 0; p < pixels.size(); ++p) {
-    const double of_pixel = left(p);
+    const double of_pixel = shares[p] * left(p);
     sum += of_pixel;
     squares += of_pixel * of_pixel;
   }
   constexpr double kMostMargin = 0.25;
   const double margin =
-      sum > 0.0 ? std::min(kMostMargin, std::sqrt(std::max(0.0, squares - sum * sum * share)) / sum) : 0.0;
+      sum > 0.0
+          ? std::min(kMostMargin,
+                     std::sqrt(std::max(0.0, squares - sum * sum / static_cast<double>(pixels.size()))) / sum)
+          : 0.0;
   const auto is_within = [&](double price) {
     price_ = price;
     take_errors();

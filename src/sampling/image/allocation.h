@@ -20,6 +20,7 @@ struct LevelVariances {
 /// judged. One alone would choose most values where it happens to be too high, and then find that they help.
 struct SurveyedPixel {
   LevelVariances chosen_by, judged_by;
+  double share = 0.0;  ///< of the image's pixels that it stands for; 0: each for as many
 };
 
 /// How values are shared out among the pixels of an image so that the mean squared error of no column is above its limit and no

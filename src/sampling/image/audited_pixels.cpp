@@ -10,6 +10,7 @@
 #include "sampling/footprint_groups.h"
 #include "sampling/hash.h"
 #include "sampling/image/audit.h"
+#include "sampling/image/bright_places.h"
 #include "sampling/image/pixel_points.h"
 #include "sampling/image/spread_places.h"
 #include "sampling/pixel_sampler.h"
@@ -90,31 +91,44 @@ void sample_alone(const PixelSampler& sampler, const ImageSurvey* survey, const 
   }
 }
 
+/// Adds the mean of a group of points to a half, which is so much of the pixel's response by group of columns.
+void add_mean(const TileProblem& image, const PixelPoints& points, const ColumnFootprints& footprints,
+              std::span<const double> of_pixel, Field& field, std::vector<double>& half) {
+  const std::size_t groups = footprints.groups(), count = points.requests.size();
+  std::vector<double> shares(groups * count, 1.0 / static_cast<double>(count));  // [request][group]
+  if (!points.importance.empty())
+    for (std::size_t g = 0; g < groups; ++g) {
+      double all = 0.0;
+      for (std::size_t k = g; k < shares.size(); k += groups) all += points.importance[k];
+      for (std::size_t k = g; k < shares.size() && all > 0.0; k += groups)
+        shares[k] = points.importance[k] / all;
+    }
+  for_each_value(
+      field, image.cancel, count, [&](std::size_t k) { return points.requests[k]; },
+      [&](std::size_t k, Label, const float* values) {
+        for (std::size_t c = 0; c < half.size(); ++c) {
+          const std::size_t g = footprints.group_of(c);
+          half[c] += of_pixel[g] * shares[k * groups + g] * static_cast<double>(values[c]);
+        }
+      });
+}
+
 void measure(const TileProblem& image, const Place& place, Field& field, AuditedPixel& pixel) {
   PixelPoints points;
-  const auto columns = static_cast<std::size_t>(field.columns());
   const PixelPlan plan{Audit::kSide, Audit::kSide, 0};
+  const ColumnFootprints footprints = image.footprints(field);
+  const BrightShares bright = bright_shares(image, footprints, place.i, place.j);
   for (std::size_t h = 0; h < 2; ++h) {
+    const std::uint64_t key = hash(image.seed, place.i, place.j, kAuditPaths, h);
+    pixel.half[h].assign(static_cast<std::size_t>(field.columns()), 0.0);
     points.clear();
-    points.add(image, place.i, place.j, hash(image.seed, place.i, place.j, kAuditPaths, h), plan);
-    pixel.half[h].assign(columns, 0.0);
-    const double share = 1.0 / static_cast<double>(points.requests.size());
-    const ColumnFootprints footprints = image.footprints(field);
-    std::vector<double> shares(footprints.groups() * points.requests.size(), share);  // [request][group]
-    if (!points.importance.empty())
-      for (std::size_t g = 0, groups = footprints.groups(); g < groups; ++g) {
-        double all = 0.0;
-        for (std::size_t k = g; k < shares.size(); k += groups) all += points.importance[k];
-        for (std::size_t k = g; k < shares.size() && all > 0.0; k += groups)
-          shares[k] = points.importance[k] / all;
-      }
-    for_each_value(
-        field, image.cancel, points.requests.size(), [&](std::size_t k) { return points.requests[k]; },
-        [&](std::size_t k, Label, const float* values) {
-          for (std::size_t c = 0; c < columns; ++c)
-            pixel.half[h][c] +=
-                shares[k * footprints.groups() + footprints.group_of(c)] * static_cast<double>(values[c]);
-        });
+    points.add(image, bright, place.i, place.j, key, plan);
+    add_mean(image, points, footprints, bright.left, field, pixel.half[h]);
+    for (std::size_t n = 0; n < bright.parts.size(); ++n) {
+      points.clear();
+      points.add(image, bright.parts[n].where, place.i, place.j, hash(key, n), plan);
+      add_mean(image, points, footprints, bright.parts[n].share, field, pixel.half[h]);
+    }
   }
 }
 

@@ -16,6 +16,8 @@ class AuditedSampler final : public PixelSampler {
   void sample(const TileProblem& problem, Field& field, TileResult& result) const override;
   int halo_px() const override { return sampler_->halo_px(); }
   int block_px() const override { return sampler_->block_px(); }
+  /// Pixels are measured with what is known of them, whether or not the sampler asks for it.
+  bool asks_for_bright_places() const override { return true; }
   std::unique_ptr<const ImageSurvey> survey(const SurveyRequest& request) const override;
 
  private:

@@ -25,22 +25,37 @@ ImageBlock::ImageBlock(const TileProblem& problem, const ImagePlan& plan, Field&
       footprints_(problem.footprints(field)),
       student_(confidence_of(problem)) {}
 
+void ImageBlock::find_parts() {
+  bright_.clear();
+  parts_.clear();
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    bright_.push_back(bright_shares(problem_, footprints_, places_[k].i, places_[k].j));
+    for (std::size_t n = 0; n < bright_.back().parts.size(); ++n) parts_.push_back({k, n});
+  }
+}
+
+std::span<const double> ImageBlock::shares(std::size_t unit) const {
+  if (!is_part(unit)) return bright_[unit].left;
+  const PartOfPixel& part = parts_[unit - places_.size()];
+  return bright_[part.pixel].parts[part.number].share;
+}
+
 std::span<SampledPixel> ImageBlock::sample(std::span<const Place> places) {
   places_ = places;
+  find_parts();
   pixels_.assign(places.size(), {});
   draw(
       kPilotPaths, [](std::size_t) { return Allocation::pilot(); }, pilot_);
   choose();
   draw(
-      kMainPaths, [&](std::size_t k) { return plans_[k]; }, main_);
-  for (std::vector<float>* rows : {&direct_, &rest_, &rest_variance_})
-    rows->assign(places.size() * stride_, 0.0f);
+      kMainPaths, [&](std::size_t unit) { return plans_[unit]; }, main_);
+  for (std::vector<float>* rows : {&direct_, &rest_, &rest_variance_}) rows->assign(units() * stride_, 0.0f);
   std::size_t label = 0;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    take_materials(k, label);
-    label += plans_[k].count();
-    take_means(k);
-    take_rest(k);
+  for (std::size_t unit = 0; unit < units(); ++unit) {
+    take_materials(unit, label);
+    label += plans_[unit].count();
+    take_means(unit);
+    take_rest(unit);
   }
   if (plan_.rest_model() != nullptr) pool();
   for (std::size_t k = 0; k < places.size(); ++k) estimate(k);
@@ -50,16 +65,23 @@ std::span<SampledPixel> ImageBlock::sample(std::span<const Place> places) {
 template <class PlanOf>
 void ImageBlock::draw(std::uint64_t purpose, PlanOf plan_of, LevelSums& sums) {
   points_.clear();
-  for (std::size_t k = 0; k < places_.size(); ++k) {
+  for (std::size_t unit = 0; unit < units(); ++unit) {
+    const std::size_t k = pixel_of(unit);
     const auto [i, j] = places_[k];
-    points_.add(problem_, i, j, hash(problem_.seed, i, j, purpose), plan_of(k));
+    if (!is_part(unit)) {
+      points_.add(problem_, bright_[k], i, j, hash(problem_.seed, i, j, purpose), plan_of(unit));
+      continue;
+    }
+    const std::size_t number = parts_[unit - places_.size()].number;
+    points_.add(problem_, bright_[k].parts[number].where, i, j, hash(problem_.seed, i, j, purpose, number),
+                plan_of(unit));
   }
   field_.levels({points_.requests, points_.whole, points_.counts, points_.importance, &footprints_}, sums);
 }
 
-std::span<const Label> ImageBlock::pilot_labels(std::size_t k) const {
+std::span<const Label> ImageBlock::pilot_labels(std::size_t unit) const {
   const std::size_t count = Allocation::pilot().count();
-  return std::span<const Label>(pilot_.labels).subspan(k * count, count);
+  return std::span<const Label>(pilot_.labels).subspan(unit * count, count);
 }
 
 void ImageBlock::choose() {
@@ -89,6 +111,11 @@ void ImageBlock::choose() {
         shares[k][field_.material_of(label)] += 1.0 / static_cast<double>(labels.size());
     }
     plan_.moderate_pilot(variances, materials_.back());
+    for (std::size_t c = 0; c < columns_; ++c) {
+      const double squared = share(k, c) * share(k, c);
+      variances.direct[c] *= squared;
+      variances.rest[c] *= squared;
+    }
     sizes.push_back(allocation.sizes(variances));
   }
   if (pooled) {
@@ -97,39 +124,54 @@ void ImageBlock::choose() {
     for (std::size_t k = 0; k < places_.size(); ++k)
       sizes[k].direct = ImagePlan::moderated(own[k], kPilotFours, smoothed[k], ImagePlan::kDirectPrior);
   }
-  for (std::size_t k = 0; k < places_.size(); ++k) {
-    plans_.push_back(allocation.plan(sizes[k]));
-    pixels_[k].cut = allocation.is_cut(sizes[k]);
-    pixels_[k].samples = plans_[k].count() + Allocation::pilot().count();
+  variances.between.clear();
+  for (std::size_t unit = places_.size(); unit < units(); ++unit) {
+    for (std::size_t c = 0; c < columns_; ++c) {
+      const double squared = share(unit, c) * share(unit, c);
+      variances.direct[c] = squared * plan_.bright_direct_factor(c) *
+                            static_cast<double>(pilot_.direct_variance[unit * stride_ + c]);
+      variances.rest[c] = squared * static_cast<double>(pilot_.rest_variance[unit * stride_ + c]);
+    }
+    plan_.moderate_bright_pilot(variances);
+    sizes.push_back(allocation.sizes(variances));
+  }
+  for (std::size_t unit = 0; unit < units(); ++unit) {
+    plans_.push_back(allocation.plan(sizes[unit]));
+    SampledPixel& pixel = pixels_[pixel_of(unit)];
+    pixel.cut = pixel.cut || allocation.is_cut(sizes[unit]);
+    pixel.samples += plans_[unit].count() + Allocation::pilot().count();
   }
 }
 
-void ImageBlock::take_materials(std::size_t k, std::size_t first_label) {
-  const double weight = plan_.allocation().pilot_direct_weight();
-  const std::uint32_t count = plans_[k].count();
-  const std::span<const Label> pilot = pilot_labels(k),
+void ImageBlock::take_materials(std::size_t unit, std::size_t first_label) {
+  const double weight = plan_.allocation().pilot_direct_weight(), of_pixel = shares(unit).front();
+  const std::uint32_t count = plans_[unit].count();
+  const std::span<const Label> pilot = pilot_labels(unit),
                                main = std::span<const Label>(main_.labels).subspan(first_label, count);
-  auto& materials = pixels_[k].estimate.materials;
+  std::map<std::uint32_t, double> fractions;
   const auto counts_for = [](const LevelSums& sums, std::size_t at) {
     return sums.label_weights.empty() ? 1.0 : static_cast<double>(sums.label_weights[at]);
   };
   for (std::size_t n = 0; n < pilot.size(); ++n)
-    materials[field_.material_of(pilot[n])].fraction +=
-        counts_for(pilot_, k * pilot.size() + n) * weight / static_cast<double>(pilot.size());
+    fractions[field_.material_of(pilot[n])] +=
+        counts_for(pilot_, unit * pilot.size() + n) * weight / static_cast<double>(pilot.size());
   for (std::size_t n = 0; n < main.size(); ++n)
-    materials[field_.material_of(main[n])].fraction +=
-        counts_for(main_, first_label + n) * (1.0 - weight) / count;
-  for (auto& [material, share] : materials) {
-    const double of_one = std::max(0.0, share.fraction * (1.0 - share.fraction));
-    share.variance = of_one * (weight * weight / static_cast<double>(pilot.size()) +
-                               (1.0 - weight) * (1.0 - weight) / count);
+    fractions[field_.material_of(main[n])] += counts_for(main_, first_label + n) * (1.0 - weight) / count;
+  auto& materials = pixels_[pixel_of(unit)].estimate.materials;
+  for (const auto& [material, fraction] : fractions) {
+    const double of_one = std::max(0.0, fraction * (1.0 - fraction));
+    auto& share = materials[material];
+    share.fraction += of_pixel * fraction;
+    share.variance +=
+        of_pixel * of_pixel * of_one *
+        (weight * weight / static_cast<double>(pilot.size()) + (1.0 - weight) * (1.0 - weight) / count);
   }
 }
 
-void ImageBlock::take_means(std::size_t k) {
+void ImageBlock::take_means(std::size_t unit) {
   const Allocation& allocation = plan_.allocation();
   const double direct = allocation.pilot_direct_weight(), rest = allocation.pilot_rest_weight();
-  for (std::size_t at = k * stride_; at < k * stride_ + columns_; ++at) {
+  for (std::size_t at = unit * stride_; at < unit * stride_ + columns_; ++at) {
     const auto mean = [at](double weight, const std::vector<float>& pilot, const std::vector<float>& main) {
       return static_cast<float>(weight * static_cast<double>(pilot[at]) +
                                 (1.0 - weight) * static_cast<double>(main[at]));
@@ -139,18 +181,18 @@ void ImageBlock::take_means(std::size_t k) {
   }
 }
 
-void ImageBlock::take_rest(std::size_t k) {
-  const LevelVariances& kind = plan_.kind(materials_[k]).mean;
-  const double whole = plans_[k].whole, freedom = whole + Allocation::kPilotWhole - 2.0;
+void ImageBlock::take_rest(std::size_t unit) {
+  const double whole = plans_[unit].whole, freedom = whole + Allocation::kPilotWhole - 2.0;
   for (std::size_t c = 0; c < columns_; ++c) {
-    const std::size_t at = k * stride_ + c;
-    const double own = plan_.rest_factor(c) *
-                       ((whole - 1.0) * static_cast<double>(main_.rest_variance[at]) +
-                        (Allocation::kPilotWhole - 1.0) * static_cast<double>(pilot_.rest_variance[at])) /
-                       freedom,
-                 of_one = ImagePlan::moderated(own, freedom, kind.rest[c], ImagePlan::kRestPrior);
+    const std::size_t at = unit * stride_ + c;
+    const double found = ((whole - 1.0) * static_cast<double>(main_.rest_variance[at]) +
+                          (Allocation::kPilotWhole - 1.0) * static_cast<double>(pilot_.rest_variance[at])) /
+                         freedom;
+    const double own = is_part(unit) ? found : plan_.rest_factor(c) * found,
+                 of_kind = is_part(unit) ? own : plan_.kind(materials_[unit]).mean.rest[c],
+                 of_one = ImagePlan::moderated(own, freedom, of_kind, ImagePlan::kRestPrior);
     rest_variance_[at] =
-        static_cast<float>(plan_.allocation().rest_variance(of_one, of_one, plans_[k].whole));
+        static_cast<float>(plan_.allocation().rest_variance(of_one, of_one, plans_[unit].whole));
   }
 }
 
@@ -178,44 +220,55 @@ void ImageBlock::pool() {
 }
 
 void ImageBlock::estimate(std::size_t k) {
-  const PixelPlan& plan = plans_[k];
+  PixelEstimate& estimate = pixels_[k].estimate;
+  estimate.mean.assign(columns_, 0.0);
+  estimate.variance_geometry.assign(columns_, 0.0);
+  estimate.variance_path.assign(columns_, 0.0);
+  Spread spread;
+  const bool mixed = estimate.materials.size() > 1;
+  add_unit(k, mixed, estimate, spread);
+  const auto first =
+      std::lower_bound(parts_.begin(), parts_.end(), k,
+                       [](const PartOfPixel& part, std::size_t of) { return part.pixel < of; });
+  for (auto part = first; part != parts_.end() && part->pixel == k; ++part)
+    add_unit(places_.size() + static_cast<std::size_t>(part - parts_.begin()), mixed, estimate, spread);
+  const double freedom = spread.over_freedom > 0.0 ? spread.size * spread.size / spread.over_freedom
+                                                   : plans_[k].count() / 4.0 + kPilotFours;
+  estimate.quantile = student_(std::max(1, static_cast<int>(freedom)));
+}
+
+void ImageBlock::add_unit(std::size_t unit, bool mixed, PixelEstimate& estimate, Spread& spread) const {
+  const PixelPlan& plan = plans_[unit];
   const Allocation& allocation = plan_.allocation();
-  const LevelVariances& kind = plan_.kind(materials_[k]).mean;
   const double count = plan.count(), fours = count / 4.0;
   // A value of the pilot's strata varies more than one of finer strata.
   const double finer = std::pow(Allocation::pilot().count() / count, Allocation::kExponent - 1.0);
-  PixelEstimate& estimate = pixels_[k].estimate;
-  estimate.mean.resize(columns_);
-  estimate.variance_geometry.assign(columns_, 0.0);
-  estimate.variance_path.assign(columns_, 0.0);
-  double direct_size = 0.0, rest_size = 0.0;  // of the pixel's variance, all columns together
-  const bool mixed = estimate.materials.size() > 1;
+  double direct_size = 0.0, rest_size = 0.0;
   for (std::size_t c = 0; c < columns_; ++c) {
-    const std::size_t at = k * stride_ + c;
-    estimate.mean[c] = static_cast<double>(direct_[at]) + static_cast<double>(rest_[at]);
-    const double own = plan_.direct_factor(mixed, c) *
-                       (fours * static_cast<double>(main_.direct_variance[at]) +
-                        kPilotFours * finer * static_cast<double>(pilot_.direct_variance[at])) /
-                       (fours + kPilotFours),
-                 fine = ImagePlan::moderated(own, fours + kPilotFours, finer * kind.direct[c],
-                                             ImagePlan::kDirectPrior),
-                 direct_variance = allocation.direct_variance(fine / finer, fine, plan.count()),
-                 rest_variance = static_cast<double>(rest_variance_[at]), limit = plan_.limits()[c];
-    (mixed ? estimate.variance_geometry : estimate.variance_path)[c] = direct_variance;
+    const std::size_t at = unit * stride_ + c;
+    const double of_pixel = share(unit, c), squared = of_pixel * of_pixel;
+    estimate.mean[c] += of_pixel * (static_cast<double>(direct_[at]) + static_cast<double>(rest_[at]));
+    const double found = (fours * static_cast<double>(main_.direct_variance[at]) +
+                          kPilotFours * finer * static_cast<double>(pilot_.direct_variance[at])) /
+                         (fours + kPilotFours);
+    // Of bright places a kind knows what their shares of the pixel's response make of them.
+    const double own = is_part(unit) ? squared * plan_.bright_direct_factor(c) * found
+                                     : plan_.direct_factor(mixed, c) * found,
+                 of_kind = is_part(unit) ? plan_.bright().mean.direct[c]
+                                         : plan_.kind(materials_[unit]).mean.direct[c],
+                 fine =
+                     ImagePlan::moderated(own, fours + kPilotFours, finer * of_kind, ImagePlan::kDirectPrior),
+                 direct_variance = (is_part(unit) ? 1.0 : squared) *
+                                   allocation.direct_variance(fine / finer, fine, plan.count()),
+                 rest_variance = squared * static_cast<double>(rest_variance_[at]), limit = plan_.limits()[c];
+    (mixed ? estimate.variance_geometry : estimate.variance_path)[c] += direct_variance;
     estimate.variance_path[c] += rest_variance;
     if (!(limit > 0.0) || !std::isfinite(limit)) continue;
     direct_size += direct_variance / (limit * limit);
     rest_size += rest_variance / (limit * limit);
   }
-  // Degrees of freedom of both levels together (Satterthwaite 1946), columns by what they weigh.
-  const double direct_freedom = fours + kPilotFours + ImagePlan::kDirectPrior,
-               rest_freedom = plan.whole + Allocation::kPilotWhole - 2.0 + ImagePlan::kRestPrior,
-               both = direct_size + rest_size,
-               freedom = both > 0.0 ? both * both /
-                                          (direct_size * direct_size / direct_freedom +
-                                           rest_size * rest_size / rest_freedom)
-                                    : direct_freedom;
-  estimate.quantile = student_(std::max(1, static_cast<int>(freedom)));
+  spread.add(direct_size, fours + kPilotFours + ImagePlan::kDirectPrior);
+  spread.add(rest_size, plan.whole + Allocation::kPilotWhole - 2.0 + ImagePlan::kRestPrior);
 }
 
 }  // namespace ifov::sampling

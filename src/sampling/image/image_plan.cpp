@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/run_control.h"
 #include "sampling/footprint_groups.h"
 #include "sampling/hash.h"
+#include "sampling/image/bright_places.h"
 #include "sampling/image/levels.h"
 #include "sampling/image/spread_places.h"
 #include "sampling/tolerance.h"
@@ -17,7 +21,8 @@ namespace ifov::sampling {
 
 namespace {
 
-constexpr std::uint64_t kSurveyPaths = 0x737572766579ull, kSurveyPlaces = 0x706c61636573ull;
+constexpr std::uint64_t kSurveyPaths = 0x737572766579ull, kSurveyPlaces = 0x706c61636573ull,
+                        kBrightPlaces = 0x627269676874ull;
 constexpr std::size_t kSurveyChunk = 32;
 /// What a kind's few pilots tell of it is put together with so many that tell what all do.
 constexpr double kPilotsOfAll = 2.0;
@@ -51,26 +56,61 @@ std::vector<std::size_t> leaders_of(const Field& field) {
   return leaders;
 }
 
-/// A pixel of the survey: two pilots.
-struct Surveyed {
+/// What two pilots tell of a pixel, or of a bright place of one.
+struct Pilots {
+  // Means, and half their difference.
+  std::vector<double> direct, rest, direct_apart, rest_apart;
+  std::array<LevelVariances, 2> variances;
+
+  /// Of groups `a` and the next; `scale`: of values, by column.
+  template <class Scale>
+  void take(const LevelSums& sums, std::size_t a, std::size_t columns, std::size_t stride,
+            const Scale& scale) {
+    for (std::vector<double>* row : {&direct, &rest, &direct_apart, &rest_apart, &variances[0].direct,
+                                     &variances[0].rest, &variances[1].direct, &variances[1].rest})
+      row->resize(columns);
+    for (std::size_t c = 0; c < columns; ++c) {
+      const std::size_t at[2] = {a * stride + c, (a + 1) * stride + c};
+      const double of = scale(c);
+      const auto half_sum = [&](const std::vector<float>& x) {
+        return 0.5 * of * (static_cast<double>(x[at[0]]) + static_cast<double>(x[at[1]]));
+      };
+      const auto half_difference = [&](const std::vector<float>& x) {
+        return 0.5 * of * (static_cast<double>(x[at[0]]) - static_cast<double>(x[at[1]]));
+      };
+      direct[c] = half_sum(sums.direct);
+      rest[c] = half_sum(sums.rest);
+      direct_apart[c] = half_difference(sums.direct);
+      rest_apart[c] = half_difference(sums.rest);
+      for (const std::size_t h : {0, 1}) {
+        variances[h].direct[c] = of * of * static_cast<double>(sums.direct_variance[at[h]]);
+        variances[h].rest[c] = of * of * static_cast<double>(sums.rest_variance[at[h]]);
+      }
+    }
+  }
+};
+
+/// A pixel of the survey; of one with bright places what lies beside them.
+struct Surveyed : Pilots {
   std::uint32_t material = 0;
   bool mixed = false;
   std::map<std::uint32_t, double> shares;
-  // Of the pilots' means: their mean, and half their difference.
-  std::vector<double> direct, rest, direct_apart, rest_apart;
-  std::array<LevelVariances, 2> variances;
+  std::vector<double> left;  // of its response, by column
 };
 
 void look(const SurveyRequest& request, std::span<const Place> places, Field& field,
           std::span<Surveyed> found) {
   const TileProblem& image = request.image;
   PixelPoints points;
-  for (const Place& place : places)
-    for (const int half : {0, 1})
-      points.add(image, place.i, place.j, hash(image.seed, place.i, place.j, kSurveyPaths, half),
-                 Allocation::pilot());
-  LevelSums sums;
   const ColumnFootprints footprints = image.footprints(field);
+  std::vector<BrightShares> bright;
+  for (const Place& place : places) {
+    bright.push_back(bright_shares(image, footprints, place.i, place.j));
+    for (const int half : {0, 1})
+      points.add(image, bright.back(), place.i, place.j,
+                 hash(image.seed, place.i, place.j, kSurveyPaths, half), Allocation::pilot());
+  }
+  LevelSums sums;
   field.levels({points.requests, points.whole, points.counts, points.importance, &footprints}, sums);
   const std::size_t columns = static_cast<std::size_t>(field.columns()),
                     stride = static_cast<std::size_t>(field.stride()),
@@ -81,28 +121,75 @@ void look(const SurveyRequest& request, std::span<const Place> places, Field& fi
     pixel.material = main_material(field, own);
     pixel.mixed = shows_several(field, own);
     for (const Label label : own) pixel.shares[field.material_of(label)] += 1.0 / static_cast<double>(labels);
-    for (std::vector<double>* row :
-         {&pixel.direct, &pixel.rest, &pixel.direct_apart, &pixel.rest_apart, &pixel.variances[0].direct,
-          &pixel.variances[0].rest, &pixel.variances[1].direct, &pixel.variances[1].rest})
-      row->resize(columns);
-    for (std::size_t c = 0; c < columns; ++c) {
-      const std::size_t a = 2 * p * stride + c, b = a + stride;
-      const auto half_sum = [&](const std::vector<float>& of) {
-        return 0.5 * (static_cast<double>(of[a]) + static_cast<double>(of[b]));
-      };
-      const auto half_difference = [&](const std::vector<float>& of) {
-        return 0.5 * (static_cast<double>(of[a]) - static_cast<double>(of[b]));
-      };
-      pixel.direct[c] = half_sum(sums.direct);
-      pixel.rest[c] = half_sum(sums.rest);
-      pixel.direct_apart[c] = half_difference(sums.direct);
-      pixel.rest_apart[c] = half_difference(sums.rest);
-      for (const std::size_t h : {0, 1}) {
-        pixel.variances[h].direct[c] = static_cast<double>(sums.direct_variance[h == 0 ? a : b]);
-        pixel.variances[h].rest[c] = static_cast<double>(sums.rest_variance[h == 0 ? a : b]);
+    for (std::size_t c = 0; c < columns; ++c) pixel.left.push_back(bright[p].left[footprints.group_of(c)]);
+    pixel.take(sums, 2 * p, columns, stride, [](std::size_t) { return 1.0; });
+  }
+}
+
+/// What bright places bring to pixels: two pilots of each place of each.
+struct BrightSurvey {
+  std::vector<Pilots> found;
+  double of_pixels = 0.0;  ///< share of the image's pixels that a pixel looked at stands for
+  RayCounts rays;
+};
+
+BrightSurvey look_at_bright(const SurveyRequest& request) {
+  constexpr std::size_t kMostPixels = 1024, kChunk = 8;
+  const TileProblem& image = request.image;
+  BrightSurvey survey;
+  if (image.bright == nullptr || image.bright->empty()) return survey;
+  std::unique_ptr<Field> any = request.field();
+  const ColumnFootprints footprints = image.footprints(*any);
+  const int reach = footprints.reach();
+  std::set<std::pair<int, int>> reached;  // row and column
+  image.bright->visit_pixels([&](int i, int j) {
+    for (int y = std::max(image.image.y0, j - reach); y <= std::min(image.image.y1 - 1, j + reach); ++y)
+      for (int x = std::max(image.image.x0, i - reach); x <= std::min(image.image.x1 - 1, i + reach); ++x)
+        reached.emplace(y, x);
+  });
+  // Of many, those at equal steps through them.
+  const std::size_t step = (reached.size() + kMostPixels - 1) / kMostPixels;
+  if (step == 0) return survey;
+  std::vector<Place> places;
+  std::size_t number = hash(image.seed, kBrightPlaces) % step;
+  for (const auto& [y, x] : reached)
+    if (number++ % step == 0) places.push_back({x, y});
+  survey.of_pixels = static_cast<double>(reached.size()) / static_cast<double>(places.size()) /
+                     static_cast<double>(image.image.count());
+  const std::size_t chunks = (places.size() + kChunk - 1) / kChunk;
+  std::vector<std::vector<Pilots>> of_chunk(chunks);
+  std::vector<RayCounts> rays(chunks);
+  parallel_for(static_cast<std::int64_t>(chunks), request.threads, [&](std::int64_t chunk) {
+    if (image.cancel != nullptr && image.cancel->cancelled()) throw Cancelled();
+    const std::unique_ptr<Field> field = request.field();
+    const std::size_t first = static_cast<std::size_t>(chunk) * kChunk;
+    PixelPoints points;
+    std::vector<BrightShares::Part> parts;
+    for (std::size_t p = first; p < std::min(places.size(), first + kChunk); ++p) {
+      const auto [i, j] = places[p];
+      std::size_t n = 0;
+      for (BrightShares::Part& part : bright_shares(image, footprints, i, j).parts) {
+        for (const int half : {0, 1})
+          points.add(image, part.where, i, j, hash(image.seed, i, j, kBrightPlaces, n, half),
+                     Allocation::pilot());
+        parts.push_back(std::move(part));
+        ++n;
       }
     }
-  }
+    LevelSums sums;
+    if (!parts.empty())
+      field->levels({points.requests, points.whole, points.counts, points.importance, &footprints}, sums);
+    for (std::size_t n = 0; n < parts.size(); ++n)
+      of_chunk[static_cast<std::size_t>(chunk)].emplace_back().take(
+          sums, 2 * n, static_cast<std::size_t>(field->columns()), static_cast<std::size_t>(field->stride()),
+          [&](std::size_t c) { return parts[n].share[footprints.group_of(c)]; });
+    rays[static_cast<std::size_t>(chunk)] = field->counts();
+  });
+  for (std::vector<Pilots>& pilots : of_chunk)
+    survey.found.insert(survey.found.end(), std::make_move_iterator(pilots.begin()),
+                        std::make_move_iterator(pilots.end()));
+  for (const RayCounts& counts : rays) survey.rays += counts;
+  return survey;
 }
 
 /// True over told by column: sums of squares, twice the square of half a difference being the variance. What few pixels tell of one
@@ -194,6 +281,12 @@ void ImagePlan::moderate_pilot(LevelVariances& own, std::uint32_t material) cons
   own.between = of_kind.between;
 }
 
+void ImagePlan::moderate_bright_pilot(LevelVariances& own) const {
+  for (std::size_t c = 0; c < own.direct.size(); ++c)
+    own.direct[c] =
+        moderated(own.direct[c], Allocation::pilot().count() / 4.0, bright_.mean.direct[c], kDirectPrior);
+}
+
 std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, std::uint32_t most_samples,
                                                  bool pooling) {
   const TileProblem& image = request.image;
@@ -214,29 +307,45 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
 
   std::unique_ptr<ImagePlan> plan(new ImagePlan());
   for (const RayCounts& count : rays) plan->rays += count;
+  BrightSurvey bright = look_at_bright(request);
+  plan->rays += bright.rays;
   const std::size_t columns = found.front().direct.size();
   plan->leaders_ = leaders_of(*request.field());
   std::vector<double> mean(columns, 0.0);
-  Factor pure(plan->leaders_), mixed(plan->leaders_), all(plan->leaders_), rest(plan->leaders_);
+  Factor pure(plan->leaders_), mixed(plan->leaders_), all(plan->leaders_), rest(plan->leaders_),
+      of_bright(plan->leaders_);
+  // By what the first level differs by between two pilots, and what it tells of that; with it goes what the two levels have in common.
+  const auto direct_found = [](const Pilots& pilots, std::size_t c) {
+    return 2.0 * pilots.direct_apart[c] * (pilots.direct_apart[c] + 2.0 * pilots.rest_apart[c]);
+  };
+  const auto direct_told = [](const Pilots& pilots, std::size_t c) {
+    return 0.5 * (pilots.variances[0].direct[c] + pilots.variances[1].direct[c]) /
+           Allocation::pilot().count();
+  };
   for (const Surveyed& pixel : found) {
     Factor& own = pixel.mixed ? mixed : pure;
     for (Factor* factor : {&own, &all, &rest}) factor->count();
     for (std::size_t c = 0; c < columns; ++c) {
-      mean[c] += (pixel.direct[c] + pixel.rest[c]) / static_cast<double>(found.size());
-      const double direct = pixel.direct_apart[c], beyond = pixel.rest_apart[c],
-                   direct_found = 2.0 * direct * (direct + 2.0 * beyond),
-                   direct_told = 0.5 * (pixel.variances[0].direct[c] + pixel.variances[1].direct[c]) /
-                                 Allocation::pilot().count(),
+      mean[c] += pixel.left[c] * (pixel.direct[c] + pixel.rest[c]) / static_cast<double>(found.size());
+      const double beyond = pixel.rest_apart[c],
                    rest_told = 0.5 * (pixel.variances[0].rest[c] + pixel.variances[1].rest[c]) /
                                Allocation::kPilotWhole;
-      own.add(c, direct_found, direct_told);
-      all.add(c, direct_found, direct_told);
+      own.add(c, direct_found(pixel, c), direct_told(pixel, c));
+      all.add(c, direct_found(pixel, c), direct_told(pixel, c));
       rest.add(c, 2.0 * beyond * beyond, rest_told);
+    }
+  }
+  for (const Pilots& place : bright.found) {
+    of_bright.count();
+    for (std::size_t c = 0; c < columns; ++c) {
+      mean[c] += bright.of_pixels * (place.direct[c] + place.rest[c]);
+      of_bright.add(c, direct_found(place, c), direct_told(place, c));
     }
   }
   const std::vector<double> one(columns, 1.0), of_direct = all.of(one);
   plan->direct_factor_ = {pure.of(of_direct), mixed.of(of_direct)};
   plan->rest_factor_ = rest.of(one);
+  plan->bright_direct_factor_ = of_bright.of(one);
 
   const auto add = [&](Kind& kind, const LevelVariances& pixel) {
     kind.mean.direct.resize(columns, 0.0);
@@ -255,6 +364,15 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
       }
       add(plan->all_, variances);
       add(plan->kinds_[pixel.material], variances);
+    }
+  plan->bright_.mean.direct.assign(columns, 0.0);
+  for (Pilots& place : bright.found)
+    for (LevelVariances& variances : place.variances) {
+      for (std::size_t c = 0; c < columns; ++c) {
+        variances.direct[c] *= plan->bright_direct_factor(c);
+        plan->bright_.mean.direct[c] +=
+            variances.direct[c] / (2.0 * static_cast<double>(bright.found.size()));
+      }
     }
   // A tree in a street of lawns is met by few pilots and varies as nothing else does.
   const double of_all = plan->all_.pixels;
@@ -278,9 +396,16 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
   std::vector<SurveyedPixel> pixels;
   for (const Surveyed& pixel : found)
     for (const std::size_t h : {0, 1}) {
-      SurveyedPixel surveyed{pixel.variances[h], pixel.variances[1 - h]};
+      SurveyedPixel surveyed{pixel.variances[h], pixel.variances[1 - h],
+                             0.5 / static_cast<double>(found.size())};
       plan->moderate_pilot(surveyed.chosen_by, pixel.material);
       surveyed.judged_by.between = surveyed.chosen_by.between;
+      pixels.push_back(std::move(surveyed));
+    }
+  for (const Pilots& place : bright.found)
+    for (const std::size_t h : {0, 1}) {
+      SurveyedPixel surveyed{place.variances[h], place.variances[1 - h], 0.5 * bright.of_pixels};
+      plan->moderate_bright_pilot(surveyed.chosen_by);
       pixels.push_back(std::move(surveyed));
     }
   std::vector<double> squares(columns);

@@ -44,6 +44,11 @@ class ImagePlan final : public ImageSurvey {
   double direct_factor(bool mixed, std::size_t column) const { return direct_factor_[mixed ? 1 : 0][column]; }
   double rest_factor(std::size_t column) const { return rest_factor_[column]; }
 
+  /// The same of what pixels have of bright places, its shares of their responses included; of nothing where there are none.
+  const Kind& bright() const { return bright_; }
+  double bright_direct_factor(std::size_t column) const { return bright_direct_factor_[column]; }
+  void moderate_bright_pilot(LevelVariances& own) const;
+
   /// What the second level is where it is pooled; null where it is not.
   const RestModel* rest_model() const { return rest_model_.get(); }
 
@@ -69,7 +74,8 @@ class ImagePlan final : public ImageSurvey {
   std::vector<double> rest_factor_;
   std::unique_ptr<const RestModel> rest_model_;
   std::map<std::uint32_t, Kind> kinds_;
-  Kind all_;
+  Kind all_, bright_;
+  std::vector<double> bright_direct_factor_;
 };
 
 /// Whether labels show more than one material.

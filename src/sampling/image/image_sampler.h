@@ -27,6 +27,7 @@ class ImageSampler final : public PixelSampler {
   int halo_px() const override { return pooling_.on ? 7 : 0; }
   int block_px() const override;
   bool takes_many_values() const override { return true; }
+  bool asks_for_bright_places() const override { return true; }
   /// Errors: std::invalid_argument without a tolerance or a footprint; Cancelled.
   std::unique_ptr<const ImageSurvey> survey(const SurveyRequest& request) const override;
 

@@ -15,7 +15,17 @@ namespace ifov::sampling {
 
 namespace {
 
-enum class Draw : std::uint64_t { across, down, first_four, of_four, column, row };
+enum class Draw : std::uint64_t { across, down, first_four, of_four, column, row, again };
+
+/// Where all of a footprint lies in bright places what is drawn beside them counts for nothing.
+constexpr std::uint64_t kMostTries = 1024;
+
+FocalPoint point_at(const PixelFootprint& footprint, int i, int j, Point2 u) {
+  const double side = 2.0 * footprint.half_width_px();
+  const Point2 about =
+      footprint.uniform() ? Point2{(u.x - 0.5) * side, (u.y - 0.5) * side} : footprint_point(footprint, u);
+  return {i + 0.5 + about.x, j + 0.5 + about.y};
+}
 
 /// Which of the `count` slots of a line each of its cells takes: a permutation (Fisher and Yates).
 void permute(std::uint64_t key, std::size_t count, int* slots) {
@@ -32,9 +42,39 @@ void PixelPoints::clear() {
   importance.clear();
 }
 
-void PixelPoints::add(const TileProblem& problem, int i, int j, std::uint64_t key, const PixelPlan& plan) {
+void PixelPoints::add(const TileProblem& problem, const BrightShares& bright, int i, int j, std::uint64_t key,
+                      const PixelPlan& plan) {
   const FootprintGroups* const groups = problem.groups;
-  add(groups == nullptr ? *problem.footprint : groups->mixture(), i, j, key, plan);
+  const PixelFootprint& footprint = groups == nullptr ? *problem.footprint : groups->mixture();
+  const std::size_t first = requests.size();
+  add(footprint, i, j, key, plan);
+  // What lies in a bright place is drawn anew until it does not: points then lie as densely beside such places as the footprint has it.
+  for (std::size_t k = first; k < requests.size() && !bright.parts.empty(); ++k) {
+    FocalPoint point = requests[k].point;
+    for (std::uint64_t n = 0; n < kMostTries && bright.hold(point); ++n) {
+      const std::uint64_t again = hash(key, Draw::again, k - first, n);
+      point = point_at(footprint, i, j, {unit_double(again), unit_double(again + 1)});
+    }
+    requests[k].point = point;
+  }
+  add_importance(problem, i, j, plan);
+}
+
+void PixelPoints::add(const TileProblem& problem, const BrightPlaces::Rectangle& where, int i, int j,
+                      std::uint64_t key, const PixelPlan& plan) {
+  const FootprintGroups* const groups = problem.groups;
+  const BrightWarp warp(groups == nullptr ? *problem.footprint : groups->mixture(), where, i, j);
+  add_points(key, plan, [&](Point2 u, std::uint64_t k) { return warp.at(u, hash(key, Draw::again, k)); });
+  add_importance(problem, i, j, plan);
+}
+
+void PixelPoints::add(const PixelFootprint& footprint, int i, int j, std::uint64_t key,
+                      const PixelPlan& plan) {
+  add_points(key, plan, [&](Point2 u, std::uint64_t) { return point_at(footprint, i, j, u); });
+}
+
+void PixelPoints::add_importance(const TileProblem& problem, int i, int j, const PixelPlan& plan) {
+  const FootprintGroups* const groups = problem.groups;
   if (groups == nullptr) return;
   for (std::size_t k = requests.size() - plan.count(); k < requests.size(); ++k)
     for (std::size_t g = 0; g < groups->size(); ++g)
@@ -42,12 +82,10 @@ void PixelPoints::add(const TileProblem& problem, int i, int j, std::uint64_t ke
           groups->importance(g, i, requests[k].point.x_px - i - 0.5, requests[k].point.y_px - j - 0.5)));
 }
 
-void PixelPoints::add(const PixelFootprint& footprint, int i, int j, std::uint64_t key,
-                      const PixelPlan& plan) {
+template <class PlaceOf>
+void PixelPoints::add_points(std::uint64_t key, const PixelPlan& plan, const PlaceOf& place) {
   const std::uint32_t count = plan.count(), fours = count / 4;
   const std::uint64_t start = hash(key, Draw::first_four) % fours;
-  const bool box = footprint.uniform();
-  const double side = 2.0 * footprint.half_width_px();
   const auto columns = static_cast<std::size_t>(plan.across), rows = static_cast<std::size_t>(plan.down);
   across_.resize(count);
   down_.resize(count);
@@ -76,10 +114,8 @@ void PixelPoints::add(const PixelFootprint& footprint, int i, int j, std::uint64
       const Point2 u{
           (x + (across_[of_column] + unit_double(hash(key, Draw::across, x, y))) / plan.down) / plan.across,
           (y + (down_[of_row] + unit_double(hash(key, Draw::down, x, y))) / plan.across) / plan.down};
-      const Point2 about =
-          box ? Point2{(u.x - 0.5) * side, (u.y - 0.5) * side} : footprint_point(footprint, u);
       const std::uint32_t index = chosen[k] != 0 ? followed++ : others++;
-      requests.push_back({{i + 0.5 + about.x, j + 0.5 + about.y}, key, index});
+      requests.push_back({place(u, std::uint64_t{four} * 4 + k), key, index});
       whole.push_back(chosen[k]);
     }
   }

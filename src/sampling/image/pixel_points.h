@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sampling/field.h"
+#include "sampling/image/bright_places.h"
 
 namespace ifov::sampling {
 
@@ -27,14 +28,23 @@ struct PixelPoints {
   std::vector<float> importance;  ///< LevelRequests::importance
 
   void clear();
-  /// Of a pixel of this problem, under its footprint or, where channels have several, their mixture.
-  void add(const TileProblem& problem, int i, int j, std::uint64_t key, const PixelPlan& plan);
+  /// Of a pixel of this problem, under its footprint or, where channels have several, their mixture; of what of it is in none of its
+  /// bright places.
+  void add(const TileProblem& problem, const BrightShares& bright, int i, int j, std::uint64_t key,
+           const PixelPlan& plan);
+  /// The same of what of it is in one of them.
+  void add(const TileProblem& problem, const BrightPlaces::Rectangle& where, int i, int j, std::uint64_t key,
+           const PixelPlan& plan);
   /// Of pixel (i, j): one in each cell, in fours of cells side by side, and one in each of as many thin columns and rows as there are
   /// cells (multi-jittered sampling: Chiu, Shirley and Wang 1994). Of which cells the path is followed is drawn so that each has the
   /// same chance and every four about as many. `key`: of the pixel's random numbers and paths.
   void add(const PixelFootprint& footprint, int i, int j, std::uint64_t key, const PixelPlan& plan);
 
  private:
+  /// `place(u, k)`: of the unit square, for the k-th point.
+  template <class PlaceOf>
+  void add_points(std::uint64_t key, const PixelPlan& plan, const PlaceOf& place);
+  void add_importance(const TileProblem& problem, int i, int j, const PixelPlan& plan);
   std::vector<int> across_,
       down_;  // which thin column, column by column of cells; which thin row, row by row
 };
