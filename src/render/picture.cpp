@@ -92,7 +92,7 @@ sampling::TileProblem Picture::problem_of(const sampling::PixelRect& tile) const
   problem.groups = job_.groups;
   problem.tolerance = job_.tolerance;
   problem.steering_channels = steering_channels_;
-  problem.bright = &bright_places_;
+  problem.bright = bright_places_.get();
   problem.cancel = cancel_;
   problem.keep_memory = job_.keep_memory;
   return problem;
@@ -138,8 +138,8 @@ void Picture::find_bright_places() {
   for (const WingSpots::Box& box : shining_map_places(job_.scene, job_.camera, job_.seed, cancel_, *field))
     boxes.push_back(box);
   const scene::Scene& scene = job_.scene.scene();
-  bright_places_ =
-      bright_places(job_.scene, job_.camera, boxes, glare(), scene.sun ? scene.sun->half_angle_rad : 0.0);
+  bright_places_ = std::make_unique<sampling::BrightPlaces>(
+      bright_places(job_.scene, job_.camera, boxes, glare(), scene.sun ? scene.sun->half_angle_rad : 0.0));
   rays_ += field->counts();
 }
 

@@ -8,7 +8,6 @@
 #include "render/flown_pilots.h"
 #include "render/parts/light_told.h"
 #include "render/unsampled_light.h"
-#include "sampling/image/bright_places.h"
 #include "sampling/image/survey.h"
 #include "sampling/tile.h"
 #include "transport/transport_options.h"
@@ -54,7 +53,7 @@ class Picture {
   transport::TransportOptions transport_;
   std::optional<PilotRays> pilot_rays_;
   FlownPilots flown_pilots_{{}};  // of a camera that moves while it is exposed
-  sampling::BrightPlaces bright_places_;
+  std::unique_ptr<const sampling::BrightPlaces> bright_places_;  // null: none are known
   std::vector<int> steering_channels_;
   std::vector<float> sky_shares_;
   std::unique_ptr<const sampling::ImageSurvey> survey_;

@@ -88,7 +88,7 @@ struct ColumnError {
   double mean_sum = 0.0;      ///< of the pixels' means
   double variance_sum = 0.0;  ///< of the pixels' variances, as the samples tell them
   float limit =
-      0.0f;  ///< of the root mean square over the image; infinite where it is not judged, 0: none was asked for
+      0.0f;  ///< of the root mean square over the image; infinite: it is not judged, 0: none asked for
   float audited = 0.0f;  ///< mean squared error over those variances, by an audit; 0: there was none
 };
 
@@ -97,22 +97,18 @@ struct ColumnError {
 struct TileResult {
   PixelRect tile;
   int columns = 0;
-  /// The pixel's value: mean over its footprint.
-  std::vector<float> mean;
+  std::vector<float> mean;  ///< the pixel's value: over its footprint
   /// Variance of that mean that comes from where edges lie, and from paths (texture, penumbra, reflections, noise).
   std::vector<float> variance_geometry, variance_path;
-  /// Per pixel, after drop_variances().
-  std::vector<float> border_share;
-  /// Of the interval at the tolerance's confidence (0.95 without one).
-  std::vector<float> half_width;
+  std::vector<float> border_share;  ///< per pixel, after drop_variances()
+  std::vector<float> half_width;    ///< of the interval at the tolerance's confidence (0.95 without one)
   std::vector<float> bound;  ///< while a tile is finished: how far means may be off besides; empty: not
   /// Per pixel: all points queried (labels and values); of which label queries; of which value queries.
   std::vector<std::uint32_t> samples, label_rays, radiance_evaluations;
   /// Why the pixel is not converged; 0 where it is: every judged half-width is within its limit and nothing else
   /// speaks against it.
   std::vector<Reasons> reasons;
-  /// Largest half-width over its limit (0 without a tolerance).
-  std::vector<float> worst_ratio;
+  std::vector<float> worst_ratio;  ///< largest half-width over its limit (0 without a tolerance)
   /// A compact feature at least this large (fraction of a pixel's area) was found with probability >= 0.95.
   std::vector<float> missable_fraction;
   std::vector<Abundance> abundances;  ///< sorted by (pixel, material)
