@@ -2,21 +2,21 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
 #include "geodesy/attitude.h"
 #include "geodesy/utc_time.h"
 #include "io/document/document_values.h"
+#include "io/document/mount_document.h"
 #include "io/document/origin_document.h"
 #include "math/vec3.h"
 
 namespace ifov::io {
-
-/// Frames of paths. Of the scene: its east, north, up about its origin, in the document's coordinates. Geodetic: longitude,
-/// latitude, height above the ellipsoid WGS 84. ECEF: Earth-centred, Earth-fixed.
-enum class PathFrame { scene, geodetic, ecef };
 
 struct StraightPath {
   math::Point3 position_m;  ///< at 0 s
@@ -57,12 +57,6 @@ struct PlatformAttitude {
   YawFrom from = YawFrom::track;
 };
 
-/// Of what is carried: where it is along the body's nose, right wing and belly, and how it is turned against them.
-struct MountDocument {
-  math::Vec3 lever_arm_m;
-  geodesy::Attitude boresight;
-};
-
 /// Power spectra of the body's turns about its own axes, of these standard deviations.
 struct WhiteJitter {
   geodesy::Attitude rms;
@@ -83,13 +77,13 @@ struct ReportedPose {
   math::Vec3 position_bias_m, position_noise_m;  ///< east, north, up; standard deviations
   geodesy::Attitude attitude_bias, attitude_noise;
   double noise_up_to_hz = 1.0;
-  std::optional<MountDocument> mount;  ///< as it is taken to be; none: as it is
+  std::vector<MountDocument> mounts;  ///< as they are taken to be, but for their motion; none: as they are
 };
 
 struct PlatformDocument {
   std::variant<StraightPath, WayPointPath, TablePath, OrbitPath> path;
   std::optional<PlatformAttitude> attitude;  ///< none: what the path's table says, or level, the nose ahead
-  std::optional<MountDocument> mount;
+  std::vector<MountDocument> mounts;         ///< each on the one before, the last of which has the camera
   std::optional<JitterDocument> jitter;
   std::optional<ReportedPose> reported;  ///< none: the pose is known
   SourcePosition position;
@@ -101,6 +95,8 @@ struct PlatformFlight {
   std::optional<geodesy::UtcTime> time;
   OriginDocument origin;
   std::uint64_t seed = 1;
+  /// Paths of what gimbals track, by the names of objects.
+  std::map<std::string, std::shared_ptr<const PlatformDocument>> tracked = {};
 };
 
 }  // namespace ifov::io
