@@ -306,6 +306,13 @@ class Material:
 
 def search_materials(text: str) -> list[Material]: ...
 
+class SensorRange:
+    @property
+    def least(self) -> float: ...
+
+    @property
+    def most(self) -> float: ...
+
 class SensorChannel:
     @property
     def name(self) -> str: ...
@@ -358,6 +365,24 @@ class SensorChannel:
     @property
     def nedt_at_k(self) -> float | None: ...
 
+    @property
+    def centres_um(self) -> SensorRange | None: ...
+
+    @property
+    def fwhms_um(self) -> SensorRange | None: ...
+
+    @property
+    def shift_px(self) -> SensorRange | None: ...
+
+    @property
+    def step_share(self) -> float | None: ...
+
+    @property
+    def memory_mtf(self) -> float | None: ...
+
+    @property
+    def correction_left(self) -> float | None: ...
+
 class SensorDescription:
     @property
     def width_px(self) -> int: ...
@@ -385,6 +410,9 @@ class SensorDescription:
 
     @property
     def channels(self) -> list[SensorChannel]: ...
+
+    @property
+    def mosaic(self) -> str: ...
 
 class SensorPreset:
     @property

@@ -29,6 +29,7 @@ struct ChannelInfo {
   double toa_irradiance = 0.0;  ///< by the Sun alone on a level surface above the air; 0: none is told
   std::shared_ptr<const sensor::BrightnessScale> brightness = {};  ///< null: the response is not known
   std::vector<double> toa_of_carried = {};  ///< of each of ImageInfo::responses; empty: as above
+  double lag = 0.0, inertia = 0.0;          ///< shares of sensor::SignalMemory
 };
 
 /// What every product says of itself.

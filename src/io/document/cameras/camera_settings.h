@@ -13,7 +13,8 @@
 
 namespace ifov::sensor {
 class Camera;
-}
+struct ReadOut;
+}  // namespace ifov::sensor
 
 namespace ifov::io {
 
@@ -65,6 +66,9 @@ class CameraSettings {
     double from_s = 0.0, to_s = 0.0;
   };
   virtual Exposed exposed() const { return {}; }
+
+  /// Which detector elements make which pixels, and when.
+  virtual sensor::ReadOut read_out() const;
 
   /// Whether sweeps of a mirror or an antenna that turns make the image.
   virtual bool sweeps() const { return false; }

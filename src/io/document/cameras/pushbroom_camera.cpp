@@ -10,6 +10,7 @@
 #include "io/document/platform_document.h"
 #include "io/document/schema/record.h"
 #include "platform/trajectory.h"
+#include "sensor/detector/read_out.h"
 #include "sensor/pushbroom_camera.h"
 
 namespace ifov::io {
@@ -84,6 +85,10 @@ std::unique_ptr<sensor::Camera> PushbroomCamera::build(const CameraSite& site) c
   auto camera = std::make_unique<sensor::PushbroomCamera>(settings);
   if (flies_about_earth(flight->platform)) check_flatness(*camera, flight->origin);
   return camera;
+}
+
+sensor::ReadOut PushbroomCamera::read_out() const {
+  return {.kind = sensor::ReadOut::Kind::lines, .period_s = line_period_s};
 }
 
 std::string PushbroomCamera::description(math::Vec3 shift_m, std::string_view axes) const {

@@ -11,6 +11,7 @@
 #include "io/document/platform_document.h"
 #include "math/angle.h"
 #include "platform/trajectory.h"
+#include "sensor/detector/read_out.h"
 #include "sensor/scanning/scan_camera.h"
 
 namespace ifov::io {
@@ -73,6 +74,11 @@ std::unique_ptr<sensor::Camera> ScanningCamera::build(const CameraSite& site) co
   auto camera = std::make_unique<sensor::ScanCamera>(settings);
   if (flies_about_earth(flight->platform)) check_flatness(*camera, flight->origin);
   return camera;
+}
+
+sensor::ReadOut ScanningCamera::read_out() const {
+  const sensor::SweepPattern p = pattern();
+  return {sensor::ReadOut::Kind::sweeps, p.elements, p.reversed, p.both_ways, p.sweep_s / p.samples};
 }
 
 std::string ScanningCamera::description(math::Vec3 shift_m, std::string_view axes) const {
