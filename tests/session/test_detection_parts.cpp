@@ -12,8 +12,8 @@
 #include "render/image_info.h"
 #include "sensor/detector/detector.h"
 #include "sensor/detector/mosaic.h"
+#include "session/detection/detection.h"
 #include "session/line_cube.h"
-#include "session/runs/detection.h"
 
 namespace ifov::session::test_detection_parts {
 namespace {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
-#include <string>
+#include <span>
 #include <variant>
+#include <vector>
 
 #include "geodesy/attitude.h"
 #include "io/document/document_values.h"
@@ -11,13 +13,11 @@
 
 namespace ifov::io {
 
-/// Frames of paths. Of the scene: its east, north, up about its origin, in the document's coordinates. Geodetic: longitude,
-/// latitude, height above the ellipsoid WGS 84. ECEF: Earth-centred, Earth-fixed.
-enum class PathFrame { scene, geodetic, ecef };
+enum class PathFrame;
 
 /// A place in a frame: metres; geodetic: longitude and latitude in radians, height.
 struct TrackedPoint {
-  PathFrame frame = PathFrame::scene;
+  PathFrame frame{};  ///< scene if nothing is said
   std::array<double, 3> place{};
 };
 
@@ -61,5 +61,14 @@ struct MountDocument {
   geodesy::Attitude boresight;
   std::variant<std::monostate, GimbalDocument, StepStareDocument, TurnTableDocument> bearing;
 };
+
+/// Each on the one before, the last of which has the camera.
+struct MountList {
+  std::vector<MountDocument> mounts;
+};
+
+inline std::span<const MountDocument> mounts_in(const std::shared_ptr<const MountList>& list) {
+  return list ? std::span<const MountDocument>(list->mounts) : std::span<const MountDocument>();
+}
 
 }  // namespace ifov::io

@@ -12,11 +12,16 @@
 #include "geodesy/attitude.h"
 #include "geodesy/utc_time.h"
 #include "io/document/document_values.h"
-#include "io/document/mount_document.h"
 #include "io/document/origin_document.h"
 #include "math/vec3.h"
 
 namespace ifov::io {
+
+/// Frames of paths. Of the scene: its east, north, up about its origin, in the document's coordinates. Geodetic: longitude,
+/// latitude, height above the ellipsoid WGS 84. ECEF: Earth-centred, Earth-fixed.
+enum class PathFrame { scene, geodetic, ecef };
+
+struct MountList;
 
 struct StraightPath {
   math::Point3 position_m;  ///< at 0 s
@@ -77,13 +82,13 @@ struct ReportedPose {
   math::Vec3 position_bias_m, position_noise_m;  ///< east, north, up; standard deviations
   geodesy::Attitude attitude_bias, attitude_noise;
   double noise_up_to_hz = 1.0;
-  std::vector<MountDocument> mounts;  ///< as they are taken to be, but for their motion; none: as they are
+  std::shared_ptr<const MountList> mounts;  ///< as measured, but for their motion; null: as they are
 };
 
 struct PlatformDocument {
   std::variant<StraightPath, WayPointPath, TablePath, OrbitPath> path;
   std::optional<PlatformAttitude> attitude;  ///< none: what the path's table says, or level, the nose ahead
-  std::vector<MountDocument> mounts;         ///< each on the one before, the last of which has the camera
+  std::shared_ptr<const MountList> mounts;   ///< null: none
   std::optional<JitterDocument> jitter;
   std::optional<ReportedPose> reported;  ///< none: the pose is known
   SourcePosition position;
@@ -95,8 +100,7 @@ struct PlatformFlight {
   std::optional<geodesy::UtcTime> time;
   OriginDocument origin;
   std::uint64_t seed = 1;
-  /// Paths of what gimbals track, by the names of objects.
-  std::map<std::string, std::shared_ptr<const PlatformDocument>> tracked = {};
+  std::map<std::string, std::shared_ptr<const PlatformDocument>> tracked = {};  ///< of gimbals, by object
 };
 
 }  // namespace ifov::io

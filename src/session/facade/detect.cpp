@@ -15,10 +15,10 @@
 #include "sensor/detector/mosaic.h"
 #include "sensor/detector/read_out.h"
 #include "session/cube_channels.h"
+#include "session/detection/detection.h"
 #include "session/facade/access.h"
 #include "session/facade/document_inside.h"
 #include "session/line_cube.h"
-#include "session/runs/detection.h"
 #include "session/runs/run_record_file.h"
 
 namespace ifov {

@@ -7,6 +7,7 @@
 #include "io/document/cameras/flight_path.h"
 #include "io/document/cameras/jitter_table.h"
 #include "io/document/cameras/mounts.h"
+#include "io/document/mount_document.h"
 #include "io/document/platform_document.h"
 #include "platform/power_spectrum.h"
 #include "platform/trajectory.h"
@@ -103,11 +104,11 @@ Motions motions_of(const PlatformFlight& flight, math::Vec3 offset_m, double fro
                                   drawn(noise_of(*of.reported), Stream::reported),
                                   mounts,
                                   {}};
-    for (std::size_t k = 0; k < of.reported->mounts.size(); ++k) {
-      const MountDocument& measured = of.reported->mounts[k];
-      deviation.mounts.resize(std::max(deviation.mounts.size(), k + 1));
-      deviation.mounts[k].lever_arm_m = measured.lever_arm_m;
-      deviation.mounts[k].boresight = measured.boresight;
+    const std::span<const MountDocument> measured = mounts_in(of.reported->mounts);
+    deviation.mounts.resize(std::max(mounts.size(), measured.size()));
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+      deviation.mounts[k].lever_arm_m = measured[k].lever_arm_m;
+      deviation.mounts[k].boresight = measured[k].boresight;
     }
     if (std::any_of(mounts.begin(), mounts.end(),
                     [](const platform::Mount& mount) { return mount.bearing != nullptr; }))

@@ -8,6 +8,7 @@
 #include "geodesy/geodetic.h"
 #include "io/document/cameras/flight_path.h"
 #include "io/document/cameras/path_table.h"
+#include "io/document/mount_document.h"
 #include "io/document/platform_document.h"
 #include "platform/mounts/gimbal.h"
 #include "platform/mounts/programmed.h"
@@ -89,7 +90,7 @@ struct BearingMaker {
 std::vector<platform::Mount> mounts_of(const PlatformFlight& flight, math::Vec3 offset_m, double from_s,
                                        double to_s) {
   std::vector<platform::Mount> mounts;
-  for (const MountDocument& mount : flight.platform.mounts)
+  for (const MountDocument& mount : mounts_in(flight.platform.mounts))
     mounts.push_back({mount.lever_arm_m, mount.boresight,
                       std::visit(BearingMaker{flight, offset_m, from_s, to_s}, mount.bearing)});
   return mounts;

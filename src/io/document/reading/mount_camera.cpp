@@ -8,6 +8,7 @@
 #include "core/names.h"
 #include "io/document/cameras/view_settings.h"
 #include "io/document/document.h"
+#include "io/document/mount_document.h"
 #include "io/document/platform_document.h"
 #include "io/document/samplers/accuracy_sampling.h"
 
@@ -33,7 +34,7 @@ void settle_views(Document& document) {
 
 /// Paths of what gimbals track.
 void find_tracked(const Document& document, PlatformFlight& flight) {
-  for (const MountDocument& mount : flight.platform.mounts) {
+  for (const MountDocument& mount : mounts_in(flight.platform.mounts)) {
     const auto* gimbal = std::get_if<GimbalDocument>(&mount.bearing);
     if (gimbal == nullptr) continue;
     if (const auto* point = std::get_if<TrackedPoint>(&gimbal->target)) {
@@ -62,13 +63,13 @@ void find_tracked(const Document& document, PlatformFlight& flight) {
                                 moving.empty() ? std::string("the name of an object that has a 'motion'")
                                                : format("an object that moves ({})", list_names(moving))));
   }
-  if (const auto& reported = flight.platform.reported;
-      reported && reported->mounts.size() > std::max<std::size_t>(flight.platform.mounts.size(), 1))
-    throw document_error(
-        document.sources, flight.platform.position,
-        format("'reported' tells of {} mounts, and there {}", reported->mounts.size(),
-               flight.platform.mounts.size() == 1 ? std::string("is one")
-                                                  : format("are {}", flight.platform.mounts.size())));
+  const std::size_t mounts = mounts_in(flight.platform.mounts).size();
+  const auto& reported = flight.platform.reported;
+  if (const std::size_t told = reported ? mounts_in(reported->mounts).size() : 0;
+      told > std::max<std::size_t>(mounts, 1))
+    throw document_error(document.sources, flight.platform.position,
+                         format("'reported' tells of {} mounts, and there {}", told,
+                                mounts == 1 ? std::string("is one") : format("are {}", mounts)));
 }
 
 }  // namespace

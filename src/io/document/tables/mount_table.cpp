@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "core/format.h"
+#include "io/document/mount_document.h"
 #include "io/document/tables/platform_angles.h"
 #include "io/document/tables/platform_tables.h"
 

@@ -1,6 +1,7 @@
 #include <array>
 #include <utility>
 
+#include "io/document/mount_document.h"
 #include "io/document/tables/platform_angles.h"
 #include "io/document/tables/platform_tables.h"
 
@@ -119,7 +120,12 @@ SchemaType<ReportedPose> reported_type() {
                     quantity(kFrequency, Range::between(1e-6, 1e5, "Hz")), "\"1 Hz\"",
                     "highest frequency of the noise, whose power is the same below")
       .optional(
-          "mount", &ReportedPose::mounts,
+          "mount",
+          via(
+              [](ReportedPose& to, std::vector<MountDocument> mounts) {
+                to.mounts = std::make_shared<const MountList>(MountList{std::move(mounts)});
+              },
+              [](const ReportedPose& of) { return of.mounts ? &of.mounts->mounts : nullptr; }),
           mounts_type("How the camera is taken to be fixed to the body; what is not given is 0.", false),
           "of the camera as it was measured; if not given as it is. Angles that change are known");
   return record.type();

@@ -1,3 +1,4 @@
+#include "io/document/mount_document.h"
 #include "io/document/platform_document.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/platform_tables.h"
@@ -87,7 +88,12 @@ SchemaType<PlatformDocument> platform_type() {
       .optional("attitude", &PlatformDocument::attitude, platform_attitude_type(),
                 "how it stands; if not given what the table says, or level, the nose ahead")
       .optional(
-          "mount", &PlatformDocument::mounts,
+          "mount",
+          via(
+              [](PlatformDocument& to, std::vector<MountDocument> mounts) {
+                to.mounts = std::make_shared<const MountList>(MountList{std::move(mounts)});
+              },
+              [](const PlatformDocument& of) { return of.mounts ? &of.mounts->mounts : nullptr; }),
           mounts_type("How the camera is carried by the body, or by the mount before it in a list.", true),
           "of the camera, or a list of mounts, each on the one before; if not given at the platform's position and along its axes")
       .optional("jitter", &PlatformDocument::jitter, jitter_type(), "random turns besides")

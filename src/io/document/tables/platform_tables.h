@@ -5,6 +5,8 @@
 
 namespace ifov::io {
 
+struct MountDocument;
+
 /// Parts of the table of platforms.
 SchemaType<PlatformAttitude> platform_attitude_type();
 /// One mount, or several, each on the one before; `moves`: what turns them, too.

@@ -1,10 +1,10 @@
-#include "session/runs/seen_light.h"
+#include "session/detection/seen_light.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "io/products/envi_reader.h"
-#include "session/runs/detection.h"
+#include "session/detection/detection.h"
 
 namespace ifov::session {
 

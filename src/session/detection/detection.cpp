@@ -1,4 +1,4 @@
-#include "session/runs/detection.h"
+#include "session/detection/detection.h"
 
 #include <algorithm>
 #include <limits>
@@ -24,10 +24,10 @@
 #include "session/assembly/whole/across_track.h"
 #include "session/assembly/whole/noise_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
+#include "session/detection/detected_values.h"
+#include "session/detection/seen_light.h"
 #include "session/line_blocks.h"
 #include "session/line_cube.h"
-#include "session/runs/detected_values.h"
-#include "session/runs/seen_light.h"
 
 namespace ifov::session {
 namespace {
