@@ -35,7 +35,7 @@ struct DetectOptions {
   bool mosaic = false;
   /// Runs of the frames before, the last one first, for detectors with a lag or a time constant: what of their light is still there. Without
   /// them frames before were like this one. Of frame cameras; scanners remember their own lines and samples.
-  std::vector<std::filesystem::path> after;
+  std::vector<std::filesystem::path> after = {};
 };
 
 /// What was made of a run's radiance.
