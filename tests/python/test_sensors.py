@@ -60,16 +60,16 @@ class Sensors(unittest.TestCase):
         document = with_detector()
         document["sensor"]["smile"] = {"polynomial": {"center": ["0 nm", "2 nm"]}}
         document["sensor"]["mosaic"] = [["red", "T"], ["T", "red"]]
-        document["sensor"]["detector"] |= {"time_constant": "10 ms", "frame_period": "20 ms", "correction": {"low": {"radiance": "10 W/m2/sr/um"}, "high": {"radiance": "90 W/m2/sr/um"}, "frames": 25}}
+        document["sensor"]["detector"] |= {"time_constant": "10 ms", "frame_period": "20 ms", "correction": {"low": {"radiance": "4 W/m2/sr/um"}, "high": {"radiance": "20 W/m2/sr/um"}, "frames": 25}}
         told = ifov.sensors.describe(document)
         self.assertEqual(told.attrs["mosaic"], "(red, T), (T, red)")
         np.testing.assert_allclose(told["step_share"], 1 - np.exp(-2), rtol=1e-6)
         np.testing.assert_allclose(told["memory_mtf"], np.tanh(1.0), rtol=1e-6)
-        # Half way between the lights: a quarter of the noise of each, in the mean of 25.
-        gain = 8e6 / (2**14 - 1)
+        # The reference of 50 lies 46/16 of the way from one light to the other: docs/theory/detectors.md, equation 11.
+        gain, share = 8e6 / (2**14 - 1), 46 / 16
         per_radiance = told["electrons"] / told["radiance"]
-        both = [per_radiance * light + told["dark"] + told["background"] + 400.0**2 + gain**2 / 12 for light in (10, 90)]
-        np.testing.assert_allclose(told["correction_left"], np.sqrt((both[0] + both[1]) / 4 / 25) / per_radiance, rtol=1e-6)
+        low, high = (per_radiance * light + told["dark"] + told["background"] + 400.0**2 + gain**2 / 12 for light in (4, 20))
+        np.testing.assert_allclose(told["correction_left"], np.sqrt(((1 - share) ** 2 * low + share**2 * high) / 25) / per_radiance, rtol=1e-6)
         self.assertTrue((told["centre_most"] > told["centre_least"]).all())
 
     def test_without_a_detector_nothing_is_told_of_it(self):
