@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "platform/cubic_spline.h"
 #include "platform/bearing.h"
+#include "platform/cubic_spline.h"
 
 namespace ifov::platform {
 
