@@ -33,6 +33,9 @@ struct DetectOptions {
   const CancelToken* cancel = nullptr;
   /// Of a sensor with a mosaic of filters: what each element has through its own filter alone, as one band.
   bool mosaic = false;
+  /// Runs of the frames before, the last one first, for detectors with a lag or a time constant: what of their light is still there. Without
+  /// them frames before were like this one. Of frame cameras; scanners remember their own lines and samples.
+  std::vector<std::filesystem::path> after = {};
 };
 
 /// What was made of a run's radiance.

@@ -41,6 +41,11 @@ struct SensorDescription {
     };
     std::optional<Range> centres_um, fwhms_um;  ///< with a smile
     std::optional<Range> shift_px;              ///< with a keystone
+    // Of a detector with a lag or a time constant:
+    std::optional<double> step_share;  ///< of a step of the light that the first exposure shows
+    std::optional<double> memory_mtf;  ///< modulation of what swings by half a cycle an exposure
+    /// Of a detector that is corrected, what is left from element to element at its reference, W m-2 sr-1 um-1.
+    std::optional<double> correction_left;
   };
   std::vector<Channel> channels;
   std::string

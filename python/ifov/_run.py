@@ -235,16 +235,19 @@ def detect(
     document: Mapping[str, Any] | None = None,
     set: Sequence[str] = (),
     threads: int = 0,
+    after: Sequence[str | os.PathLike[str]] = (),
 ) -> list[pathlib.Path]:
     """Draws what the sensor makes of a finished run, ``count`` times with seeds from ``seed`` on: ``"radiance"``, ``"kelvins"`` and, of
     runs with the Sun up, ``"toa_reflectance"``, and where channels have a detector ``"electrons"`` and ``"counts"``. document: whose channels tell the noise; else the run's, with the values of ``set``
-    (``"sensor.detector.integration_time=2 ms"``) in place of its own. Returns the cubes; ``load`` has those of radiance as
+    (``"sensor.detector.integration_time=2 ms"``) in place of its own. after: of a frame camera whose detector has a lag or a time
+    constant, runs of the frames before, the last one first. Returns the cubes; ``load`` has those of radiance as
     ``noisy_SEED``."""
     other = None
     if document is not None:
         with Written(document) as written:
             other = parsed(written)
-    _noise, cubes = library().detect(os.fspath(run), os.fspath(folder), seed, count, list(quantities), other, list(set), threads)
+    before = [pathlib.Path(one) for one in after]
+    _noise, cubes = library().detect(os.fspath(run), os.fspath(folder), seed, count, list(quantities), other, list(set), threads, before)
     return list(cubes)
 
 

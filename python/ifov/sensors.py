@@ -32,6 +32,15 @@ _OF_CHANNELS = (
     ("nedl", "nedl", "W m-2 sr-1 um-1", "standard deviation of the noise as a radiance (NEdL)"),
     ("nedt", "nedt", "K", "the same as a temperature difference (NEdT)"),
     ("nedt_at_k", "nedt_at", "K", "temperature at which NEdT is told"),
+    ("correction_left", "correction_left", "W m-2 sr-1 um-1", "what a correction leaves from element to element, at the reference"),
+    ("step_share", "step_share", "1", "share of a step of the light that the first exposure shows, by lag and time constant"),
+    ("memory_mtf", "memory_mtf", "1", "modulation at half a cycle an exposure, by lag and time constant"),
+)
+#: (name in the library, variable, unit, what): by detector column, the least and the most
+_BY_COLUMN = (
+    ("centres_um", "centre", "um", "centre of the response"),
+    ("fwhms_um", "width", "um", "width of the response"),
+    ("shift_px", "shift", "px", "how far to the right a column looks"),
 )
 
 
@@ -58,8 +67,9 @@ def find(name: str) -> Preset:
 
 def describe(document: Mapping[str, Any]) -> xarray.Dataset:
     """What ``ifov sensor`` tells of a document's sensor: MTF, and with a detector electrons, SNR, NEdL and NEdT, along ``channel``; what is
-    not known is not a number. Attributes: width_px, height_px, gsd_m, swath_m, ifov_rad, f_number and, of a frame that flies, smear_px
-    and row_shift_px, where they are known. No scene is loaded."""
+    not known is not a number. Of a spectrometer with smile or keystone, centre_least and centre_most, width_least, shift_least and so on are
+    over detector columns. Attributes: width_px, height_px, gsd_m, swath_m, ifov_rad, f_number, mosaic (channels by element) and, of a frame
+    that flies, smear_px and row_shift_px, where they are known. No scene is loaded."""
     import xarray
 
     with Written(document) as written:
@@ -80,6 +90,15 @@ def describe(document: Mapping[str, Any]) -> xarray.Dataset:
         if name == "nedl":  # 0: no noise is told
             values = [value or np.nan for value in values]
         made[variable] = ("channel", np.array(values, float), {"units": unit, "long_name": what})
+    for name, variable, unit, what in _BY_COLUMN:
+        ranges = [getattr(channel, name) for channel in told.channels]
+        if not any(ranges):
+            continue
+        for end in ("least", "most"):
+            values = [np.nan if one is None else getattr(one, end) for one in ranges]
+            made[f"{variable}_{end}"] = ("channel", np.array(values), {"units": unit, "long_name": f"{what}, the {end} of all columns"})
+    if told.mosaic:
+        made.attrs["mosaic"] = told.mosaic
     for name in ("width_px", "height_px", "gsd_m", "swath_m", "ifov_rad", "f_number", "smear_px", "row_shift_px"):
         if (value := getattr(told, name)) is not None:
             made.attrs[name] = value

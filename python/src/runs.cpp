@@ -45,7 +45,7 @@ void add_runs(nb::module_& module) {
       "detect",
       [](const std::filesystem::path& run, const std::filesystem::path& folder, std::uint64_t seed, int count,
          const std::vector<std::string>& quantities, const std::optional<Document>& other,
-         const std::vector<std::string>& set, int threads) {
+         const std::vector<std::string>& set, int threads, const std::vector<std::filesystem::path>& after) {
         std::vector<DetectedQuantity> wanted;
         for (const std::string& name : quantities) wanted.push_back(detected_quantity(name));
         Call call;
@@ -57,7 +57,8 @@ void add_runs(nb::module_& module) {
                               .other = other,
                               .set = set,
                               .threads = threads,
-                              .cancel = call.cancel()});
+                              .cancel = call.cancel(),
+                              .after = after});
         });
         nb::dict noise;
         for (const Detection::Channel& channel : detection.channels)
@@ -65,7 +66,7 @@ void add_runs(nb::module_& module) {
         return nb::make_tuple(noise, detection.cubes);
       },
       nb::arg("run"), nb::arg("folder"), nb::arg("seed"), nb::arg("count"), nb::arg("quantities"),
-      nb::arg("other").none(), nb::arg("set"), nb::arg("threads"));
+      nb::arg("other").none(), nb::arg("set"), nb::arg("threads"), nb::arg("after"));
 
   nb::class_<RegionMean::Channel>(module, "RegionChannel")
       .def_ro("name", &RegionMean::Channel::name)

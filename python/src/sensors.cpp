@@ -12,6 +12,8 @@ namespace nb = nanobind;
 
 void add_sensors(nb::module_& module) {
   using Channel = SensorDescription::Channel;
+  using Range = Channel::Range;
+  nb::class_<Range>(module, "SensorRange").def_ro("least", &Range::least).def_ro("most", &Range::most);
   nb::class_<Channel>(module, "SensorChannel")
       .def_ro("name", &Channel::name)
       .def_ro("centre_um", &Channel::centre_um)
@@ -29,7 +31,13 @@ void add_sensors(nb::module_& module) {
       .def_ro("snr", &Channel::snr)
       .def_ro("nedl", &Channel::nedl)
       .def_ro("nedt", &Channel::nedt)
-      .def_ro("nedt_at_k", &Channel::nedt_at_k);
+      .def_ro("nedt_at_k", &Channel::nedt_at_k)
+      .def_ro("centres_um", &Channel::centres_um)
+      .def_ro("fwhms_um", &Channel::fwhms_um)
+      .def_ro("shift_px", &Channel::shift_px)
+      .def_ro("step_share", &Channel::step_share)
+      .def_ro("memory_mtf", &Channel::memory_mtf)
+      .def_ro("correction_left", &Channel::correction_left);
   nb::class_<SensorDescription>(module, "SensorDescription")
       .def_ro("width_px", &SensorDescription::width_px)
       .def_ro("height_px", &SensorDescription::height_px)
@@ -39,7 +47,8 @@ void add_sensors(nb::module_& module) {
       .def_ro("f_number", &SensorDescription::f_number)
       .def_ro("smear_px", &SensorDescription::smear_px)
       .def_ro("row_shift_px", &SensorDescription::row_shift_px)
-      .def_ro("channels", &SensorDescription::channels);
+      .def_ro("channels", &SensorDescription::channels)
+      .def_ro("mosaic", &SensorDescription::mosaic);
   nb::class_<SensorPresetInfo>(module, "SensorPreset")
       .def_ro("name", &SensorPresetInfo::name)
       .def_ro("about", &SensorPresetInfo::about)

@@ -14,6 +14,7 @@ namespace {
 struct DetectArguments {
   std::string run, document, output;
   DocumentArguments input;
+  std::vector<std::string> after;
   std::vector<DetectedQuantity> quantities = {DetectedQuantity::radiance};
   std::uint64_t seed = 1;
   int count = 1, threads = 0;
@@ -29,6 +30,7 @@ ExitCode detect(const DetectArguments& arguments) {
   options.cancel = &cancel_on_interrupt();
   options.quantities = arguments.quantities;
   options.mosaic = arguments.mosaic;
+  options.after.assign(arguments.after.begin(), arguments.after.end());
   if (arguments.document.empty())
     options.set = arguments.input.set;
   else
@@ -75,6 +77,9 @@ Command add_detect_command(CLI::App& app) {
           {"kelvins", DetectedQuantity::kelvins},
           {"toa_reflectance", DetectedQuantity::toa_reflectance}}))
       ->default_str("radiance");
+  parser->add_option(
+      "--after", arguments->after,
+      "Of a frame camera whose detector has a lag or a time constant: runs of the frames before, the last one first");
   parser->add_flag("--mosaic", arguments->mosaic,
                    "Of a sensor with a mosaic: each element through its own filter alone, as one band");
   parser->add_option("-o,--output", arguments->output, "Folder of the cubes, in place of the run's");

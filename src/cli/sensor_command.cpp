@@ -51,6 +51,15 @@ void say_channel(const SensorDescription::Channel& channel) {
   }
   if (channel.nedl > 0.0) line("NEdL", format("{:.4g} W m-2 sr-1 um-1", channel.nedl));
   if (channel.nedt) line("NEdT", format("{:.4g} K at {:.4g} K", *channel.nedt, *channel.nedt_at_k));
+  if (channel.correction_left)
+    line("correction", format("leaves {:.4g} W m-2 sr-1 um-1 from element to element, {:.3g} of the noise",
+                              *channel.correction_left, *channel.correction_left / channel.nedl));
+  if (!channel.memory_mtf) return;
+  std::string memory = format("{:.3g} % of a step in the first exposure, MTF {:.3f} at 1/2 cycle an exposure",
+                              100.0 * *channel.step_share, *channel.memory_mtf);
+  if (channel.nedt)
+    memory += format(": NEdT {:.4g} K of what changes so fast", *channel.nedt / *channel.memory_mtf);
+  line("memory", memory);
 }
 
 void say_sensor(const Document& document) {

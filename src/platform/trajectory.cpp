@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/format.h"
+#include "platform/bearing.h"
 #include "platform/wander.h"
 
 namespace ifov::platform {
@@ -140,6 +141,8 @@ void Trajectory::last_for_ever() {
 Trajectory Trajectory::carrying(Deviation deviation) const {
   Trajectory other = *this;
   if (deviation.motion) other.step_s_ = std::min(step_s_, deviation.motion->step_s());
+  for (const Mount& mount : deviation.mounts)
+    if (mount.bearing) other.step_s_ = std::min(other.step_s_, mount.bearing->step_s());
   other.deviation_ = std::move(deviation);
   return other;
 }
@@ -162,7 +165,17 @@ Stance Trajectory::stance(double time_s, math::Point3 position_m, math::Vec3 vel
   return rotation_of({q[0], q[1], q[2], q[3]});
 }
 
-Pose Trajectory::pose(double time_s) const {
+geodesy::Attitude Trajectory::bearing_angles(double time_s, std::size_t mount, const Pose& carrier,
+                                             double jitter_share) const {
+  const Bearing& bearing = *deviation_->mounts[mount].bearing;
+  if (const Trajectory* other = deviation_->read_on.get())
+    return other->bearing_angles(time_s, mount, other->carrier(time_s, mount, 1.0), 1.0);
+  const double blind = bearing.blind_share();
+  if (!(blind > 0.0) || !deviation_->motion) return bearing.angles(time_s, carrier);
+  return bearing.angles(time_s, this->carrier(time_s, mount, jitter_share * (1.0 - blind)));
+}
+
+Pose Trajectory::carrier(double time_s, std::size_t mount, double jitter_share) const {
   Vec place{}, slope{};
   position_.at(time_s, place, slope);
   const math::Vec3 velocity = vector_of(slope);
@@ -174,15 +187,35 @@ Pose Trajectory::pose(double time_s) const {
   if (deviation_->motion) {
     std::array<double, 6> moved{};
     deviation_->motion->at(time_s, moved);
+    for (double& one : moved) one *= jitter_share;
     pose.position_m = pose.position_m + math::Vec3{moved[0], moved[1], moved[2]};
     turn = sum(turn, moved[3], moved[4], moved[5]);
   }
   if (!is_zero(turn)) pose.enu_from_body = turned(pose.enu_from_body, turn);
-  pose.position_m =
-      pose.position_m + pose.enu_from_body(geodesy::BodyVector{deviation_->mount.lever_arm_m}).v;
-  if (!is_zero(deviation_->mount.boresight))
-    pose.enu_from_body = turned(pose.enu_from_body, deviation_->mount.boresight);
+  for (std::size_t k = 0; k < deviation_->mounts.size(); ++k) {
+    const Mount& fixed = deviation_->mounts[k];
+    pose.position_m = pose.position_m + pose.enu_from_body(geodesy::BodyVector{fixed.lever_arm_m}).v;
+    if (!is_zero(fixed.boresight)) pose.enu_from_body = turned(pose.enu_from_body, fixed.boresight);
+    if (k == mount) break;
+    if (fixed.bearing)
+      pose.enu_from_body = turned(pose.enu_from_body, bearing_angles(time_s, k, pose, jitter_share));
+  }
   return pose;
+}
+
+Pose Trajectory::pose(double time_s) const {
+  return carrier(time_s, std::numeric_limits<std::size_t>::max(), 1.0);
+}
+
+void Trajectory::check_bearings(std::span<const double> times_s) const {
+  if (!deviation_) return;
+  for (std::size_t k = 0; k < deviation_->mounts.size(); ++k) {
+    if (!deviation_->mounts[k].bearing) continue;
+    std::vector<geodesy::Attitude> angles;
+    for (const double time_s : times_s)
+      angles.push_back(bearing_angles(time_s, k, carrier(time_s, k, 1.0), 1.0));
+    deviation_->mounts[k].bearing->check(times_s, angles);
+  }
 }
 
 }  // namespace ifov::platform

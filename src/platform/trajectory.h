@@ -35,13 +35,16 @@ struct Pointing {
   bool from_track = true;
 };
 
+class Bearing;
+class Trajectory;
+class Wander;
+
 /// How something is fixed to a body: where, along the body's nose, right wing and belly, and how it is turned against them.
 struct Mount {
   math::Vec3 lever_arm_m;
   geodesy::Attitude boresight;
+  std::shared_ptr<const Bearing> bearing = nullptr;  ///< turns it from there; null: it is fixed
 };
-
-class Wander;
 
 /// What lies between a path with its attitudes and what it carries, in this order.
 struct Deviation {
@@ -49,7 +52,9 @@ struct Deviation {
   geodesy::Attitude turn = {};  ///< about the body's own axes
   /// Added to both: east, north, up (m), yaw, pitch, roll (rad); null: nothing.
   std::shared_ptr<const Wander> motion = nullptr;
-  Mount mount = {};
+  std::vector<Mount> mounts = {};  ///< each on the one before
+  /// On which bearings have the angles that they have here: what is said of a pose knows angles as they are. Null: here.
+  std::shared_ptr<const Trajectory> read_on = nullptr;
 };
 
 /// A point of a path: seconds after the document's instant, scene frame.
@@ -81,6 +86,9 @@ class Trajectory {
 
   Pose pose(double time_s) const;
 
+  /// Throws InputError where a bearing cannot do at these times, which increase, what it is for.
+  void check_bearings(std::span<const double> times_s) const;
+
   /// The shortest time between the points that it passes smoothly; infinite where one velocity holds.
   double step_s() const { return step_s_; }
 
@@ -91,6 +99,10 @@ class Trajectory {
  private:
   void last_for_ever();
   Stance stance(double time_s, math::Point3 position_m, math::Vec3 velocity_m_s) const;
+  /// Of what the mount with this number turns; of all, the whole.
+  Pose carrier(double time_s, std::size_t mount, double jitter_share) const;
+  geodesy::Attitude bearing_angles(double time_s, std::size_t mount, const Pose& carrier,
+                                   double jitter_share) const;
 
   CubicSpline position_;
   std::variant<HeldAttitude, Pointing, CubicSpline> attitude_;  // of quaternions

@@ -29,6 +29,7 @@ struct ChannelInfo {
   double toa_irradiance = 0.0;  ///< by the Sun alone on a level surface above the air; 0: none is told
   std::shared_ptr<const sensor::BrightnessScale> brightness = {};  ///< null: the response is not known
   std::vector<double> toa_of_carried = {};  ///< of each of ImageInfo::responses; empty: as above
+  double lag = 0.0, inertia = 0.0;          ///< shares of sensor::SignalMemory
 };
 
 /// What every product says of itself.
@@ -42,8 +43,7 @@ struct ImageInfo {
   std::vector<std::string> objects;              ///< names of the document's, for classes; empty: not known
   std::vector<std::uint32_t> first_of_objects;   ///< number in the world of the first that stands for each
   std::string radiance_unit = "W m-2 sr-1 um-1";
-  bool stokes = false;   ///< tiles tell Q, U and V beside I
-  bool has_map = false;  ///< map coordinates of the upper left corner and the pixel size
+  bool stokes = false, has_map = false;  ///< Q, U and V beside I; where it lies on a map
   double map_x_m = 0.0, map_y_m = 0.0, gsd_m = 0.0;
   double map_rotation_rad = 0.0;  ///< azimuth of the upward direction of the image, clockwise from north
   std::string map_projection;     ///< "Arbitrary" for a local ENU frame, else well-known text

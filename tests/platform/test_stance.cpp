@@ -115,7 +115,7 @@ TEST(Trajectory, CarriesWhatIsMountedOnIt) {
   const auto path = Trajectory::straight({1.0, 2.0, 300.0}, {0.0, 50.0, 0.0}, held);
   const Mount mount{{2.0, -0.5, 1.0}, {0.01, -0.02, 0.03}};
   const Trajectory carried =
-      path.carrying({.shift_m = {0.1, 0.2, 0.3}, .turn = {0.0, 0.05, 0.0}, .mount = mount});
+      path.carrying({.shift_m = {0.1, 0.2, 0.3}, .turn = {0.0, 0.05, 0.0}, .mounts = {mount}});
   const Pose bare = path.pose(3.0), pose = carried.pose(3.0);
   const Quaternion body = product(of_angles(held.angles), of_angles({0.0, 0.05, 0.0}));
   // In north-east-down, as the angles are told.

@@ -56,6 +56,22 @@ class Sensors(unittest.TestCase):
         np.testing.assert_allclose(told["nedl"], told["radiance"] / told["snr"], rtol=1e-9)
         self.assertEqual(told["nedl"].attrs["units"], "W m-2 sr-1 um-1")
 
+    def test_columns_mosaic_and_memory(self):
+        document = with_detector()
+        document["sensor"]["smile"] = {"polynomial": {"center": ["0 nm", "2 nm"]}}
+        document["sensor"]["mosaic"] = [["red", "T"], ["T", "red"]]
+        document["sensor"]["detector"] |= {"time_constant": "10 ms", "frame_period": "20 ms", "correction": {"low": {"radiance": "4 W/m2/sr/um"}, "high": {"radiance": "20 W/m2/sr/um"}, "frames": 25}}
+        told = ifov.sensors.describe(document)
+        self.assertEqual(told.attrs["mosaic"], "(red, T), (T, red)")
+        np.testing.assert_allclose(told["step_share"], 1 - np.exp(-2), rtol=1e-6)
+        np.testing.assert_allclose(told["memory_mtf"], np.tanh(1.0), rtol=1e-6)
+        # The reference of 50 lies 46/16 of the way from one light to the other: docs/theory/detectors.md, equation 11.
+        gain, share = 8e6 / (2**14 - 1), 46 / 16
+        per_radiance = told["electrons"] / told["radiance"]
+        low, high = (per_radiance * light + told["dark"] + told["background"] + 400.0**2 + gain**2 / 12 for light in (4, 20))
+        np.testing.assert_allclose(told["correction_left"], np.sqrt(((1 - share) ** 2 * low + share**2 * high) / 25) / per_radiance, rtol=1e-6)
+        self.assertTrue((told["centre_most"] > told["centre_least"]).all())
+
     def test_without_a_detector_nothing_is_told_of_it(self):
         told = ifov.sensors.describe(scenes.small())
         for name in ("electrons", "snr", "nedl", "nedt"):

@@ -12,8 +12,8 @@
 #include "render/image_info.h"
 #include "sensor/detector/detector.h"
 #include "sensor/detector/mosaic.h"
+#include "session/detection/detection.h"
 #include "session/line_cube.h"
-#include "session/runs/detection.h"
 
 namespace ifov::session::test_detection_parts {
 namespace {
@@ -58,7 +58,7 @@ std::vector<float> drawn(io::EnviInterleave interleave, bool with_mosaic, double
   const io::EnviReader radiance(folder.path() / "r.img");
   const std::vector<DetectedCube> asked{{DetectedQuantity::counts, folder.path() / "counts.img"}};
   for (const auto& cube :
-       realize(radiance, image_of(with_mosaic), 7, asked, 3, nullptr, most_drift_bytes).cubes)
+       realize({&radiance, {}, {}}, image_of(with_mosaic), 7, asked, 3, nullptr, most_drift_bytes).cubes)
     cube->publish();
   const io::EnviReader counts(folder.path() / "counts.img");
   EXPECT_EQ(counts.header().interleave, interleave);

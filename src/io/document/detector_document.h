@@ -37,6 +37,12 @@ struct ReferenceDocument {
   std::optional<SpectrumDocument> radiance;  ///< W m-2 sr-1 um-1
 };
 
+/// Two lights that response and offset of each element are measured at, and how often.
+struct CorrectionDocument {
+  ReferenceDocument low, high;
+  int frames = 1;
+};
+
 /// Detector elements. What a channel says of its own counts before what the sensor says.
 struct DetectorDocument {
   std::optional<double> pitch_m, integration_time_s;
@@ -54,11 +60,17 @@ struct DetectorDocument {
   std::optional<double> dead;                             ///< share of elements
   std::optional<HotElementsDocument> hot;
   std::optional<int> specimen;
+  std::optional<double> lag;  ///< share that stays behind from exposure to exposure
+  std::optional<double> time_constant_s, frame_period_s;
+  std::optional<double> blooming;  ///< share of what is too much that runs over
+  std::optional<CorrectionDocument> correction;
   std::optional<ReferenceDocument> reference;
   SourcePosition position;
 
   /// What `other` says, and this where it says nothing.
   DetectorDocument under(const DetectorDocument& other) const;
+  /// Whether it tells only how elements remember, which goes with noise that is stated, too.
+  bool only_remembers() const;
 };
 
 /// Noise as a ratio of a radiance to it.

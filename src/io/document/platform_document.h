@@ -2,7 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -17,6 +20,8 @@ namespace ifov::io {
 /// Frames of paths. Of the scene: its east, north, up about its origin, in the document's coordinates. Geodetic: longitude,
 /// latitude, height above the ellipsoid WGS 84. ECEF: Earth-centred, Earth-fixed.
 enum class PathFrame { scene, geodetic, ecef };
+
+struct MountList;
 
 struct StraightPath {
   math::Point3 position_m;  ///< at 0 s
@@ -57,12 +62,6 @@ struct PlatformAttitude {
   YawFrom from = YawFrom::track;
 };
 
-/// Of what is carried: where it is along the body's nose, right wing and belly, and how it is turned against them.
-struct MountDocument {
-  math::Vec3 lever_arm_m;
-  geodesy::Attitude boresight;
-};
-
 /// Power spectra of the body's turns about its own axes, of these standard deviations.
 struct WhiteJitter {
   geodesy::Attitude rms;
@@ -83,13 +82,13 @@ struct ReportedPose {
   math::Vec3 position_bias_m, position_noise_m;  ///< east, north, up; standard deviations
   geodesy::Attitude attitude_bias, attitude_noise;
   double noise_up_to_hz = 1.0;
-  std::optional<MountDocument> mount;  ///< as it is taken to be; none: as it is
+  std::shared_ptr<const MountList> mounts;  ///< as measured, but for their motion; null: as they are
 };
 
 struct PlatformDocument {
   std::variant<StraightPath, WayPointPath, TablePath, OrbitPath> path;
   std::optional<PlatformAttitude> attitude;  ///< none: what the path's table says, or level, the nose ahead
-  std::optional<MountDocument> mount;
+  std::shared_ptr<const MountList> mounts;   ///< null: none
   std::optional<JitterDocument> jitter;
   std::optional<ReportedPose> reported;  ///< none: the pose is known
   SourcePosition position;
@@ -101,6 +100,7 @@ struct PlatformFlight {
   std::optional<geodesy::UtcTime> time;
   OriginDocument origin;
   std::uint64_t seed = 1;
+  std::map<std::string, std::shared_ptr<const PlatformDocument>> tracked = {};  ///< of gimbals, by object
 };
 
 }  // namespace ifov::io

@@ -77,6 +77,8 @@ void write_channel(JsonWriter& json, const render::ChannelInfo& channel, const C
           json.member(figure.name, value);
     });
   json.member("fwhm_um", channel.fwhm_um);
+  if (channel.inertia > 0.0) json.member("inertia", channel.inertia);
+  if (channel.lag > 0.0) json.member("lag", channel.lag);
   json.member("largest_half_width", s.largest_half_width);
   json.member("maximum", s.maximum);
   json.member("mean", s.mean);

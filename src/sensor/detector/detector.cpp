@@ -11,6 +11,7 @@ namespace {
 constexpr DetectorFigure kFigures[] = {
     {"background", &Detector::background},
     {"bits", &Detector::bits},
+    {"blooming", &Detector::blooming},
     {"column_gain", &Detector::column_gain},
     {"column_offset", &Detector::column_offset},
     {"dark", &Detector::dark},
@@ -22,6 +23,9 @@ constexpr DetectorFigure kFigures[] = {
     {"hot_dark", &Detector::hot_dark},
     {"hot_share", &Detector::hot_share},
     {"nonlinearity", &Detector::nonlinearity},
+    {"nuc_frames", &Detector::nuc_frames},
+    {"nuc_high", &Detector::nuc_high},
+    {"nuc_low", &Detector::nuc_low},
     {"offset", &Detector::offset},
     {"one_over_f", &Detector::one_over_f},
     {"prnu", &Detector::prnu},
@@ -56,6 +60,13 @@ double Detector::variance(double radiance_w_m2_sr_um) const {
 
 double Detector::noise_w_m2_sr_um(double radiance_w_m2_sr_um) const {
   return std::sqrt(variance(radiance_w_m2_sr_um)) / electrons_per_radiance;
+}
+
+double Detector::correction_noise(double radiance_w_m2_sr_um) const {
+  if (!is_corrected()) return 0.0;
+  const double share = (radiance_w_m2_sr_um - nuc_low) / (nuc_high - nuc_low);
+  return std::sqrt((variance(nuc_low) * (1.0 - share) * (1.0 - share) + variance(nuc_high) * share * share) /
+                   nuc_frames);
 }
 
 double Detector::count(double signal) const {

@@ -28,12 +28,18 @@ struct Detector {
   double dead_share = 0.0;  ///< share of elements that answer no light
   double hot_share = 0.0;   ///< share of elements whose dark current is another
   double hot_dark = 0.0;    ///< electrons of theirs, in place of `dark`
+  double blooming = 0.0;    ///< share of what a full well cannot hold that runs over into its neighbours
+  double nuc_low =
+      0.0;  ///< radiances that response and offset of each element were measured at, W m-2 sr-1 um-1
+  double nuc_high = 0.0;
+  double nuc_frames = 0.0;  ///< exposures of each; 0: they were not measured, and nothing is corrected
   double specimen =
       1.0;  ///< which of all detectors made alike: fixed patterns follow from it (a whole number)
 
   bool exists() const { return electrons_per_radiance > 0.0; }
   bool digitises() const { return bits > 0.0; }
   bool has_pattern() const;
+  bool is_corrected() const { return nuc_frames > 0.0; }
   /// The largest count.
   double largest_count() const;
 
@@ -46,6 +52,9 @@ struct Detector {
   double variance(double radiance_w_m2_sr_um) const;
   /// Its standard deviation as a radiance: NEdL.
   double noise_w_m2_sr_um(double radiance_w_m2_sr_um) const;
+
+  /// Standard deviation from element to element that a correction leaves, electrons (11): of the noise that the measurement had.
+  double correction_noise(double radiance_w_m2_sr_um) const;
 
   /// The count of a signal; 0 of what is not a number.
   double count(double signal) const;

@@ -7,16 +7,18 @@
 #include "core/call_scope.h"
 #include "core/error.h"
 #include "ifov/products.h"
+#include "io/document/cameras/camera_settings.h"
 #include "io/files/inputs.h"
 #include "io/products/envi_reader.h"
 #include "sensor/detector/brightness_scale.h"
 #include "sensor/detector/detector.h"
 #include "sensor/detector/mosaic.h"
+#include "sensor/detector/read_out.h"
 #include "session/cube_channels.h"
+#include "session/detection/detection.h"
 #include "session/facade/access.h"
 #include "session/facade/document_inside.h"
 #include "session/line_cube.h"
-#include "session/runs/detection.h"
 #include "session/runs/run_record_file.h"
 
 namespace ifov {
@@ -51,6 +53,7 @@ std::vector<render::ChannelInfo> channels_of(const std::filesystem::path& record
                         {},
                         channel["noise"].number(),
                         detector_of(channel["detector"])});
+    channels.back().lag = channel["lag"].number(), channels.back().inertia = channel["inertia"].number();
     any = any || channels.back().noise > 0.0;
   }
   if (!any)
@@ -94,6 +97,48 @@ void tell_responses(const std::filesystem::path& record, const std::optional<Doc
   const Call call{inside.inputs};
   const CallScope scope(call);
   session::tell_brightness(inside.document.sources, inside.document.sensor, image);
+}
+
+/// Of the run's camera, where anything depends on it.
+sensor::ReadOut read_out_of(const std::filesystem::path& record,
+                            std::span<const render::ChannelInfo> channels) {
+  const auto depends = [](const render::ChannelInfo& channel) {
+    return channel.lag > 0.0 || channel.inertia > 0.0 ||
+           (channel.detector && (channel.detector->has_pattern() || channel.detector->is_corrected() ||
+                                 channel.detector->blooming > 0.0));
+  };
+  if (std::none_of(channels.begin(), channels.end(), depends)) return {};
+  const Document document = written_document(record, {});
+  return FacadeAccess::inside(document).document.sensor.camera.settings->read_out();
+}
+
+/// Cubes of the frames before.
+std::vector<std::unique_ptr<io::EnviReader>> earlier_frames(const DetectOptions& options,
+                                                            const sensor::ReadOut& read_out,
+                                                            const render::ImageInfo& image) {
+  std::vector<std::unique_ptr<io::EnviReader>> frames;
+  if (options.after.empty()) return frames;
+  if (std::none_of(image.channels.begin(), image.channels.end(),
+                   [](const render::ChannelInfo& one) { return one.lag > 0.0 || one.inertia > 0.0; }))
+    throw InputError(
+        "frames before were named, and no channel remembers any: give the sensor's detector a 'lag' or a 'time_constant'");
+  if (read_out.kind != sensor::ReadOut::Kind::frame)
+    throw InputError(
+        "frames before were named, and the run's camera scans: what its elements remember are its own lines and samples");
+  for (const std::filesystem::path& run : options.after) {
+    const std::filesystem::path record = record_of(run);
+    std::string name = record.filename().string();
+    name.resize(name.size() - kRecordEnding.size());
+    frames.push_back(std::make_unique<io::EnviReader>(record.parent_path() / (name + "_radiance.img")));
+    session::require_channels(*frames.back(), image.channels, render::ImageInfo().radiance_unit,
+                              record.string());
+    const io::EnviHeader& header = frames.back()->header();
+    if (header.samples != image.width_px || header.lines != image.height_px)
+      throw InputError(format("{}: found {} x {} pixels; expected {} x {}, as the frame after it has",
+                              record.string(), header.samples, header.lines, image.width_px,
+                              image.height_px));
+  }
+  return frames;
 }
 
 /// The document whose channels tell the noise; none: the record's own figures.
@@ -161,6 +206,9 @@ Detection detect(const std::filesystem::path& run, const DetectOptions& options)
   image.channels = channels;
   tell_responses(record, other, options, image);
   if (options.mosaic) image.mosaic = mosaic_of(record, channels.size());
+  session::SignalSource source{&radiance, {}, read_out_of(record, channels)};
+  const auto before = earlier_frames(options, source.read_out, image);
+  for (const auto& frame : before) source.before.push_back(frame.get());
   Detection detection;
   for (const render::ChannelInfo& channel : channels)
     detection.channels.push_back({channel.name, channel.noise, channel.detector != nullptr});
@@ -181,8 +229,7 @@ Detection detect(const std::filesystem::path& run, const DetectOptions& options)
                                                  word_of(quantity), seed)});
       detection.cubes.push_back(cubes.back().path);
     }
-    session::Realization made =
-        session::realize(radiance, image, seed, cubes, options.threads, options.cancel);
+    session::Realization made = session::realize(source, image, seed, cubes, options.threads, options.cancel);
     for (std::size_t c = 0; c < channels.size(); ++c)
       detection.channels[c].saturated += static_cast<double>(made.saturated[c]) / pixels;
     if (publishing.valid()) publishing.get();

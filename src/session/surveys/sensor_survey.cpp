@@ -12,6 +12,7 @@
 #include "sensor/airy_aperture.h"
 #include "sensor/along_track.h"
 #include "sensor/camera.h"
+#include "sensor/detector/memory.h"
 #include "sensor/flying/image_way.h"
 #include "sensor/mtf.h"
 #include "sensor/psf.h"
@@ -76,6 +77,13 @@ void tell_nedt(const radiometry::Channel& channel, double at_k, SensorDescriptio
   told.nedt_at_k = at_k;
 }
 
+void tell_memory(const ChannelDetector& detector, SensorDescription::Channel& told) {
+  const sensor::SignalMemory memory(detector.lag, detector.inertia);
+  if (memory.none()) return;
+  told.step_share = memory.weights().front();
+  told.memory_mtf = memory.modulation(kNyquist);
+}
+
 void tell_detector(const ChannelDetector& detector, const radiometry::Channel& channel, double obscuration,
                    double fill_factor, double cycles_px, SensorDescription::Channel& told) {
   const sensor::Detector& figures = detector.figures;
@@ -86,6 +94,8 @@ void tell_detector(const ChannelDetector& detector, const radiometry::Channel& c
   told.background = figures.background, told.dark = figures.dark;
   if (std::isfinite(figures.largest_signal()))
     told.well_share = figures.mean_electrons(told.radiance) / figures.largest_signal();
+  if (figures.is_corrected())
+    told.correction_left = figures.correction_noise(told.radiance) / figures.electrons_per_radiance;
   if (told.radiance > 0.0) told.snr = told.radiance / told.nedl;
   const double pitch_um = 1e6 * std::sqrt(detector.optics.area_m2 / fill_factor);
   told.diffraction_mtf = sensor::diffraction_mtf(channel.centre_um * detector.optics.f_number / pitch_um,
@@ -121,6 +131,7 @@ SensorDescription survey_sensor(const io::DocumentSources& sources, const io::Se
     one.psf_mtf = with_position(sources, sensor.psf_position,
                                 [&] { return psf_mtf(sensor, channels[c].centre_um, cycles_px); });
     one.nedl = noise[c];
+    tell_memory(detectors[c], one);
     if (!detectors[c].figures.exists()) {
       tell_nedt(channels[c], kWarm_k, one);
       continue;

@@ -6,6 +6,7 @@
 #include "io/document/cameras/orthographic_camera.h"
 #include "io/document/cameras/pushbroom_camera.h"
 #include "io/document/cameras/scanning_cameras.h"
+#include "sensor/detector/read_out.h"
 
 namespace ifov::io {
 namespace {
@@ -24,5 +25,7 @@ std::shared_ptr<const CameraSettings> CameraSettings::carried_by(
         "a platform carries a camera that scans or has a frame: expected a 'pushbroom', 'whiskbroom', 'conical' or 'frame' camera, or no 'platform'");
   return nullptr;
 }
+
+sensor::ReadOut CameraSettings::read_out() const { return {}; }
 
 }  // namespace ifov::io

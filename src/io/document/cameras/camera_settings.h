@@ -13,7 +13,8 @@
 
 namespace ifov::sensor {
 class Camera;
-}
+struct ReadOut;
+}  // namespace ifov::sensor
 
 namespace ifov::io {
 
@@ -66,6 +67,7 @@ class CameraSettings {
   };
   virtual Exposed exposed() const { return {}; }
 
+  virtual sensor::ReadOut read_out() const;  ///< which detector elements make which pixels, and when
   /// Whether sweeps of a mirror or an antenna that turns make the image.
   virtual bool sweeps() const { return false; }
   /// What the image is made of where it is pictures below each other, "sweep" or "row"; empty: it is one picture.

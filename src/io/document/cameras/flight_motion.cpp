@@ -1,9 +1,13 @@
 #include "io/document/cameras/flight_motion.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/overloaded.h"
+#include "io/document/cameras/flight_path.h"
 #include "io/document/cameras/jitter_table.h"
+#include "io/document/cameras/mounts.h"
+#include "io/document/mount_document.h"
 #include "io/document/platform_document.h"
 #include "platform/power_spectrum.h"
 #include "platform/trajectory.h"
@@ -20,8 +24,6 @@ using Spectra = std::array<PowerSpectrum, 6>;
 
 /// Draws of one seed that are not to be alike.
 enum class Stream : std::uint64_t { jitter, reported };
-
-platform::Mount mount_of(const MountDocument& mount) { return {mount.lever_arm_m, mount.boresight}; }
 
 /// Of three deviations, from yaw, pitch and roll.
 template <class Make>
@@ -64,31 +66,55 @@ Spectra noise_of(const ReportedPose& reported) {
   return spectra;
 }
 
+/// At the ends, and often enough between them for what turns by a few turns meanwhile.
+void check_bearings(const platform::Trajectory& carrying, double from_s, double to_s) {
+  constexpr int kChecks = 256;
+  std::vector<double> times_s;
+  for (int k = 0; k <= (to_s > from_s ? kChecks : 0); ++k)
+    times_s.push_back(from_s + (to_s - from_s) * k / kChecks);
+  carrying.check_bearings(times_s);
+}
+
 }  // namespace
 
-Motions motions_of(const PlatformFlight& flight, const platform::Trajectory& path, double from_s,
-                   double to_s) {
+Motions motions_of(const PlatformFlight& flight, math::Vec3 offset_m, double from_s, double to_s,
+                   double beyond_s) {
   const PlatformDocument& of = flight.platform;
+  const platform::Trajectory path = trajectory_of(flight, offset_m, from_s, to_s);
   const auto drawn = [&](const Spectra& spectra, Stream stream) {
-    return std::make_shared<const Wander>(spectra, flight.seed, static_cast<std::uint64_t>(stream), from_s,
-                                          to_s);
+    return std::make_shared<const Wander>(spectra, flight.seed, static_cast<std::uint64_t>(stream),
+                                          from_s - beyond_s, to_s + beyond_s);
   };
   const auto carrying = [&](platform::Deviation deviation) {
     return std::make_shared<const platform::Trajectory>(path.carrying(std::move(deviation)));
   };
-  const MountDocument mount = of.mount.value_or(MountDocument{});
+  const std::vector<platform::Mount> mounts = mounts_of(flight, offset_m, from_s, to_s);
   Motions motions;
-  if (of.mount || of.jitter) {
-    platform::Deviation deviation{.mount = mount_of(mount)};
+  if (!mounts.empty() || of.jitter) {
+    platform::Deviation deviation{.mounts = mounts};
     if (of.jitter) deviation.motion = drawn(spectra_of(*of.jitter), Stream::jitter);
     motions.truth = carrying(std::move(deviation));
+    check_bearings(*motions.truth, from_s, to_s);
   } else {
     motions.truth = std::make_shared<const platform::Trajectory>(path);
   }
-  if (of.reported)
-    motions.reported = carrying({of.reported->position_bias_m, of.reported->attitude_bias,
-                                 drawn(noise_of(*of.reported), Stream::reported),
-                                 mount_of(of.reported->mount.value_or(mount))});
+  if (of.reported) {
+    platform::Deviation deviation{of.reported->position_bias_m,
+                                  of.reported->attitude_bias,
+                                  drawn(noise_of(*of.reported), Stream::reported),
+                                  mounts,
+                                  {}};
+    const std::span<const MountDocument> measured = mounts_in(of.reported->mounts);
+    deviation.mounts.resize(std::max(mounts.size(), measured.size()));
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+      deviation.mounts[k].lever_arm_m = measured[k].lever_arm_m;
+      deviation.mounts[k].boresight = measured[k].boresight;
+    }
+    if (std::any_of(mounts.begin(), mounts.end(),
+                    [](const platform::Mount& mount) { return mount.bearing != nullptr; }))
+      deviation.read_on = carrying({.mounts = mounts});
+    motions.reported = carrying(std::move(deviation));
+  }
   return motions;
 }
 

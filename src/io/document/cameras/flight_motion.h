@@ -2,6 +2,8 @@
 
 #include <memory>
 
+#include "math/vec3.h"
+
 namespace ifov::platform {
 class Trajectory;
 }
@@ -16,9 +18,9 @@ struct Motions {
   std::shared_ptr<const platform::Trajectory> reported;  ///< null: the true one
 };
 
-/// Of a platform on its path; random motion is drawn for the times from `from_s` to `to_s`. Opens the table of jitter: InputError with its
-/// place there, SystemError.
-Motions motions_of(const PlatformFlight& flight, const platform::Trajectory& path, double from_s,
-                   double to_s);
+/// Of a platform and what it carries, as trajectory_of; random motion is drawn for so long before and after, too. Opens files of the path,
+/// the jitter and the mounts: InputError with its place there, or where a mount cannot turn as it should; SystemError.
+Motions motions_of(const PlatformFlight& flight, math::Vec3 offset_m, double from_s, double to_s,
+                   double beyond_s);
 
 }  // namespace ifov::io

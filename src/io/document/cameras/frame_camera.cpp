@@ -132,9 +132,7 @@ std::unique_ptr<sensor::Camera> build_flying(const FrameCamera& camera, const Ca
   settings.exposure_s = camera.exposure_s, settings.row_period_s = camera.row_period_s;
   const CameraSettings::Exposed exposed = camera.exposed();
   const double beyond_s = sensor::FlyingFrameCamera::kBeyond_px * camera.row_period_s;
-  const Motions motions =
-      motions_of(*camera.flight, trajectory_of(*camera.flight, site.offset_m, exposed.from_s, exposed.to_s),
-                 exposed.from_s - beyond_s, exposed.to_s + beyond_s);
+  const Motions motions = motions_of(*camera.flight, site.offset_m, exposed.from_s, exposed.to_s, beyond_s);
   settings.platform = motions.truth, settings.reported = motions.reported;
   auto built = std::make_unique<sensor::FlyingFrameCamera>(settings);
   if (flies_about_earth(camera.flight->platform)) check_flatness(*built, camera.flight->origin);

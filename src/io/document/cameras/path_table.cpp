@@ -47,12 +47,13 @@ struct Heading {
   PathRows::Attitude attitude = PathRows::Attitude::none;
 };
 
-Heading read_heading(const TextFile& file, int line, PathFrame frame) {
-  const std::span<const Column> places = frame == PathFrame::geodetic ? kGeodetic : kMetres;
+/// `places`: names of the columns of positions; none: a table of angles alone.
+Heading read_heading(const TextFile& file, int line, std::span<const Column> places) {
   std::vector<const Column*> known{&kTime};
   std::vector<std::string> choices;
   for (const std::span<const Column> some :
-       {places, std::span<const Column>(kAngles), std::span<const Column>(kQuaternion)})
+       {places, std::span<const Column>(kAngles),
+        places.empty() ? std::span<const Column>() : std::span<const Column>(kQuaternion)})
     for (const Column& column : some) known.push_back(&column);
   for (const Column* column : known) choices.emplace_back(column->name);
   Heading heading;
@@ -80,7 +81,7 @@ Heading read_heading(const TextFile& file, int line, PathFrame frame) {
   require(places);
   if (count(kAngles) > 0 && count(kQuaternion) > 0)
     file.fail(line, 0, "found angles and quaternions; expected one of both");
-  if (count(kAngles) > 0) require(kAngles), heading.attitude = PathRows::Attitude::angles;
+  if (count(kAngles) > 0 || places.empty()) require(kAngles), heading.attitude = PathRows::Attitude::angles;
   if (count(kQuaternion) > 0) require(kQuaternion), heading.attitude = PathRows::Attitude::quaternions;
   return heading;
 }
@@ -102,16 +103,14 @@ PathRow read_row(const TextFile& file, int line, const Heading& heading) {
   return row;
 }
 
-}  // namespace
-
-PathRows read_path_table(const std::filesystem::path& path, PathFrame frame) {
+PathRows read_rows(const std::filesystem::path& path, std::span<const Column> places, const char* what) {
   const TextFile file(path);
   PathRows table;
   std::optional<Heading> heading;
   for (int line = 1; line <= file.line_count(); ++line) {
     if (is_blank(file.line(line)) || is_comment(file.line(line))) continue;
     if (!heading) {
-      heading = read_heading(file, line, frame);
+      heading = read_heading(file, line, places);
       continue;
     }
     PathRow row = read_row(file, line, *heading);
@@ -121,10 +120,20 @@ PathRows read_path_table(const std::filesystem::path& path, PathFrame frame) {
                        table.rows.back().time_s));
     table.rows.push_back(row);
   }
-  if (!heading) file.fail(0, 0, "found an empty file; expected a table of a path");
+  if (!heading) file.fail(0, 0, format("found an empty file; expected a table of {}", what));
   if (table.rows.empty()) file.fail(0, 0, "found a heading without rows; expected one row at least");
   table.attitude = heading->attitude;
   return table;
+}
+
+}  // namespace
+
+PathRows read_path_table(const std::filesystem::path& path, PathFrame frame) {
+  return read_rows(path, frame == PathFrame::geodetic ? kGeodetic : kMetres, "a path");
+}
+
+PathRows read_turn_table(const std::filesystem::path& path) {
+  return read_rows(path, {}, "a mount's angles");
 }
 
 }  // namespace ifov::io

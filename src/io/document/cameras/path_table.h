@@ -25,4 +25,7 @@ struct PathRows {
 /// A table of docs/formats/paths.md. Throws InputError with file, line and column; SystemError where it cannot be read.
 PathRows read_path_table(const std::filesystem::path& path, PathFrame frame);
 
+/// Likewise of angles alone.
+PathRows read_turn_table(const std::filesystem::path& path);
+
 }  // namespace ifov::io

@@ -10,6 +10,7 @@
 #include "io/document/platform_document.h"
 #include "io/document/schema/record.h"
 #include "platform/trajectory.h"
+#include "sensor/detector/read_out.h"
 #include "sensor/pushbroom_camera.h"
 
 namespace ifov::io {
@@ -79,12 +80,15 @@ std::unique_ptr<sensor::Camera> PushbroomCamera::build(const CameraSite& site) c
   settings.lowest_m = site.lowest_m, settings.highest_m = site.highest_m;
   const double end_s = start_s + size.height_px * line_period_s;
   const double beyond_s = (sensor::PushbroomCamera::kBeyond_px + stages) * line_period_s;
-  const Motions motions = motions_of(*flight, trajectory_of(*flight, site.offset_m, start_s, end_s),
-                                     start_s - beyond_s, end_s + beyond_s);
+  const Motions motions = motions_of(*flight, site.offset_m, start_s, end_s, beyond_s);
   settings.platform = motions.truth, settings.reported = motions.reported;
   auto camera = std::make_unique<sensor::PushbroomCamera>(settings);
   if (flies_about_earth(flight->platform)) check_flatness(*camera, flight->origin);
   return camera;
+}
+
+sensor::ReadOut PushbroomCamera::read_out() const {
+  return {.kind = sensor::ReadOut::Kind::lines, .period_s = line_period_s};
 }
 
 std::string PushbroomCamera::description(math::Vec3 shift_m, std::string_view axes) const {

@@ -24,6 +24,7 @@ struct PushbroomCamera final : CameraSettings {
   std::optional<Optics> optics() const override;
   Exposed exposed() const override { return {start_s, start_s + size.height_px * line_period_s}; }
   std::shared_ptr<const CameraSettings> carried_by(std::shared_ptr<const PlatformFlight> by) const override;
+  sensor::ReadOut read_out() const override;
   std::vector<std::string> remarks() const override;
 
   /// Pitch over focal length.

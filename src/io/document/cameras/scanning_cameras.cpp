@@ -11,6 +11,7 @@
 #include "io/document/platform_document.h"
 #include "math/angle.h"
 #include "platform/trajectory.h"
+#include "sensor/detector/read_out.h"
 #include "sensor/scanning/scan_camera.h"
 
 namespace ifov::io {
@@ -68,12 +69,16 @@ std::unique_ptr<sensor::Camera> ScanningCamera::build(const CameraSite& site) co
   const sensor::SweepPattern& p = settings.pattern;
   const double end_s = start_s + (p.sweeps - 1) * p.period_s + p.sweep_s;
   const double beyond_s = (sensor::SweepCamera::kBeyond_px + 1.0) * p.longest_sample_s();
-  const Motions motions = motions_of(*flight, trajectory_of(*flight, site.offset_m, start_s, end_s),
-                                     start_s - beyond_s, end_s + beyond_s);
+  const Motions motions = motions_of(*flight, site.offset_m, start_s, end_s, beyond_s);
   settings.platform = motions.truth, settings.reported = motions.reported;
   auto camera = std::make_unique<sensor::ScanCamera>(settings);
   if (flies_about_earth(flight->platform)) check_flatness(*camera, flight->origin);
   return camera;
+}
+
+sensor::ReadOut ScanningCamera::read_out() const {
+  const sensor::SweepPattern p = pattern();
+  return {sensor::ReadOut::Kind::sweeps, p.elements, p.reversed, p.both_ways, p.sweep_s / p.samples};
 }
 
 std::string ScanningCamera::description(math::Vec3 shift_m, std::string_view axes) const {

@@ -29,6 +29,7 @@ struct ScanningCamera : CameraSettings {
   std::optional<Optics> optics() const override;
   Exposed exposed() const override;
   std::shared_ptr<const CameraSettings> carried_by(std::shared_ptr<const PlatformFlight> by) const override;
+  sensor::ReadOut read_out() const override;
   bool sweeps() const override { return true; }
   std::string_view made_of() const override { return "sweep"; }
   std::vector<std::string> remarks() const override;

@@ -47,6 +47,11 @@ constexpr Unit kPixelUnits[] = {{"px"}, {"pixel", 1.0, 0.0, kAlias}, {"pixels", 
 constexpr Unit kPercentUnits[] = {{"%", 1e-2}};
 constexpr Unit kPowerUnits[] = {{"W"}, {"kW", 1e3}, {"mW", 1e-3}};
 constexpr Unit kLuminousFluxUnits[] = {{"lm"}, {"klm", 1e3}};
+constexpr Unit kTurnRateUnits[] = {{"rad/s"},
+                                   {"mrad/s", 1e-3},
+                                   {"deg/s", math::kDegree},
+                                   {"rad s-1", 1.0, 0.0, kAlias},
+                                   {"deg s-1", math::kDegree, 0.0, kAlias}};
 constexpr Unit kSpeedUnits[] = {
     {"m/s"}, {"m s-1", 1.0, 0.0, kAlias}, {"km/h", 1.0 / 3.6}, {"kn", 1852.0 / 3600.0}};
 constexpr Unit kReflectanceUnits[] = {{"reflectance"}};
@@ -162,6 +167,7 @@ const Dimension kDensity{"a density", "300 ha-1", kDensityUnits, 1e-15, 1e9};
 const Dimension kIrradiance{"a spectral irradiance", "1800 W m-2 um-1", kIrradianceUnits};
 const Dimension kPower{"a power", "100 W", kPowerUnits, 1e-12, 1e15};
 const Dimension kLuminousFlux{"a luminous flux", "5000 lm", kLuminousFluxUnits, 1e-12, 1e15};
+const Dimension kTurnRate{"a rate of turn", "60 deg/s", kTurnRateUnits, 1e-9, 1e6};
 const Dimension kSpeed{"a speed", "3 m/s", kSpeedUnits, 1e-9, 1e6};
 const Dimension kPressure{"a pressure", "1013 hPa", kPressureUnits, 1e-12, 1e6};
 const Dimension kWaterColumn{"a column of water vapour", "2.1 g/cm2", kWaterColumnUnits, 1e-12, 1e6};

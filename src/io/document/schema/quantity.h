@@ -45,6 +45,7 @@ extern const Dimension kDensity;                ///< m-2, of things on the groun
 extern const Dimension kIrradiance;             ///< W m-2 um-1
 extern const Dimension kPower;                  ///< W
 extern const Dimension kLuminousFlux;           ///< lm
+extern const Dimension kTurnRate;               ///< rad s-1
 extern const Dimension kSpeed;                  ///< m s-1
 extern const Dimension kPressure;               ///< hPa
 extern const Dimension kWaterColumn;            ///< g cm-2

@@ -67,6 +67,37 @@ SchemaType<ReferenceDocument> reference_type() {
   return record.type();
 }
 
+SchemaType<CorrectionDocument> correction_type() {
+  Record<CorrectionDocument> record(
+      "non-uniformity correction",
+      "Response and offset of each element, measured at two even lights (blackbodies, or a lamp's flat field) before the image, and taken out of it: "
+      "what is left is the noise of the measurement, nonlinearity between the lights, and elements that do not answer.");
+  record.required("low", &CorrectionDocument::low, reference_type(), "the darker light")
+      .required("high", &CorrectionDocument::high, reference_type(), "the brighter one")
+      .with_default("frames", &CorrectionDocument::frames, integer(1, 1000000), "64",
+                    "exposures of each, of which the mean is taken");
+  return record.type();
+}
+
+void add_memory(Record<Detector>& record) {
+  record
+      .optional(
+          "lag", &Detector::lag, fraction({0.0, 1.0, false, true, {}}),
+          "share of the signal that stays behind when it is read, and is in the next exposure of the element: the next line of a line "
+          "scanner, the next sample of a sweep, the next frame (`ifov detect --after`)")
+      .optional("time_constant", &Detector::time_constant_s, quantity(kDuration, Range::above(0.0, "s")),
+                "of elements that follow the light as 1 - exp(-t / time constant), as microbolometers do")
+      .optional("frame_period", &Detector::frame_period_s, quantity(kDuration, Range::above(0.0, "s")),
+                "from frame to frame, for `time_constant`; a scanner's camera has said it already")
+      .optional(
+          "blooming", &Detector::blooming, share(),
+          "share of the electrons that a full well cannot hold that runs over into its neighbours along a frame's columns, or a line "
+          "scanner's line, until they find room; the rest is drained. 0 if not given")
+      .needs("blooming", "full_well")
+      .optional("correction", &Detector::correction, correction_type(),
+                "of what differs from element to element, before signals are told; none if not given");
+}
+
 void add_patterns(Record<Detector>& record) {
   record
       .optional("prnu", &Detector::prnu, share(),
@@ -157,6 +188,7 @@ SchemaType<DetectorDocument> detector_type() {
       .optional("offset", &Detector::offset, number(Range::between(0.0, 4e9)),
                 "counts without any electron; 0 if not given");
   add_patterns(record);
+  add_memory(record);
   record.optional(
       "reference", &Detector::reference, reference_type(),
       "the light for which noise is told as one number: by the record, and for errors in shares of noise; a black surface of "
@@ -187,7 +219,18 @@ DetectorDocument DetectorDocument::under(const DetectorDocument& other) const {
   keep(&DetectorDocument::column_gain), keep(&DetectorDocument::dsnu), keep(&DetectorDocument::row_offset);
   keep(&DetectorDocument::column_offset), keep(&DetectorDocument::dead), keep(&DetectorDocument::hot);
   keep(&DetectorDocument::specimen), keep(&DetectorDocument::reference);
+  keep(&DetectorDocument::lag), keep(&DetectorDocument::time_constant_s);
+  keep(&DetectorDocument::frame_period_s), keep(&DetectorDocument::blooming);
+  keep(&DetectorDocument::correction);
   return both;
+}
+
+bool DetectorDocument::only_remembers() const {
+  const bool other = pitch_m || integration_time_s || quantum_efficiency || read_noise || one_over_f ||
+                     full_well || nonlinearity || bits || gain || offset || prnu || row_gain || column_gain ||
+                     dsnu || row_offset || column_offset || dead || hot || specimen || reference ||
+                     blooming || correction || !std::holds_alternative<std::monostate>(dark_current);
+  return !other && (lag || time_constant_s);
 }
 
 }  // namespace ifov::io

@@ -1,22 +1,14 @@
 #include <array>
 #include <utility>
 
+#include "io/document/mount_document.h"
+#include "io/document/tables/platform_angles.h"
 #include "io/document/tables/platform_tables.h"
 
 namespace ifov::io {
 namespace {
 
-/// `yaw`, `pitch` and `roll` of a member of the record, by default 0.
-template <class T>
-void add_angles(Record<T>& record, geodesy::Attitude T::*angles, const std::array<const char*, 3>& docs) {
-  const auto angle = [angles](auto member) { return path(angles, member); };
-  record.with_default("yaw", angle(&geodesy::Attitude::yaw_rad), quantity(kAngle), "\"0 deg\"", docs[0])
-      .with_default("pitch", angle(&geodesy::Attitude::pitch_rad),
-                    quantity(kAngle, Range::between(-90.0, 90.0, "deg")), "\"0 deg\"", docs[1])
-      .with_default("roll", angle(&geodesy::Attitude::roll_rad), quantity(kAngle), "\"0 deg\"", docs[2]);
-}
-
-/// The same of standard deviations.
+/// `yaw`, `pitch` and `roll` of a member of the record: standard deviations.
 template <class T>
 void add_deviations(Record<T>& record, geodesy::Attitude T::*angles) {
   const auto add = [&](const char* key, double geodesy::Attitude::*member, const char* doc) {
@@ -60,16 +52,6 @@ SchemaType<PlatformAttitude> platform_attitude_type() {
           "\"track\"",
           "what yaw is counted from: where the platform flies to over the ground, where it flies to among the stars (as a satellite "
           "without yaw steering), or north");
-  return record.type();
-}
-
-SchemaType<MountDocument> mount_type(const char* doc) {
-  Record<MountDocument> record("mount", doc);
-  record.with_default(
-      "lever_arm", &MountDocument::lever_arm_m, displacement(), R"(["0 m", "0 m", "0 m"])",
-      "from the platform's position to the camera, along the body's nose, right wing and belly");
-  add_angles(record, &MountDocument::boresight,
-             {"of the camera against the body: to the right", "nose up", "right wing down"});
   return record.type();
 }
 
@@ -137,9 +119,15 @@ SchemaType<ReportedPose> reported_type() {
       .with_default("noise_up_to", &ReportedPose::noise_up_to_hz,
                     quantity(kFrequency, Range::between(1e-6, 1e5, "Hz")), "\"1 Hz\"",
                     "highest frequency of the noise, whose power is the same below")
-      .optional("mount", &ReportedPose::mount,
-                mount_type("How the camera is taken to be fixed to the body; what is not given is 0."),
-                "of the camera as it was measured; if not given as it is");
+      .optional(
+          "mount",
+          via(
+              [](ReportedPose& to, std::vector<MountDocument> mounts) {
+                to.mounts = std::make_shared<const MountList>(MountList{std::move(mounts)});
+              },
+              [](const ReportedPose& of) { return of.mounts ? &of.mounts->mounts : nullptr; }),
+          mounts_type("How the camera is taken to be fixed to the body; what is not given is 0.", false),
+          "of the camera as it was measured; if not given as it is. Angles that change are known");
   return record.type();
 }
 

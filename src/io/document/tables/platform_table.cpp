@@ -1,3 +1,4 @@
+#include "io/document/mount_document.h"
 #include "io/document/platform_document.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/platform_tables.h"
@@ -86,8 +87,15 @@ SchemaType<PlatformDocument> platform_type() {
       .one("orbit", &PlatformDocument::path, orbit_type(), "of a satellite")
       .optional("attitude", &PlatformDocument::attitude, platform_attitude_type(),
                 "how it stands; if not given what the table says, or level, the nose ahead")
-      .optional("mount", &PlatformDocument::mount, mount_type("How the camera is fixed to the body."),
-                "of the camera; if not given at the platform's position and along its axes")
+      .optional(
+          "mount",
+          via(
+              [](PlatformDocument& to, std::vector<MountDocument> mounts) {
+                to.mounts = std::make_shared<const MountList>(MountList{std::move(mounts)});
+              },
+              [](const PlatformDocument& of) { return of.mounts ? &of.mounts->mounts : nullptr; }),
+          mounts_type("How the camera is carried by the body, or by the mount before it in a list.", true),
+          "of the camera, or a list of mounts, each on the one before; if not given at the platform's position and along its axes")
       .optional("jitter", &PlatformDocument::jitter, jitter_type(), "random turns besides")
       .optional("reported", &PlatformDocument::reported, reported_type(),
                 "the pose that geolocation knows; if not given the true one");

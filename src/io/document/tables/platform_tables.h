@@ -5,9 +5,12 @@
 
 namespace ifov::io {
 
+struct MountDocument;
+
 /// Parts of the table of platforms.
 SchemaType<PlatformAttitude> platform_attitude_type();
-SchemaType<MountDocument> mount_type(const char* doc);
+/// One mount, or several, each on the one before; `moves`: what turns them, too.
+SchemaType<std::vector<MountDocument>> mounts_type(const char* doc, bool moves);
 SchemaType<JitterDocument> jitter_type();
 SchemaType<ReportedPose> reported_type();
 

@@ -9,6 +9,7 @@
 #include "io/document/sensor_document.h"
 #include "radiometry/channel.h"
 #include "radiometry/solar_spectrum.h"
+#include "sensor/detector/read_out.h"
 #include "sensor/detector/rule_07.h"
 #include "session/assembly/shared/spectrum_assembly.h"
 #include "session/assembly/shared/with_position.h"
@@ -37,6 +38,9 @@ class Assembly {
   }
 
   ChannelDetector made() const {
+    ChannelDetector made;
+    made.lag = document_.lag.value_or(0.0), made.inertia = inertia();
+    if (document_.only_remembers()) return made;
     if (noise_key(channel_) != nullptr)
       throw io::document_error(
           sources_, channel_.position,
@@ -51,7 +55,6 @@ class Assembly {
               "channel '{}' is a single wavelength, through which no light falls on a detector: give it a width",
               channel_.name));
     if (!sensor_.optics) fail("a detector needs the sensor's 'optics', which say how much light falls on it");
-    ChannelDetector made;
     made.optics = optics();
     made.figures = figures(made.optics);
     made.photons_per_radiance = photons_per_radiance(made.optics);
@@ -69,6 +72,25 @@ class Assembly {
   }
 
   static bool alike(double a, double b, double tolerance) { return std::abs(a / b - 1.0) <= tolerance; }
+
+  /// What is left after an exposure of what elements had not come to.
+  double inertia() const {
+    constexpr double kMostExposures = 1000.0;
+    if (!document_.time_constant_s) return 0.0;
+    const sensor::ReadOut camera = sensor_.camera.settings->read_out();
+    if (camera.period_s > 0.0 && document_.frame_period_s)
+      fail(format(
+          "detector.frame_period is of frames, and elements of the camera are exposed every {:g} ms: leave it out",
+          1e3 * camera.period_s));
+    if (!(camera.period_s > 0.0) && !document_.frame_period_s)
+      fail("the detector's time constant needs the time from frame to frame: give 'frame_period'");
+    const double period_s = camera.period_s > 0.0 ? camera.period_s : *document_.frame_period_s;
+    if (*document_.time_constant_s > kMostExposures * period_s)
+      fail(format("a time constant of {:g} ms is {:.4g} exposures of {:g} ms: expected at most {:g}",
+                  1e3 * *document_.time_constant_s, *document_.time_constant_s / period_s, 1e3 * period_s,
+                  kMostExposures));
+    return std::exp(-period_s / *document_.time_constant_s);
+  }
 
   double pitch_m() const {
     const auto camera = sensor_.camera.settings->optics();
@@ -175,8 +197,27 @@ class Assembly {
       figures.hot_dark = document_.hot->dark_current_e_s * *document_.integration_time_s;
     }
     figures.specimen = document_.specimen.value_or(1);
+    figures.blooming = document_.blooming.value_or(0.0);
     add_counts(figures);
+    add_correction(figures);
     return figures;
+  }
+
+  void add_correction(sensor::Detector& figures) const {
+    if (!document_.correction) return;
+    figures.nuc_low = radiance_of(document_.correction->low);
+    figures.nuc_high = radiance_of(document_.correction->high);
+    figures.nuc_frames = document_.correction->frames;
+    if (!(figures.nuc_low < figures.nuc_high))
+      fail(format(
+          "the lights of the 'correction' make {:.4g} and {:.4g} W m-2 sr-1 um-1 in channel '{}': expected a 'high' that is brighter "
+          "than 'low'",
+          figures.nuc_low, figures.nuc_high, channel_.name));
+    if (figures.mean_electrons(figures.nuc_high) >= figures.largest_signal())
+      fail(format(
+          "the brighter light of the 'correction' makes {:.4g} electrons in channel '{}', and the detector holds {:.4g}: expected a darker "
+          "one",
+          figures.mean_electrons(figures.nuc_high), channel_.name, figures.largest_signal()));
   }
 
   void add_counts(sensor::Detector& figures) const {
@@ -212,6 +253,9 @@ class Assembly {
                  channel_.name));
     if (figures.nonlinearity > 0.0 && !document_.full_well)
       fail("'nonlinearity' is what is missing at the full well: give the detector 'full_well'");
+    if (figures.blooming > 0.0 && sensor_.camera.settings->read_out().kind == sensor::ReadOut::Kind::sweeps)
+      fail(
+          "'blooming' is of elements whose neighbours see neighbouring pixels at the same time, which those of a sweep do not; leave it out");
     if (figures.dead_share + figures.hot_share > 1.0) fail("more elements are dead or hot than there are");
     if (figures.background + figures.dark >= figures.largest_signal())
       fail(format(
@@ -223,13 +267,15 @@ class Assembly {
 
   double reference() const {
     constexpr double kWarm_k = 300.0;
-    if (!document_.reference) return radiometry::channel_planck_w_m2_sr_um(response_, kWarm_k);
-    const io::ReferenceDocument& reference = *document_.reference;
+    return document_.reference ? radiance_of(*document_.reference)
+                               : radiometry::channel_planck_w_m2_sr_um(response_, kWarm_k);
+  }
+
+  double radiance_of(const io::ReferenceDocument& light) const {
     return with_position(sources_, where_, [&] {
-      if (reference.temperature_k)
-        return radiometry::channel_planck_w_m2_sr_um(response_, *reference.temperature_k);
-      if (reference.radiance) return spectrum(*reference.radiance, "radiance").at(response_.centre_um);
-      return *reference.reflectance * std::cos(reference.sun_zenith_rad) / std::numbers::pi *
+      if (light.temperature_k) return radiometry::channel_planck_w_m2_sr_um(response_, *light.temperature_k);
+      if (light.radiance) return spectrum(*light.radiance, "radiance").at(response_.centre_um);
+      return *light.reflectance * std::cos(light.sun_zenith_rad) / std::numbers::pi *
              radiometry::channel_mean(response_, radiometry::solar_irradiance_1au());
     });
   }

@@ -22,6 +22,7 @@ struct ChannelDetector {
   sensor::ElementOptics optics;
   double photons_per_radiance = 0.0;  ///< as electrons_per_radiance with a quantum efficiency of 1
   double reference_w_m2_sr_um = 0.0;  ///< the radiance for which noise is told as one number
+  double lag = 0.0, inertia = 0.0;    ///< shares of sensor::SignalMemory, also beside a noise that is stated
 };
 
 /// Of every channel. InputError, located, where optics and detector contradict themselves, each other or the camera, lack what light

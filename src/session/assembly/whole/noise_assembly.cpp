@@ -42,6 +42,7 @@ void tell_noise(const io::DocumentSources& sources, const io::SensorDocument& se
   const std::vector<ChannelDetector> detectors = assemble_detectors(sources, sensor, channels);
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const sensor::Detector& detector = detectors[c].figures;
+    of[c].lag = detectors[c].lag, of[c].inertia = detectors[c].inertia;
     if (detector.exists()) {
       of[c].detector = std::make_shared<const sensor::Detector>(detector);
       of[c].noise = detector.noise_w_m2_sr_um(detectors[c].reference_w_m2_sr_um);

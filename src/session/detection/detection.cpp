@@ -1,18 +1,22 @@
-#include "session/runs/detection.h"
+#include "session/detection/detection.h"
 
 #include <algorithm>
+#include <limits>
 #include <mutex>
 #include <numbers>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "ifov/detect.h"
 #include "io/document/document_error.h"
 #include "io/document/sensor_document.h"
 #include "io/products/envi_reader.h"
 #include "render/column_conversions.h"
+#include "sensor/detector/blooming.h"
 #include "sensor/detector/brightness_scale.h"
 #include "sensor/detector/detector.h"
 #include "sensor/detector/detector_signal.h"
+#include "sensor/detector/memory.h"
 #include "sensor/detector/mosaic.h"
 #include "sensor/detector/one_over_f.h"
 #include "sensor/noise.h"
@@ -20,9 +24,10 @@
 #include "session/assembly/whole/across_track.h"
 #include "session/assembly/whole/noise_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
+#include "session/detection/detected_values.h"
+#include "session/detection/seen_light.h"
 #include "session/line_blocks.h"
 #include "session/line_cube.h"
-#include "session/runs/detected_values.h"
 
 namespace ifov::session {
 namespace {
@@ -30,19 +35,21 @@ namespace {
 /// Draws a line of one channel after the other.
 class Drawing {
  public:
-  Drawing(const io::EnviReader& radiance, const render::ImageInfo& image, std::uint64_t seed,
+  Drawing(const SignalSource& source, const render::ImageInfo& image, std::uint64_t seed,
           std::span<const DetectedCube> told, const std::vector<std::unique_ptr<LineCube>>& cubes)
-      : radiance_(radiance),
+      : source_(source),
+        radiance_(*source.radiance),
         image_(image),
         channels_(image.channels),
         seed_(seed),
         noise_(seed),
         told_(told),
         cubes_(cubes) {
-    const io::EnviHeader& header = radiance.header();
+    const io::EnviHeader& header = radiance_.header();
     lines_ = header.lines, width_ = header.samples;
     for (std::size_t c = 0; c < channels_.size(); ++c)
-      signals_.emplace_back(detector(c), seed, static_cast<int>(c), width_);
+      signals_.emplace_back(detector(c), seed, static_cast<int>(c), width_, source.read_out);
+    for (const render::ChannelInfo& channel : channels_) memories_.emplace_back(channel.lag, channel.inertia);
     saturated.assign(channels_.size(), 0);
   }
 
@@ -52,12 +59,17 @@ class Drawing {
     for (std::size_t c = first; c < end; ++c)
       drifts_.push_back(
           sensor::one_over_f_noise(detector(c), seed_, static_cast<int>(c), lines_, width_, threads));
+    run_over_lines(first, end, threads, cancel);
     for_line_blocks(lines_, threads, cancel, [&](int from, int to) {
+      std::vector<SeenLight> seen;
+      for (std::size_t c = first; c < end; ++c)
+        seen.emplace_back(source_, memories_[c], static_cast<int>(c), from, to, most_radiance(c));
       std::vector<std::vector<std::byte>> values(cubes_.size());
       std::vector<std::uint64_t> full(channels_.size(), 0);
       for (int line = from; line < to; ++line) {
         for (std::vector<std::byte>& of_cube : values) of_cube.clear();
-        for (std::size_t c = first; c < end; ++c) full[c] += draw(line, c, c - first, values);
+        for (std::size_t c = first; c < end; ++c)
+          full[c] += draw(line, c, c - first, seen[c - first], values);
         for (std::size_t k = 0; k < cubes_.size(); ++k) {
           if (!image_.mosaic)
             cubes_[k]->write(line, static_cast<int>(first), values[k]);
@@ -108,12 +120,45 @@ class Drawing {
     return [](std::size_t, double radiance) { return radiance; };
   }
 
+  /// The radiance that fills the wells of a channel's elements.
+  double most_radiance(std::size_t c) const {
+    const sensor::Detector& of = detector(c);
+    return of.exists() && of.full_well > 0.0 ? of.radiance_w_m2_sr_um(of.full_well)
+                                             : std::numeric_limits<double>::infinity();
+  }
+
+  /// Of frames whose wells run over along columns: electrons of all lines.
+  void run_over_lines(std::size_t first, std::size_t end, int threads, const CancelToken* cancel) {
+    held_.assign(end - first, {});
+    if (source_.read_out.kind != sensor::ReadOut::Kind::frame) return;
+    const auto width = static_cast<std::size_t>(width_);
+    for (std::size_t c = first; c < end; ++c) {
+      const sensor::Detector& of = detector(c);
+      if (!(of.blooming > 0.0)) continue;
+      std::vector<double>& held = held_[c - first];
+      held.resize(width * static_cast<std::size_t>(lines_));
+      for_line_blocks(lines_, threads, cancel, [&](int from, int to) {
+        const SeenLight seen(source_, memories_[c], static_cast<int>(c), from, to, most_radiance(c));
+        std::vector<float> mean(width);
+        for (int line = from; line < to; ++line) {
+          seen.read(line, mean);
+          signals_[c].collect(line, mean,
+                              std::span(held).subspan(static_cast<std::size_t>(line) * width, width));
+        }
+      });
+      parallel_for(width_, threads, [&](std::int64_t x) {
+        sensor::run_over(held, static_cast<std::size_t>(x), width, static_cast<std::size_t>(lines_),
+                         of.full_well, of.blooming);
+      });
+    }
+  }
+
   /// How many pixels are saturated.
-  std::uint64_t draw(int line, std::size_t c, std::size_t drift,
+  std::uint64_t draw(int line, std::size_t c, std::size_t drift, const SeenLight& seen,
                      std::vector<std::vector<std::byte>>& values) const {
     const auto width = static_cast<std::size_t>(width_);
     std::vector<float> mean(width);
-    radiance_.read(line, static_cast<int>(c), mean);
+    seen.read(line, mean);
     if (!channels_[c].detector) {
       noise_.add(line, static_cast<int>(c), channels_[c].noise, mean);
       for (std::size_t k = 0; k < cubes_.size(); ++k) append_values(mean, radiance_as(k, c), values[k]);
@@ -123,16 +168,24 @@ class Drawing {
     std::span<const float> slow = drifts_[drift];
     if (!slow.empty()) slow = slow.subspan(static_cast<std::size_t>(line) * width, width);
     std::vector<double> signal(width);
-    signals_[c].draw(line, mean, slow, signal);
+    if (held_[drift].empty()) {
+      signals_[c].draw(line, mean, slow, signal);
+    } else {
+      std::copy_n(held_[drift].begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(line) * width),
+                  width, signal.begin());
+      signals_[c].read(line, mean, slow, signal);
+    }
+    // What is full reads less by read noise.
+    const double most = of.largest_signal() - 0.5 * of.gain - 4.0 * of.read_noise;
+    const auto full = std::count_if(signal.begin(), signal.end(), [&](double one) { return one >= most; });
+    signals_[c].correct(line, signal);
     for (std::size_t k = 0; k < cubes_.size(); ++k)
       append_detected(of, told_[k].quantity, cubes_[k]->header().data_type, signal, radiance_as(k, c),
                       values[k]);
-    // What is full reads less by read noise.
-    const double most = of.largest_signal() - 0.5 * of.gain - 4.0 * of.read_noise;
-    return static_cast<std::uint64_t>(
-        std::count_if(signal.begin(), signal.end(), [&](double one) { return one >= most; }));
+    return static_cast<std::uint64_t>(full);
   }
 
+  const SignalSource& source_;
   const io::EnviReader& radiance_;
   const render::ImageInfo& image_;
   std::span<const render::ChannelInfo> channels_;
@@ -142,15 +195,17 @@ class Drawing {
   const std::vector<std::unique_ptr<LineCube>>& cubes_;
   int lines_ = 0, width_ = 0;
   std::vector<sensor::DetectorSignal> signals_;
+  std::vector<sensor::SignalMemory> memories_;
   std::vector<std::vector<float>> drifts_;  // of the channels that are drawn
+  std::vector<std::vector<double>> held_;   // likewise: electrons of whole frames, where wells run over
   std::mutex counting_;
 };
 
-/// So many channels are drawn at once: their 1/f noise is held in memory for whole images.
+/// So many channels are drawn at once: their 1/f noise, and what runs over, is held in memory for whole images.
 std::size_t channels_at_once(const io::EnviHeader& header, std::span<const render::ChannelInfo> channels,
                              double most_bytes) {
   if (std::none_of(channels.begin(), channels.end(), [](const render::ChannelInfo& channel) {
-        return channel.detector && channel.detector->one_over_f > 0.0;
+        return channel.detector && (channel.detector->one_over_f > 0.0 || channel.detector->blooming > 0.0);
       }))
     return channels.size();
   const double bytes = 4.0 * header.samples * header.lines;
@@ -220,10 +275,11 @@ void require_quantity(DetectedQuantity quantity, std::span<const render::Channel
   }
 }
 
-Realization realize(const io::EnviReader& radiance, const render::ImageInfo& image, std::uint64_t seed,
+Realization realize(const SignalSource& source, const render::ImageInfo& image, std::uint64_t seed,
                     std::span<const DetectedCube> cubes, int threads, const CancelToken* cancel,
                     double most_drift_bytes) {
   const std::span<const render::ChannelInfo> channels = image.channels;
+  const io::EnviReader& radiance = *source.radiance;
   Realization result;
   for (const DetectedCube& cube : cubes) {
     io::EnviHeader header = detected_header(radiance.header(), cube.quantity, channels,
@@ -231,7 +287,7 @@ Realization realize(const io::EnviReader& radiance, const render::ImageInfo& ima
     if (image.mosaic) tell_mosaic(image, header);
     result.cubes.push_back(std::make_unique<LineCube>(cube.path, std::move(header)));
   }
-  Drawing drawing(radiance, image, seed, cubes, result.cubes);
+  Drawing drawing(source, image, seed, cubes, result.cubes);
   const std::size_t at_once = channels_at_once(radiance.header(), channels, most_drift_bytes);
   for (std::size_t first = 0; first < channels.size(); first += at_once)
     drawing.draw(first, std::min(first + at_once, channels.size()), threads, cancel);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/image_info.h"
+#include "sensor/detector/read_out.h"
 
 namespace ifov {
 class CancelToken;
@@ -50,11 +51,18 @@ struct Realization {
   std::vector<std::uint64_t> saturated;          ///< pixels, by channel
 };
 
+/// What a detector was exposed to.
+struct SignalSource {
+  const io::EnviReader* radiance;
+  std::vector<const io::EnviReader*> before;  ///< frames before, the last one first; none: they were alike
+  sensor::ReadOut read_out;
+};
+
 /// Of 1/f noise that is held: more channels are drawn after each other.
 inline constexpr double kMostDriftBytes = 256e6;
 
 /// One realization of what the channels of an image make of its cube of radiance, in as many cubes as are asked for.
-Realization realize(const io::EnviReader& radiance, const render::ImageInfo& image, std::uint64_t seed,
+Realization realize(const SignalSource& source, const render::ImageInfo& image, std::uint64_t seed,
                     std::span<const DetectedCube> cubes, int threads, const CancelToken* cancel,
                     double most_drift_bytes = kMostDriftBytes);
 

@@ -1,4 +1,4 @@
-#include "session/runs/detected_values.h"
+#include "session/detection/detected_values.h"
 
 #include <algorithm>
 #include <cmath>
