@@ -57,6 +57,18 @@ void take_flux_of_sky(const ScatteredField& field, FluxProfile& fluxes) {
   for (double& down : fluxes.diffuse_down) down *= factor;
 }
 
+/// Modes of sunlight from the first that is not there yet on.
+void add_modes(const SuccessiveOrders& orders, int terms, double reference, double tolerance,
+               std::vector<ModeMoments>& modes, std::vector<GroundLight>* down) {
+  for (int m = static_cast<int>(modes.size()); m < terms; ++m) {
+    SuccessiveOrders::Mode mode = orders.sunlit(m, reference);
+    const double peak = mode.moments.peak();
+    modes.push_back(std::move(mode.moments));
+    if (down != nullptr) down->push_back(std::move(mode.ground_down));
+    if (m >= 2 && peak < tolerance * reference) break;
+  }
+}
+
 }  // namespace
 
 ColumnSolver::ColumnSolver(const ScatteringOptions& options)
@@ -93,9 +105,19 @@ ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& opti
   ColumnPhase phase(column, aerosol_, 2 * options.nodes_per_hemisphere);
   RoundEarthLight round_earth;
   if (options.spherical_earth && options.most_orders > 1) round_earth = RoundEarthLight(column);
-  const auto solved = std::make_shared<const SolvedColumn>(
-      SolvedColumn{std::move(column), std::move(phase),
-                   options_.polarized ? options_.aerosol_polarization : 0.0, std::move(round_earth)});
+  std::vector<std::vector<ModeMoments>> brighter;
+  for (const double sun_rad : round_earth.brighter_suns_rad()) {
+    // Cut into the same sublayers: under Suns so low they are cut alike.
+    const ScatteringColumn there(levels, optics, sun_rad, options);
+    const SuccessiveOrders of_there(there, phase, nodes_, options);
+    SuccessiveOrders::Mode first = of_there.sunlit(0, 0.0);
+    const double peak = first.moments.peak();
+    brighter.emplace_back().push_back(std::move(first.moments));
+    add_modes(of_there, phase.terms, peak, options.tolerance, brighter.back(), nullptr);
+  }
+  const auto solved = std::make_shared<const SolvedColumn>(SolvedColumn{
+      std::move(column), std::move(phase), options_.polarized ? options_.aerosol_polarization : 0.0,
+      std::move(round_earth), std::move(brighter)});
   const SuccessiveOrders orders(solved->column, solved->phase, nodes_, options);
 
   SuccessiveOrders::Mode mode = orders.sunlit(0, 0.0);
@@ -111,13 +133,7 @@ ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& opti
   // Moments of light scattered once are the source of the second order, which was not asked for.
   if (options.most_orders > 1) {
     modes.push_back(std::move(mode.moments));
-    for (int m = 1; m < solved->phase.terms; ++m) {
-      mode = orders.sunlit(m, reference);
-      const double peak = mode.moments.peak();
-      modes.push_back(std::move(mode.moments));
-      down.push_back(std::move(mode.ground_down));
-      if (m >= 2 && peak < options.tolerance * reference) break;
-    }
+    add_modes(orders, solved->phase.terms, reference, options.tolerance, modes, &down);
   }
 
   SuccessiveOrders::Mode ground = orders.groundlit();

@@ -32,12 +32,13 @@ FluxProfile::Fluxes FluxProfile::at(double z_km) const {
   return {mix(direct_down), mix(diffuse_down), mix(up)};
 }
 
-SlantSource::SlantSource(const ScatteredField& field, double mu) : field_(&field), mu_(mu) {
-  const ColumnPhase& phase = field.solved().phase;
+namespace {
+
+std::vector<double> source_of(const std::vector<ModeMoments>& modes, const ColumnPhase& phase, double mu) {
   const std::size_t n = phase.sublayers;
-  source_.assign(field.modes().size() * kComponents * 2 * n, 0.0);
-  double* to = source_.data();
-  for (const ModeMoments& moments : field.modes()) {
+  std::vector<double> source(modes.size() * kComponents * 2 * n, 0.0);
+  double* to = source.data();
+  for (const ModeMoments& moments : modes) {
     const SphericalFunctions f = spherical_functions(moments.mode, moments.terms, mu);
     double *si = to, *sq = to + 2 * n, *su = to + 4 * n;
     to += kComponents * 2 * n;
@@ -65,20 +66,33 @@ SlantSource::SlantSource(const ScatteredField& field, double mu) : field_(&field
       }
     }
   }
+  return source;
+}
+
+}  // namespace
+
+SlantSource::SlantSource(const ScatteredField& field, double mu)
+    : field_(&field), mu_(mu), source_(source_of(field.modes(), field.solved().phase, mu)) {
+  const SolvedColumn& solved = field.solved();
+  if (!field.sunlit()) return;
+  const std::size_t ends = 2 * solved.phase.sublayers;
+  for (std::size_t k = 0; k < solved.brighter.size(); ++k) {
+    brighter_.push_back(source_of(solved.brighter[k], solved.phase, mu));
+    const std::vector<double>& own = solved.round_earth.own_over(k);
+    for (std::size_t i = 0; i < brighter_.back().size(); ++i)
+      brighter_.back()[i] *= own[i % ends / 2 + i % 2];
+  }
 }
 
 /// Adds up the pieces of a path. Q and U of light exactly along the vertical are about the azimuth asked for.
 class SlantSource::Sum {
  public:
-  Sum(const SlantSource& source, double azimuth_rad)
-      : ends_(2 * source.field_->solved().phase.sublayers), at_azimuth_(kComponents * ends_, 0.0) {
-    const double* from = source.source_.data();
-    for (const ModeMoments& moments : source.field_->modes()) {
-      const double c = std::cos(moments.mode * azimuth_rad), s = std::sin(moments.mode * azimuth_rad);
-      add_scaled(2 * ends_, c, from, at_azimuth_.data());
-      add_scaled(ends_, s, from + 2 * ends_, at_azimuth_.data() + 2 * ends_);
-      from += kComponents * ends_;
-    }
+  Sum(const SlantSource& source, double azimuth_rad, bool varies = false)
+      : ends_(2 * source.field_->solved().phase.sublayers),
+        at_azimuth_(at(azimuth_rad, source.field_->modes(), source.source_)) {
+    if (!varies) return;
+    for (std::size_t k = 0; k < source.brighter_.size(); ++k)
+      brighter_.push_back(at(azimuth_rad, source.field_->solved().brighter[k], source.brighter_[k]));
   }
 
   bool operator()(const PathPiece& piece) {
@@ -87,6 +101,7 @@ class SlantSource::Sum {
   /// At the piece's ends the source, times a factor, and something besides.
   struct Varied {
     double factor = 1.0, besides = 0.0;
+    RoundEarthLight::Between suns = {};
   };
   bool add(std::size_t sublayer, double depth, double near_position, double far_position,
            const Varied& near_end, const Varied& far_end) {
@@ -95,12 +110,13 @@ class SlantSource::Sum {
                                  step.far * besides(sublayer, far_position, far_end));
     // The source at the piece's two ends, weighted, is one weighting of it at the sublayer's two ends.
     const double near = step.near * near_end.factor, far = step.far * far_end.factor;
-    const double bottom = transmission_ * (near * near_position + far * far_position);
-    const double top = transmission_ * (near + far) - bottom;
-    const double* at = at_azimuth_.data() + 2 * sublayer;
-    multiple_.i += top * at[0] + bottom * at[1];
-    multiple_.q += top * at[ends_] + bottom * at[ends_ + 1];
-    multiple_.u += top * at[2 * ends_] + bottom * at[2 * ends_ + 1];
+    if (brighter_.empty()) {
+      const double bottom = transmission_ * (near * near_position + far * far_position);
+      take(at_azimuth_, sublayer, transmission_ * (near + far) - bottom, bottom);
+    } else {
+      take_end(sublayer, transmission_ * near, near_position, near_end.suns);
+      take_end(sublayer, transmission_ * far, far_position, far_end.suns);
+    }
     transmission_ *= step.transmission;
     return transmission_ > 0.0;
   }
@@ -110,6 +126,34 @@ class SlantSource::Sum {
   }
 
  private:
+  std::vector<double> at(double azimuth_rad, const std::vector<ModeMoments>& modes,
+                         const std::vector<double>& source) const {
+    std::vector<double> sum(kComponents * ends_, 0.0);
+    const double* from = source.data();
+    for (const ModeMoments& moments : modes) {
+      const double c = std::cos(moments.mode * azimuth_rad), s = std::sin(moments.mode * azimuth_rad);
+      add_scaled(2 * ends_, c, from, sum.data());
+      add_scaled(ends_, s, from + 2 * ends_, sum.data() + 2 * ends_);
+      from += kComponents * ends_;
+    }
+    return sum;
+  }
+  void take(const std::vector<double>& source, std::size_t sublayer, double top, double bottom) {
+    const double* at = source.data() + 2 * sublayer;
+    multiple_.i += top * at[0] + bottom * at[1];
+    multiple_.q += top * at[ends_] + bottom * at[ends_ + 1];
+    multiple_.u += top * at[2 * ends_] + bottom * at[2 * ends_ + 1];
+  }
+  void take_end(std::size_t sublayer, double light, double position, const RoundEarthLight::Between& suns) {
+    const auto part = [&](const std::vector<double>& source, double share) {
+      take(source, sublayer, share * light * (1.0 - position), share * light * position);
+    };
+    part(at_azimuth_, 1.0 - suns.weight);
+    if (!(suns.weight > 0.0)) return;
+    part(brighter_[suns.first], suns.weight * (1.0 - suns.next));
+    part(suns.first + 1 < brighter_.size() ? brighter_[suns.first + 1] : at_azimuth_,
+         suns.weight * suns.next);
+  }
   /// At most half of what the source is: it comes from a simpler problem.
   double besides(std::size_t sublayer, double position, const Varied& end) const {
     const double* at = at_azimuth_.data() + 2 * sublayer;
@@ -117,7 +161,8 @@ class SlantSource::Sum {
     return std::clamp(end.besides, -most, most);
   }
   std::size_t ends_;
-  std::vector<double> at_azimuth_;  ///< [component][sublayer][top, bottom]
+  std::vector<double> at_azimuth_;             ///< [component][sublayer][top, bottom]
+  std::vector<std::vector<double>> brighter_;  ///< the same over columns of brighter places
   double transmission_ = 1.0, besides_ = 0.0;
   StokesVector multiple_;
 };
@@ -173,9 +218,11 @@ PathLight SlantSource::through_shells(double azimuth_rad, double lower_km, doubl
     const ScatteringColumn::Mixture& mixture = column.mixtures[column.mixture_of[sublayer]];
     const double pattern =
         3.0 * mixture.first * directed_share(mixture.first) * mixture.aerosol * (1.0 - mixture.peak);
-    return {change.ratio, pattern * (change.up * from_mu + change.sunward * sunward)};
+    Sum::Varied varied{change.ratio, pattern * (change.up * from_mu + change.sunward * sunward)};
+    if (!brighter_.empty()) varied.suns = solved.round_earth.between_suns(sublayer, position, sun_mu, change);
+    return varied;
   };
-  Sum sum(*this, azimuth_rad);
+  Sum sum(*this, azimuth_rad, varies);
   for (std::size_t p = 0; p < line.pieces().size(); ++p) {
     const ShellLineOfSight::Piece& piece = line.pieces()[p];
     if (!sum.add(piece.layer, piece.slant * column.depth[piece.layer], piece.near_position,

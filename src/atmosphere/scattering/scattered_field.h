@@ -29,6 +29,8 @@ struct SolvedColumn {
   ColumnPhase phase;
   double aerosol_polarization = 0.0;
   RoundEarthLight round_earth = {};
+  /// Sunlight's moments over columns of round_earth.brighter_suns_rad(), [brighter][mode].
+  std::vector<std::vector<ModeMoments>> brighter = {};
 };
 
 class ScatteredField;
@@ -53,6 +55,8 @@ class SlantSource {
   const ScatteredField* field_;
   double mu_;
   std::vector<double> source_;  ///< [mode][component][sublayer][top, bottom]
+  /// The same over columns of brighter places, as much as is there of the own light.
+  std::vector<std::vector<double>> brighter_;
 };
 
 /// Light scattered by a column over black ground, from one kind of illumination.
