@@ -89,15 +89,16 @@ double thin(ScatteringColumn& column) {
   return share;
 }
 
-/// What molecules scatter over what aerosol does without its peak and what goes on forwards, 1 at most. Light that haze sends on
+/// What molecules scatter over what aerosol does without its peak and what goes on forwards. Light that haze sends on
 /// from molecules' light keeps a direction; that which haze has from haze is bundled about the horizon, and two terms of a pattern
 /// would send what it lacks there backwards, as too much.
+constexpr double kMostMolecules = 10.0;
 double by_molecules(const ScatteringColumn& column) {
   double molecules = 0.0;
   for (std::size_t i = 0; i < column.layer_depth.size(); ++i)
     molecules += column.layer_depth[i] * column.mixtures[i].rayleigh;
   const double aerosol = turned_by_aerosol(column);
-  return molecules < aerosol ? molecules / aerosol : 1.0;
+  return molecules < kMostMolecules * aerosol ? molecules / aerosol : kMostMolecules;
 }
 
 /// Below this share light at dusk is what grazes haze and clouds.
@@ -105,10 +106,11 @@ constexpr double kDarkMolecules = 0.3;
 
 /// Layers of haze and cloud that a low Sun does not get through are cut: sunlight that is scattered once is straight between
 /// boundaries, and all of it is scattered where the beam comes in.
-void cut(ScatteringColumn& column, double lowest_sun_rad) {
+void cut(ScatteringColumn& column, double lowest_sun_rad, bool finely) {
   constexpr double kBeamDepth = 0.5, kDark = 12.0, kLeastScattered = 0.01;
   constexpr double kLevel_rad = 89.0 * math::kDegree;  // somewhere the Sun is level
   constexpr int kMostParts = 16;
+  constexpr double kFinePart = 0.15;  // as far as altitudes at dusk are apart
   const ScatteringColumn whole = column;
   column.layer_altitude_km = {whole.layer_altitude_km.front()};
   column.layer_depth.clear(), column.mixtures.clear();
@@ -129,11 +131,20 @@ void cut(ScatteringColumn& column, double lowest_sun_rad) {
                                                1.0, static_cast<double>(kMostParts)))
                  : 1;
     const double bend = bend_of_cuts(high_km, low_km, whole.layer_depth[i], lowest_sun_rad);
-    for (int part = 1; part <= parts; ++part) {
-      const double from = place_of_cut(part - 1, parts, bend), to = place_of_cut(part, parts, bend);
-      column.layer_altitude_km.push_back(part == parts ? low_km : high_km + (low_km - high_km) * to);
+    const auto add = [&](double from, double to) {
+      column.layer_altitude_km.push_back(to < 1.0 ? high_km + (low_km - high_km) * to : low_km);
       column.layer_depth.push_back(whole.layer_depth[i] * (to - from));
       column.mixtures.push_back(mixture);
+    };
+    for (int part = 1; part <= parts; ++part) {
+      const double from = place_of_cut(part - 1, parts, bend), to = place_of_cut(part, parts, bend);
+      const int again =
+          finely && parts > 1
+              ? std::max(1, static_cast<int>(std::ceil(whole.layer_depth[i] * (to - from) / kFinePart)))
+              : 1;
+      for (int k = 1; k < again; ++k)
+        add(from + (to - from) * (k - 1) / again, from + (to - from) * k / again);
+      add(from + (to - from) * (again - 1) / again, to);
     }
   }
 }
@@ -153,20 +164,21 @@ RoundEarthLight::RoundEarthLight(const ScatteringColumn& whole) {
   std::size_t own = 0;
   const double sun_rad = std::acos(whole.sun_mu);
   const double molecules = by_molecules(whole);
-  const bool by_particles = molecules < 1.0, dusk = by_particles && is_dusk(sun_rad);
+  const bool by_particles = molecules < 1.0, dusk = molecules < kMostMolecules && is_dusk(sun_rad);
   angle_rad_ = angles_about(sun_rad, by_particles, own);
   own_rad_ = sun_rad;
+  const bool finely = dusk && molecules < kDarkMolecules;
   if (dusk) brighter_rad_ = brighter_than(sun_rad);
   ScatteringColumn column = whole;
-  cut(column, sun_rad < kTurns_rad ? sun_rad : angle_rad_.back());
-  double directed = molecules;  // before it is thinned
+  cut(column, sun_rad < kTurns_rad ? sun_rad : angle_rad_.back(), finely);
+  double directed = std::min(1.0, molecules);  // before it is thinned
   directed *= thin(column);
   const std::size_t angles = angle_rad_.size();
   std::vector<double> flat_rad = brighter_rad_;
   flat_rad.push_back(sun_rad);
   const std::size_t suns = flat_rad.size(), last = suns - 1;
   ShellOrders::Fineness fineness;
-  fineness.dusk = dusk && molecules < kDarkMolecules;
+  fineness.dusk = finely;
   const ShellOrders flat(column, {false, false}, flat_rad, last, fineness);
   // While the Sun is high it is as good as equally high all along a ray, and that costs a tenth.
   const double low = std::clamp((sun_rad - kStill_rad) / (kTurns_rad - kStill_rad), 0.0, 1.0);
