@@ -54,7 +54,7 @@ class SlantSource {
   PathLight through_shells(double azimuth_rad, double lower_km, double upper_km, const SunCell& cell) const;
   const ScatteredField* field_;
   double mu_;
-  std::vector<double> source_;  ///< [mode][component][sublayer][top, bottom]
+  std::vector<double> source_;  ///< [mode][component][top, bottom][sublayer]
   /// The same over columns of brighter places, as much as is there of the own light.
   std::vector<std::vector<double>> brighter_;
 };
