@@ -9,6 +9,7 @@
 
 #include "atmosphere/scattering/ground/ground_modes.h"
 #include "atmosphere/scattering/reflected_light.h"
+#include "atmosphere/scattering/round_earth_light.h"
 #include "atmosphere/scattering/successive_orders.h"
 
 namespace ifov::atmosphere {
@@ -103,10 +104,11 @@ ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& opti
                                    const ScatteringOptions& options, const GroundModes* directional) const {
   ScatteringColumn column(levels, optics, sun_zenith_rad, options);
   ColumnPhase phase(column, aerosol_, 2 * options.nodes_per_hemisphere);
-  RoundEarthLight round_earth;
-  if (options.spherical_earth && options.most_orders > 1) round_earth = RoundEarthLight(column);
+  std::shared_ptr<const RoundEarthLight> round_earth;
+  if (options.spherical_earth && options.most_orders > 1)
+    round_earth = std::make_shared<const RoundEarthLight>(column);
   std::vector<std::vector<ModeMoments>> brighter;
-  for (const double sun_rad : round_earth.brighter_suns_rad()) {
+  for (const double sun_rad : round_earth ? round_earth->brighter_suns_rad() : std::vector<double>{}) {
     // Cut into the same sublayers: under Suns so low they are cut alike.
     const ScatteringColumn there(levels, optics, sun_rad, options);
     const SuccessiveOrders of_there(there, phase, nodes_, options);
@@ -124,9 +126,9 @@ ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& opti
   const double reference = mode.moments.peak();
   const int sunlit_orders = mode.orders;
   FluxProfile sunlit_fluxes = diffuse_fluxes(solved->column, nodes_, mode.radiance);
-  if (solved->round_earth.any())
+  if (solved->round_earth)
     for (std::size_t level = 0; level < sunlit_fluxes.altitude_km.size(); ++level)
-      sunlit_fluxes.diffuse_down[level] *= solved->round_earth.flux_ratio()[level];
+      sunlit_fluxes.diffuse_down[level] *= solved->round_earth->flux_ratio()[level];
   add_beam(solved->column, sunlit_fluxes);
   std::vector<ModeMoments> modes;
   std::vector<GroundLight> down{std::move(mode.ground_down)};
@@ -140,7 +142,7 @@ ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& opti
   FluxProfile groundlit_fluxes = diffuse_fluxes(solved->column, nodes_, ground.radiance);
   std::vector<ModeMoments> ground_modes;
   ground_modes.push_back(std::move(ground.moments));
-  if (solved->round_earth.any() && solved->column.sun_mu < kLowSun)
+  if (solved->round_earth && solved->column.sun_mu < kLowSun)
     take_flux_of_sky(ScatteredField(solved, modes, sunlit_fluxes, true, sunlit_orders), sunlit_fluxes);
   std::shared_ptr<const ReflectedLight> reflected;
   if (directional != nullptr) {

@@ -12,11 +12,8 @@ class ScatteringColumn;
 /// solutions, in shells and in flat layers (docs/theory/atmosphere_round_earth.md).
 class RoundEarthLight {
  public:
-  /// None: all ratios are 1.
-  RoundEarthLight() = default;
   explicit RoundEarthLight(const ScatteringColumn& column);
 
-  bool any() const { return !angle_rad_.empty(); }
   /// At a position of a sublayer (0 at its top, 1 at its bottom), where the Sun has this cosine of the
   /// zenith angle. Beyond a few degrees from the column's own the outermost hold.
   struct Change {

@@ -7,6 +7,7 @@
 #include "atmosphere/linear_source.h"
 #include "atmosphere/scattering/mode_operator.h"
 #include "atmosphere/scattering/phase/spherical_functions.h"
+#include "atmosphere/scattering/round_earth_light.h"
 #include "atmosphere/scattering/shell_line_of_sight.h"
 
 namespace ifov::atmosphere {
@@ -81,7 +82,7 @@ SlantSource::SlantSource(const ScatteredField& field, double mu)
   const std::size_t ends = 2 * solved.phase.sublayers;
   for (std::size_t k = 0; k < solved.brighter.size(); ++k) {
     brighter_.push_back(source_of(solved.brighter[k], solved.phase, mu));
-    const std::vector<double>& own = solved.round_earth.own_over(k);
+    const std::vector<double>& own = solved.round_earth->own_over(k);
     for (std::size_t i = 0; i < brighter_.back().size(); ++i)
       brighter_.back()[i] *= own[i % ends < ends / 2 ? i % ends : i % ends - ends / 2 + 1];
   }
@@ -211,7 +212,7 @@ PathLight SlantSource::through_shells(double azimuth_rad, double lower_km, doubl
       ShellLineOfSight(column.layer_altitude_km, column.spherical, column.sun_mu, direction, ends), cell);
   if (!field_->sunlit()) light.single = {};
   const ShellLineOfSight line(column.altitude_km, column.spherical, column.sun_mu, direction, ends, false);
-  const bool varies = field_->sunlit() && solved.round_earth.any();
+  const bool varies = field_->sunlit() && solved.round_earth != nullptr;
   // Of the end of the last piece, where the next one begins.
   struct Place {
     double boundary = -1.0;  ///< number and position within
@@ -227,11 +228,11 @@ PathLight SlantSource::through_shells(double azimuth_rad, double lower_km, doubl
     if (!known) {
       const double sun_mu = line.sun_mu()[end];
       place.boundary = boundary;
-      place.change = solved.round_earth.change(sublayer, position, sun_mu);
+      place.change = solved.round_earth->change(sublayer, position, sun_mu);
       place.sunward =
           (line.scattering_cosine() - sun_mu * from_mu) / std::sqrt(std::max(1e-12, 1.0 - sun_mu * sun_mu));
       if (!brighter_.empty())
-        place.suns = solved.round_earth.between_suns(sublayer, position, sun_mu, place.change);
+        place.suns = solved.round_earth->between_suns(sublayer, position, sun_mu, place.change);
     }
     const ScatteringColumn::Mixture& mixture = column.mixtures[column.mixture_of[sublayer]];
     const double pattern =

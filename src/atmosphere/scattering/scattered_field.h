@@ -6,10 +6,11 @@
 
 #include "atmosphere/scattering/column_phase.h"
 #include "atmosphere/scattering/mode_moments.h"
-#include "atmosphere/scattering/round_earth_light.h"
 #include "atmosphere/scattering/single_scattering.h"
 
 namespace ifov::atmosphere {
+
+class RoundEarthLight;
 
 /// Irradiances on horizontal surfaces against altitude (boundaries of sublayers, from the top down).
 struct FluxProfile {
@@ -28,8 +29,8 @@ struct SolvedColumn {
   ScatteringColumn column;
   ColumnPhase phase;
   double aerosol_polarization = 0.0;
-  RoundEarthLight round_earth = {};
-  /// Sunlight's moments over columns of round_earth.brighter_suns_rad(), [brighter][mode].
+  std::shared_ptr<const RoundEarthLight> round_earth = {};  ///< null: none
+  /// Sunlight's moments over columns of RoundEarthLight::brighter_suns_rad(), [brighter][mode].
   std::vector<std::vector<ModeMoments>> brighter = {};
 };
 
