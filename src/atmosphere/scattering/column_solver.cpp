@@ -9,6 +9,7 @@
 
 #include "atmosphere/scattering/ground/ground_modes.h"
 #include "atmosphere/scattering/reflected_light.h"
+#include "atmosphere/scattering/round_earth_light.h"
 #include "atmosphere/scattering/successive_orders.h"
 
 namespace ifov::atmosphere {
@@ -57,6 +58,18 @@ void take_flux_of_sky(const ScatteredField& field, FluxProfile& fluxes) {
   for (double& down : fluxes.diffuse_down) down *= factor;
 }
 
+/// Modes of sunlight from the first that is not there yet on.
+void add_modes(const SuccessiveOrders& orders, int terms, double reference, double tolerance,
+               std::vector<ModeMoments>& modes, std::vector<GroundLight>* down) {
+  for (int m = static_cast<int>(modes.size()); m < terms; ++m) {
+    SuccessiveOrders::Mode mode = orders.sunlit(m, reference);
+    const double peak = mode.moments.peak();
+    modes.push_back(std::move(mode.moments));
+    if (down != nullptr) down->push_back(std::move(mode.ground_down));
+    if (m >= 2 && peak < tolerance * reference) break;
+  }
+}
+
 }  // namespace
 
 ColumnSolver::ColumnSolver(const ScatteringOptions& options)
@@ -91,40 +104,45 @@ ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& opti
                                    const ScatteringOptions& options, const GroundModes* directional) const {
   ScatteringColumn column(levels, optics, sun_zenith_rad, options);
   ColumnPhase phase(column, aerosol_, 2 * options.nodes_per_hemisphere);
-  RoundEarthLight round_earth;
-  if (options.spherical_earth && options.most_orders > 1) round_earth = RoundEarthLight(column);
-  const auto solved = std::make_shared<const SolvedColumn>(
-      SolvedColumn{std::move(column), std::move(phase),
-                   options_.polarized ? options_.aerosol_polarization : 0.0, std::move(round_earth)});
+  std::shared_ptr<const RoundEarthLight> round_earth;
+  if (options.spherical_earth && options.most_orders > 1)
+    round_earth = std::make_shared<const RoundEarthLight>(column);
+  std::vector<std::vector<ModeMoments>> brighter;
+  for (const double sun_rad : round_earth ? round_earth->brighter_suns_rad() : std::vector<double>{}) {
+    // Cut into the same sublayers: under Suns so low they are cut alike.
+    const ScatteringColumn there(levels, optics, sun_rad, options);
+    const SuccessiveOrders of_there(there, phase, nodes_, options);
+    SuccessiveOrders::Mode first = of_there.sunlit(0, 0.0);
+    const double peak = first.moments.peak();
+    brighter.emplace_back().push_back(std::move(first.moments));
+    add_modes(of_there, phase.terms, peak, options.tolerance, brighter.back(), nullptr);
+  }
+  const auto solved = std::make_shared<const SolvedColumn>(SolvedColumn{
+      std::move(column), std::move(phase), options_.polarized ? options_.aerosol_polarization : 0.0,
+      std::move(round_earth), std::move(brighter)});
   const SuccessiveOrders orders(solved->column, solved->phase, nodes_, options);
 
   SuccessiveOrders::Mode mode = orders.sunlit(0, 0.0);
   const double reference = mode.moments.peak();
   const int sunlit_orders = mode.orders;
   FluxProfile sunlit_fluxes = diffuse_fluxes(solved->column, nodes_, mode.radiance);
-  if (solved->round_earth.any())
+  if (solved->round_earth)
     for (std::size_t level = 0; level < sunlit_fluxes.altitude_km.size(); ++level)
-      sunlit_fluxes.diffuse_down[level] *= solved->round_earth.flux_ratio()[level];
+      sunlit_fluxes.diffuse_down[level] *= solved->round_earth->flux_ratio()[level];
   add_beam(solved->column, sunlit_fluxes);
   std::vector<ModeMoments> modes;
   std::vector<GroundLight> down{std::move(mode.ground_down)};
   // Moments of light scattered once are the source of the second order, which was not asked for.
   if (options.most_orders > 1) {
     modes.push_back(std::move(mode.moments));
-    for (int m = 1; m < solved->phase.terms; ++m) {
-      mode = orders.sunlit(m, reference);
-      const double peak = mode.moments.peak();
-      modes.push_back(std::move(mode.moments));
-      down.push_back(std::move(mode.ground_down));
-      if (m >= 2 && peak < options.tolerance * reference) break;
-    }
+    add_modes(orders, solved->phase.terms, reference, options.tolerance, modes, &down);
   }
 
   SuccessiveOrders::Mode ground = orders.groundlit();
   FluxProfile groundlit_fluxes = diffuse_fluxes(solved->column, nodes_, ground.radiance);
   std::vector<ModeMoments> ground_modes;
   ground_modes.push_back(std::move(ground.moments));
-  if (solved->round_earth.any() && solved->column.sun_mu < kLowSun)
+  if (solved->round_earth && solved->column.sun_mu < kLowSun)
     take_flux_of_sky(ScatteredField(solved, modes, sunlit_fluxes, true, sunlit_orders), sunlit_fluxes);
   std::shared_ptr<const ReflectedLight> reflected;
   if (directional != nullptr) {

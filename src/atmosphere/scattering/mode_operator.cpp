@@ -11,6 +11,57 @@ void add_scaled(std::size_t count, double factor, const double* __restrict from,
   for (std::size_t i = 0; i < count; ++i) to[i] += factor * from[i];
 }
 
+namespace {
+
+/// What is added to one row: factors of other rows. In their order, several in one pass, so that sums stay in registers.
+struct Terms {
+  static constexpr std::size_t kTogether = 4;
+  std::size_t count = 0;
+  double factor[kTogether] = {};
+  const double* from[kTogether] = {};
+};
+void add_terms(std::size_t count, const Terms& terms, double* __restrict to) {
+  const double *__restrict a = terms.from[0], *__restrict b = terms.from[1], *__restrict c = terms.from[2],
+               *__restrict d = terms.from[3];
+  const double fa = terms.factor[0], fb = terms.factor[1], fc = terms.factor[2], fd = terms.factor[3];
+  switch (terms.count) {
+    case 4:
+      for (std::size_t i = 0; i < count; ++i) to[i] = to[i] + fa * a[i] + fb * b[i] + fc * c[i] + fd * d[i];
+      return;
+    case 3:
+      for (std::size_t i = 0; i < count; ++i) to[i] = to[i] + fa * a[i] + fb * b[i] + fc * c[i];
+      return;
+    case 2:
+      for (std::size_t i = 0; i < count; ++i) to[i] = to[i] + fa * a[i] + fb * b[i];
+      return;
+    case 1:
+      for (std::size_t i = 0; i < count; ++i) to[i] = to[i] + fa * a[i];
+      return;
+    default: return;
+  }
+}
+/// Adds terms to one row as they come.
+class RowSum {
+ public:
+  RowSum(std::size_t count, double* to) : count_(count), to_(to) {}
+  void add(double factor, const double* from) {
+    terms_.factor[terms_.count] = factor;
+    terms_.from[terms_.count] = from;
+    if (++terms_.count == Terms::kTogether) finish();
+  }
+  void finish() {
+    add_terms(count_, terms_, to_);
+    terms_.count = 0;
+  }
+
+ private:
+  std::size_t count_;
+  double* to_;
+  Terms terms_;
+};
+
+}  // namespace
+
 double ModeMoments::peak() const {
   // Several at once: the compiler may not reorder a single maximum.
   constexpr std::size_t kLanes = 16;
@@ -56,30 +107,37 @@ ModeMoments ModeOperator::empty_moments() const {
 ModeMoments ModeOperator::moments_of(const ModeField& field) const {
   const std::size_t levels = sublayers() + 1;
   ModeMoments moments = empty_moments();
-  std::vector<double> sum(components_ * levels), difference(components_ * levels);
-  for (std::size_t j = 0; j < nodes(); ++j) {
-    const double weight = nodes_.weight[j];
+  const std::size_t row = components_ * levels;
+  std::vector<double> sum(nodes() * row), difference(nodes() * row);
+  for (std::size_t j = 0; j < nodes(); ++j)
     for (int c = 0; c < components_; ++c) {
       const double *up = field.up_at(c, j), *down = field.down_at(c, j);
+      double* __restrict both = sum.data() + j * row + c * levels, * __restrict apart = difference.data() +
+                                                                                        j * row + c * levels;
       for (std::size_t i = 0; i < levels; ++i) {
-        sum[c * levels + i] = up[i] + down[i];
-        difference[c * levels + i] = up[i] - down[i];
+        both[i] = up[i] + down[i];
+        apart[i] = up[i] - down[i];
       }
     }
-    for (int l = mode_; l < moments.terms; ++l) {
-      const bool even = (l - mode_) % 2 == 0;
-      const double* same = even ? sum.data() : difference.data();
-      const double* other = even ? difference.data() : sum.data();
+  for (int l = mode_; l < moments.terms; ++l) {
+    const int at = l - mode_;
+    const bool even = at % 2 == 0;
+    RowSum i(levels, moments.at(l, 0)), q(levels, components_ > 1 ? moments.at(l, 1) : nullptr),
+        u(levels, components_ > 2 ? moments.at(l, 2) : nullptr);
+    for (std::size_t j = 0; j < nodes(); ++j) {
+      const double weight = nodes_.weight[j];
+      const double* same = (even ? sum : difference).data() + j * row;
+      const double* other = (even ? difference : sum).data() + j * row;
       const SphericalFunctions& f = functions_[j];
-      const int at = l - mode_;
-      add_scaled(levels, weight * f.p[at], same, moments.at(l, 0));
-      if (components_ > 1) add_scaled(levels, weight * f.r[at], same + levels, moments.at(l, 1));
+      i.add(weight * f.p[at], same);
+      if (components_ > 1) q.add(weight * f.r[at], same + levels);
       if (components_ > 2) {
-        add_scaled(levels, weight * f.t[at], other + 2 * levels, moments.at(l, 1));
-        add_scaled(levels, weight * f.t[at], other + levels, moments.at(l, 2));
-        add_scaled(levels, weight * f.r[at], same + 2 * levels, moments.at(l, 2));
+        q.add(weight * f.t[at], other + 2 * levels);
+        u.add(weight * f.t[at], other + levels);
+        u.add(weight * f.r[at], same + 2 * levels);
       }
     }
+    i.finish(), q.finish(), u.finish();
   }
   return moments;
 }
@@ -114,17 +172,21 @@ void ModeOperator::expand(std::size_t j, const std::vector<double>& scattered, s
   std::fill(up.begin(), up.end(), 0.0);      // first the part that is even in mu,
   std::fill(down.begin(), down.end(), 0.0);  // and here the odd part
   const SphericalFunctions& f = functions_[j];
-  for (int at = 0; at < static_cast<int>(f.p.size()); ++at) {
-    const double* from = scattered.data() + static_cast<std::size_t>(at) * components_ * n;
-    double* same = at % 2 == 0 ? up.data() : down.data();
-    double* other = at % 2 == 0 ? down.data() : up.data();
-    add_scaled(n, f.p[at], from, same);
-    if (components_ > 1) add_scaled(n, f.r[at], from + n, same + n);
-    if (components_ > 2) {
-      add_scaled(n, f.t[at], from + 2 * n, other + n);
-      add_scaled(n, f.t[at], from + n, other + 2 * n);
-      add_scaled(n, f.r[at], from + 2 * n, same + 2 * n);
+  for (int parity = 0; parity < 2; ++parity) {
+    double* to = parity == 0 ? up.data() : down.data();
+    RowSum i(n, to), q(n, components_ > 1 ? to + n : nullptr), u(n, components_ > 2 ? to + 2 * n : nullptr);
+    for (int at = 0; at < static_cast<int>(f.p.size()); ++at) {
+      const double* from = scattered.data() + static_cast<std::size_t>(at) * components_ * n;
+      if (at % 2 == parity) {
+        i.add(f.p[at], from);
+        if (components_ > 1) q.add(f.r[at], from + n);
+        if (components_ > 2) u.add(f.r[at], from + 2 * n);
+      } else if (components_ > 2) {
+        q.add(f.t[at], from + 2 * n);
+        u.add(f.t[at], from + n);
+      }
     }
+    i.finish(), q.finish(), u.finish();
   }
   for (std::size_t i = 0; i < up.size(); ++i) {
     const double even = up[i], odd = down[i];

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "atmosphere/scattering/ground/ground_modes.h"
+#include "atmosphere/scattering/round_earth_light.h"
 #include "atmosphere/scattering/successive_orders.h"
 
 namespace ifov::atmosphere {
@@ -57,7 +58,7 @@ std::optional<ReflectedLight> reflected_light(const std::shared_ptr<const Solved
                                               double tolerance) {
   const ScatteringColumn& column = solved->column;
   const double beam = column.sun_mu > 0.0 ? std::exp(-column.beam_depth.back()) : 0.0;
-  const double sky = solved->round_earth.any() ? solved->round_earth.flux_ratio().back() : 1.0;
+  const double sky = solved->round_earth ? solved->round_earth->flux_ratio().back() : 1.0;
   // What the air scatters has no more modes than its phase functions have terms; what leaves the ground has.
   const int scattered = std::min(ground.modes(), solved->phase.terms);
   std::vector<ReflectedMode> modes(static_cast<std::size_t>(ground.modes()));

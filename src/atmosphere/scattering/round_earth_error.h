@@ -35,8 +35,17 @@ inline RoundEarthError round_earth_error(double sun_zenith_rad, const RoundEarth
   // Single directions, in which clouds at dusk are off by more than fluxes are, and thick haze at dusk towards the Sun.
   double of_path = 0.0, of_sky = 0.0;
   if (air.cloudy) {
-    of_path = (0.03 + 0.07 * dark) * risen(75.0, 80.0);
-    of_sky = dark * (1.2 * sunset + 0.03 * risen(86.0, 89.0));
+    of_path = (0.03 + 0.07 * dark) * risen(75.0, 80.0) + dark * (0.1 * sunset + 0.15 * risen(92.0, 94.0)) +
+              (1.0 - dark) * (0.07 * risen(88.0, 89.0) + 0.6 * risen(92.0, 94.0));
+    of_sky = dark * (0.03 * risen(86.0, 89.0) + 0.05 * risen(88.0, 89.0) + 0.65 * risen(89.0, 90.0) +
+                     0.8 * risen(90.0, 92.0) - 1.2 * risen(92.0, 94.0));
+    // The Sun's side of the horizon, where clouds that molecules do not outshine, or thin ones, let light through.
+    constexpr double kThin = 0.3, kThick = 3.0, kOutshone = 0.2;
+    const double thin = std::clamp((kThick - air.haze) / (kThick - kThin), 0.0, 1.0),
+                 seen = std::max(thin, 1.0 - air.molecules / kOutshone);
+    of_sky += (1.0 - dark) * seen * std::min(1.0, air.haze / kThin) *
+              (0.18 * risen(87.5, 89.0) + 0.05 * risen(89.5, 90.25) - 0.1 * risen(90.5, 91.5) +
+               0.04 * risen(92.0, 94.0));
   } else {
     const double thick = std::min(1.0, air.haze) * (1.0 - risen(91.0, 92.0));
     of_path = thick * (0.004 * risen(74.0, 82.0) + 0.04 * risen(87.0, 89.0));
@@ -44,7 +53,7 @@ inline RoundEarthError round_earth_error(double sun_zenith_rad, const RoundEarth
   }
   if (air.cloudy)
     both += 0.02 * risen(70.0, 80.0) + 0.05 * risen(89.0, 90.0) + 0.2 * risen(92.0, 94.0) +
-            dark * (0.65 * sunset + 0.25 * risen(90.5, 91.0));
+            dark * 0.25 * risen(90.5, 91.0);
   else
     both += 0.2 * dark * std::min(1.0, air.haze) * sunset;
   return {kPath * lower + both + of_path, kSky * lower + both + of_sky};

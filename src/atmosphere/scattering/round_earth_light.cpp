@@ -24,13 +24,13 @@ Steps steps_for(double sun_zenith_rad) {
   return {1.0 * math::kDegree, 8, 6};
 }
 
-/// Where haze or clouds scatter more than molecules do, light in them falls to a tenth within half a degree of sunset: there steps
-/// are quarters.
+/// Where haze or clouds scatter more than molecules do, light in them falls to a tenth within a quarter of a degree of sunset: there
+/// steps are eighths.
 std::vector<double> angles_about(double sun_zenith_rad, bool finely, std::size_t& own) {
   constexpr double kFirst_rad = 88.9 * math::kDegree, kLast_rad = 91.1 * math::kDegree,
                    kSet_rad = 90.75 * math::kDegree;  // from there on nothing sees it rise
   finely = finely && sun_zenith_rad < kSet_rad;
-  constexpr int kParts = 4, kFar = 2;
+  constexpr int kParts = 8, kFar = 1;
   const Steps steps = steps_for(sun_zenith_rad);
   std::vector<double> angles;
   for (int k = -steps.below; k <= steps.above; ++k) {
@@ -44,6 +44,20 @@ std::vector<double> angles_about(double sun_zenith_rad, bool finely, std::size_t
   }
   while (angles.size() < 3) angles.push_back(angles.back() + steps.step_rad);
   return angles;
+}
+
+/// Suns over whose columns light is spread in its own way, for places that are brighter than that of a Sun at dusk.
+std::vector<double> brighter_than(double sun_zenith_rad) {
+  constexpr double kSuns_deg[] = {89.0, 89.5, 89.75, 90.0, 90.25, 90.5}, kApart_rad = 0.05 * math::kDegree;
+  std::vector<double> suns;
+  for (const double sun_deg : kSuns_deg)
+    if (sun_deg * math::kDegree < sun_zenith_rad - kApart_rad) suns.push_back(sun_deg * math::kDegree);
+  return suns;
+}
+/// While the Sun is at dusk: so far light changes by much within what a line of sight sees.
+bool is_dusk(double sun_zenith_rad) {
+  constexpr double kFirst_rad = 88.0 * math::kDegree, kLast_rad = 92.0 * math::kDegree;
+  return sun_zenith_rad > kFirst_rad && sun_zenith_rad < kLast_rad;
 }
 
 /// Up to the first the Sun counts as equally high all along each ray, from the second on it turns.
@@ -75,23 +89,28 @@ double thin(ScatteringColumn& column) {
   return share;
 }
 
-/// What molecules scatter over what aerosol does without its peak and what goes on forwards, 1 at most. Light that haze sends on
+/// What molecules scatter over what aerosol does without its peak and what goes on forwards. Light that haze sends on
 /// from molecules' light keeps a direction; that which haze has from haze is bundled about the horizon, and two terms of a pattern
 /// would send what it lacks there backwards, as too much.
+constexpr double kMostMolecules = 10.0;
 double by_molecules(const ScatteringColumn& column) {
   double molecules = 0.0;
   for (std::size_t i = 0; i < column.layer_depth.size(); ++i)
     molecules += column.layer_depth[i] * column.mixtures[i].rayleigh;
   const double aerosol = turned_by_aerosol(column);
-  return molecules < aerosol ? molecules / aerosol : 1.0;
+  return molecules < kMostMolecules * aerosol ? molecules / aerosol : kMostMolecules;
 }
+
+/// Below this share light at dusk is what grazes haze and clouds.
+constexpr double kDarkMolecules = 0.3;
 
 /// Layers of haze and cloud that a low Sun does not get through are cut: sunlight that is scattered once is straight between
 /// boundaries, and all of it is scattered where the beam comes in.
-void cut(ScatteringColumn& column, double lowest_sun_rad) {
+void cut(ScatteringColumn& column, double lowest_sun_rad, bool finely) {
   constexpr double kBeamDepth = 0.5, kDark = 12.0, kLeastScattered = 0.01;
   constexpr double kLevel_rad = 89.0 * math::kDegree;  // somewhere the Sun is level
   constexpr int kMostParts = 16;
+  constexpr double kFinePart = 0.15;  // as far as altitudes at dusk are apart
   const ScatteringColumn whole = column;
   column.layer_altitude_km = {whole.layer_altitude_km.front()};
   column.layer_depth.clear(), column.mixtures.clear();
@@ -112,11 +131,20 @@ void cut(ScatteringColumn& column, double lowest_sun_rad) {
                                                1.0, static_cast<double>(kMostParts)))
                  : 1;
     const double bend = bend_of_cuts(high_km, low_km, whole.layer_depth[i], lowest_sun_rad);
-    for (int part = 1; part <= parts; ++part) {
-      const double from = place_of_cut(part - 1, parts, bend), to = place_of_cut(part, parts, bend);
-      column.layer_altitude_km.push_back(part == parts ? low_km : high_km + (low_km - high_km) * to);
+    const auto add = [&](double from, double to) {
+      column.layer_altitude_km.push_back(to < 1.0 ? high_km + (low_km - high_km) * to : low_km);
       column.layer_depth.push_back(whole.layer_depth[i] * (to - from));
       column.mixtures.push_back(mixture);
+    };
+    for (int part = 1; part <= parts; ++part) {
+      const double from = place_of_cut(part - 1, parts, bend), to = place_of_cut(part, parts, bend);
+      const int again =
+          finely && parts > 1
+              ? std::max(1, static_cast<int>(std::ceil(whole.layer_depth[i] * (to - from) / kFinePart)))
+              : 1;
+      for (int k = 1; k < again; ++k)
+        add(from + (to - from) * (k - 1) / again, from + (to - from) * k / again);
+      add(from + (to - from) * (again - 1) / again, to);
     }
   }
 }
@@ -135,14 +163,23 @@ double between(const std::vector<double>& altitude_km, double z, std::size_t str
 RoundEarthLight::RoundEarthLight(const ScatteringColumn& whole) {
   std::size_t own = 0;
   const double sun_rad = std::acos(whole.sun_mu);
-  angle_rad_ = angles_about(sun_rad, by_molecules(whole) < 1.0, own);
+  const double molecules = by_molecules(whole);
+  const bool by_particles = molecules < 1.0, dusk = molecules < kMostMolecules && is_dusk(sun_rad);
+  angle_rad_ = angles_about(sun_rad, by_particles, own);
+  own_rad_ = sun_rad;
+  const bool finely = dusk && molecules < kDarkMolecules;
+  if (dusk) brighter_rad_ = brighter_than(sun_rad);
   ScatteringColumn column = whole;
-  cut(column, sun_rad < kTurns_rad ? sun_rad : angle_rad_.back());
-  double directed = by_molecules(column);  // before it is thinned
+  cut(column, sun_rad < kTurns_rad ? sun_rad : angle_rad_.back(), finely);
+  double directed = std::min(1.0, molecules);  // before it is thinned
   directed *= thin(column);
   const std::size_t angles = angle_rad_.size();
-  const double own_rad[] = {sun_rad};
-  const ShellOrders flat(column, {false, false}, own_rad, 0, {});
+  std::vector<double> flat_rad = brighter_rad_;
+  flat_rad.push_back(sun_rad);
+  const std::size_t suns = flat_rad.size(), last = suns - 1;
+  ShellOrders::Fineness fineness;
+  fineness.dusk = finely;
+  const ShellOrders flat(column, {false, false}, flat_rad, last, fineness);
   // While the Sun is high it is as good as equally high all along a ray, and that costs a tenth.
   const double low = std::clamp((sun_rad - kStill_rad) / (kTurns_rad - kStill_rad), 0.0, 1.0);
   constexpr double kLongest_km = 60.0;
@@ -159,13 +196,18 @@ RoundEarthLight::RoundEarthLight(const ScatteringColumn& whole) {
     }
     for (std::size_t k = 0; k < log_flux.size(); ++k) log_flux[k] += share * shells.log_flux()[k];
   };
-  if (low < 1.0) add({column, {true, false}, angle_rad_, own, {}}, 1.0 - low);
-  if (low > 0.0) add({column, {true, true}, angle_rad_, own, {6, 3, kLongest_km}}, low);
+  if (low < 1.0) add({column, {true, false}, angle_rad_, own, fineness}, 1.0 - low);
+  fineness.longest_km = kLongest_km;
+  if (low > 0.0) add({column, {true, true}, angle_rad_, own, fineness}, low);
+  own_over_.resize(brighter_rad_.size());
   for (const double z : column.altitude_km) {
     const auto of_flat = [&](const std::vector<double>& values) {
-      return between(flat.altitude_km(), z, 1, values.data());
+      return between(flat.altitude_km(), z, suns, values.data() + last);
     };
     log_flat_.push_back(of_flat(flat.log_mean()));
+    for (std::size_t k = 0; k < last; ++k)
+      own_over_[k].push_back(
+          std::exp(log_flat_.back() - between(flat.altitude_km(), z, suns, flat.log_mean().data() + k)));
     const double flat_up = of_flat(flat.up()), flat_sunward = of_flat(flat.sunward());
     for (std::size_t k = 0; k < angles; ++k) {
       const auto of_shells = [&](const std::vector<double>& values) {
@@ -208,6 +250,21 @@ RoundEarthLight::Change RoundEarthLight::change(std::size_t sublayer, double pos
   change.up = mean * at(up_);
   change.sunward = mean * at(sunward_);
   return change;
+}
+
+RoundEarthLight::Between RoundEarthLight::between_suns(std::size_t sublayer, double position, double sun_mu,
+                                                       const Change& there) const {
+  Between between;
+  const double angle = std::acos(sun_mu);
+  if (brighter_rad_.empty() || angle >= own_rad_) return between;
+  const auto sun = [&](std::size_t k) { return k < brighter_rad_.size() ? brighter_rad_[k] : own_rad_; };
+  while (between.first + 1 < brighter_rad_.size() && angle >= sun(between.first + 1)) ++between.first;
+  between.next =
+      std::clamp((angle - sun(between.first)) / (sun(between.first + 1) - sun(between.first)), 0.0, 1.0);
+  // What there is of the column's own light is spread as that.
+  const double own = change(sublayer, position, std::cos(own_rad_)).ratio / there.ratio;
+  between.weight = std::max(0.0, 1.0 - own * own);
+  return between;
 }
 
 }  // namespace ifov::atmosphere

@@ -6,10 +6,11 @@
 
 #include "atmosphere/scattering/column_phase.h"
 #include "atmosphere/scattering/mode_moments.h"
-#include "atmosphere/scattering/round_earth_light.h"
 #include "atmosphere/scattering/single_scattering.h"
 
 namespace ifov::atmosphere {
+
+class RoundEarthLight;
 
 /// Irradiances on horizontal surfaces against altitude (boundaries of sublayers, from the top down).
 struct FluxProfile {
@@ -28,7 +29,9 @@ struct SolvedColumn {
   ScatteringColumn column;
   ColumnPhase phase;
   double aerosol_polarization = 0.0;
-  RoundEarthLight round_earth = {};
+  std::shared_ptr<const RoundEarthLight> round_earth = {};  ///< null: none
+  /// Sunlight's moments over columns of RoundEarthLight::brighter_suns_rad(), [brighter][mode].
+  std::vector<std::vector<ModeMoments>> brighter = {};
 };
 
 class ScatteredField;
@@ -52,7 +55,9 @@ class SlantSource {
   PathLight through_shells(double azimuth_rad, double lower_km, double upper_km, const SunCell& cell) const;
   const ScatteredField* field_;
   double mu_;
-  std::vector<double> source_;  ///< [mode][component][sublayer][top, bottom]
+  std::vector<double> source_;  ///< [mode][component][top, bottom][sublayer]
+  /// The same over columns of brighter places, as much as is there of the own light.
+  std::vector<std::vector<double>> brighter_;
 };
 
 /// Light scattered by a column over black ground, from one kind of illumination.

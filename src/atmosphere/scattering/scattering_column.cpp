@@ -97,7 +97,17 @@ class ForwardPeaks {
 }  // namespace
 
 ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad,
-                                   const ScatteringOptions& options, std::span<const int> given_parts)
+                                   const ScatteringOptions& options, std::span<const int> parts)
+    : ScatteringColumn(levels, optics, sun_zenith_rad, options, parts, Detail::kSublayers) {}
+
+ScatteringColumn ScatteringColumn::of_layers(const Levels& levels, const LayerOptics& optics,
+                                             double sun_zenith_rad, const ScatteringOptions& options) {
+  return {levels, optics, sun_zenith_rad, options, {}, Detail::kLayers};
+}
+
+ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad,
+                                   const ScatteringOptions& options, std::span<const int> given_parts,
+                                   Detail detail)
     : spherical(options.spherical_earth),
       sun_mu(std::cos(sun_zenith_rad)),
       depolarization(optics.depolarization),
@@ -123,6 +133,7 @@ ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& opti
     layer_altitude_km.push_back(levels.altitude_km[layer + 1]);
     layer_depth.push_back(kept);
     layer_true_depth.push_back(all);
+    if (detail == Detail::kLayers) continue;
 
     const double scattered = rayleigh + aerosol * (1.0 - peak);
     const double wanted = std::ceil((scattered + 0.1 * absorbed) / options.sublayer_depth);
@@ -141,9 +152,14 @@ ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& opti
       mixture_of.push_back(i);
     }
   }
-  altitude_km.push_back(levels.altitude_km[0]);
   layer_altitude_km.push_back(levels.altitude_km[0]);
+  if (detail == Detail::kLayers) return;
+  altitude_km.push_back(levels.altitude_km[0]);
+  add_beams(levels, scaled, whole);
+}
 
+void ScatteringColumn::add_beams(const Levels& levels, const std::vector<double>& scaled,
+                                 const std::vector<double>& whole) {
   // Layer by layer, for all boundaries below its top at once: the length of the sunbeam that arrives there
   // from the layer's top, less that from its bottom.
   const std::size_t boundaries = altitude_km.size();
@@ -151,8 +167,8 @@ ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& opti
   true_beam_depth.assign(boundaries, 0.0);
   std::vector<double> from_top(boundaries), from_bottom(boundaries);
   beam_lengths(altitude_km.front(), from_top, 0);
-  for (std::size_t i = 0, first = 1; i < n; ++i) {
-    const double bottom_km = levels.altitude_km[n - 1 - i];
+  for (std::size_t i = 0, first = 1; i < scaled.size(); ++i) {
+    const double bottom_km = levels.altitude_km[scaled.size() - 1 - i];
     if (sun_mu < 0.0) first = 0;  // beams from below cross layers under the place where they end
     beam_lengths(bottom_km, from_bottom, first);
     add_difference(scaled[i], from_top, from_bottom, first, beam_depth);

@@ -27,6 +27,10 @@ class ScatteringColumn {
   ScatteringColumn(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad,
                    const ScatteringOptions& options, std::span<const int> parts = {});
 
+  /// The layers alone, for single_scattering() along lines of sight: no sublayers, and no sunbeam.
+  static ScatteringColumn of_layers(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad,
+                                    const ScatteringOptions& options);
+
   /// What a layer scatters, as fractions of its scaled extinction: single-scattering albedos.
   struct Mixture {
     double rayleigh = 0.0;
@@ -57,6 +61,10 @@ class ScatteringColumn {
   std::vector<double> layer_altitude_km, layer_depth, layer_true_depth;
 
  private:
+  enum class Detail { kLayers, kSublayers };
+  ScatteringColumn(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad,
+                   const ScatteringOptions& options, std::span<const int> parts, Detail detail);
+  void add_beams(const Levels& levels, const std::vector<double>& scaled, const std::vector<double>& whole);
   void beam_lengths(double level_km, std::vector<double>& lengths, std::size_t first) const;
 };
 

@@ -53,38 +53,47 @@ ShellLineOfSight::ShellLineOfSight(std::span<const double> altitude_km, bool sph
   };
 
   // From the lower end up: where the line crosses into the next layer, and places between.
-  std::vector<double> at{0.0}, place_km{lower};
+  std::vector<double> at{0.0}, place_km{lower}, shadow, cuts;
   std::vector<std::size_t> layer;
-  std::vector<double> shadow;
   if (spherical && sunbeams) add_shadow_edges(start, mu, sun_mu, towards, earth, length_to(upper), shadow);
   const auto above = std::lower_bound(altitude_km.begin(), altitude_km.end(), lower, std::greater<>());
+  const std::size_t most = static_cast<std::size_t>(above - altitude_km.begin()) + 1;
+  at.reserve(most), place_km.reserve(most), layer.reserve(most);
+  sun_mu_.push_back(sun_at(0.0));
   for (std::ptrdiff_t k = above - altitude_km.begin() - 1; k >= 0 && place_km.back() < upper; --k) {
     const double top = std::min(upper, altitude_km[static_cast<std::size_t>(k)]), from = at.back(),
-                 to = length_to(top);
-    std::vector<double> cuts{to};
-    if (spherical && sunbeams && std::min(sun_at(from), sun_at(to)) < kLowSunCosine)
+                 to = length_to(top), sun_above = sun_at(to);
+    const auto cross = [&](double cut, double place, double sun) {
+      at.push_back(cut);
+      place_km.push_back(place);
+      sun_mu_.push_back(sun);
+      layer.push_back(static_cast<std::size_t>(k));
+    };
+    cuts.clear();
+    if (spherical && sunbeams && std::min(sun_mu_.back(), sun_above) < kLowSunCosine)
       for (int part = 1; part < kLowSunParts; ++part)
         cuts.push_back(from + (to - from) * part / kLowSunParts);
     for (const double edge : shadow)
       if (edge > from && edge < to) cuts.push_back(edge);
     std::sort(cuts.begin(), cuts.end());
     for (const double cut : cuts) {
-      at.push_back(cut);
-      place_km.push_back(cut == to ? top : spherical ? radius_at(cut) - kEarthRadius_km : lower + cut * mu);
-      layer.push_back(static_cast<std::size_t>(k));
+      if (cut >= to) break;
+      cross(cut, spherical ? radius_at(cut) - kEarthRadius_km : lower + cut * mu, sun_at(cut));
     }
+    cross(to, top, sun_above);
   }
 
-  for (const double length : at) {
-    sun_mu_.push_back(sun_at(length));
+  for (const double length : at)
     from_mu_.push_back((looks_up ? 1.0 : -1.0) *
                        (spherical ? (start * mu + length) / radius_at(length) : mu));
-  }
   for (std::size_t p = 0; p < layer.size(); ++p) {
     const double top = altitude_km[layer[p]], thickness = top - altitude_km[layer[p] + 1];
-    const double middle = 0.5 * (at[p] + at[p + 1]), radius = spherical ? radius_at(middle) : start,
-                 sun = sun_at(middle);
-    const bool lit = !spherical || sun >= 0.0 || radius * std::sqrt(1.0 - sun * sun) >= earth;
+    // Between places where the Sun is up it is up.
+    bool lit = !spherical || std::min(sun_mu_[p], sun_mu_[p + 1]) >= 0.0;
+    if (!lit) {
+      const double middle = 0.5 * (at[p] + at[p + 1]), sun = sun_at(middle);
+      lit = sun >= 0.0 || radius_at(middle) * std::sqrt(1.0 - sun * sun) >= earth;
+    }
     pieces_.push_back({layer[p], (top - place_km[p]) / thickness, (top - place_km[p + 1]) / thickness,
                        (at[p + 1] - at[p]) / thickness, lit});
   }
@@ -151,11 +160,19 @@ void ShellLineOfSight::add_beams_from_above(std::span<const double> place_km) {
   }
   const double* __restrict from = nearest.data(), * __restrict start = here.data();
   double* __restrict upper = above.data();
+  crossing_.assign(layers, {0, places});
+  const bool rises = place_km.front() < place_km.back();
   for (std::size_t k = 0; k < layers; ++k) {
+    if (k > 0) crossing_[k] = crossing_[k - 1];
+    auto& [first, last] = crossing_[k];
+    if (rises)
+      while (last > first && place_km[last - 1] >= altitude_km_[k]) --last;
+    else
+      while (first < last && place_km[first] >= altitude_km_[k]) ++first;
     const double shell = kEarthRadius_km + altitude_km_[k + 1],
                  thickness = altitude_km_[k] - altitude_km_[k + 1];
     double* __restrict slant = sun_slant_.data() + k * places;
-    for (std::size_t e = 0; e < places; ++e) {
+    for (std::size_t e = first; e < last; ++e) {
       // half_chord_km() without a branch
       const double below = std::sqrt(std::max(0.0, (shell - from[e]) * (shell + from[e])));
       slant[e] = std::max(0.0, upper[e] - std::max(start[e], below)) / thickness;
@@ -182,7 +199,8 @@ std::vector<double> ShellLineOfSight::beam_depths(std::span<const double> depth)
   for (std::size_t k = 0; k < depth.size(); ++k) {
     const double* __restrict slant = sun_slant_.data() + k * places;
     double* __restrict to = sum.data();
-    for (std::size_t e = 0; e < places; ++e) to[e] += depth[k] * slant[e];
+    const Range range = crossing_.empty() ? Range{0, places} : crossing_[k];
+    for (std::size_t e = range.first; e < range.last; ++e) to[e] += depth[k] * slant[e];
   }
   return sum;
 }

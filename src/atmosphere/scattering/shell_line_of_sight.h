@@ -61,6 +61,11 @@ class ShellLineOfSight {
   double scattering_cosine_ = 1.0;
   std::vector<Piece> pieces_;
   std::vector<double> sun_mu_, from_mu_, sun_slant_;  ///< the last: [layer][place], of the sunbeam
+  /// By layer, the places whose sunbeam may cross it, where the Sun is up: those that are not above it.
+  struct Range {
+    std::size_t first = 0, last = 0;
+  };
+  std::vector<Range> crossing_;  ///< empty: all
 };
 
 }  // namespace ifov::atmosphere

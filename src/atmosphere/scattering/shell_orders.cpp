@@ -38,8 +38,8 @@ struct ShellOrders::Arriving {
 ShellOrders::ShellOrders(const ScatteringColumn& column, const Geometry& geometry,
                          std::span<const double> sun_zenith_rad, std::size_t own, const Fineness& fineness)
     : column_(column), geometry_(geometry), angle_rad_(sun_zenith_rad.begin(), sun_zenith_rad.end()) {
-  choose_altitudes();
-  tabulate_beams();
+  choose_altitudes(fineness.dusk);
+  tabulate_beams(fineness.dusk);
   const GaussNodes nodes = gauss_nodes(fineness.nodes);
   const std::size_t altitudes = altitude_km_.size(), angles = angle_rad_.size(),
                     count = nodes.position.size();

@@ -22,6 +22,7 @@ class ShellOrders {
     int nodes = 6;            ///< Gauss nodes of the zenith angle in each hemisphere
     int azimuths = 3;         ///< on one side of the Sun's plane
     double longest_km = 1e9;  ///< pieces of rays
+    bool dusk = false;        ///< where haze and clouds begin and end, within them, and in the Sun's angle
   };
   /// Zenith angles of the Sun rise. Fluxes are told for angle `own`.
   ShellOrders(const ScatteringColumn& column, const Geometry& geometry,
@@ -44,8 +45,8 @@ class ShellOrders {
   struct Ray;
   struct Light;
   struct Arriving;
-  void choose_altitudes();
-  void tabulate_beams();
+  void choose_altitudes(bool finely);
+  void tabulate_beams(bool finely);
   Ray ray(double altitude_km, double mu, double longest_km) const;
   End end(double altitude_km, std::size_t layer, double length, double start, double mu) const;
   void add_suns(double mu, int azimuths, Ray& ray) const;

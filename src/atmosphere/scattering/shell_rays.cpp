@@ -11,12 +11,16 @@ namespace ifov::atmosphere {
 namespace {
 
 /// Sunbeams are known that far beyond the angles of the Sun, in steps of so much.
-constexpr double kBeyond_rad = 9.0 * math::kDegree, kBeamStep_rad = 0.25 * math::kDegree;
+constexpr double kBeyond_rad = 9.0 * math::kDegree, kBeamStep_rad = 0.25 * math::kDegree,
+                 kFineStep_rad = 0.1 * math::kDegree;
 
 /// Aerosol that scatters more than this lies between no two altitudes at which light is kept, but in one layer.
 constexpr double kThickestStep = 0.5;
+/// Finely: a sixth of all of it, and not more nor less than this.
+constexpr double kFinestStep = 0.03, kCoarsestFineStep = 0.15, kFineSteps = 6.0;
 /// Nor does the upper edge of haze on the ground lie between two, where light changes fast: it scatters so much more below than above.
-constexpr double kThinnestHaze = 0.02, kEdge = 0.25;
+/// Finely: nor does any edge of haze and clouds that scatter more than so little by layer.
+constexpr double kThinnestHaze = 0.02, kEdge = 0.25, kThinnestLayer = 1e-4;
 /// Distance between altitudes at which the light is kept.
 double spacing_of_altitudes_km(double height_km) {
   return height_km < 6.0    ? 1.4
@@ -49,7 +53,7 @@ void ShellOrders::add_suns(double mu, int azimuths, Ray& ray) const {
     }
 }
 
-void ShellOrders::choose_altitudes() {
+void ShellOrders::choose_altitudes(bool finely) {
   const std::vector<double>& boundary = column_.layer_altitude_km;
   altitude_km_ = {boundary.back()};
   const auto aerosol = [&](std::size_t layer) {
@@ -59,13 +63,26 @@ void ShellOrders::choose_altitudes() {
   const auto density = [&](std::size_t layer) {
     return aerosol(layer) / (boundary[layer] - boundary[layer + 1]);
   };
+  double thickest = kThickestStep;
+  if (finely) {
+    double all = 0.0;
+    for (std::size_t b = 0; b + 1 < boundary.size(); ++b) all += aerosol(b);
+    thickest = std::clamp(all / kFineSteps, kFinestStep, kCoarsestFineStep);
+  }
+  const auto differ = [&](std::size_t b) {
+    const double above = density(b - 1), below = density(b);
+    return std::max(aerosol(b - 1), aerosol(b)) > kThinnestLayer &&
+           std::min(above, below) < kEdge * std::max(above, below);
+  };
   double scattered = 0.0;  // since the last altitude
   bool on_ground = true;
   for (std::size_t b = boundary.size() - 1; b-- > 0;) {
     scattered += aerosol(b);
-    const bool edge = b > 0 && on_ground && scattered > kThinnestHaze && density(b - 1) < kEdge * density(b);
-    on_ground = on_ground && !edge && b > 0 && kEdge * density(b - 1) <= density(b);
-    if (b == 0 || scattered > kThickestStep || edge ||
+    const bool haze_ends =
+        b > 0 && on_ground && scattered > kThinnestHaze && density(b - 1) < kEdge * density(b);
+    const bool edge = haze_ends || (finely && b > 0 && differ(b));
+    on_ground = on_ground && !haze_ends && b > 0 && kEdge * density(b - 1) <= density(b);
+    if (b == 0 || scattered > thickest || edge ||
         boundary[b] >= altitude_km_.back() + spacing_of_altitudes_km(altitude_km_.back() - boundary.back())) {
       altitude_km_.push_back(boundary[b]);
       scattered = 0.0;
@@ -73,12 +90,12 @@ void ShellOrders::choose_altitudes() {
   }
 }
 
-void ShellOrders::tabulate_beams() {
+void ShellOrders::tabulate_beams(bool finely) {
   const std::vector<double>&boundary = column_.layer_altitude_km, &depth = column_.layer_depth;
   beam_angles_ = angle_rad_.size();
   if (geometry_.sun_turns) {
     beam_first_rad_ = std::max(0.0, angle_rad_.front() - kBeyond_rad);
-    beam_step_rad_ = kBeamStep_rad;
+    beam_step_rad_ = finely ? kFineStep_rad : kBeamStep_rad;
     beam_angles_ =
         2 + static_cast<std::size_t>((angle_rad_.back() + kBeyond_rad - beam_first_rad_) / beam_step_rad_);
   }

@@ -160,7 +160,8 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
   for (std::size_t p = 0; p < count; ++p) {
     const ChannelPoints::Point& point = points_.points[p];
     const LayerOptics layers = point.layers();
-    const ScatteringColumn column(column_.levels(), layers, geometry_.any_sun_zenith_rad(), options_);
+    const ScatteringColumn column =
+        ScatteringColumn::of_layers(column_.levels(), layers, geometry_.any_sun_zenith_rad(), options_);
     const auto once = [&](const ShellLineOfSight& line) {
       if (!sunlit_) return StokesVector{};
       return points_.irradiance[p] * single_scattering(column, options_.aerosol_polarization, line).single;

@@ -31,9 +31,8 @@ double part_of(double difference, double whole) {
 
 /// Sunlight scattered once into the line of sight, by point.
 std::vector<double> scattered_once(const AtmosphereColumn& column, const ChannelPoints& points,
-                                   const SensorGeometry& geometry, ScatteringOptions options) {
+                                   const SensorGeometry& geometry, const ScatteringOptions& options) {
   std::vector<double> once(points.size(), 0.0);
-  options.most_sublayers = 1;
   const Propagation up{std::cos(geometry.view_zenith_rad), geometry.view_azimuth_rad - std::numbers::pi};
   const std::vector<double>& levels_km = column.levels().altitude_km;
   const std::vector<double> falling_km(levels_km.rbegin(), levels_km.rend());
@@ -41,8 +40,8 @@ std::vector<double> scattered_once(const AtmosphereColumn& column, const Channel
                               up, {levels_km.front(), geometry.sensor_altitude_km});
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (!geometry.sun_zenith_rad || points.points[p].wavelength_um > kLastSolar_um) continue;
-    const ScatteringColumn layers(column.levels(), points.points[p].layers(), *geometry.sun_zenith_rad,
-                                  options);
+    const ScatteringColumn layers = ScatteringColumn::of_layers(column.levels(), points.points[p].layers(),
+                                                                *geometry.sun_zenith_rad, options);
     once[p] = points.irradiance[p] * single_scattering(layers, options.aerosol_polarization, line).single.i;
   }
   return once;
