@@ -1,5 +1,9 @@
 #include "exposure/exposed_point.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "exposure/past_scene.h"
 #include "geometry/presence.h"
 #include "geometry/world.h"
@@ -10,7 +14,6 @@
 namespace ifov::exposure {
 namespace {
 
-constexpr int kTries = 64;  // of a direction that comes out above the horizon
 constexpr double kLevel = 1.0 - 1e-9;
 
 struct LeavingRays {
@@ -77,22 +80,27 @@ void ExposedPoint::ground_directions(std::uint64_t key, int pairs,
 void ExposedPoint::directions(std::uint64_t key, int pairs, bool up,
                               std::vector<math::Vec3>& directions) const {
   directions.clear();
-  const sampling::TangentFrame frame(normal_);
-  // Strata that a tilted surface's horizon cuts would not have the same share of its sky.
-  const bool level = normal_.z > kLevel;
+  const double cosine = std::clamp(normal_.z, -1.0, 1.0);
+  const auto draw = [&](int k, int which) { return sampling::unit_double(sampling::hash(key, k, 0, which)); };
+  if (std::abs(cosine) > kLevel) {
+    if (up != (cosine > 0.0)) return;
+    const sampling::TangentFrame frame(normal_);
+    for (int k = 0; k < 2 * pairs; ++k)
+      directions.push_back(
+          frame.to_world(sampling::cosine_hemisphere({draw(k, 0), (k / 2 + draw(k, 1)) / pairs})));
+    return;
+  }
+  // Seen along the normal the hemisphere is a disc, of which equal parts count alike, and the horizon a half of an ellipse: of a chord of
+  // half-length h downhill, which lies between -h and h, what is above the horizon lies between -h and h cos.
+  const math::Vec3 across = math::normalized(math::cross(normal_, math::Vec3{0.0, 0.0, 1.0}));
+  const math::Vec3 downhill = math::cross(normal_, across);
+  const double low = up ? -1.0 : cosine, high = up ? cosine : 1.0;
   for (int k = 0; k < 2 * pairs; ++k) {
-    const int stratum = k / 2;
-    bool found = false;
-    for (int attempt = 0; attempt < kTries && !found; ++attempt) {
-      const double x = sampling::unit_double(sampling::hash(key, k, attempt, 0)),
-                   y = sampling::unit_double(sampling::hash(key, k, attempt, 1));
-      const math::Vec3 direction =
-          frame.to_world(sampling::cosine_hemisphere({x, level ? (stratum + y) / pairs : y}));
-      if ((direction.z > 0.0) != up) continue;
-      directions.push_back(direction);
-      found = true;
-    }
-    if (!found) return directions.clear();
+    const double chord = std::sqrt(draw(k, 0)) * std::cos(2.0 * std::numbers::pi * draw(k, 1));
+    const double half = std::sqrt(std::max(0.0, 1.0 - chord * chord));
+    const double along = half * std::lerp(low, high, (k / 2 + draw(k, 2)) / pairs);
+    const double out = std::sqrt(std::max(0.0, 1.0 - chord * chord - along * along));
+    directions.push_back(chord * across + along * downhill + out * normal_);
   }
 }
 

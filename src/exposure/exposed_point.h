@@ -39,7 +39,7 @@ class ExposedPoint {
   double time_here_s(double time_s) const;
 
   /// Pairs of directions to the sky above the point's own horizon, as it sees it (by their cosines), by chance: each pair in a
-  /// stratum of its own where the surface is level. None where hardly any sky is above it.
+  /// stratum of its own. None where no sky is above it.
   void sky_directions(std::uint64_t key, int pairs, std::vector<math::Vec3>& directions) const;
   /// The same to below the horizon.
   void ground_directions(std::uint64_t key, int pairs, std::vector<math::Vec3>& directions) const;

@@ -183,6 +183,20 @@ geometry::SurfacePoint Neighbours::met(const ExposedPoint& point, math::Vec3 dir
   return met;
 }
 
+void Neighbours::met(const ExposedPoint& point, std::span<const math::Vec3> directions,
+                     std::vector<geometry::SurfacePoint>& met) const {
+  static thread_local std::vector<math::Ray> rays;
+  static thread_local std::vector<geometry::SurfacePoint> hits;
+  rays.clear();
+  for (const math::Vec3 direction : directions)
+    if (point.leaves(direction)) rays.push_back(point.ray(direction));
+  hits.resize(rays.size());
+  if (!rays.empty()) scene_.world->intersect(rays, hits);
+  met.assign(directions.size(), {});
+  for (std::size_t k = 0, ray = 0; k < directions.size(); ++k)
+    if (point.leaves(directions[k])) met[k] = hits[ray++];
+}
+
 Neighbours::Change Neighbours::change(const ExposedPoint& point, const thermal::SurfaceClasses& classes,
                                       const thermal::SurfaceClasses::Corners& at, math::Vec3 direction,
                                       std::uint64_t key, Behind behind) const {

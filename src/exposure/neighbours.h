@@ -33,7 +33,7 @@ class Neighbours {
   struct Change {
     double in_shade_k = 0.0, of_sun_k = 0.0;
   };
-  static constexpr int kDepth = 1;
+  static constexpr int kDepth = 2;
   /// Surfaces behind the one that is met, which light and warm it; what is beyond them is level ground.
   struct Behind {
     int depth = kDepth;
@@ -43,6 +43,9 @@ class Neighbours {
   };
   /// What stands in a direction that leaves the surface now.
   geometry::SurfacePoint met(const ExposedPoint& point, math::Vec3 direction) const;
+  /// The same of several; nothing is met where a direction does not leave.
+  void met(const ExposedPoint& point, std::span<const math::Vec3> directions,
+           std::vector<geometry::SurfacePoint>& met) const;
   /// `at`: of the point's pose; `met`: in the direction, a hit.
   Change change(const ExposedPoint& point, const thermal::SurfaceClasses& classes,
                 const thermal::SurfaceClasses::Corners& at, math::Vec3 direction,

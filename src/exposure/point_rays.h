@@ -17,7 +17,7 @@ struct PointRays {
   int sun_pairs = kSunPairs, sky_pairs = kSkyPairs;
   double apart_w_m2 = 1e30;    ///< by which what is met is taken to differ from the ground
   double chance_behind = 1.0;  ///< as Neighbours::Behind
-  int depth = 1;
+  int depth = 2;
   bool in_full = true;  ///< not for a small share of the light
 
   /// Of a share of the light that is asked for.

@@ -16,7 +16,7 @@
 namespace ifov::exposure {
 namespace {
 
-enum class Draw { sky, sun, past_sky, beside, below, asked };
+enum class Draw { sky, sun, past_sky, beside, below, asked, about };
 
 constexpr double kLeastBelow = 0.002;  // of the view, that is below the horizon
 struct Directions {
@@ -62,6 +62,12 @@ SolvedSurface::SolvedSurface(std::shared_ptr<const thermal::SurfaceClasses> clas
       changed_rows_.push_back(row);
 }
 
+SolvedSurface SolvedSurface::spending(const Spent& spent) const {
+  SolvedSurface other = *this;
+  other.spent_ = spent;
+  return other;
+}
+
 /// To a place of the Sun's disc within a step of a row's time, as often as a gain that is linear between rows has it.
 SolvedSurface::PastRay SolvedSurface::toward_sun(std::size_t row, std::uint64_t key) const {
   const auto number = [&](int k) { return sampling::unit_double(sampling::hash(key, k)); };
@@ -78,11 +84,13 @@ scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& poin
   const AskedByChance asked(*classes_, share);
   if (asked.chance() < 1.0 && sampling::unit_double(sampling::hash(key, Draw::asked)) >= asked.chance())
     return asked.else_taken();
-  return asked.counted(estimate(point, key, share));
+  // What is asked by chance already is not asked so twice.
+  const bool in_images = share <= 1.0 && asked.chance() >= 1.0;
+  return asked.counted(estimate(point, key, share, in_images ? spent_ : Spent{}));
 }
 
 scene::EstimatedTemperature SolvedSurface::estimate(const geometry::SurfacePoint& point, std::uint64_t key,
-                                                    double share) const {
+                                                    double share, const Spent& spent) const {
   static thread_local Directions scratch;
   const ExposedPoint exposed(scene_, point);
   const thermal::Pose pose = exposed.pose();
@@ -92,8 +100,14 @@ scene::EstimatedTemperature SolvedSurface::estimate(const geometry::SurfacePoint
   exposed.sky_directions(sampling::hash(key, Draw::sky), rays.sky_pairs, directions);
   scratch.is_free.resize(std::max<std::size_t>(directions.size(), 2 * kSunPairs));
   PairMean sky{1.0, 0.0};
+  const double chance = neighbours_ != nullptr ? spent.chance_beside : 1.0;
+  const bool asks_about = neighbours_ != nullptr &&
+                          (chance >= 1.0 || sampling::unit_double(sampling::hash(key, Draw::about)) < chance);
   if (!directions.empty()) {
-    look(exposed, directions, scratch.met, scratch.is_free);
+    if (asks_about)
+      look(exposed, directions, scratch.met, scratch.is_free);
+    else
+      exposed.free(directions, {}, scratch.is_free);
     sky = mean_of_pairs({scratch.is_free.data(), directions.size()});
   }
 
@@ -103,7 +117,7 @@ scene::EstimatedTemperature SolvedSurface::estimate(const geometry::SurfacePoint
   const auto [shaded_k, of_sky_k] = classes_->shaded(at, pose.normal, sky.mean, sums_k);
   double variance_k2 = sky.variance * of_sky_k * of_sky_k;
   Beside beside;
-  if (neighbours_ != nullptr) beside = this->beside(exposed, pose, at, key, directions, scratch.met, rays);
+  if (asks_about) beside = this->beside(exposed, pose, at, key, directions, scratch.met, rays);
   std::array<std::uint8_t, 2 * kSkyPairs> sky_free{};
   std::copy_n(scratch.is_free.begin(), directions.size(), sky_free.begin());
   const std::size_t sky_rays = directions.size();
@@ -116,7 +130,9 @@ scene::EstimatedTemperature SolvedSurface::estimate(const geometry::SurfacePoint
   const double rise_k = sums_k.empty() ? 0.0 : sums_k.back();
   // What the pairs of rays to what hides the sky tell goes with what they tell of the sky itself.
   const auto with_beside = [&](double kelvin, double sun_share) {
-    if (neighbours_ == nullptr) return scene::EstimatedTemperature{kelvin, std::sqrt(variance_k2)};
+    const scene::EstimatedTemperature alone{kelvin + (chance < 1.0 ? spent.beside_k : 0.0),
+                                            std::sqrt(variance_k2)};
+    if (!asks_about) return alone;
     const bool of_sky_too = sky_rays > 0 && past.variance_k2 == 0.0;
     if (of_sky_too) variance_k2 -= sky.variance * of_sky_k * of_sky_k;
     for (std::size_t k = 0; k < beside.in_shade_k.size(); k += 2) {
@@ -125,16 +141,23 @@ scene::EstimatedTemperature SolvedSurface::estimate(const geometry::SurfacePoint
         apart_k += of_sky_k * (sky_free[k] - sky_free[k + 1]) / static_cast<double>(sky_rays);
       variance_k2 += apart_k * apart_k;
     }
-    return scene::EstimatedTemperature{kelvin + beside.warms_k(*classes_, at, sun_share),
-                                       std::sqrt(std::max(0.0, variance_k2))};
+    scene::EstimatedTemperature found{kelvin + beside.warms_k(*classes_, at, sun_share),
+                                      std::sqrt(std::max(0.0, variance_k2))};
+    if (chance < 1.0) {
+      found.else_k = alone.kelvin;
+      found.else_deviation_k = alone.deviation_k;
+      found.times = 1.0 / chance;
+    }
+    return found;
   };
   if (!(rise_k > 0.0)) return with_beside(shaded_k + past.in_shade_k, 0.0);
   directions.clear();
   scratch.times_s.clear();
-  const auto sun_rays = static_cast<std::size_t>(2 * rays.sun_pairs);
+  const int sun_pairs = std::min(rays.sun_pairs, spent.sun_pairs);
+  const auto sun_rays = static_cast<std::size_t>(2 * sun_pairs);
   for (std::size_t k = 0; k < sun_rays; ++k) {
     const std::uint64_t own = sampling::hash(key, Draw::sun, k);
-    const double place = rise_k * (static_cast<double>(k / 2) + sampling::unit_double(own)) / rays.sun_pairs;
+    const double place = rise_k * (static_cast<double>(k / 2) + sampling::unit_double(own)) / sun_pairs;
     const auto row = std::upper_bound(sums_k.begin(), sums_k.end() - 1, place) - sums_k.begin();
     scratch.rows[k] = static_cast<std::size_t>(row);
     const PastRay ray = toward_sun(first_row + static_cast<std::size_t>(row), own);
@@ -163,10 +186,9 @@ void SolvedSurface::look(const ExposedPoint& exposed, std::span<const math::Vec3
                          std::vector<geometry::SurfacePoint>& met, std::span<std::uint8_t> is_free) const {
   met.clear();
   if (neighbours_ == nullptr) return exposed.free(directions, {}, is_free);
-  for (std::size_t k = 0; k < directions.size(); ++k) {
-    met.push_back(neighbours_->met(exposed, directions[k]));
+  neighbours_->met(exposed, directions, met);
+  for (std::size_t k = 0; k < directions.size(); ++k)
     is_free[k] = exposed.leaves(directions[k]) && !met[k].hit() ? 1 : 0;
-  }
 }
 
 double SolvedSurface::Beside::warms_k(const thermal::SurfaceClasses& classes,

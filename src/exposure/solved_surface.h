@@ -24,10 +24,20 @@ class SolvedSurface final : public scene::SolvedTemperature {
  public:
   static constexpr int kSunPairs = 5, kSkyPairs = 2;  ///< at most
 
+  /// What an image spends on the temperature of a point that it sees: pairs of rays to the Sun at most, and the chance by which is asked what
+  /// is about it, else taken to warm it by `beside_k`. Without bias whatever they are, as long as they do not depend on what rays say.
+  struct Spent {
+    int sun_pairs = kSunPairs;
+    double chance_beside = 1.0, beside_k = 0.0;
+  };
+
   /// Keeps the references to the scene. `sun_radius_rad`: of the Sun's disc. Where things come and go, the classes have a
   /// `past_sky`.
   SolvedSurface(std::shared_ptr<const thermal::SurfaceClasses> classes, PastScene scene,
                 double sun_radius_rad, std::shared_ptr<const Neighbours> neighbours = nullptr);
+  /// The same at another cost in images.
+  SolvedSurface spending(const Spent& spent) const;
+  const Spent& spent() const { return spent_; }
 
   using scene::SolvedTemperature::at;
   scene::EstimatedTemperature at(const geometry::SurfacePoint& point, std::uint64_t draw,
@@ -74,8 +84,8 @@ class SolvedSurface final : public scene::SolvedTemperature {
   double sun_radius_rad() const { return sun_radius_rad_; }
 
  private:
-  scene::EstimatedTemperature estimate(const geometry::SurfacePoint& point, std::uint64_t key,
-                                       double share) const;
+  scene::EstimatedTemperature estimate(const geometry::SurfacePoint& point, std::uint64_t key, double share,
+                                       const Spent& spent) const;
   /// What is met now, and what is sky; `met` stays empty without neighbours.
   void look(const ExposedPoint& exposed, std::span<const math::Vec3> directions,
             std::vector<geometry::SurfacePoint>& met, std::span<std::uint8_t> is_free) const;
@@ -117,6 +127,7 @@ class SolvedSurface final : public scene::SolvedTemperature {
   PastScene scene_;
   std::shared_ptr<const Neighbours> neighbours_;
   double sun_radius_rad_;
+  Spent spent_;
   std::vector<std::size_t> changed_rows_;  ///< of the series, about which something is not as it is now
 };
 

@@ -52,7 +52,7 @@ class Picture {
   const UnsampledLight unsampled_;
   transport::TransportOptions transport_;
   std::optional<PilotRays> pilot_rays_;
-  FlownPilots flown_pilots_{{}};  // of a camera that moves while it is exposed
+  FlownPilots flown_pilots_{{}};                                 // of a camera that moves while it is exposed
   std::unique_ptr<const sampling::BrightPlaces> bright_places_;  // null: none are known
   std::vector<int> steering_channels_;
   std::vector<float> sky_shares_;

@@ -10,11 +10,11 @@ namespace ifov::scene {
 
 /// One of the materials that share a surface point.
 struct Constituent {
-  std::uint32_t state, material;      ///< index into Scene::states; the material of that
-  double weight;                      ///< share of the area, above 0
-  double mapped_temperature_k;        ///< where above 0 it replaces the state's own
-  double deviation_k = 0.0;           ///< standard deviation of that where it is estimated by chance
-  float else_k = 0.0f, times = 1.0f;  ///< as of EstimatedTemperature
+  std::uint32_t state, material;  ///< index into Scene::states; the material of that
+  double weight;                  ///< share of the area, above 0
+  double mapped_temperature_k;    ///< where above 0 it replaces the state's own
+  double deviation_k = 0.0;       ///< standard deviation of that where it is estimated by chance
+  float else_k = 0.0f, times = 1.0f, else_deviation_k = 0.0f;  ///< as of EstimatedTemperature
 };
 
 /// What a surface is at a point. Reflected, transmitted and emitted light are those of the constituents side by

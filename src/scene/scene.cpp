@@ -124,6 +124,7 @@ void Scene::solve(const geometry::SurfacePoint& point, std::uint64_t draw, doubl
     part.deviation_k = estimate.deviation_k;
     part.else_k = static_cast<float>(estimate.else_k);
     part.times = static_cast<float>(estimate.times);
+    part.else_deviation_k = static_cast<float>(estimate.else_deviation_k);
   }
 }
 
@@ -153,6 +154,7 @@ ResolvedSurface Scene::resolve_own(const geometry::SurfacePoint& point) const {
   only.mapped_temperature_k = 0.0;
   only.deviation_k = 0.0;
   only.times = 1.0f;
+  only.else_deviation_k = 0.0f;
   if (const materials::TemperatureMap* map = assignment.temperature_map(index, behind))
     only.mapped_temperature_k = map->at_k(position);
   for (const auto& pattern : assignment.patterns) pattern->apply(point, surface);

@@ -140,7 +140,7 @@ struct Scene {
   ViewPath view_path;
 
   /// `draw`, `share`: by whose chance solved temperatures are estimated, and for how much light (SolvedTemperature::at).
-  ResolvedSurface resolve(const geometry::SurfacePoint& at, std::uint64_t draw = 0, double share = 1) const;
+  ResolvedSurface resolve(const geometry::SurfacePoint& at, std::uint64_t draw = 0, double share = 2.0) const;
   /// The same where nobody asks for temperatures: solved ones, which take rays, are not there.
   ResolvedSurface resolve_without_temperature(const geometry::SurfacePoint& point) const;
   /// By surface assignment: whether any of its materials is a mirror. Empty where none is.

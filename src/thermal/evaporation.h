@@ -9,6 +9,7 @@ namespace ifov::thermal {
 struct Wetness {
   double share = 0.0;
   double resistance_s_m = 0.0;
+  bool operator==(const Wetness&) const = default;
 };
 
 struct MoistAir {

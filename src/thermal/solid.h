@@ -11,6 +11,7 @@ struct SolidLayer {
   double conductivity_w_m_k = 0.0;
   double density_kg_m3 = 0.0;
   double specific_heat_j_kg_k = 0.0;
+  bool operator==(const SolidLayer&) const = default;
 };
 
 /// Thinner layers are taken for mistakes of unit.
@@ -24,16 +25,21 @@ double thermal_inertia(const SolidLayer& layer);
 /// What lies behind the last layer: no heat passes; a temperature that is held; air of a room, with the conductance
 /// between it and the last layer's back; the last layer's solid, going on to kGroundDepths daily depths, where the
 /// temperature is held.
-struct Insulated {};
+struct Insulated {
+  bool operator==(const Insulated&) const = default;
+};
 struct HeldBack {
   double temperature_k = 0.0;
+  bool operator==(const HeldBack&) const = default;
 };
 struct RoomAir {
   double temperature_k = 0.0;
   double conductance_w_m2_k = 0.0;
+  bool operator==(const RoomAir&) const = default;
 };
 struct DeepGround {
   double temperature_k = 0.0;
+  bool operator==(const DeepGround&) const = default;
 };
 using Back = std::variant<Insulated, HeldBack, RoomAir, DeepGround>;
 inline constexpr double kGroundDepths = 10.0;
@@ -42,6 +48,7 @@ inline constexpr double kGroundDepths = 10.0;
 struct Solid {
   std::vector<SolidLayer> layers;
   Back back;
+  bool operator==(const Solid&) const = default;
 };
 
 /// Throws InputError that says which layer is wrong, counted from 1 at the surface, and what is expected.

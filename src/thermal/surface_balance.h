@@ -39,6 +39,7 @@ struct Skin {
   double convecting_faces = 1.0;  ///< areas that the air reaches, over that of one face
   /// Above it the surface melts: what it gains beyond goes away with the water, and none of it freezes again.
   double melts_k = std::numeric_limits<double>::infinity();
+  bool operator==(const Skin&) const = default;
 };
 
 /// How a surface stands. The ground about a tilted one is taken to be as warm as the air and to reflect `ground_reflectance`.
@@ -50,6 +51,7 @@ struct Stand {
   double ground_reflectance = 0.2;
   /// Of the sky above the surface's horizon, weighed as the surface sees it, 0 to 1; what hides the rest is taken to be as the ground.
   double free_sky = 1.0;
+  bool operator==(const Stand&) const = default;
 };
 
 /// What comes to a surface from all but the sky, W m-2 of it.

@@ -24,6 +24,7 @@ struct ClassSurface {
   Skin skin;
   Stand stand;
   Start start = Start::steady;
+  bool operator==(const ClassSurface&) const = default;
 };
 
 /// How a surface stands: its outward normal (unit, ENU), and how high above ground, for the wind.

@@ -329,22 +329,24 @@ const float* SpectralScene::absorption(std::uint32_t material) const {
 }
 
 void SpectralScene::mapped_black(const scene::Constituent& constituent, float* spectrum) const {
-  const double middle_k = constituent.mapped_temperature_k, deviation_k = constituent.deviation_k;
-  planck_->row(middle_k, spectrum);
-  static thread_local radiometry::SpectrumBlock sides;
-  if (sides.rows() != 2 || sides.stride() != stride()) sides.resize(2, node_count());
-  float *below = sides.row(0), *above = sides.row(1);
-  if (deviation_k > 0.0) {
+  static thread_local radiometry::SpectrumBlock rows;
+  if (rows.rows() != 3 || rows.stride() != stride()) rows.resize(3, node_count());
+  const auto estimated = [&](double middle_k, double deviation_k, float* of) {
+    planck_->row(middle_k, of);
+    if (!(deviation_k > 0.0)) return;
     // Planck's law bends: the mean over estimates T + d is B(T) + B'' sigma^2 / 2, of which the second part is taken away.
+    float *below = rows.row(0), *above = rows.row(1);
     planck_->row(middle_k - deviation_k, below);
     planck_->row(middle_k + deviation_k, above);
-    for (std::size_t n = 0; n < stride(); ++n)
-      spectrum[n] = 2.0f * spectrum[n] - 0.5f * (below[n] + above[n]);
-  }
+    for (std::size_t n = 0; n < stride(); ++n) of[n] = 2.0f * of[n] - 0.5f * (below[n] + above[n]);
+  };
+  estimated(constituent.mapped_temperature_k, constituent.deviation_k, spectrum);
   if (constituent.times == 1.0f) return;
-  planck_->row(static_cast<double>(constituent.else_k), below);
+  float* other = rows.row(2);
+  estimated(static_cast<double>(constituent.else_k), static_cast<double>(constituent.else_deviation_k),
+            other);
   for (std::size_t n = 0; n < stride(); ++n)
-    spectrum[n] = below[n] + constituent.times * (spectrum[n] - below[n]);
+    spectrum[n] = other[n] + constituent.times * (spectrum[n] - other[n]);
 }
 
 const float* SpectralScene::black(const scene::Constituent& constituent, float* scratch) const {

@@ -142,5 +142,39 @@ TEST(WhatIsBeside, HalfWidthsHoldWallsThatTheCameraDoesNotSee) {
   EXPECT_LT(held_by_classes, kPoints / 2);  // a fault: what is about walls left out, as nobody sees them
 }
 
+/// In a narrow street of bright walls light goes on from wall to wall: against full solutions with three surfaces behind those that are met,
+/// images have two. The fault: one.
+TEST(WhatIsBeside, LightGoesOnFromWallToWall) {
+  constexpr int kPoints = 6, kSkyPairs = 64, kRays = 16, kDraws = 1000;
+  const ClearDays weather("bright", 1.0);
+  const Session session =
+      load(weather, "13:00",
+           R"("road": {"reflectance": {"library": "asphalt, road, weathered"}, "temperature": "solved"},
+         "wall": {"reflectance": {"library": "brick, red"}, "temperature": "solved",
+                  "thermal": {"layers": [{"thickness": "20 cm", "library": "brick"}], "solar_absorptance": 0.1, "emissivity": 0.9}})",
+           R"({"plane": {}, "material": "road"},
+         {"box": {"low": ["1 m", "-40 m", "0 m"], "high": ["9 m", "40 m", "8 m"]}, "material": "wall"},
+         {"box": {"low": ["-9 m", "-40 m", "0 m"], "high": ["-1 m", "40 m", "8 m"]}, "material": "wall"})");
+  const About about(session);
+  const SolvedMaterial& road = about.by_material.at(0);
+  double off_k = 0.0, by_one_k = 0.0;
+  for (int k = 0; k < kPoints; ++k) {
+    const geometry::SurfacePoint point =
+        met_by(about.parts, {-0.8 + 0.3 * k, 0.7 * k, 0.3}, {0.0, 0.0, -1.0});
+    const auto key = static_cast<std::uint64_t>(k);
+    const auto exposure = road.surface->exposure(point, key, kSkyPairs, 1);
+    const auto beside = beside_of(about.all(road), point, exposure, key, kRays, 3);
+    const double full_k = full_solution(road, about.outdoors.outdoors.series, about.stand,
+                                        road.surface->normal_at(point), exposure, beside)
+                              .history.nodes.back()
+                              .surface_k;
+    const double of_classes_k = road.surface->temperature_k(point, exposure) - full_k;
+    off_k += (of_classes_k + road.surface->beside_k(point, exposure, key, kDraws)) / kPoints;
+    by_one_k += (of_classes_k + road.surface->beside_k(point, exposure, key, kDraws, -1)) / kPoints;
+  }
+  EXPECT_NEAR(off_k, 0.0, 0.3);
+  EXPECT_LT(by_one_k, off_k - 0.2);
+}
+
 }  // namespace
 }  // namespace ifov::session::test_beside

@@ -35,17 +35,21 @@ Spread spread_of(const exposure::SolvedSurface& surface, const geometry::Surface
     const auto of_estimate = [](double kelvin, double deviation_k) {
       return 2.0 * light_of(kelvin) - 0.5 * (light_of(kelvin - deviation_k) + light_of(kelvin + deviation_k));
     };
-    const double off_k = one.times * (one.kelvin - else_k);
+    const bool by_chance = one.times != 1.0;
+    const double own_else_k = by_chance ? one.else_k : one.kelvin;
+    const double moved_k = one.times * (one.kelvin - own_else_k), off_k = own_else_k + moved_k - else_k;
     sum += off_k / kDraws;
     squares += off_k * off_k / kDraws;
     found.told_k2 += one.deviation_k * one.deviation_k / kDraws;
-    const double off = one.times * (of_estimate(one.kelvin, one.deviation_k) - else_light);
+    const double whole = of_estimate(one.kelvin, one.deviation_k),
+                 other = by_chance ? of_estimate(one.else_k, one.else_deviation_k) : whole;
+    const double off = other + one.times * (whole - other) - else_light;
     light += off / kDraws;
     light_squares += off * off / kDraws;
     // A fault: kelvins are moved by the inverse of the chance in place of light, and tell a variance that holds those which are not asked.
     const double moved_k2 =
-        (off_k * off_k * (one.times - 1.0) / one.times + one.times * one.deviation_k * one.deviation_k);
-    const double moved = of_estimate(else_k + off_k, std::sqrt(std::max(0.0, moved_k2))) - else_light;
+        moved_k * moved_k * (one.times - 1.0) / one.times + one.times * one.deviation_k * one.deviation_k;
+    const double moved = of_estimate(own_else_k + moved_k, std::sqrt(std::max(0.0, moved_k2))) - else_light;
     faulty += moved / kDraws;
     faulty_squares += moved * moved / kDraws;
   }
@@ -87,7 +91,7 @@ TEST(PointRays, SmallSharesAreAsWarmInTheMeanAndTellTheirSpread) {
     std::size_t number;
   };
   bool by_chance = false;
-  double off = 0.0;
+  double off = 0.0, spent_off = 0.0;
   for (const Place& place :
        {Place{{0.3, 0.6, 0.5}, {0.0, 0.0, -1.0}, 0}, Place{{0.2, 0.9, 0.6}, {0.0, -1.0, 0.0}, 1},
         Place{{0.1, 1.5, 0.4}, {0.0, 0.0, 1.0}, 1}, Place{{-0.4, 1.3, 0.5}, {0.0, 0.0, -1.0}, 0}}) {
@@ -96,18 +100,64 @@ TEST(PointRays, SmallSharesAreAsWarmInTheMeanAndTellTheirSpread) {
     scene.world->intersect({&ray, 1}, {&point, 1});
     ASSERT_TRUE(point.hit());
     const auto& surface = dynamic_cast<const exposure::SolvedSurface&>(*scene.solved.at(place.number));
-    const Spread whole = spread_of(surface, point, 1.0), little = spread_of(surface, point, 0.05);
+    const Spread whole = spread_of(surface, point, exposure::SolvedSurface::kItself),
+                 little = spread_of(surface, point, 0.05);
     EXPECT_NEAR(little.mean_k, whole.mean_k, 4.0 * error_of(little.variance_k2, whole.variance_k2))
         << place.number;
     EXPECT_NEAR(little.light, whole.light, 4.0 * error_of(little.variance, whole.variance)) << place.number;
     EXPECT_GT(whole.told_k2, 0.85 * whole.variance_k2 - 1e-3) << place.number;
     EXPECT_LT(whole.told_k2, 1.25 * whole.variance_k2 + 1e-3) << place.number;
+    // What is about a point asked by chance, and one pair of rays to the Sun: the same light, of whatever stands in.
+    for (const double beside_k : {-2.0, 3.0}) {
+      const Spread spent = spread_of(surface.spending({1, 0.15, beside_k}), point, 1.0);
+      EXPECT_NEAR(spent.mean_k, whole.mean_k, 4.0 * error_of(spent.variance_k2, whole.variance_k2))
+          << place.number << " " << beside_k;
+      EXPECT_NEAR(spent.light, whole.light, 4.0 * error_of(spent.variance, whole.variance))
+          << place.number << " " << beside_k;
+      spent_off = std::max(
+          spent_off, std::abs(spent.faulty - whole.light) / error_of(spent.faulty_variance, whole.variance));
+    }
     if (exposure::AskedByChance(surface.classes(), 0.05).chance() < 1.0) by_chance = true;
     off = std::max(off,
                    std::abs(little.faulty - whole.light) / error_of(little.faulty_variance, whole.variance));
   }
   EXPECT_TRUE(by_chance);
   EXPECT_GT(off, 6.0);
+  EXPECT_GT(spent_off, 6.0);
+}
+
+// Leaves that are turned every way differ within pixels by more than rays scatter, a level court between walls by less.
+TEST(PointRays, ImagesSpendRaysWhereTheyAreWorthMoreThanPaths) {
+  const ClearDays weather("spending", 2.5);
+  std::string leaves;
+  for (int k = 0; k < 100; ++k)
+    leaves += format(
+        R"(, {{"sphere": {{"center": ["{:.2f} m", "{:.2f} m", "{:.2f} m"], "radius": "0.2 m"}}, "material": "leaf"}})",
+        0.4 * (k % 10) + 2.2, 0.4 * (k / 10) - 1.8, 1.0 + 0.1 * (k * 7 % 5));
+  const Session session = Session::load(
+      io::parse_document(format(
+                             R"({{"ifov": 1, "time": "2026-06-21T15:00:00Z", "weather": {{"file": "{}"}},
+          "temperatures": {{"spin_up": "1 d", "step": "20 min", "repeat_first_day": true}},
+          "scene": {{"origin": {{"latitude": "52 deg", "longitude": "5 deg"}}, "materials": {{
+              "lawn": {{"reflectance": {{"library": "grass, lawn"}}, "temperature": "solved"}},
+              "wall": {{"reflectance": 0.3, "temperature": "20 degC"}},
+              "leaf": {{"reflectance": {{"library": "leaf, aspen"}}, "temperature": "solved"}}}},
+            "objects": [{{"plane": {{}}, "material": "lawn"}},
+              {{"box": {{"low": ["-6 m", "-6 m", "0 m"], "high": ["0 m", "-3 m", "4 m"]}}, "material": "wall"}},
+              {{"box": {{"low": ["-6 m", "2 m", "0 m"], "high": ["0 m", "4 m", "4 m"]}}, "material": "wall"}}{}]}},
+          "light": {{"sky": {{"temperature": "255 K"}}}},
+          "sensor": {{"camera": {{"orthographic": {{"gsd": "0.5 m", "pixels": [24, 24]}}}},
+            "channels": [{{"name": "thermal", "monochromatic": {{"at": "10 um"}}}}]}},
+          "sampling": {{"accuracy": {{"error": "50 K"}}}}}})",
+                             weather.path(), leaves),
+                         "spending.json"),
+      nullptr);
+  const auto spent_on = [&](std::size_t material) {
+    return dynamic_cast<const exposure::SolvedSurface&>(*session.parts().scene.solved.at(material)).spent();
+  };
+  EXPECT_LT(spent_on(2).chance_beside, 0.5);
+  EXPECT_GT(spent_on(0).chance_beside, 1.5 * spent_on(2).chance_beside);
+  EXPECT_GE(spent_on(0).sun_pairs, spent_on(2).sun_pairs);
 }
 
 }  // namespace

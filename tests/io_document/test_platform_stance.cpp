@@ -182,9 +182,7 @@ TEST_F(PlatformStances, ReportWhatIsNotTrue) {
 TEST_F(PlatformStances, ReportNoise) {
   const Document of = document(straight(
       R"("reported": {"position_noise": ["2 m", "0 m", "5 m"], "attitude_noise": {"yaw": "0.2 mrad"}})"));
-  const platform::Trajectory path =
-      trajectory_of({*of.platform, of.time, of.scene.origin, 5}, {}, 0.0, 800.0);
-  const Motions motions = motions_of({*of.platform, of.time, of.scene.origin, 5}, path, 0.0, 800.0);
+  const Motions motions = motions_of({*of.platform, of.time, of.scene.origin, 5}, {}, 0.0, 800.0, 0.0);
   EXPECT_EQ(motions.truth->pose(3.0).position_m.z, 1000.0);
   double x = 0.0, y = 0.0, z = 0.0, yaw = 0.0;
   for (int k = 0; k < 400; ++k) {
@@ -203,9 +201,8 @@ TEST_F(PlatformStances, JitterIsOfTheSeedAndTheTime) {
   const std::string jitter =
       R"("jitter": {"falling": {"yaw": "0.1 mrad", "pitch": "0.02 mrad", "corner": "5 Hz", "slope": 2, "up_to": "20 Hz"}})";
   const Document of = document(straight(jitter));
-  const platform::Trajectory path = trajectory_of({*of.platform, of.time, of.scene.origin}, {}, 0.0, 1.0);
   const auto noses = [&](std::uint64_t seed, double from_s, double to_s) {
-    return motions_of({*of.platform, of.time, of.scene.origin, seed}, path, from_s, to_s)
+    return motions_of({*of.platform, of.time, of.scene.origin, seed}, {}, from_s, to_s, 0.0)
         .truth->pose(0.5)
         .enu_from_body.x()
         .v;

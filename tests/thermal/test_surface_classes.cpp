@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -66,6 +67,49 @@ TEST(SurfaceClasses, AreTheWholeSolutionInFullSunAndInTheShade) {
                     full_k(solid, series, tilt, 180.0, free_sky, visibility), 0.002)
             << tilt << " " << free_sky << " " << visible;
       }
+}
+
+/// Against the whole solution with as much more and as much less from inside, throughout: by what the square of a gain is worth less. In
+/// still air convection bends, and evaporation where it is wet; in wind hardly anything but emission does.
+TEST(SurfaceClasses, GainsBendAsTheWholeSolutionDoes) {
+  constexpr double kGain_w_m2 = 60.0;
+  const auto near = [](double bend) { return 0.5 * bend + 0.0007; };
+  std::vector<double> bends;
+  for (const double wind_m_s : {0.1, 8.0})
+    for (const double wet : {0.0, 0.6}) {
+      OutdoorsSeries series = afternoon();
+      for (Outdoors& now : series.rows) now.wind_m_s = wind_m_s;
+      const Solid sheet{{{0.004, 0.2, 1000.0, 1500.0}}, Insulated{}};
+      Skin skin;
+      skin.wetness = {wet, 70.0};
+      const SurfaceClasses classes(std::make_shared<const OutdoorsSeries>(series),
+                                   {sheet, skin, Stand{}, Start::steady}, 0, false, 0.0, true);
+      // About halfway between the histories that classes know.
+      double worth_k = 0.0, bent_k = 0.0;
+      for (const double visible : {0.4, 0.8})
+        for (const double free_sky : {0.0, 1.0}) {
+          const auto at_k = [&](double power_w_m2) {
+            Skin warmed = skin;
+            warmed.power_w_m2 = power_w_m2;
+            Stand stand;
+            stand.free_sky = free_sky;
+            return solve_surface(sheet, warmed, stand, series, Start::steady,
+                                 std::vector<double>(series.rows.size(), visible))
+                .history.nodes.back()
+                .surface_k;
+          };
+          const double more_k = at_k(kGain_w_m2), same_k = at_k(0.0), less_k = at_k(-kGain_w_m2);
+          worth_k += 0.25 * (more_k - less_k) / (2.0 * kGain_w_m2);
+          bent_k += 0.25 * (more_k - 2.0 * same_k + less_k) / (2.0 * kGain_w_m2 * kGain_w_m2);
+        }
+      const double bend = -bent_k / (worth_k * worth_k);
+      const SurfaceClasses::Corners at = classes.corners(facing(0.0, 0.0));
+      EXPECT_NEAR(classes.bend_of_gain(at), bend, near(bend)) << wind_m_s << " " << wet;
+      bends.push_back(bend);
+    }
+  // No one number is that near to all of them.
+  const auto [least, most] = std::minmax_element(bends.begin(), bends.end());
+  EXPECT_GT(*most - near(*most), *least + near(*least));
 }
 
 /// The kernel of a row holds what its gain does by way of the mean that the solution begins with.

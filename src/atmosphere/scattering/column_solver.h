@@ -15,9 +15,7 @@ class GroundModes;
 struct ReflectedLight;
 
 /// Everything that one wavelength and one absorption term of a column give the renderer. The ground is black
-/// in `sunlit` and adds through the coupling terms of 6S (Vermote et al. 1997): with Lambertian ground of
-/// albedo a
-///   E = E_black / (1 - a S),
+/// in `sunlit` and adds through the coupling terms of 6S (Vermote et al. 1997): with Lambertian ground of albedo a   E = E_black / (1 - a S),
 ///   L = L_black + T L_surface + t a E / pi,   t = diffuse_transmittance.
 /// Radiances and irradiances are for sunlight of irradiance 1 across the beam above the air.
 class ColumnSolution {

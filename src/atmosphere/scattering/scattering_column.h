@@ -17,8 +17,7 @@ inline constexpr double kLowestSun_rad = 98.0 / 180.0 * std::numbers::pi;
 /// A column of layers cut into sublayers, from the top down, with the depth of the sunbeam at every boundary.
 ///
 /// Depths marked `true` are those of LayerOptics. All others are delta-M scaled (Wiscombe 1977): the part
-/// f, moment 2 nodes of the aerosol's phase function (g^(2 nodes) of a Henyey-Greenstein function), counts as not
-/// scattered at all.
+/// f, moment 2 nodes of the aerosol's phase function (g^(2 nodes) of a Henyey-Greenstein function), counts as not scattered at all.
 class ScatteringColumn {
  public:
   /// Sun zenith angle, the same over every boundary; below 90 degrees where layers are flat, kLowestSun_rad else. Throws

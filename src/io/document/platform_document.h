@@ -71,9 +71,8 @@ struct FallingJitter {
   geodesy::Attitude rms;
   double corner_hz = 0.0, slope = 0.0, up_to_hz = 0.0;
 };
-/// From a table (docs/formats/paths.md).
 struct TabulatedJitter {
-  DocumentFile file;
+  DocumentFile file;  ///< docs/formats/paths.md
 };
 using JitterDocument = std::variant<WhiteJitter, FallingJitter, TabulatedJitter>;
 

@@ -62,6 +62,7 @@ class SharedPaths::Handles final : public scene::TemperatureScope {
       part.deviation_k = one.deviation_k;
       part.else_k = static_cast<float>(one.else_k);
       part.times = static_cast<float>(one.times);
+      part.else_deviation_k = static_cast<float>(one.else_deviation_k);
     }
   }
 

@@ -173,7 +173,7 @@ std::vector<thermal::FromBeside> beside_of(const Neighbourhood& about, const geo
 BesideOff beside_off(const Neighbourhood& about, const exposure::SolvedSurface& surface,
                      const SolvedMaterial& solved, const geometry::SurfacePoint& point, std::uint64_t key,
                      const exposure::SolvedSurface::Exposure& exposure, double full_k) {
-  constexpr int kDepth = exposure::Neighbours::kDepth;
+  constexpr int kDepth = 1;  // of both: what lies further behind is told by further_k
   BesideOff found;
   const math::Vec3 normal = outward_normal(point);
   const exposure::ExposedPoint exposed(about.past, point);

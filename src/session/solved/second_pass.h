@@ -14,6 +14,9 @@ struct Document;
 namespace ifov::scene {
 struct Scene;
 }
+namespace ifov::sensor {
+class Camera;
+}
 
 namespace ifov::session {
 
@@ -24,6 +27,10 @@ struct SolvedMaterial {
   std::shared_ptr<const exposure::SolvedSurface> surface{};  ///< what images ask
 };
 using ByMaterial = std::map<std::uint32_t, SolvedMaterial>;
+
+/// Has images spend as many rays on each surface's points as they are worth (image_spending.cpp). `firsts`: whose classes a material has.
+void choose_spending(scene::Scene& scene, const sensor::Camera& camera, ByMaterial& by_material,
+                     const std::map<std::uint32_t, std::uint32_t>& firsts, int threads);
 
 /// What rays meet that go on from what the camera sees.
 std::vector<geometry::SurfacePoint> met_from(const scene::Scene& scene, const exposure::PastScene& past,

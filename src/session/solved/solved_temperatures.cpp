@@ -5,9 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <tuple>
 
-#include "atmosphere/weather_series.h"
 #include "core/parallel.h"
 #include "exposure/ground_beside.h"
 #include "exposure/neighbours.h"
@@ -16,7 +14,6 @@
 #include "io/document/document.h"
 #include "scene/scene.h"
 #include "session/assembly/atmosphere/weather_assembly.h"
-#include "session/assembly/shared/with_position.h"
 #include "session/assembly/whole/camera_grid.h"
 #include "session/solved/document_outdoors.h"
 #include "session/solved/second_pass.h"
@@ -50,40 +47,22 @@ ThermalMaterial thermal_of(const io::Document& document, const io::MaterialDocum
           source.name));
 }
 
-/// Whether two materials are one to heat: what differs is what they look like.
-bool is_same(const ThermalMaterial& one, const ThermalMaterial& other) {
-  const auto layer = [](const thermal::SolidLayer& of) {
-    return std::tie(of.thickness_m, of.conductivity_w_m_k, of.density_kg_m3, of.specific_heat_j_kg_k);
-  };
-  const auto skin = [](const thermal::Skin& of) {
-    return std::tie(of.solar_absorptance, of.emissivity, of.roughness, of.wetness.share,
-                    of.wetness.resistance_s_m, of.power_w_m2, of.convecting_faces, of.melts_k);
-  };
-  const auto back = [](const thermal::Back& of) {
-    if (const auto* held = std::get_if<thermal::HeldBack>(&of))
-      return std::tuple(of.index(), held->temperature_k, 0.0);
-    if (const auto* room = std::get_if<thermal::RoomAir>(&of))
-      return std::tuple(of.index(), room->temperature_k, room->conductance_w_m2_k);
-    if (const auto* deep = std::get_if<thermal::DeepGround>(&of))
-      return std::tuple(of.index(), deep->temperature_k, 0.0);
-    return std::tuple(of.index(), 0.0, 0.0);
-  };
-  const auto &first = one.solid.layers, &second = other.solid.layers;
-  return one.start == other.start && skin(one.skin) == skin(other.skin) &&
-         back(one.solid.back) == back(other.solid.back) && first.size() == second.size() &&
-         std::equal(first.begin(), first.end(), second.begin(),
-                    [&](const auto& a, const auto& b) { return layer(a) == layer(b); });
+/// All that the classes of a material are solved from.
+thermal::ClassSurface surface_of(const ThermalMaterial& material, const thermal::Stand& stand) {
+  return {material.solid, material.skin, stand, material.start};
 }
 
 /// By material the first that is the same to heat, whose classes it has.
 using Firsts = std::map<std::uint32_t, std::uint32_t>;
 
-Firsts firsts_of(const ByMaterial& by_material) {
+Firsts firsts_of(const ByMaterial& by_material, const thermal::Stand& stand) {
   Firsts firsts;
   for (const auto& [material, solved] : by_material) {
     firsts[material] = material;
+    const thermal::ClassSurface own = surface_of(solved.thermal, stand);
     for (const auto& [earlier, first] : firsts)
-      if (earlier == first && is_same(by_material.at(earlier).thermal, solved.thermal)) {
+      if (earlier != material && earlier == first &&
+          surface_of(by_material.at(earlier).thermal, stand) == own) {
         firsts[material] = earlier;
         break;
       }
@@ -384,7 +363,7 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
   for (auto& [material, solved] : by_material)
     solved.thermal =
         thermal_of(document, document.scene.materials[material], scene, material, about.mean_air_k);
-  const Firsts firsts = firsts_of(by_material);
+  const Firsts firsts = firsts_of(by_material, stand);
   for (auto& [material, solved] : by_material) {
     if (firsts.at(material) != material) {
       solved.classes = by_material.at(firsts.at(material)).classes;
@@ -395,8 +374,7 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
       continue;
     }
     solved.classes = std::make_shared<const thermal::SurfaceClasses>(
-        kept, thermal::ClassSurface{solved.thermal.solid, solved.thermal.skin, stand, solved.thermal.start},
-        threads, past.changes(), past.highest_m(), true);
+        kept, surface_of(solved.thermal, stand), threads, past.changes(), past.highest_m(), true);
     if (shared != nullptr) shared->emplace(material, solved.classes);
   }
   exposure::Neighbours::ByNumber by_number(scene.solved.size());
@@ -406,6 +384,7 @@ std::optional<TemperatureErrors> solve_temperatures(const io::Document& document
   for (auto& [material, solved] : by_material)
     scene.solved[material] = solved.surface =
         std::make_shared<const exposure::SolvedSurface>(solved.classes, past, kSunRadius_rad, neighbours);
+  choose_spending(scene, camera, by_material, firsts, threads);
 
   TemperatureErrors errors;
   errors.mirrors = may_show_unseen(scene);

@@ -32,8 +32,7 @@ class PhaseAngles {
   std::vector<double> d00, d02, d22, d2m2;
 };
 
-/// How particles polarize light that they scatter: elements of the scattering matrix over a1, one an angle of the phase
-/// function, linear in between.
+/// How particles polarize light that they scatter: elements of the scattering matrix over a1, one an angle of the phase function, linear in between.
 struct PolarizationRatios {
   std::vector<double> a2, a3, b1;
   /// Of particles that polarize nothing, at these angles: light that comes in polarized keeps that as from molecules, and all of it straight
@@ -42,10 +41,8 @@ struct PolarizationRatios {
 };
 
 /// A phase function from a table of its logarithm: monotone cubics in the angle (Fritsch and Butland 1984), and in the
-/// first step, where tables do not tell how wide a diffraction peak is,
-///   ln P = ln P_0 + ln(P_1 / P_0) (angle / angle_1)^q
-/// with the q (0.25 to 6) that makes the mean over the sphere 1. Where none does, or P_0 is not above P_1, q = 2 and the
-/// function is scaled.
+/// first step, where tables do not tell how wide a diffraction peak is,   ln P = ln P_0 + ln(P_1 / P_0) (angle / angle_1)^q
+/// with the q (0.25 to 6) that makes the mean over the sphere 1. Where none does, or P_0 is not above P_1, q = 2 and the function is scaled.
 class PhaseFunction {
  public:
   /// One logarithm an angle, of a function whose mean is 1 but for rounding and what the first step hides. Without ratios
