@@ -327,6 +327,13 @@ std::vector<Named> named_elsewhere() {
             R"(, "platform": {"straight": {"frame": "scene", "position": ["0 m", "-4 m", "1 km"], "velocity": ["0 m/s", "80 m/s", "0 m/s"]},
                                "jitter": {"table": {"file": "FILEa.csv"}}})"},
        {{"a.csv", "frequency_hz,roll_rad2_hz\n0.5,1e-14\n60,1e-14\n"}}},
+      {"table of a mount",
+       "file",
+       {.camera = kScanner,
+        .more =
+            R"(, "platform": {"straight": {"frame": "scene", "position": ["0 m", "-4 m", "1 km"], "velocity": ["0 m/s", "80 m/s", "0 m/s"]},
+                               "mount": {"table": {"file": "FILEa.csv"}}})"},
+       {{"a.csv", "time_s,yaw_deg,pitch_deg,roll_deg\n-10,0,0,0\n10,0,0.1,0\n"}}},
       {"orbit",
        "file",
        {.camera = kScanner,
