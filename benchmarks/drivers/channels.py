@@ -15,7 +15,7 @@ SMALL, LARGE = 4, 20  # sub-elements along a side of a pixel
 
 
 def one_channel(document):
-    text, count = re.subn(r'\{"name": "S", "series": \{"gaussian": \{[^{}]*\}\}\}', ONE, document.read_text())
+    text, count = re.subn(r'\{\s*"name": "S",\s*"series": \{"gaussian": \{[^{}]*\}\}\s*\}', ONE, document.read_text())
     if count != 1:
         raise RuntimeError(f"{document}: not as the generator wrote it")
     file = document.with_name(f"one_{document.name}")

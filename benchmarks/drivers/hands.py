@@ -12,6 +12,7 @@ import time
 import urllib.parse
 
 from drivers.bookkeeping import least, window
+from drivers.ends import DONE
 from drivers.figures import at_most, figure, median, not_measured
 
 WIDTH, HEIGHT, BANDS = 4000, 3900, 224  # 14 GB of float32
@@ -22,7 +23,7 @@ def processor_s(command):
     process = subprocess.Popen(list(map(str, command)), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode not in (0, 5):
+    if process.returncode not in DONE:
         raise subprocess.CalledProcessError(process.returncode, command)
     return usage.ru_utime + usage.ru_stime
 

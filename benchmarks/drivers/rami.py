@@ -10,6 +10,7 @@ import struct
 import subprocess
 import time
 
+from drivers.ends import DONE
 from drivers.figures import ROOT, at_most, figure, not_measured
 
 DATA = pathlib.Path(os.environ.get("IFOV_TRUTH", ROOT / "../shared/truth")) / "rami" / "het01"
@@ -23,10 +24,16 @@ def values(file):
     return [value for (value,) in struct.iter_unpack("<f", file.read_bytes())]
 
 
+def render(program, document):
+    done = subprocess.run([program, "render", document], stdout=subprocess.DEVNULL, check=False)
+    if done.returncode not in DONE:
+        done.check_returncode()
+
+
 def reflectance_factor(program, document):
     """And its standard error."""
     products = document.with_suffix(".out")
-    subprocess.run([program, "render", document], stdout=subprocess.DEVNULL, check=True)
+    render(program, document)
     scale = math.pi / math.cos(SUN_ZENITH_RAD)
     radiance, error = (values(products / f"image_{name}.img") for name in ("radiance", "standard_error"))
     return scale * sum(radiance) / len(radiance), scale * math.hypot(*error) / len(error)
@@ -36,7 +43,7 @@ def all_in_one_run(program, folder):
     """Reflectance factor and its half-width by angle, and the time it took."""
     subprocess.run([ROOT / "examples" / "rami" / "make_scene.py", DATA, folder, "--one"], check=True)
     start = time.monotonic()
-    subprocess.run([program, "render", folder / "het01.json"], stdout=subprocess.DEVNULL, check=True)
+    render(program, folder / "het01.json")
     elapsed_s = time.monotonic() - start
     with (folder / "het01.out" / "image_views.csv").open() as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))

@@ -7,6 +7,7 @@ import os
 import subprocess
 import time
 
+from drivers.ends import DONE
 from drivers.figures import at_most, figure, median
 
 GROUND = ["soil, bare", "grass, lawn", "grass, dry"]
@@ -76,7 +77,7 @@ def spend(program, document):
     _, status, usage = os.wait4(process.pid, 0)
     elapsed = time.monotonic() - start
     process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode not in (0, 5, 6):  # 5: pixels that are not converged; 6: the picture is small beside the terrain
+    if process.returncode not in DONE:
         raise subprocess.CalledProcessError(process.returncode, process.args)
     cost = json.loads((out / "image_run.json").read_text())["cost"]
     return usage.ru_utime + usage.ru_stime, 1024.0 * usage.ru_maxrss, elapsed - cost["elapsed_s"]

@@ -77,7 +77,7 @@ def document(balls, angle):
             ],
         },
         "light": {"sun": {"point": {"zenith": f"{SUN_ZENITH_DEG} deg", "azimuth": "90 deg", "distance": "1 au",
-                                    "spectrum": "1 W m-2 um-1"}}},
+                                    "spectrum": "1 W m-2 um-1"}}, "sky": {"none": {}}},
         "sensor": {
             "camera": {"orthographic": {"gsd": f"{SIDE_M / PIXELS} m", "pixels": [PIXELS, PIXELS], "view_zenith": f"{abs(angle)} deg",
                                         "view_azimuth": "90 deg" if angle < 0 else "270 deg"}},
