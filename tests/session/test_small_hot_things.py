@@ -127,6 +127,23 @@ class SmallHotThings(unittest.TestCase):
                 held = sum(abs(value - true) <= width + 1e-5 * true for value, true, width in zip(found, truth, widths)) / len(truth)
                 self.assertGreater(held, 0.85, case)
 
+    def test_what_moves_is_said(self):
+        """Points meet it by chance, of an image as a whole; who asks for pixels, or has it stand still, reads no word of it."""
+        still = ball(0.0, 0.0, 1.0, 0.01)
+        moving = {**still, "name": "flare", "motion": {"straight": {"frame": "scene", "position": ["0 m", "0 m", "0 m"], "velocity": ["2 m/s", "1 m/s", "0 m/s"]}}}
+        frame = {"camera": {"frame": {"focal_length": "50 mm", "pitch": "500 um", "pixels": [8, 8], "position": ["0 m", "0 m", "100 m"], "attitude": {}, "exposure": "10 ms"}}}
+        for thing, of, said in ((moving, "image", True), (moving, "pixel", False), (still, "image", False)):
+            document = {"ifov": 1, "scene": {"materials": {"ground": {"reflectance": 0.0, "temperature": "250 K"}, "hot": {"reflectance": 0.0, "temperature": "2000 K"}},
+                                             "objects": [{"plane": {}, "material": "ground"}, thing]},
+                        "light": {"sky": {"temperature": "0 K"}}, "sensor": {**frame, "channels": [{"name": "mir", "top_hat": {"from": "3.999 um", "to": "4.001 um"}}]},
+                        "sampling": {"accuracy": {"error": "2 %", "of": of}}}
+            with tempfile.TemporaryDirectory() as folder:
+                (Path(folder) / "scene.json").write_text(json.dumps(document))
+                done = subprocess.run([PROGRAM, "check", "scene.json"], cwd=folder, capture_output=True, text=True, check=False)
+            self.assertIn(done.returncode, (0, 6), done.stderr)
+            told = " ".join((done.stdout + done.stderr).split())
+            self.assertEqual("warning: 'flare' (line 1) moves and outshines the scene: where it looks smaller than a pixel" in told, said, told)
+
     def test_irradiance_at_points(self):
         """Above them, where the hemisphere's square has corners, and on its axes and diagonals."""
         sky, at_zenith = 0.02, [(0.0, 0.0, 10.0)]

@@ -17,4 +17,7 @@ std::vector<std::string> motion_lines(const Parts& parts);
 /// still.
 void warn_of_motion(const Parts& parts, LogSink& log);
 
+/// Where an accuracy of the image as a whole is asked for and something small that moves, or that a moving camera sees, outshines the scene.
+void warn_of_moving_light(const Parts& parts, LogSink& log);
+
 }  // namespace ifov::session

@@ -73,6 +73,7 @@ void check_plausibility(Parts& parts, LogSink& log) {
   warn_of_locations(parts, survey, log);
   warn_of_standing(parts, log);
   warn_of_motion(parts, log);
+  warn_of_moving_light(parts, log);
   warn_of_values(parts, survey, log);
   warn_of_colours(parts, log);
 }
