@@ -23,7 +23,7 @@ namespace {
 
 /// Planned rounds aim at the limit, and so far beyond it where few degrees of freedom tell the variance, and where it is hoped to go
 /// on falling as it did.
-constexpr double kUnsureMargin = 1.3, kHopedMargin = 1.12;
+constexpr double kUnsureMargin = 1.2, kHopedMargin = 1.08;
 /// A round holds at least this part of the values that there are: tests are counted.
 constexpr double kLeastRound = 0.1;
 /// Variances fall as values' number to minus this where their sequences are seen to gain so much.
