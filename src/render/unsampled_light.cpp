@@ -5,6 +5,7 @@
 #include "render/mirrors/highlights.h"
 #include "render/mirrors/mirror_images.h"
 #include "render/polarized/stokes_columns.h"
+#include "render/unseen/unseen_bends.h"
 #include "render/unseen/unseen_emitters.h"
 #include "render/unseen/unseen_images.h"
 #include "render/unseen/unseen_lobes.h"
@@ -39,6 +40,7 @@ UnsampledLight::UnsampledLight(const RenderJob& job, int threads, const CancelTo
   if (transport_.maximum_scatterings == 0) return;
   unseen_emitters_ = UnseenEmitters::find(job.scene, job.camera);
   unseen_lobes_ = UnseenLobes::find(job.scene, job.camera, job.seed);
+  unseen_bends_ = UnseenBends::find(job.scene, job.camera, job.seed);
 }
 
 UnsampledLight::~UnsampledLight() = default;

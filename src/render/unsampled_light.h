@@ -21,6 +21,7 @@ namespace ifov::render {
 class Glints;
 class Highlights;
 class MirrorImages;
+class UnseenBends;
 class UnseenEmitters;
 class UnseenImages;
 class UnseenLobes;
@@ -61,6 +62,7 @@ class UnsampledLight {
   std::unique_ptr<const UnseenImages> unseen_images_;
   std::unique_ptr<const UnseenEmitters> unseen_emitters_;
   std::unique_ptr<const UnseenLobes> unseen_lobes_;
+  std::unique_ptr<const UnseenBends> unseen_bends_;
 };
 
 }  // namespace ifov::render

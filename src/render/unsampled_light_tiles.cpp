@@ -7,6 +7,7 @@
 #include "render/mirrors/mirror_images.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/unsampled_light.h"
+#include "render/unseen/unseen_bends.h"
 #include "render/unseen/unseen_emitters.h"
 #include "render/unseen/unseen_images.h"
 #include "render/unseen/unseen_lobes.h"
@@ -83,6 +84,7 @@ void UnsampledLight::settle(sampling::TileResult& tile) const {
   if (unseen_emitters_ != nullptr) unseen_emitters_->settle(job_.tolerance, tile);
   if (unseen_images_ != nullptr) unseen_images_->settle(job_.tolerance, tile);
   if (unseen_lobes_ != nullptr) unseen_lobes_->settle(job_.tolerance, tile);
+  if (unseen_bends_ != nullptr) unseen_bends_->settle(job_.tolerance, tile);
 }
 
 }  // namespace ifov::render

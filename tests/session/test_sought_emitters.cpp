@@ -60,7 +60,7 @@ TEST(SoughtEmitters, WaysByMirrorsThatAreNotSoughtAreSaid) {
   constexpr const char* kText =
       "warning: light of surfaces that outshine the scene is sought by way of one mirror that is flat, a ball "
       "or a round column, not of other shapes or of several in turn: what those throw of it on other surfaces "
-      "is found by chance alone, and pixels near them may be less sure than they say\n";
+      "is found by chance alone; pixels are marked that it may reach\n";
   for (const auto& [objects, said] : {std::pair{std::string(kSphere), false}, {pane, false}, {ball, true}}) {
     Messages messages;
     load(objects, &messages);

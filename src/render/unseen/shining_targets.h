@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "math/vec3.h"
 #include "render/moving/moving_parts.h"
 #include "transport/shining_parts.h"
 
@@ -20,6 +21,13 @@ struct ShiningTarget {
   double reach_m() const { return part.ball.radius_m + way_m(); }
   double of_time() const { return moving != nullptr ? moving->of_time : 1.0; }
 };
+
+/// In a periodic scene where a place lies in its first copy; the place itself elsewhere.
+math::Point3 at_home(const scene::Scene& scene, math::Point3 at);
+/// From the first copy of a periodic scene to it and those about it; one of no length elsewhere.
+std::vector<math::Vec3> copies_about(const scene::Scene& scene);
+/// All parts, in a periodic scene in the copies about the first as well.
+std::vector<ShiningTarget> still_targets(const scene::Scene& scene, const transport::ShiningParts& parts);
 
 /// What stands still, and behind it what moves, while a ray of some time is exposed.
 class ShiningTargets {

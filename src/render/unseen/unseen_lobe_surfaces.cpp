@@ -15,12 +15,7 @@ namespace ifov::render {
 using math::Point3;
 using math::Vec3;
 
-Point3 UnseenLobes::at_home(Point3 at) const {
-  const auto period = scene_.scene().world->period();
-  if (!period) return at;
-  return at - Vec3{std::floor(at.x / period->x_m) * period->x_m, std::floor(at.y / period->y_m) * period->y_m,
-                   0.0};
-}
+Point3 UnseenLobes::at_home(Point3 at) const { return render::at_home(scene_.scene(), at); }
 
 UnseenLobes::Met UnseenLobes::met(const math::Ray& ray, const geometry::SurfacePoint& hit) const {
   Met met;

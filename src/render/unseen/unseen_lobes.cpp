@@ -65,6 +65,7 @@ UnseenLobes::UnseenLobes(const transport::SpectralScene& scene, const sensor::Ca
       seed_(sampling::hash(seed, kThrownChoice)),
       parts_(scene),
       moving_(scene.scene(), camera, parts_),
+      targets_(still_targets(scene.scene(), parts_)),
       shift_x_(sampling::unit_double(sampling::hash(seed_, 1)) / kLatticeAcross),
       shift_y_(sampling::unit_double(sampling::hash(seed_, 2)) / kLatticeAcross) {
   const geometry::SurfaceSurvey& survey = *scene.scene().world->lobe_survey();
@@ -72,15 +73,8 @@ UnseenLobes::UnseenLobes(const transport::SpectralScene& scene, const sensor::Ca
   for (const auto& face : survey.faces) balls.push_back(face.ball);
   for (const auto& round : survey.rounds) balls.push_back(round.ball);
   const std::vector<geometry::SurfaceSurvey::Ball> groups = transport::SunMirrors::grouped(std::move(balls));
-  const auto period = scene.scene().world->period();
-  const int copies = period ? 1 : 0;
-  for (int column = -copies; column <= copies; ++column)
-    for (int row = -copies; row <= copies; ++row) {
-      const Vec3 moved = period ? Vec3{column * period->x_m, row * period->y_m, 0.0} : Vec3{};
-      for (const auto& group : groups) throwers_.push_back({at_home(group.centre_m) + moved, group.radius_m});
-      for (std::size_t k = 0; k < parts_.parts().size(); ++k)
-        targets_.push_back({parts_.parts()[k], at_home(parts_.parts()[k].ball.centre_m) + moved, nullptr});
-    }
+  for (const Vec3 moved : copies_about(scene.scene()))
+    for (const auto& group : groups) throwers_.push_back({at_home(group.centre_m) + moved, group.radius_m});
 }
 
 std::vector<UnseenLobes::Met> UnseenLobes::follow(Rays& rays, const std::vector<Met>* before,

@@ -39,7 +39,7 @@ void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log) {
     log.warn(
         "light of surfaces that outshine the scene is sought by way of one mirror that is flat, a ball or a round "
         "column, not of other shapes or of several in turn: what those throw of it on other surfaces is found by chance "
-        "alone, and pixels near them may be less sure than they say");
+        "alone; pixels are marked that it may reach");
   const std::vector<materials::Material>& materials = scene.scene().materials;
   const auto rare = std::find_if(materials.begin(), materials.end(), [](const materials::Material& material) {
     return materials::throws_rarely(*material.bsdf);
@@ -53,7 +53,7 @@ void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log) {
   if (emitters->outshine() && scene.materials().any_medium())
     log.warn(
         "light of surfaces that outshine the scene is sought through panes, not through boundaries that refract it: what "
-        "comes by way of such media is found by chance alone, and pixels near them may be less sure than they say");
+        "comes by way of such media is found by chance alone; pixels are marked that it may reach");
 }
 
 void tell_of_highlights(const transport::SpectralScene& scene, LogSink& log) {
