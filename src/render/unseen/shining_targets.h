@@ -28,6 +28,9 @@ math::Point3 at_home(const scene::Scene& scene, math::Point3 at);
 std::vector<math::Vec3> copies_about(const scene::Scene& scene);
 /// All parts, in a periodic scene in the copies about the first as well.
 std::vector<ShiningTarget> still_targets(const scene::Scene& scene, const transport::ShiningParts& parts);
+/// Put together by place where there are more than `most`: each group fills of the sphere about it what its parts do, as bright as the
+/// brightest of them.
+std::vector<ShiningTarget> put_together(std::vector<ShiningTarget> targets, std::size_t most);
 
 /// What stands still, and behind it what moves, while a ray of some time is exposed.
 class ShiningTargets {

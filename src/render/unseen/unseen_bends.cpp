@@ -35,6 +35,8 @@ constexpr std::uint64_t kSent = 24;
 constexpr int kMostMet = 8;
 /// What shines is made so wide that it fills this: all directions within 10 deg of its middle.
 constexpr double kWideCosine = 0.985, kWide_sr = 2.0 * std::numbers::pi * (1.0 - kWideCosine);
+/// Of more, neighbours are put together.
+constexpr std::size_t kMostTargets = 128;
 /// So much of what one path brings, over their number, is missed by all of them in one of a hundred cases.
 constexpr double kMissed = 4.6;
 constexpr std::uint64_t kBendChoice = 0x62656e6473ull;
@@ -146,7 +148,7 @@ UnseenBends::UnseenBends(const transport::SpectralScene& scene, const sensor::Ca
       seed_(sampling::hash(seed, kBendChoice)),
       parts_(scene),
       moving_(scene.scene(), camera, parts_),
-      targets_(still_targets(scene.scene(), parts_)) {
+      targets_(put_together(still_targets(scene.scene(), parts_), kMostTargets)) {
   const geometry::SurfaceSurvey* const survey = scene.scene().world->survey();
   if (survey == nullptr) return;
   std::vector<geometry::SurfaceSurvey::Ball> balls = survey->balls;
