@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "geodesy/attitude.h"
 
@@ -22,8 +23,15 @@ class Bearing {
   /// Share of the platform's jitter that it does not see, and so does not take out.
   virtual double blind_share() const { return 1.0; }
 
+  /// Its angles at times that increase in words: from where to where they go, and when it stands at its limits.
+  virtual std::string told(std::span<const double> times_s,
+                           std::span<const geodesy::Attitude> angles) const = 0;
+
   /// Throws InputError where it cannot do this: its angles at times that increase, the first and last of which are those asked for.
   virtual void check(std::span<const double> times_s, std::span<const geodesy::Attitude> angles) const = 0;
 };
+
+/// From where to where angles go, axis by axis: "pitch 3 to 12.5 deg, roll 1 deg".
+std::string angles_told(std::span<const geodesy::Attitude> angles);
 
 }  // namespace ifov::platform

@@ -211,11 +211,25 @@ void Trajectory::check_bearings(std::span<const double> times_s) const {
   if (!deviation_) return;
   for (std::size_t k = 0; k < deviation_->mounts.size(); ++k) {
     if (!deviation_->mounts[k].bearing) continue;
-    std::vector<geodesy::Attitude> angles;
-    for (const double time_s : times_s)
-      angles.push_back(bearing_angles(time_s, k, carrier(time_s, k, 1.0), 1.0));
-    deviation_->mounts[k].bearing->check(times_s, angles);
+    deviation_->mounts[k].bearing->check(times_s, all_angles(k, times_s));
   }
+}
+
+std::vector<std::string> Trajectory::bearings_told(std::span<const double> times_s) const {
+  std::vector<std::string> told;
+  if (!deviation_) return told;
+  for (std::size_t k = 0; k < deviation_->mounts.size(); ++k)
+    if (deviation_->mounts[k].bearing)
+      told.push_back(deviation_->mounts[k].bearing->told(times_s, all_angles(k, times_s)));
+  return told;
+}
+
+std::vector<geodesy::Attitude> Trajectory::all_angles(std::size_t mount,
+                                                      std::span<const double> times_s) const {
+  std::vector<geodesy::Attitude> angles;
+  for (const double time_s : times_s)
+    angles.push_back(bearing_angles(time_s, mount, carrier(time_s, mount, 1.0), 1.0));
+  return angles;
 }
 
 }  // namespace ifov::platform

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -89,6 +90,9 @@ class Trajectory {
   /// Throws InputError where a bearing cannot do at these times, which increase, what it is for.
   void check_bearings(std::span<const double> times_s) const;
 
+  /// What its bearings say of their angles at these times, in the order of the mounts.
+  std::vector<std::string> bearings_told(std::span<const double> times_s) const;
+
   /// The shortest time between the points that it passes smoothly; infinite where one velocity holds.
   double step_s() const { return step_s_; }
 
@@ -101,6 +105,7 @@ class Trajectory {
   Stance stance(double time_s, math::Point3 position_m, math::Vec3 velocity_m_s) const;
   /// Of what the mount with this number turns; of all, the whole.
   Pose carrier(double time_s, std::size_t mount, double jitter_share) const;
+  std::vector<geodesy::Attitude> all_angles(std::size_t mount, std::span<const double> times_s) const;
   geodesy::Attitude bearing_angles(double time_s, std::size_t mount, const Pose& carrier,
                                    double jitter_share) const;
 

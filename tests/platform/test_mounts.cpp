@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "platform/mounts/gimbal.h"
@@ -180,6 +181,53 @@ TEST(Gimbal, SaysWhatItCannotReach) {
       refusal(path({.axes = Gimbal::Axes::pan_tilt}), {-1.0, 0.0, 1.0}),
       "at 0 s the gimbal cannot look at its point: it is along the axis that pans, so that yaw is none; expected other 'axes' "
       "(\"pitch roll\"), or another way past it");
+}
+
+TEST(Gimbal, StopsAtTheLimitThatIsNearestAroundTheCircle) {
+  // To the north past a point behind its right wing's side: its yaw goes from 90 deg through 180 to -170, where it can turn from 90 to 175 deg.
+  const Gimbal pans({.target = math::Point3{0.0, 0.0, 0.0},
+                     .axes = Gimbal::Axes::pan_tilt,
+                     .yaw = Gimbal::Limits{90.0 * kDegree, 175.0 * kDegree},
+                     .stops = true});
+  const auto yaw = [&](double bearing_deg) {
+    const double b = bearing_deg * kDegree;
+    const Trajectory path = Trajectory::straight({-std::sin(b) * 500.0, -std::cos(b) * 500.0, 1000.0},
+                                                 {0.0, 100.0, 0.0}, {{}, true});
+    return pans.angles(0.0, path.pose(0.0)).yaw_rad / kDegree;
+  };
+  EXPECT_NEAR(yaw(120.0), 120.0, 1e-9);
+  EXPECT_NEAR(yaw(179.0), 175.0, 1e-9);
+  EXPECT_NEAR(yaw(-179.0), 175.0, 1e-9);
+  EXPECT_NEAR(yaw(-150.0), 175.0, 1e-9);
+  EXPECT_NEAR(yaw(-40.0), 90.0, 1e-9);
+  EXPECT_NEAR(yaw(20.0), 90.0, 1e-9);
+}
+
+TEST(Gimbal, TellsWhereItTurns) {
+  // 100 m/s, 1000 m above the point: a pitch of atan(-t/10).
+  const Trajectory north = Trajectory::straight({0.0, 0.0, 1000.0}, {0.0, 100.0, 0.0}, {{}, true});
+  const auto told = [&](Gimbal::Settings settings) {
+    settings.target = math::Point3{0.0, 0.0, 0.0};
+    std::vector<double> times_s;
+    for (int k = -100; k <= 100; ++k) times_s.push_back(0.1 * k);
+    return north
+        .carrying(
+            {.mounts = {{{1.0, 0.0, 0.0}, {}, nullptr}, {{-1.0, 0.0, 0.0}, {}, gimbal(std::move(settings))}}})
+        .bearings_told(times_s);
+  };
+  const double low = -std::atan(0.545);
+  using Told = std::vector<std::string>;
+  EXPECT_EQ(told({}), Told{"gimbal towards its point, pitch -45 to 45 deg"});
+  EXPECT_EQ(
+      told({.pitch = Gimbal::Limits{low, 1.0}, .stops = true}),
+      Told{"gimbal towards its point, pitch -28.59 to 45 deg; its pitch is at a limit from 5.5 to 10 s"});
+  EXPECT_EQ(
+      told({.pitch = Gimbal::Limits{low, -low}, .stops = true}),
+      Told{
+          "gimbal towards its point, pitch -28.59 to 28.59 deg; its pitch is at a limit 46 % of the time, first at -10 s "
+          "and last at 10 s"});
+  EXPECT_EQ(told({.pitch = Gimbal::Limits{1.0, 1.2}, .stops = true}),
+            Told{"gimbal towards its point, pitch 57.3 deg; its pitch is at a limit all the time"});
 }
 
 TEST(StepStare, StaresAndTurnsOn) {

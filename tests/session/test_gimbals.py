@@ -138,22 +138,25 @@ class MistakenMounts(unittest.TestCase):
         self.told(lambda p: point(p, position=["0 m"] * 3), "frame")
 
     def test_limits(self):
-        self.told(self.gimbal(pitch=["-10 deg", "30 deg"]), "the gimbal cannot look at 'boat': that needs a pitch of 33.73 deg, and it reaches -10 to 30 deg", at='"platform"')
+        self.told(self.gimbal(pitch=["-10 deg", "30 deg"]), "the gimbal cannot look at 'boat': that needs a pitch of 33.73 deg, and it reaches -10 to 30 deg", at='"gimbal"')
         self.told(self.gimbal(pitch=["30 deg", "-10 deg"]), "found limits that do not increase", at='"pitch": [')
         self.told(self.gimbal(yaw=["-10 deg", "30 deg"]), "expected limits of 'pitch' and 'roll'", at='"yaw": [')
         # 60 m/s, 200.3 m before it and 300 m above: v h / r^2.
-        self.told(self.gimbal(rate="7 deg/s"), "its pitch would turn by 7.926 deg/s, and it turns by at most 7 deg/s", at='"platform"')
+        self.told(self.gimbal(rate="7 deg/s"), "its pitch would turn by 7.926 deg/s, and it turns by at most 7 deg/s", at='"gimbal"')
         done, _ = mistaken(self.gimbal(pitch=["-10 deg", "30 deg"], at_limits="stop"))
         self.assertEqual(done.returncode, 0, done.stderr)
+        # The boat is 200 m ahead, and to the east as its path has it; 10 ms of flight are nothing.
+        self.assertRegex(done.stderr + done.stdout, r"mount: +gimbal towards 'boat', pitch 30 deg, roll -?[0-9.]+( to -?[0-9.]+)? deg; its pitch is at a limit all the time")
 
     def test_other_mounts(self):
         def mount(**keys):
             return lambda platform: platform.update(mount=keys)
         steps = {"first": {}, "step": {"roll": "1 deg"}, "steps": 3, "period": "1 s", "slew": "2 s"}
         self.told(mount(step_stare=steps), "leaves no time to stare: expected less than the period of 1 s", at='"slew"')
-        self.told(mount(table={"file": "t.csv"}), "found the heading 'x_m'; expected 'time_s'", [("t.csv", "time_s,x_m\n0,1\n")])
+        self.told(mount(table={"file": "t.csv"}), "found the heading 'x_m'; expected 'time_s'", [("t.csv", "time_s,x_m\n0,1\n")], at='"file"')
+        self.told(mount(table={"file": "none.csv"}), "none.csv", at='"file"')
         self.told(mount(table={"file": "t.csv"}), "the mount's table covers 0 to 1 s, and the image is exposed from -0.005 to 0.005 s",
-                  [("t.csv", "time_s,yaw_deg,pitch_deg,roll_deg\n0,0,0,0\n1,0,0,0\n")], at='"platform"')
+                  [("t.csv", "time_s,yaw_deg,pitch_deg,roll_deg\n0,0,0,0\n1,0,0,0\n")], at='"file"')
         self.told(lambda p: p.update(reported={"mount": [{}, {}]}), "'reported' tells of 2 mounts, and there is one", at='"platform"')
 
 

@@ -311,6 +311,44 @@ class MovingDocuments(unittest.TestCase):
         self.assertEqual(code, 0, said)
         self.assertRegex(said, r"moving: +'car' \(line \d+\): 9 m/s; while a pixel is exposed 0\.09 m \(0\.3 pixels\), while the image is taken 0\.09 m")
 
+    def test_what_optics_show_at_another_time_is_told(self):
+        """A car at 9 m/s under samples of 8 ms / 32 of a sweep and of pixels of 0.35 m: while a pixel is exposed, while a Gaussian of so many samples passes, and in a channel that is
+        shifted. Rows of a rolling shutter are pictures of one time, and line scanners without optics hide nothing."""
+        flown = {"straight": {"frame": "scene", "position": ["0 m", "0 m", "80 m"], "velocity": ["0 m/s", "10 m/s", "0 m/s"]}}
+        whisk = {"whiskbroom": {"focal_length": "50 mm", "pitch": "0.2 mm", "pixels": [32, 40], "elements": 4, "element_width": "0 mm", "sweep_angle": "8 deg",
+                                "period": "20 ms", "sweep_time": "8 ms"}}
+        rolling = {"frame": {"focal_length": "50 mm", "pitch": "0.2 mm", "pixels": [32, 32], "row_period": "1 ms"}}
+        line = {"pushbroom": {"focal_length": "50 mm", "pitch": "0.2 mm", "pixels": [32, 32], "line_period": "32 ms"}}
+
+        def of(camera, sweeps=None, shift=None, psf=True):
+            def change(document, car):
+                document["platform"] = flown
+                (model,), = [camera.values()]
+                document["sensor"]["camera"] = {next(iter(camera)): {**model, **({"pixels": [32, 4 * sweeps]} if sweeps else {})}}
+                if psf:
+                    document["sensor"]["psf"] = {"gaussian": {"sigma": "2 px"}}
+                if shift:
+                    document["sensor"]["channels"].append({"name": "late", "shift": shift, "gaussian": {"center": "0.8 um", "fwhm": "40 nm"}})
+            code, said = checked(change)
+            self.assertIn(code, (0, 6), said)
+            return said
+
+        sample_m = 9.0 * 8e-3 / 32
+        pixel_m = 80.0 * (math.radians(8.0) / 32 * 0.2 / 50) ** 0.5
+        for sweeps in (5, 10):  # the middle of the image is within a sweep, or between two
+            said = of(whisk, sweeps, ["3 px", "0 px"])
+            (exposed_m, exposed_px), = re.findall(r"while a pixel is exposed ([0-9.e-]+) m \(([0-9.e-]+) pixels\)", said)
+            self.assertAlmostEqual(float(exposed_m) / sample_m, 1.0, delta=0.02)
+            self.assertAlmostEqual(float(exposed_px) * pixel_m / sample_m, 1.0, delta=0.05)
+            samples_a_pitch = 0.2 / 50 / (math.radians(8.0) / 32)
+            (spread_px,), (apart_px,) = re.findall(r"moves by ([0-9.e-]+) pixels while", said), re.findall(r"is up to ([0-9.e-]+) pixels from where", said)
+            self.assertAlmostEqual(float(spread_px) / (2.0 * samples_a_pitch * sample_m / pixel_m), 1.0, delta=0.06)
+            self.assertAlmostEqual(float(apart_px) / (3.0 * samples_a_pitch * sample_m / pixel_m), 1.0, delta=0.06)
+        for still in (of(rolling), of(line, psf=False), of(whisk, 5, psf=False)):
+            self.assertNotIn("pixels while what the sensor", still)
+            self.assertNotIn("from where it should be", still)
+        self.assertIn("pixels while what the sensor", of(line))
+
     def test_a_path_that_does_not_cover_the_exposure(self):
         self.refused("its path covers -0.002 to 0.003 s, and the image is exposed from -0.005 to 0.005 s: 0.003 s too late and 0.002 s too short",
                      lambda document, car: car.update(motion=POINTS(-0.002, 0.003)))

@@ -27,6 +27,15 @@ constexpr std::array<GimbalAxis, 3> kGimbalAxes{
      {"pitch", &geodesy::Attitude::pitch_rad, &Gimbal::Settings::pitch},
      {"roll", &geodesy::Attitude::roll_rad, &Gimbal::Settings::roll}}};
 
+/// Where an axis that reaches so far stands to be nearest to an angle, around the circle.
+double stopped_at(double angle, const Gimbal::Limits& limits) {
+  if (angle >= limits.least_rad && angle <= limits.most_rad) return angle;
+  const auto away = [&](double limit) {
+    return std::abs(std::remainder(angle - limit, 2.0 * std::numbers::pi));
+  };
+  return away(limits.least_rad) <= away(limits.most_rad) ? limits.least_rad : limits.most_rad;
+}
+
 }  // namespace
 
 math::Point3 Gimbal::target_m(double time_s) const {
@@ -58,8 +67,37 @@ geodesy::Attitude Gimbal::angles(double time_s, const Pose& carrier) const {
   if (settings_.stops)
     for (const GimbalAxis& axis : kGimbalAxes)
       if (const auto& limits = settings_.*axis.limits)
-        angles.*axis.angle = std::clamp(angles.*axis.angle, limits->least_rad, limits->most_rad);
+        angles.*axis.angle = stopped_at(angles.*axis.angle, *limits);
   return angles;
+}
+
+std::string Gimbal::told(std::span<const double> times_s, std::span<const geodesy::Attitude> angles) const {
+  std::string told = format("gimbal towards {}, {}", settings_.name, angles_told(angles));
+  if (!settings_.stops) return told;
+  for (const GimbalAxis& axis : kGimbalAxes) {
+    const auto& limits = settings_.*axis.limits;
+    if (!limits) continue;
+    const auto stopped = [&](std::size_t k) {
+      return angles[k].*axis.angle == limits->least_rad || angles[k].*axis.angle == limits->most_rad;
+    };
+    std::size_t count = 0, first = 0, last = 0;
+    for (std::size_t k = 0; k < times_s.size(); ++k)
+      if (stopped(k)) {
+        if (count++ == 0) first = k;
+        last = k;
+      }
+    if (count == 0) continue;
+    told += format("; its {} is at a limit ", axis.name);
+    if (count == times_s.size())
+      told += "all the time";
+    else if (count == last - first + 1)
+      told += format("from {:.4g} to {:.4g} s", times_s[first], times_s[last]);
+    else
+      told += format("{:.2g} % of the time, first at {:.4g} s and last at {:.4g} s",
+                     100.0 * static_cast<double>(count) / static_cast<double>(times_s.size()), times_s[first],
+                     times_s[last]);
+  }
+  return told;
 }
 
 double Gimbal::step_s() const {

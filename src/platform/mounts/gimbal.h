@@ -43,6 +43,7 @@ class Gimbal final : public Bearing {
   geodesy::Attitude angles(double time_s, const Pose& carrier) const override;
   double step_s() const override;
   double blind_share() const override { return settings_.blind_share; }
+  std::string told(std::span<const double> times_s, std::span<const geodesy::Attitude> angles) const override;
   void check(std::span<const double> times_s, std::span<const geodesy::Attitude> angles) const override;
 
   /// Where the target is.

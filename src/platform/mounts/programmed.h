@@ -22,6 +22,9 @@ class StepStare final : public Bearing {
 
   geodesy::Attitude angles(double time_s, const Pose& carrier) const override;
   double step_s() const override;
+  std::string told(std::span<const double>, std::span<const geodesy::Attitude> angles) const override {
+    return "turns in steps, " + angles_told(angles);
+  }
   void check(std::span<const double> times_s, std::span<const geodesy::Attitude> angles) const override;
 
  private:
@@ -36,6 +39,9 @@ class TurnTable final : public Bearing {
 
   geodesy::Attitude angles(double time_s, const Pose& carrier) const override;
   double step_s() const override { return step_s_; }
+  std::string told(std::span<const double>, std::span<const geodesy::Attitude> angles) const override {
+    return "turns by its table, " + angles_told(angles);
+  }
   /// InputError where it does not cover the times.
   void check(std::span<const double> times_s, std::span<const geodesy::Attitude> angles) const override;
 

@@ -8,6 +8,7 @@
 #include "geodesy/sun_position.h"
 #include "geometry/world.h"
 #include "io/document/cameras/camera_settings.h"
+#include "io/document/cameras/flight_motion.h"
 #include "io/document/document.h"
 #include "render/tolerance/channel_brightness.h"
 #include "sensor/camera.h"
@@ -115,6 +116,14 @@ std::string by_channel(const Parts& parts, Text text) {
   return all;
 }
 
+std::vector<std::string> mounts_told(const Parts& parts) {
+  const io::CameraSettings& settings = *parts.document.sensor.camera.settings;
+  const io::PlatformFlight* const flight = settings.carrier();
+  if (flight == nullptr) return {};
+  const io::CameraSettings::Exposed exposed = settings.exposed();
+  return io::bearings_told(*flight, parts.document.scene.origin.offset_m, exposed.from_s, exposed.to_s);
+}
+
 }  // namespace
 
 std::string area_text(const Parts& parts, SceneSurvey::Range x_m, SceneSurvey::Range y_m) {
@@ -130,6 +139,7 @@ std::vector<std::string> location_lines(const Parts& parts, const SceneSurvey& s
   std::vector<std::string> lines;
   lines.push_back(line("extent:", scene_line(parts)));
   lines.push_back(line("camera:", camera_line(parts)));
+  for (const std::string& turned : mounts_told(parts)) lines.push_back(line("mount:", turned));
   lines.push_back(line("sees:", sees_line(parts, survey)));
   lines.push_back(line("in view:", in_view_line(survey)));
   for (std::string& moving : motion_lines(parts)) lines.push_back(std::move(moving));

@@ -4,6 +4,7 @@
 
 #include "core/overloaded.h"
 #include "ifov/sensor.h"
+#include "io/document/cameras/mount_error.h"
 #include "io/document/cameras/view_settings.h"
 #include "io/document/detector_document.h"
 #include "io/document/origin_document.h"
@@ -115,7 +116,7 @@ SensorDescription survey_sensor(const io::DocumentSources& sources, const io::Se
                sensor.camera.model));
   SensorDescription told;
   const std::unique_ptr<sensor::Camera> camera = with_position(sources, sensor.camera.position, [&] {
-    return sensor.camera.settings->build({origin.offset_m, 0.0});
+    return io::with_mounts(sources, [&] { return sensor.camera.settings->build({origin.offset_m, 0.0}); });
   });
   survey_camera(*camera, told);
   const std::vector<radiometry::Channel> channels = assemble_channels(sources, sensor.channels);

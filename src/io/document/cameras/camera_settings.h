@@ -73,6 +73,9 @@ class CameraSettings {
   /// What the image is made of where it is pictures below each other, "sweep" or "row"; empty: it is one picture.
   virtual std::string_view made_of() const { return {}; }
 
+  /// The platform that carries it; null: none.
+  virtual const PlatformFlight* carrier() const { return nullptr; }
+
   /// What a user should know of the settings, one sentence each.
   virtual std::vector<std::string> remarks() const { return {}; }
 };

@@ -67,12 +67,12 @@ Spectra noise_of(const ReportedPose& reported) {
 }
 
 /// At the ends, and often enough between them for what turns by a few turns meanwhile.
-void check_bearings(const platform::Trajectory& carrying, double from_s, double to_s) {
+std::vector<double> bearing_times_s(double from_s, double to_s) {
   constexpr int kChecks = 256;
   std::vector<double> times_s;
   for (int k = 0; k <= (to_s > from_s ? kChecks : 0); ++k)
     times_s.push_back(from_s + (to_s - from_s) * k / kChecks);
-  carrying.check_bearings(times_s);
+  return times_s;
 }
 
 }  // namespace
@@ -94,7 +94,7 @@ Motions motions_of(const PlatformFlight& flight, math::Vec3 offset_m, double fro
     platform::Deviation deviation{.mounts = mounts};
     if (of.jitter) deviation.motion = drawn(spectra_of(*of.jitter), Stream::jitter);
     motions.truth = carrying(std::move(deviation));
-    check_bearings(*motions.truth, from_s, to_s);
+    motions.truth->check_bearings(bearing_times_s(from_s, to_s));
   } else {
     motions.truth = std::make_shared<const platform::Trajectory>(path);
   }
@@ -116,6 +116,14 @@ Motions motions_of(const PlatformFlight& flight, math::Vec3 offset_m, double fro
     motions.reported = carrying(std::move(deviation));
   }
   return motions;
+}
+
+std::vector<std::string> bearings_told(const PlatformFlight& flight, math::Vec3 offset_m, double from_s,
+                                       double to_s) {
+  constexpr double kBeyond_s = 0.01;
+  if (mounts_in(flight.platform.mounts).empty()) return {};
+  return motions_of(flight, offset_m, from_s, to_s, kBeyond_s)
+      .truth->bearings_told(bearing_times_s(from_s, to_s));
 }
 
 }  // namespace ifov::io

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "math/vec3.h"
 
@@ -22,5 +24,9 @@ struct Motions {
 /// the jitter and the mounts: InputError with its place there, or where a mount cannot turn as it should; SystemError.
 Motions motions_of(const PlatformFlight& flight, math::Vec3 offset_m, double from_s, double to_s,
                    double beyond_s);
+
+/// Of mounts that turn, one after the other, from where to where they do so meanwhile, in words.
+std::vector<std::string> bearings_told(const PlatformFlight& flight, math::Vec3 offset_m, double from_s,
+                                       double to_s);
 
 }  // namespace ifov::io

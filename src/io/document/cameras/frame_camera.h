@@ -36,6 +36,7 @@ struct FrameCamera final : CameraSettings {
   std::shared_ptr<const CameraSettings> seen_from(double zenith_rad, double azimuth_rad) const override;
   std::optional<Optics> optics() const override { return Optics{focal_length_m, pitch_m}; }
   Exposed exposed() const override;
+  const PlatformFlight* carrier() const override { return flight.get(); }
   std::string_view made_of() const override { return !placed && row_period_s > 0.0 ? "row" : ""; }
   std::shared_ptr<const CameraSettings> carried_by(std::shared_ptr<const PlatformFlight> by) const override;
   std::vector<std::string> remarks() const override;

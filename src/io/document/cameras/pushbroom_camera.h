@@ -23,6 +23,7 @@ struct PushbroomCamera final : CameraSettings {
   std::shared_ptr<const CameraSettings> seen_from(double zenith_rad, double azimuth_rad) const override;
   std::optional<Optics> optics() const override;
   Exposed exposed() const override { return {start_s, start_s + size.height_px * line_period_s}; }
+  const PlatformFlight* carrier() const override { return flight.get(); }
   std::shared_ptr<const CameraSettings> carried_by(std::shared_ptr<const PlatformFlight> by) const override;
   sensor::ReadOut read_out() const override;
   std::vector<std::string> remarks() const override;

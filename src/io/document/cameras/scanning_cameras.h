@@ -28,6 +28,7 @@ struct ScanningCamera : CameraSettings {
   std::shared_ptr<const CameraSettings> seen_from(double zenith_rad, double azimuth_rad) const override;
   std::optional<Optics> optics() const override;
   Exposed exposed() const override;
+  const PlatformFlight* carrier() const override { return flight.get(); }
   std::shared_ptr<const CameraSettings> carried_by(std::shared_ptr<const PlatformFlight> by) const override;
   sensor::ReadOut read_out() const override;
   bool sweeps() const override { return true; }

@@ -10,7 +10,6 @@
 #include "core/overloaded.h"
 #include "io/document/atmosphere_document.h"
 #include "io/document/cameras/camera_settings.h"
-#include "io/document/cameras/view_settings.h"
 #include "io/document/detector_document.h"
 #include "io/document/document.h"
 #include "io/document/file_materials_document.h"
@@ -97,8 +96,7 @@ class ReferenceCheck {
       return names;
     };
     const std::vector<std::string> parts = named(&Quantity::Needs::parts);
-    if (!parts.empty() &&
-        dynamic_cast<const PointsSensor*>(document_.sensor.camera.settings.get()) != nullptr)
+    if (!parts.empty() && document_.sensor.camera.model == "points")
       throw document_error(
           document_.sources, document_.output.position,
           format(

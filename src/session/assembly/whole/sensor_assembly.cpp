@@ -7,6 +7,7 @@
 #include "core/overloaded.h"
 #include "geometry/world.h"
 #include "io/document/cameras/camera_settings.h"
+#include "io/document/cameras/mount_error.h"
 #include "io/document/detector_document.h"
 #include "io/document/pupil_document.h"
 #include "io/document/sensor_document.h"
@@ -80,7 +81,7 @@ std::unique_ptr<sensor::Camera> assemble_camera(const io::DocumentSources& sourc
   return with_position(sources, camera.position, [&] {
     io::CameraSite site{origin.offset_m, world.heights().high_m, world.heights().low_m, seed};
     if (const auto period = world.period()) site.period_m = {period->x_m, period->y_m};
-    return camera.settings->build(site);
+    return io::with_mounts(sources, [&] { return camera.settings->build(site); });
   });
 }
 
