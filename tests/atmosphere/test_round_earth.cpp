@@ -11,6 +11,7 @@
 #include "atmosphere/scattering/round_earth_error.h"
 #include "atmosphere/spherical_reference.h"
 #include "studies/atmosphere/spherical_rows.h"
+#include "support/spherical_monte_carlo.h"
 
 namespace test_round_earth {
 using namespace ifov::atmosphere;
@@ -173,6 +174,73 @@ TEST(RoundEarth, HazeUnderAHighSunIsAsInFlatLayers) {
             << asymmetry << " " << gas << " " << sun;
       }
     }
+}
+
+// Haze of depth 0.5 to 1 km in clear air: the round Earth takes from what comes low over the horizon above the haze, not from light in it.
+namespace {
+
+Column hazy_to_1_km(double molecules, double asymmetry) {
+  Column column;
+  double low = 0.0;
+  for (const double high : {0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0, 1.5, 2.0,  3.0,  4.0,  5.0,
+                            6.0,  8.0, 10.,  12., 15.,  20., 25., 30., 40.0, 60.0, 100.0}) {
+    column.add_layer(high, molecules * (std::exp(-low / 8.0) - std::exp(-high / 8.0)),
+                     high <= 1.0 ? 0.5 * (high - low) : 0.0, asymmetry, 0.0);
+    low = high;
+  }
+  column.optics.depolarization = 0.0;
+  return column;
+}
+
+}  // namespace
+
+TEST(RoundEarth, WithinHazeThatTakesNothingNetFluxDoesNotChange) {
+  const ColumnSolution solution = solved(hazy_to_1_km(0.0013, 0.65), 30.0);
+  const auto net = [&](double z, double down) {
+    const FluxProfile::Fluxes flux = solution.sunlit().fluxes().at(z);
+    return flux.direct_down + down * flux.diffuse_down - flux.up;
+  };
+  for (const double z : {0.25, 0.5, 0.9}) EXPECT_NEAR(net(z, 1.0) / net(0.0, 1.0), 1.0, 1e-3) << z;
+  EXPECT_GT(std::abs(net(0.5, 0.977) / net(0.0, 1.0) - 1.0), 1e-3) << "changed by what is so above the haze";
+}
+
+TEST(RoundEarth, PathsThatEndWithinHazeAreThoseOfPhotons) {
+  constexpr double kSun_deg = 75.0, kZenith_deg = 78.0, kSensor_km = 0.5;
+  const Column column = hazy_to_1_km(0.1, 0.7);
+  ifov::test::SphericalMonteCarlo photons(column.levels.altitude_km, column.optics.rayleigh_scattering,
+                                          kSun_deg * kDegree);
+  photons.add_haze(column.optics.aerosol_scattering, 0.7);
+  const ColumnSolution solution = solved(column, kSun_deg);
+  const auto right = photons.above(kZenith_deg * kDegree, 0.0, 300000, 7, kSensor_km);
+  const double found =
+      solution.sunlit().line_of_sight({std::cos(kZenith_deg * kDegree), 0.0}, kSensor_km, 0.0).radiance().i;
+  EXPECT_LT(right.error, 2.5e-3 * right.all);
+  EXPECT_NEAR(found / right.all, 1.0, 6e-3);
+  EXPECT_GT(std::abs(0.9925 * found / right.all - 1.0), 6e-3) << "as if the air above went on into the haze";
+}
+
+// Thin air sends light of the ground back as far as it sees ground and the ground sees it: from z the ground ends sin d = (1 - q^2)^1/2
+// below the horizontal, q = R / (R + z), and by molecules' phase function (closed forms of what is scattered once).
+TEST(RoundEarth, ThinAirSendsBackLightOfTheGroundThatItSees) {
+  constexpr double kDepth = 0.001, kRadius_km = 6371.0, kStep_km = 0.01;
+  const Column column = molecules(kDepth);
+  double albedo = 0.0, upwards = 0.0;
+  for (std::size_t k = 0; k < column.optics.layers(); ++k) {
+    const double low = column.levels.altitude_km[k], high = column.levels.altitude_km[k + 1];
+    const int parts = static_cast<int>(std::ceil((high - low) / kStep_km));
+    for (int part = 0; part < parts; ++part) {
+      const double q = kRadius_km / (kRadius_km + low + (high - low) * (part + 0.5) / parts),
+                   depth = column.optics.rayleigh_scattering[k] / parts, dip = std::sqrt(1.0 - q * q),
+                   second = dip - dip * dip * dip;
+      albedo += depth / (q * q) * ((1.0 - dip) * (1.0 - dip) + second * second / 8.0);
+      upwards += depth * ((1.0 - dip) / 2.0 + second / 8.0);
+    }
+  }
+  EXPECT_LT(albedo, 0.94 * kDepth) << "in flat layers it is the depth";
+  const ColumnSolution solution = solved(column, 30.0);
+  EXPECT_NEAR(solution.spherical_albedo() / albedo, 1.0, 0.005);
+  EXPECT_NEAR(solution.diffuse_transmittance(1.0, 1e4).i / upwards, 1.0, 0.003);
+  EXPECT_NEAR(solved(column, 30.0, false).spherical_albedo() / kDepth, 1.0, 0.01);
 }
 
 }  // namespace test_round_earth

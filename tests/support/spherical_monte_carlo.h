@@ -63,10 +63,11 @@ class SphericalMonteCarlo {
     const Vector look = away(zenith_rad, azimuth_rad + std::numbers::pi);
     return mean(ground(), look, paths, seed);
   }
-  /// Radiance that leaves the air along a line from the ground, which the line leaves at this zenith angle.
-  Light above(double zenith_rad, double azimuth_rad, std::uint64_t paths, unsigned seed) const {
+  /// Radiance that leaves the air, or meets a sensor in it, along a line from the ground, which the line leaves at this zenith angle.
+  Light above(double zenith_rad, double azimuth_rad, std::uint64_t paths, unsigned seed,
+              double sensor_km = std::numeric_limits<double>::infinity()) const {
     const Vector up = away(zenith_rad, azimuth_rad);
-    const double along = radius_.front() * up[2], top = radius_.back();
+    const double along = radius_.front() * up[2], top = std::min(radius_.back(), radius_.front() + sensor_km);
     const double length = -along + std::sqrt(along * along + top * top - radius_.front() * radius_.front());
     return mean(moved(ground(), up, length * (1.0 - 1e-12)), Vector{-up[0], -up[1], -up[2]}, paths, seed);
   }

@@ -11,6 +11,7 @@
 #include "atmosphere/scattering/reflected_light.h"
 #include "atmosphere/scattering/round_earth_light.h"
 #include "atmosphere/scattering/successive_orders.h"
+#include "atmosphere/spherical_shells.h"
 
 namespace ifov::atmosphere {
 
@@ -40,17 +41,21 @@ void add_beam(const ScatteringColumn& column, FluxProfile& fluxes) {
 /// Where the Sun is lower than this cosine of the zenith angle, 2 degrees above the horizon, and below the horizon whole, the
 /// flux down is that of the sky's radiances: flat layers know nothing of light that comes from beyond the horizon.
 constexpr double kLowSun = 0.035;
-void take_flux_of_sky(const ScatteredField& field, FluxProfile& fluxes) {
+double flux_of_sky(const ScatteredField& field, double altitude_km, int azimuths) {
   const GaussNodes zeniths = gauss_nodes(12);
-  constexpr int kAzimuths = 12;
   double flux = 0.0;
   for (std::size_t j = 0; j < zeniths.position.size(); ++j) {
     const SlantSource ring = field.along(-zeniths.position[j]);
     double sum = 0.0;
-    for (int a = 0; a < kAzimuths; ++a)
-      sum += ring.sky((a + 0.5) * std::numbers::pi / kAzimuths, fluxes.altitude_km.back()).radiance().i;
-    flux += 2.0 * std::numbers::pi * zeniths.weight[j] * zeniths.position[j] * sum / kAzimuths;
+    for (int a = 0; a < azimuths; ++a)
+      sum += ring.sky((a + 0.5) * std::numbers::pi / azimuths, altitude_km).radiance().i;
+    flux += 2.0 * std::numbers::pi * zeniths.weight[j] * zeniths.position[j] * sum / azimuths;
   }
+  return flux;
+}
+void take_flux_of_sky(const ScatteredField& field, FluxProfile& fluxes) {
+  constexpr int kAzimuths = 12;
+  const double flux = flux_of_sky(field, fluxes.altitude_km.back(), kAzimuths);
   const double share = std::min(1.0, 1.0 - field.solved().column.sun_mu / kLowSun);
   const double given = fluxes.diffuse_down.back();
   if (!(given > 0.0)) return;
@@ -142,11 +147,18 @@ ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& opti
   FluxProfile groundlit_fluxes = diffuse_fluxes(solved->column, nodes_, ground.radiance);
   std::vector<ModeMoments> ground_modes;
   ground_modes.push_back(std::move(ground.moments));
+  // Of ground's light, too, less comes back about a round Earth: towards the horizon there is less air than in flat layers.
+  double back = 1.0;
+  if (options.spherical_earth && groundlit_fluxes.diffuse_down.back() > 0.0) {
+    const ScatteredField field(solved, ground_modes, groundlit_fluxes, false, ground.orders);
+    back = flux_of_sky(field, groundlit_fluxes.altitude_km.back(), 1) / groundlit_fluxes.diffuse_down.back();
+    for (double& flux : groundlit_fluxes.diffuse_down) flux *= back;
+  }
   if (solved->round_earth && solved->column.sun_mu < kLowSun)
     take_flux_of_sky(ScatteredField(solved, modes, sunlit_fluxes, true, sunlit_orders), sunlit_fluxes);
   std::shared_ptr<const ReflectedLight> reflected;
   if (directional != nullptr) {
-    if (auto found = reflected_light(solved, orders, nodes_, *directional, down, options.tolerance))
+    if (auto found = reflected_light(solved, orders, nodes_, *directional, down, back, options.tolerance))
       reflected = std::make_shared<const ReflectedLight>(*std::move(found));
   }
   return ColumnSolution(
@@ -177,29 +189,42 @@ StokesVector ColumnSolution::reflected_transmittance(const Propagation& directio
                               reflected_->shape.radiance(direction.mu, direction.azimuth_rad);
 }
 
-double ColumnSolution::depth_below(double altitude_km) const {
+/// Depths from the ground up to an altitude along lines that leave the ground under these cosines, scaled: what goes on in the
+/// forward peak has not been scattered.
+std::vector<double> ColumnSolution::depths_below(double altitude_km, const std::vector<double>& mu) const {
   const ScatteringColumn& column = groundlit_.solved().column;
-  double depth = 0.0;  // scaled: what goes on in the forward peak has not been scattered
-  for (std::size_t s = column.sublayers(); s-- > 0;) {
-    const double low = column.altitude_km[s + 1], high = column.altitude_km[s];
-    depth += column.depth[s] * std::clamp((altitude_km - low) / (high - low), 0.0, 1.0);
+  const double ground_km = column.ground_km();
+  std::vector<double> depths;
+  for (const double cosine : mu) {
+    double depth = 0.0, length = 0.0;
+    for (std::size_t s = column.sublayers(); s-- > 0 && column.altitude_km[s + 1] < altitude_km;) {
+      const double high = std::min(altitude_km, column.altitude_km[s]);
+      const double next =
+          column.spherical ? length_to_shell_km(ground_km, cosine, high) : (high - ground_km) / cosine;
+      depth += column.depth[s] * (next - length) / (column.altitude_km[s] - column.altitude_km[s + 1]);
+      length = next;
+    }
+    depths.push_back(depth);
   }
-  return depth;
+  return depths;
 }
 
 ColumnSolution::GroundFlux ColumnSolution::ground_flux(double altitude_km) const {
+  static const GaussNodes nodes = gauss_nodes(48);
+  const std::vector<double> depths = depths_below(altitude_km, nodes.position);
+  double straight = 0.0;
+  for (std::size_t j = 0; j < depths.size(); ++j)
+    straight += 2.0 * nodes.weight[j] * nodes.position[j] * std::exp(-depths[j]);
   const FluxProfile::Fluxes scattered = groundlit_.fluxes().at(altitude_km);
-  return {straight_flux(depth_below(altitude_km)) + scattered.up / std::numbers::pi,
-          scattered.diffuse_down / std::numbers::pi};
+  return {straight + scattered.up / std::numbers::pi, scattered.diffuse_down / std::numbers::pi};
 }
 
 ColumnSolution::GroundFlux ColumnSolution::reflected_flux(double altitude_km) const {
-  const double depth = depth_below(altitude_km);
   const GaussNodes& out = reflected_->shape.out;
+  const std::vector<double> depths = depths_below(altitude_km, out.position);
   double straight = 0.0;
   for (std::size_t j = 0; j < out.position.size(); ++j)
-    straight += 2.0 * out.weight[j] * out.position[j] * std::exp(-depth / out.position[j]) *
-                reflected_->shape.modes[0][j];
+    straight += 2.0 * out.weight[j] * out.position[j] * std::exp(-depths[j]) * reflected_->shape.modes[0][j];
   const FluxProfile::Fluxes scattered = reflected_->field.fluxes().at(altitude_km);
   return {straight + scattered.up / std::numbers::pi, scattered.diffuse_down / std::numbers::pi};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "atmosphere/gauss_nodes.h"
 #include "atmosphere/layer_optics.h"
@@ -54,7 +55,7 @@ class ColumnSolution {
   double sun_transmittance(double altitude_km) const;
 
  private:
-  double depth_below(double altitude_km) const;
+  std::vector<double> depths_below(double altitude_km, const std::vector<double>& mu) const;
   ScatteredField sunlit_, groundlit_;
   std::shared_ptr<const ReflectedLight> reflected_;
 };

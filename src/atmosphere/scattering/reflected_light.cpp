@@ -55,7 +55,7 @@ FluxProfile diffuse_fluxes(const ScatteringColumn& column, const GaussNodes& nod
 std::optional<ReflectedLight> reflected_light(const std::shared_ptr<const SolvedColumn>& solved,
                                               const SuccessiveOrders& orders, const GaussNodes& nodes,
                                               const GroundModes& ground, std::span<const GroundLight> down,
-                                              double tolerance) {
+                                              double back, double tolerance) {
   const ScatteringColumn& column = solved->column;
   const double beam = column.sun_mu > 0.0 ? std::exp(-column.beam_depth.back()) : 0.0;
   const double sky = solved->round_earth ? solved->round_earth->flux_ratio().back() : 1.0;
@@ -95,7 +95,7 @@ std::optional<ReflectedLight> reflected_light(const std::shared_ptr<const Solved
         if (k == 0) reference = found.moments.peak();
         most_orders = std::max(most_orders, found.orders);
         const FluxProfile part = diffuse_fluxes(column, nodes, found.radiance);
-        add_to(fluxes.diffuse_down, factor, part.diffuse_down);
+        add_to(fluxes.diffuse_down, factor * back, part.diffuse_down);
         add_to(fluxes.up, factor, part.up);
       }
       add_to(of.light, factor, of.now);
@@ -103,7 +103,8 @@ std::optional<ReflectedLight> reflected_light(const std::shared_ptr<const Solved
       add_to(values, factor, found.moments.values);
       of.moments = std::move(found.moments);
       of.moments.values = std::move(values);
-      of.now = ground.of_diffuse(mode, found.ground_down);
+      of.now.clear();
+      add_to(of.now, back, ground.of_diffuse(mode, found.ground_down));
     }
     if (last || modes[0].now.empty()) break;
     before = now;

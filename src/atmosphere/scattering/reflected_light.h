@@ -22,11 +22,11 @@ struct ReflectedLight {
 
 /// `down`: sunlight that the air has scattered down on black ground, by mode (SuccessiveOrders::Mode::ground_down). What comes back
 /// to the ground is reflected again, until that is less than `tolerance` of what was reflected first; a geometric series stands for
-/// the rest. None where the ground reflects nothing.
+/// the rest. `back`: how much of it comes back about a round Earth, over what does in flat layers. None where the ground reflects nothing.
 std::optional<ReflectedLight> reflected_light(const std::shared_ptr<const SolvedColumn>& solved,
                                               const SuccessiveOrders& orders, const GaussNodes& nodes,
                                               const GroundModes& ground, std::span<const GroundLight> down,
-                                              double tolerance);
+                                              double back, double tolerance);
 
 /// Irradiances of level surfaces from the radiances of mode 0 at nodes; no direct ones.
 FluxProfile diffuse_fluxes(const ScatteringColumn& column, const GaussNodes& nodes,

@@ -200,6 +200,11 @@ RoundEarthLight::RoundEarthLight(const ScatteringColumn& whole) {
   fineness.longest_km = kLongest_km;
   if (low > 0.0) add({column, {true, true}, angle_rad_, own, fineness}, low);
   own_over_.resize(brighter_rad_.size());
+  std::vector<double> flux, flat_flux;
+  for (std::size_t k = 0; k < log_flux.size(); ++k) {
+    flux.push_back(std::exp(log_flux[k]));
+    flat_flux.push_back(std::exp(flat.log_flux()[k]));
+  }
   for (const double z : column.altitude_km) {
     const auto of_flat = [&](const std::vector<double>& values) {
       return between(flat.altitude_km(), z, suns, values.data() + last);
@@ -217,8 +222,9 @@ RoundEarthLight::RoundEarthLight(const ScatteringColumn& whole) {
       up_.push_back(directed * (of_shells(up) - flat_up));
       sunward_.push_back(directed * (of_shells(sunward) - flat_sunward));
     }
-    flux_ratio_.push_back(std::exp(between(flat.altitude_km(), z, 1, log_flux.data()) -
-                                   between(flat.altitude_km(), z, 1, flat.log_flux().data())));
+    // Fluxes between altitudes, not their ratio: that of the little light above haze or cloud says nothing of what is within.
+    flux_ratio_.push_back(between(flat.altitude_km(), z, 1, flux.data()) /
+                          between(flat.altitude_km(), z, 1, flat_flux.data()));
   }
 }
 

@@ -14,8 +14,9 @@ namespace {
 constexpr double kBeyond_rad = 9.0 * math::kDegree, kBeamStep_rad = 0.25 * math::kDegree,
                  kFineStep_rad = 0.1 * math::kDegree;
 
-/// Aerosol that scatters more than this lies between no two altitudes at which light is kept, but in one layer.
-constexpr double kThickestStep = 0.5;
+/// Aerosol that scatters more than a quarter of all of it, within these bounds, lies between no two altitudes at which light is kept, but
+/// in one layer: what the round Earth takes from light above haze, low over the horizon, it does not take from light within.
+constexpr double kThickestStep = 0.5, kThinnestStep = 0.12, kSteps = 4.0;
 /// Finely: a sixth of all of it, and not more nor less than this.
 constexpr double kFinestStep = 0.03, kCoarsestFineStep = 0.15, kFineSteps = 6.0;
 /// Nor does the upper edge of haze on the ground lie between two, where light changes fast: it scatters so much more below than above.
@@ -63,12 +64,10 @@ void ShellOrders::choose_altitudes(bool finely) {
   const auto density = [&](std::size_t layer) {
     return aerosol(layer) / (boundary[layer] - boundary[layer + 1]);
   };
-  double thickest = kThickestStep;
-  if (finely) {
-    double all = 0.0;
-    for (std::size_t b = 0; b + 1 < boundary.size(); ++b) all += aerosol(b);
-    thickest = std::clamp(all / kFineSteps, kFinestStep, kCoarsestFineStep);
-  }
+  double all = 0.0;
+  for (std::size_t b = 0; b + 1 < boundary.size(); ++b) all += aerosol(b);
+  const double thickest = finely ? std::clamp(all / kFineSteps, kFinestStep, kCoarsestFineStep)
+                                 : std::clamp(all / kSteps, kThinnestStep, kThickestStep);
   const auto differ = [&](std::size_t b) {
     const double above = density(b - 1), below = density(b);
     return std::max(aerosol(b - 1), aerosol(b)) > kThinnestLayer &&
