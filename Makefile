@@ -1,7 +1,7 @@
 # The few commands a user needs; CMake and Ninja do the work.
 #
 #   make          install what is missing, build: leaves the program at build/ifov
-#   make demo     the same, render examples/demo.json, say where its pictures and report are
+#   make demo     the same, render examples/demo.json, say where its pictures and report are (DEMO_FLAGS=...: with options of render)
 #   make test     build and run every test
 #   make python   build the Python package into build/venv (build/venv/bin/python has it)
 #   make docs     make the pages of docs/ a site: build/site/index.html
@@ -38,7 +38,7 @@ program: configure
 	@$(TOOLS) --target ifov
 
 demo: program
-	@$(BUILD)/ifov render examples/demo.json --output $(BUILD)/demo || test $$? -eq 5
+	@$(BUILD)/ifov render examples/demo.json --output $(BUILD)/demo $(DEMO_FLAGS) || test $$? -eq 5
 	@echo "Picture: $(BUILD)/demo/image_quicklook.png"
 	@echo "Report:  $(BUILD)/demo/image_report.html (open it in a browser)"
 

@@ -29,7 +29,7 @@ SHOTS = os.environ.get("IFOV_SCREENSHOTS")
 
 def start_browser(profile):
     options = webdriver.ChromeOptions()
-    for flag in ("--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1440,900", "--force-color-profile=srgb", f"--user-data-dir={profile}",
+    for flag in ("--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1100,760", "--force-color-profile=srgb", f"--user-data-dir={profile}",
                  "--no-first-run", "--disable-background-networking", "--disable-dev-shm-usage"):
         options.add_argument(flag)
     options.binary_location = BROWSER
