@@ -33,10 +33,15 @@ class PixelLimits {
   bool alike() const { return later_ == nullptr; }  ///< pixels of one mean have one limit
   /// As Tolerance::limits(), of a tile's pixel whose own light has these means.
   void of(std::size_t pixel, std::span<const double> mean, std::span<double> limit) {
-    if (later_ == nullptr) return tolerance_.limits(mean, limit);
+    of(pixel, nullptr, 0, mean, limit);
+  }
+  /// The same of one that holds `count` materials (Tolerance::limits_holding).
+  void of(std::size_t pixel, const Abundance* held, std::size_t count, std::span<const double> mean,
+          std::span<double> limit) {
+    if (later_ == nullptr) return tolerance_.limits_holding(held, count, mean, limit);
     whole_.assign(mean.begin(), mean.end());
     later_->join(pixel, whole_);
-    tolerance_.limits(whole_, limit);
+    tolerance_.limits_holding(held, count, whole_, limit);
     for (std::size_t c = 0; c < std::min(later_->columns, limit.size()); ++c) {
       const auto taken = static_cast<double>(later_->half_width[pixel * later_->columns + c]);
       if (taken > 0.0 && std::isfinite(limit[c]))

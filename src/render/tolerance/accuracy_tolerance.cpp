@@ -85,8 +85,28 @@ void AccuracyTolerance::leave_hidden_channels(const std::vector<double>& path_ra
   if (std::find(seen.begin(), seen.end(), 1) != seen.end()) judged_ = std::move(seen);
 }
 
+struct AccuracyTolerance::Held {
+  const sampling::Abundance* materials = nullptr;
+  std::size_t count = 0;  ///< 0: it is not known which
+};
+
+bool AccuracyTolerance::by_material() const {
+  return std::any_of(nodes_.begin(), nodes_.end(),
+                     [](const NodeHalfWidth& node) { return !node.emitted_of.empty(); });
+}
+
 void AccuracyTolerance::limits_beside(std::span<const double> bounds, std::span<const double> mean,
                                       std::span<double> limit) const {
+  limits_of({}, bounds, mean, limit);
+}
+
+void AccuracyTolerance::limits_holding(const sampling::Abundance* held, std::size_t count,
+                                       std::span<const double> mean, std::span<double> limit) const {
+  limits_of({held, count}, {}, mean, limit);
+}
+
+void AccuracyTolerance::limits_of(const Held& held, std::span<const double> bounds,
+                                  std::span<const double> mean, std::span<double> limit) const {
   asked(mean, limit);
   for (std::size_t c = 0; c < judged_columns(limit.size()); ++c) {
     if (std::isinf(limit[c])) continue;  // not judged
@@ -96,8 +116,12 @@ void AccuracyTolerance::limits_beside(std::span<const double> bounds, std::span<
       of_air = c == channel ? air_[c].all_of(mean[c]) : air_[channel].of_polarization(mean[channel]);
     other += of_air;
     if (!bounds.empty()) other += bounds[c];
-    if (!nodes_.empty())
-      other += nodes_[channel].counted(std::abs(mean[channel]), limit[c], nodes_[channel].given_up);
+    if (!nodes_.empty()) {
+      const NodeHalfWidth& node = nodes_[channel];
+      other +=
+          node.counted(std::abs(mean[channel]), limit[c],
+                       std::max(node.given_up, node.emitted - node.emitted_by(held.materials, held.count)));
+    }
     const double of_rays = of_air > limit[c] ? kShareOfAir * of_air : 0.0;
     if (other > 0.0) limit[c] = std::max({joint_->random(limit[c], other), kLeastShare * limit[c], of_rays});
   }

@@ -50,6 +50,10 @@ class AccuracyTolerance final : public sampling::Tolerance {
   void limits(std::span<const double> mean, std::span<double> limit) const override {
     limits_beside({}, mean, limit);
   }
+  /// Solved temperatures of some materials are less certain than those of others.
+  bool by_material() const override;
+  void limits_holding(const sampling::Abundance* held, std::size_t count, std::span<const double> mean,
+                      std::span<double> limit) const override;
   /// The same beside bounds of a pixel's own, by column; empty: none.
   void limits_beside(std::span<const double> bounds, std::span<const double> mean,
                      std::span<double> limit) const;
@@ -66,6 +70,9 @@ class AccuracyTolerance final : public sampling::Tolerance {
   double floor_w_m2_sr_um(int channel) const { return floor_[static_cast<std::size_t>(channel)]; }
 
  private:
+  struct Held;
+  void limits_of(const Held& held, std::span<const double> bounds, std::span<const double> mean,
+                 std::span<double> limit) const;
   std::size_t judged_columns(std::size_t columns) const;
   void ask_degree(std::size_t channel, std::span<const double> mean, std::span<double> limit) const;
   void leave_hidden_channels(const std::vector<double>& path_radiance);
