@@ -10,8 +10,7 @@
 
 namespace ifov::sampling {
 
-/// Light that joins the pixels of a tile when its sampler is done, and is known before it begins: what an error in percent is
-/// asked of holds it. [pixel][column] of the first columns of a field.
+/// Light that joins the pixels of a tile when its sampler is done, and is known before it begins: what an error in percent is asked of holds it. [pixel][column] of the first columns of a field.
 struct LaterLight {
   std::size_t columns = 0;
   std::vector<float> mean, half_width;
@@ -23,8 +22,8 @@ struct LaterLight {
   }
 };
 
-/// What a tolerance leaves to the part of pixels that a sampler finds: limits are those of the whole, and what later light is
-/// uncertain by is taken from them, down to half. An object serves one thread.
+/// What a tolerance leaves to the part of pixels that a sampler finds: limits are those of the whole, and what later light is uncertain by is taken from them, down to half. An object serves one
+/// thread.
 class PixelLimits {
  public:
   /// Keeps references; `later` may be null.

@@ -41,11 +41,11 @@ class HeldMaterials {
 
 }  // namespace
 
-double NodeHalfWidth::emitted_by(const sampling::Abundance* held, std::size_t count) const {
+double emitted_by(const NodeHalfWidth& node, const sampling::Abundance* held, std::size_t count) {
   constexpr double kRounding = 1e-4;
-  if (emitted_of.empty() || count == 0) return emitted;
-  const auto of = [this](const sampling::Abundance& one) {
-    return one.material < emitted_of.size() ? emitted_of[one.material] : emitted;
+  if (node.emitted_of.empty() || count == 0) return node.emitted;
+  const auto of = [&node](const sampling::Abundance& one) {
+    return one.material < node.emitted_of.size() ? node.emitted_of[one.material] : node.emitted;
   };
   double sum = 0.0, known = 0.0, least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < count; ++k) {
@@ -53,7 +53,7 @@ double NodeHalfWidth::emitted_by(const sampling::Abundance* held, std::size_t co
     known += static_cast<double>(held[k].fraction);
   }
   const double rest = std::max(0.0, 1.0 - known);
-  sum += rest * emitted;
+  sum += rest * node.emitted;
   // Where all of a pixel is told, one material has more of it by what others have less: so shares move h by at most the sum of their
   // half-widths times |h - a|, whatever a is.
   const auto moved = [&](double a) {
@@ -65,7 +65,7 @@ double NodeHalfWidth::emitted_by(const sampling::Abundance* held, std::size_t co
   if (rest < kRounding)
     for (std::size_t k = 0; k < count; ++k) least = std::min(least, moved(of(held[k])));
   sum += std::min(least, moved(0.0));
-  return std::isfinite(sum) ? std::min(sum, emitted) : emitted;
+  return std::isfinite(sum) ? std::min(sum, node.emitted) : node.emitted;
 }
 
 void widen(std::span<const NodeHalfWidth> nodes, const AccuracyTolerance* tolerance,
@@ -86,7 +86,7 @@ void widen(std::span<const NodeHalfWidth> nodes, const AccuracyTolerance* tolera
       const std::size_t channel = c % channels;
       const double more = nodes[channel].counted(
           std::abs(mean[channel]), std::isinf(limit[c]) ? 0.0 : limit[c],
-          nodes[channel].emitted - nodes[channel].emitted_by(held.data(), held.size()));
+          nodes[channel].emitted - emitted_by(nodes[channel], held.data(), held.size()));
       tile.add_bound(p * columns + c, more);
       const double ratio = tile.joined(p * columns + c, joint) / limit[c];
       worst = std::max(worst, std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio);

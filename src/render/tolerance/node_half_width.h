@@ -1,12 +1,7 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <vector>
-
-namespace ifov::sampling {
-struct Abundance;
-}
 
 namespace ifov::render {
 
@@ -23,9 +18,6 @@ struct NodeHalfWidth {
       emitted_of{};  ///< of pixels of one alone, by number in scene::TruthMaterials; empty: alike
   double given_up =
       0.0;  ///< of `emitted`, what rays make no room for: of materials that are less certain than is asked for
-
-  /// Of `emitted`, of a pixel that holds `count` materials: each as much as it may have of the pixel; of what is not told the worst.
-  double emitted_by(const sampling::Abundance* held, std::size_t count) const;
 
   double of(double radiance) const { return relative * std::max(radiance, dark) + emitted; }
   /// The same, `less` of it, or 0 where it is negligible beside `asked`.

@@ -29,8 +29,8 @@ constexpr double kLeastUnsettled_k = 0.2;
 constexpr int kSkyPairs = 128;
 constexpr int kForBeside = 3, kMetForBeside = 4, kMostBeside = 5;
 constexpr std::size_t kMostCounted = 4,
-                      kAskedOf = 96;  // points chosen for what is about them, and of how many
-constexpr int kDrawsOfChoice = 24;
+                      kAskedOf = 48;  // points chosen for what is about them, and of how many
+constexpr int kDrawsOfFirst = 6, kDrawsOfChoice = 24;
 constexpr int kRaysBeside = 6, kMoreRaysBeside = 12, kMoreBeyond = 4;
 
 thermal::Stand open_stand(const DocumentOutdoors& about) {
@@ -174,20 +174,22 @@ void add_unsettled(std::vector<Measured>& points, const SolvedMaterial& solved,
 /// Of points that see something a few that it warms or cools most: an image may hold few such, and images are off by most there.
 void add_most_beside(std::vector<Measured>& points, const SolvedMaterial& solved,
                      std::span<const geometry::SurfacePoint* const> found, const exposure::PastScene& past) {
-  const std::size_t asked = std::min(found.size(), kAskedOf);
-  std::vector<double> beside_k;
   exposure::SolvedSurface::Exposure half_lit;
   half_lit.visibility.assign(solved.classes->sunlit_rows(), 0.5);
+  const auto beside_k = [&](std::size_t k, std::uint64_t key, int draws) {
+    half_lit.height_m = past.height_above_ground_m(found[k]->position_m, thermal::kLowestWind_m);
+    return std::abs(solved.surface->beside_k(*found[k], half_lit, key, draws));
+  };
+  // Few rays tell of all which to ask closely.
+  std::vector<std::pair<double, std::size_t>> asked;
+  for (std::size_t k = 0; k < found.size(); ++k) asked.emplace_back(-beside_k(k, k, kDrawsOfFirst), k);
+  std::sort(asked.begin(), asked.end());
+  asked.resize(std::min(asked.size(), kAskedOf));
   double most_k = kLeastUnsettled_k;
-  for (std::size_t k = 0; k < asked; ++k) {
-    const geometry::SurfacePoint& point = *found[k * found.size() / asked];
-    half_lit.height_m = past.height_above_ground_m(point.position_m, thermal::kLowestWind_m);
-    beside_k.push_back(std::abs(solved.surface->beside_k(point, half_lit, k, kDrawsOfChoice)));
-    most_k = std::max(most_k, beside_k.back());
-  }
+  for (auto& [kelvins, k] : asked) most_k = std::max(most_k, kelvins = beside_k(k, ~k, kDrawsOfChoice));
   std::vector<const geometry::SurfacePoint*> most;
-  for (std::size_t k = 0; k < asked; ++k)
-    if (beside_k[k] >= 0.5 * most_k) most.push_back(found[k * found.size() / asked]);
+  for (const auto& [kelvins, k] : asked)
+    if (kelvins >= 0.5 * most_k) most.push_back(found[k]);
   const std::size_t count = std::min(most.size(), kMostCounted);
   for (std::size_t k = 0; k < count; ++k) {
     points.emplace_back(solved, *most[k * most.size() / count]);
