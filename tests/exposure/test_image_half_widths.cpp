@@ -83,10 +83,14 @@ Session hot_yard(const DaysOfJune& weather) {
               "lawn": {{"reflectance": {{"library": "grass, lawn"}}, "temperature": "solved"}},
               "wet": {{"reflectance": 0.1, "temperature": "solved",
                 "thermal": {{"layers": [{{"thickness": "3 mm", "library": "brick"}}], "wetness": 1}}}},
-              "oven": {{"emissivity": 0.95, "temperature": "60 degC"}}}},
+              "oven": {{"emissivity": 0.95, "temperature": "solved",
+                "thermal": {{"layers": [{{"thickness": "0.6 mm", "conductivity": "50 W m-1 K-1", "density": "7800 kg/m3",
+                  "specific_heat": "470 J kg-1 K-1"}}], "back": {{"room": {{"temperature": "45 degC"}}}}, "solar_absorptance": 0.95}}}}}},
             "objects": [{{"plane": {{}}, "material": "lawn"}},
               {{"box": {{"low": ["-6 m", "-1 m", "0 m"], "high": ["6 m", "-0.8 m", "4 m"]}}, "material": "oven"}},
-              {{"box": {{"low": ["-6 m", "1 m", "0 m"], "high": ["6 m", "1.05 m", "4 m"]}}, "material": "wet"}}]}},
+              {{"box": {{"low": ["-6 m", "1 m", "0 m"], "high": ["6 m", "1.05 m", "4 m"]}}, "material": "wet"}},
+              {{"polygon": {{"vertices": [["-6 m", "2 m", "1 m"], ["6 m", "2 m", "1 m"], ["6 m", "5 m", "1.2 m"], ["-6 m", "5 m", "1.2 m"]]}},
+                "material": "wet"}}]}},
           "light": {{"sky": {{"temperature": "255 K"}}}},
           "sensor": {{"camera": {{"orthographic": {{"gsd": "1 m", "pixels": [24, 24]}}}},
             "channels": [{{"name": "thermal", "monochromatic": {{"at": "10 um"}}}}]}},
@@ -210,7 +214,7 @@ TEST(ImageHalfWidths, HoldAFewPixelsThatWhatIsAboutThemMattersMostTo) {
         std::count_if(off_k.begin(), off_k.end(), [&](double k) { return std::abs(k) <= half_width_k; });
     return static_cast<double>(count) / static_cast<double>(off_k.size());
   };
-  EXPECT_GE(held(lawn.half_width_k()), 0.93)
+  EXPECT_GE(held(lawn.half_width_k()), 0.9)  // of what 40 rays scatter by 0.1 K
       << lawn.half_width_k() << " K of " << *std::min_element(off_k.begin(), off_k.end()) << " K";
   // A fault: of points that are spread evenly over the lawn hardly one lies in the strip.
   lawn.most_beside_k = 0.0;
