@@ -16,8 +16,7 @@ struct Ray;
 
 namespace ifov::exposure {
 
-/// What stands about a scene and what stood there before, asked by rays that have their time (seconds after the picture's, 0 or
-/// below). Keeps references to both worlds.
+/// What stands about a scene and what stood there before, asked by rays that have their time (seconds after the picture's, 0 or below). Keeps references to both worlds.
 class PastScene {
  public:
   /// `departed`: what is there at other times than the picture's alone; null: nothing is.
@@ -31,8 +30,7 @@ class PastScene {
   /// Whether something is not as it is now at some time between these.
   bool is_otherwise_within(double low_s, double high_s) const;
 
-  /// The lowest surface at a place that faces up, or what lies in the place of a foundation: by a ray from below that passes what faces
-  /// down. Nothing where it meets none below a height.
+  /// The lowest surface at a place that faces up, or what lies in the place of a foundation: by a ray from below that passes what faces down. Nothing where it meets none below a height.
   std::optional<double> ground_m(double x_m, double y_m, double below_m) const;
   /// How high a place is above that. 0 where that is no more than `least_m`, or nothing is there.
   double height_above_ground_m(math::Point3 place_m, double least_m) const;

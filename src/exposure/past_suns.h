@@ -11,9 +11,8 @@
 
 namespace ifov::exposure {
 
-/// Where rays to the Sun of past times go: sets of one in each bin of the past, of which a point draws two. The sets together have
-/// kSets times of each bin, spread evenly by its density, each with a place of the Sun's disc as it stood then: what is seen until
-/// some moment of a bin, and hidden from then on, is off by half of one in the mean. Which go together is by chance.
+/// Where rays to the Sun of past times go: sets of one in each bin of the past, of which a point draws two. The sets together have kSets times of each bin, spread evenly by its density, each with
+/// a place of the Sun's disc as it stood then: what is seen until some moment of a bin, and hidden from then on, is off by half of one in the mean. Which go together is by chance.
 class PastSuns {
  public:
   static constexpr std::size_t kSets = 1024;

@@ -8,8 +8,7 @@
 
 namespace ifov::exposure {
 
-/// Which rays tell of a point's temperature: by what they may bring in kelvins, and by how much light it is asked for. Without bias however
-/// many they are.
+/// Which rays tell of a point's temperature: by what they may bring in kelvins, and by how much light it is asked for. Without bias however many they are.
 struct PointRays {
   static constexpr int kSunPairs = 5, kSkyPairs = 2;  ///< at most
   static constexpr double kChanceBehind = 1.0 / 3.0;
@@ -34,8 +33,7 @@ struct PointRays {
   static constexpr double kLeastAsked = 0.25;
 };
 
-/// A temperature for a small share of the light, which is asked for by chance alone, and else taken for some other one: what light it is
-/// more than that one's counts by the inverse of the chance.
+/// A temperature for a small share of the light, which is asked for by chance alone, and else taken for some other one: what light it is more than that one's counts by the inverse of the chance.
 class AskedByChance {
  public:
   AskedByChance(const thermal::SurfaceClasses& classes, double share);

@@ -15,24 +15,22 @@ class ExposedPoint;
 class Neighbours;
 struct PointRays;
 
-/// The temperature of points of one material: its classes (thermal/surface_classes.h) by the point's own direction, the share
-/// of the sky that is free over it, and its own visibility of the Sun in the past, both asked by rays. 2 kSunPairs of these
-/// go to where the Sun stood, two in each stratum of the sum over w_k, so that the sum is estimated without bias; the two
-/// tell how uncertain that is. Where things came and went, rays meet what stood there at their time; those to the sky are then
-/// sent twice, now and at a time of the past by the size of s_k, and what they differ by counts with s_k.
+/// The temperature of points of one material: its classes (thermal/surface_classes.h) by the point's own direction, the share of the sky that is free over it, and its own visibility of the Sun in
+/// the past, both asked by rays. 2 kSunPairs of these go to where the Sun stood, two in each stratum of the sum over w_k, so that the sum is estimated without bias; the two tell how uncertain
+/// that is. Where things came and went, rays meet what stood there at their time; those to the sky are then sent twice, now and at a time of the past by the size of s_k, and what they differ by
+/// counts with s_k.
 class SolvedSurface final : public scene::SolvedTemperature {
  public:
   static constexpr int kSunPairs = 5, kSkyPairs = 2;  ///< at most
 
-  /// What an image spends on the temperature of a point that it sees: pairs of rays to the Sun at most, and the chance by which is asked what
-  /// is about it, else taken to warm it by `beside_k`. Without bias whatever they are, as long as they do not depend on what rays say.
+  /// What an image spends on the temperature of a point that it sees: pairs of rays to the Sun at most, and the chance by which is asked what is about it, else taken to warm it by `beside_k`.
+  /// Without bias whatever they are, as long as they do not depend on what rays say.
   struct Spent {
     int sun_pairs = kSunPairs;
     double chance_beside = 1.0, beside_k = 0.0;
   };
 
-  /// Keeps the references to the scene. `sun_radius_rad`: of the Sun's disc. Where things come and go, the classes have a
-  /// `past_sky`.
+  /// Keeps the references to the scene. `sun_radius_rad`: of the Sun's disc. Where things come and go, the classes have a `past_sky`.
   SolvedSurface(std::shared_ptr<const thermal::SurfaceClasses> classes, PastScene scene,
                 double sun_radius_rad, std::shared_ptr<const Neighbours> neighbours = nullptr);
   /// The same at another cost in images.
@@ -55,8 +53,8 @@ class SolvedSurface final : public scene::SolvedTemperature {
   /// With `sky_pairs` pairs of rays to the sky and `sun_rays` to each of the Sun's places.
   Exposure exposure(const geometry::SurfacePoint& point, std::uint64_t key, int sky_pairs,
                     int sun_rays) const;
-  /// How little a point's past is like that of a surface always in the Sun or never, by a look at some of the Sun's places: what the rise
-  /// in the Sun is worth, times V (1 - V). And how much of it, and of the sky, is otherwise for what came or went. Kelvins.
+  /// How little a point's past is like that of a surface always in the Sun or never, by a look at some of the Sun's places: what the rise in the Sun is worth, times V (1 - V). And how much of it,
+  /// and of the sky, is otherwise for what came or went. Kelvins.
   struct Unsettled {
     double mixed_k = 0.0, changed_k = 0.0;
   };
@@ -66,8 +64,7 @@ class SolvedSurface final : public scene::SolvedTemperature {
   /// The same sum as at(), of all of it.
   double temperature_k(const geometry::SurfacePoint& point, const Exposure& exposure) const;
 
-  /// By how much what is about a point warms it, beyond level ground: mean of what at() takes for it over some draws, with so many surfaces
-  /// further behind. 0 without neighbours.
+  /// By how much what is about a point warms it, beyond level ground: mean of what at() takes for it over some draws, with so many surfaces further behind. 0 without neighbours.
   double beside_k(const geometry::SurfacePoint& point, const Exposure& exposure, std::uint64_t key, int draws,
                   int further = 0) const;
   /// What the Sun was worth to a point of what it is worth where it is always seen.
@@ -94,8 +91,8 @@ class SolvedSurface final : public scene::SolvedTemperature {
     double time_s = 0.0;
   };
   PastRay toward_sun(std::size_t row, std::uint64_t key) const;
-  /// What the sky was to a point at other times than now, beyond what it is: an estimate by the same directions, and the pairs'
-  /// variance of both together. `is_free`: which are now; `of_sky_k`: what all of them are worth.
+  /// What the sky was to a point at other times than now, beyond what it is: an estimate by the same directions, and the pairs' variance of both together. `is_free`: which are now; `of_sky_k`:
+  /// what all of them are worth.
   struct PastSky {
     /// Without the Sun, and by what it changes with half of u; where the sky was freer than now, twice that.
     double in_shade_k = 0.0, of_sun_k = 0.0;
@@ -107,8 +104,7 @@ class SolvedSurface final : public scene::SolvedTemperature {
   std::vector<double> past_free_sky(const ExposedPoint& exposed,
                                     std::span<const math::Vec3> directions) const;
 
-  /// By what the scene's surfaces warm a point in place of level ground, in shade and by what always Sun adds: by ray to the sky, 0 where that
-  /// is free, then of a pair to below the horizon.
+  /// By what the scene's surfaces warm a point in place of level ground, in shade and by what always Sun adds: by ray to the sky, 0 where that is free, then of a pair to below the horizon.
   struct Beside {
     std::array<double, 2 * kSkyPairs + 2> in_shade_k{}, of_sun_k{};
     double kelvin(std::size_t ray, double sun_share) const {

@@ -19,14 +19,14 @@ namespace ifov::exposure {
 class PastSuns;
 struct PointRays;
 
-/// The temperatures of points at several times of one scene in which nothing came or went. Rays to where the Sun stood are asked
-/// once for all: two to each bin of the past (thermal/times/classes_of_times.h), at a time that is drawn within it (PastSuns). Where both see the same
-/// of the Sun the bin's whole w_k counts by it; where they do not, each tells how far w_k at its time is off the bin's mean,
+/// The temperatures of points at several times of one scene in which nothing came or went. Rays to where the Sun stood are asked once for all: two to each bin of the past
+/// (thermal/times/classes_of_times.h), at a time that is drawn within it (PastSuns). Where both see the same of the Sun the bin's whole w_k counts by it; where they do not, each tells how far w_k
+/// at its time is off the bin's mean,
 ///
 ///   sum of w_k V over the bin = (V_1 + V_2) / 2 W + (f_1 - f_2) (V_1 - V_2) / 2,   variance (V_1 - V_2)^2 ((f_1^2 + f_2^2) - W^2) / 4,
 ///
-/// with W the sum of w_k and f its density over the ray's, both without bias. The sky, and how high a point stands, are the same
-/// at all times. What a ray meets that is not sky was another at each: times that follow each other share a row of the past at which that is asked for.
+/// with W the sum of w_k and f its density over the ray's, both without bias. The sky, and how high a point stands, are the same at all times. What a ray meets that is not sky was another at
+/// each: times that follow each other share a row of the past at which that is asked for.
 class SurfacesOfTimes final : public scene::TemperaturesOfTimes {
  public:
   using ByTime = std::vector<std::shared_ptr<const thermal::SurfaceClasses>>;

@@ -23,8 +23,7 @@ struct FootprintGroup {
   }
 };
 
-/// Responses of pixels that differ from channel to channel. The first group is the reference: what is no channel's own (shares of
-/// materials) holds for its footprint.
+/// Responses of pixels that differ from channel to channel. The first group is the reference: what is no channel's own (shares of materials) holds for its footprint.
 class FootprintGroups {
  public:
   /// `group_of_channel`: one number for each channel. Errors: std::invalid_argument where a channel has no group, or there is none.
@@ -42,8 +41,7 @@ class FootprintGroups {
   bool by_column() const { return by_column_; }
   /// The mean of all about the pixel's centre, in all columns, as a table; points drawn from it are weighed by importance().
   const PixelFootprint& mixture() const { return tables_.back(); }
-  /// A group's density over the mixture's, at this place from the centre of a pixel in a column of the image: 1 on average over the
-  /// mixture, as far as tables know it.
+  /// A group's density over the mixture's, at this place from the centre of a pixel in a column of the image: 1 on average over the mixture, as far as tables know it.
   double importance(std::size_t group, int column, double dx_px, double dy_px) const;
 
  private:

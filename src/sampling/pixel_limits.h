@@ -10,8 +10,7 @@
 
 namespace ifov::sampling {
 
-/// Light that joins the pixels of a tile when its sampler is done, and is known before it begins: what an error in percent is
-/// asked of holds it. [pixel][column] of the first columns of a field.
+/// Light that joins the pixels of a tile when its sampler is done, and is known before it begins: what an error in percent is asked of holds it. [pixel][column] of the first columns of a field.
 struct LaterLight {
   std::size_t columns = 0;
   std::vector<float> mean, half_width;
@@ -23,8 +22,8 @@ struct LaterLight {
   }
 };
 
-/// What a tolerance leaves to the part of pixels that a sampler finds: limits are those of the whole, and what later light is
-/// uncertain by is taken from them, down to half. An object serves one thread.
+/// What a tolerance leaves to the part of pixels that a sampler finds: limits are those of the whole, and what later light is uncertain by is taken from them, down to half. An object serves one
+/// thread.
 class PixelLimits {
  public:
   /// Keeps references; `later` may be null.
@@ -33,10 +32,15 @@ class PixelLimits {
   bool alike() const { return later_ == nullptr; }  ///< pixels of one mean have one limit
   /// As Tolerance::limits(), of a tile's pixel whose own light has these means.
   void of(std::size_t pixel, std::span<const double> mean, std::span<double> limit) {
-    if (later_ == nullptr) return tolerance_.limits(mean, limit);
+    of(pixel, nullptr, 0, mean, limit);
+  }
+  /// The same of one that holds `count` materials (Tolerance::limits_holding).
+  void of(std::size_t pixel, const Abundance* held, std::size_t count, std::span<const double> mean,
+          std::span<double> limit) {
+    if (later_ == nullptr) return tolerance_.limits_holding(held, count, mean, limit);
     whole_.assign(mean.begin(), mean.end());
     later_->join(pixel, whole_);
-    tolerance_.limits(whole_, limit);
+    tolerance_.limits_holding(held, count, whole_, limit);
     for (std::size_t c = 0; c < std::min(later_->columns, limit.size()); ++c) {
       const auto taken = static_cast<double>(later_->half_width[pixel * later_->columns + c]);
       if (taken > 0.0 && std::isfinite(limit[c]))

@@ -34,35 +34,31 @@ struct Pose {
   double height_m;
 };
 
-/// The temperature at the end of a series of surfaces of one material, however they stand, by how much of the sky is free
-/// and when the Sun was. For directions over a grid, with the sky free and hidden, the whole nonlinear problem is solved always
-/// sunlit (T_1), always shaded (T_0), and at the shares of the Sun 1/2 -+ 1/sqrt(12), each with its kernel (linear_kernel.h), K_1, K_0, K_- and K_+;
-/// between them
+/// The temperature at the end of a series of surfaces of one material, however they stand, by how much of the sky is free and when the Sun was. For directions over a grid, with the sky free and
+/// hidden, the whole nonlinear problem is solved always sunlit (T_1), always shaded (T_0), and at the shares of the Sun 1/2 -+ 1/sqrt(12), each with its kernel (linear_kernel.h), K_1, K_0, K_-
+/// and K_+; between them
 ///
 ///   T = T_0 + sum over t_k of w_k V(t_k),   w_k = r K(t_k) alpha E(t_k) cos theta_k,   K = (K_- + K_+) / 2 + c (K_1 - K_0),
 ///
-/// with E the Sun's irradiance across its beam and cos theta_k to its place then, of the surface's own direction. The mean of K_- and K_+ is that
-/// from shade to Sun to third order; about the shade itself the kernel may have a cusp, where the surface is as warm as the air. c is so that T is right where the
-/// visibility V of the Sun is 1 throughout: between the two histories the kernel does not change evenly, and what it changes by is little for the last
-/// minutes and much for yesterday. c stays within 1/2; what that leaves r takes, T_1 - T_0 over the sum. A surface that is warm loses
-/// more of the next watt than a cold one. Two gains of the past weaken each other by what the later of them has lost since, so that to
-/// second order, over all pairs of times,
+/// with E the Sun's irradiance across its beam and cos theta_k to its place then, of the surface's own direction. The mean of K_- and K_+ is that from shade to Sun to third order; about the shade
+/// itself the kernel may have a cusp, where the surface is as warm as the air. c is so that T is right where the visibility V of the Sun is 1 throughout: between the two histories the kernel does
+/// not change evenly, and what it changes by is little for the last minutes and much for yesterday. c stays within 1/2; what that leaves r takes, T_1 - T_0 over the sum. A surface that is warm
+/// loses more of the next watt than a cold one. Two gains of the past weaken each other by what the later of them has lost since, so that to second order, over all pairs of times,
 ///
 ///   T = T_0 + sum w_k V(t_k) - sum over j, k of q / 2 w_j w_k V(t_j) (1 - V(t_k)),   b_k = (1 + 2 c) (K_1 - K_0) / K,
 ///
-/// with q of the later time. That the kernel is K_1 where V is 1 throughout, and K_0 where it is 0, tells q: with p the sum of the w
-/// after a time and W that of all, b = q (W - p) + the integral of q over p, hence dq/dp = (db/dp) / (W - p).
+/// with q of the later time. That the kernel is K_1 where V is 1 throughout, and K_0 where it is 0, tells q: with p the sum of the w after a time and W that of all, b = q (W - p) + the integral
+/// of q over p, hence dq/dp = (db/dp) / (W - p).
 ///
-/// T_0, the kernels and r are bilinear between directions and linear in the free share of the sky. All are linear between levels
-/// of wind (WindLevels), of which there is one unless surfaces stand higher than kLowestWind_m.
+/// T_0, the kernels and r are bilinear between directions and linear in the free share of the sky. All are linear between levels of wind (WindLevels), of which there is one unless surfaces stand
+/// higher than kLowestWind_m.
 ///
-/// Where that share f was otherwise at times than it is now, with what a free sky is worth g (SurfaceBalance::of_free_sky_w_m2) and
-/// its share F of the view of a surface in the open, the temperature changes by the sum over all rows of
+/// Where that share f was otherwise at times than it is now, with what a free sky is worth g (SurfaceBalance::of_free_sky_w_m2) and its share F of the view of a surface in the open, the
+/// temperature changes by the sum over all rows of
 ///
 ///   s_k (f(t_k) - f),   s_k = (K_0 + u / 2 (K_1 - K_0)) F g(t_k):
 ///
-/// what hides the sky mostly hides the Sun, so that half of u is what came after. Where the sky was freer than now the Sun was there, too, and all of
-/// u counts.
+/// what hides the sky mostly hides the Sun, so that half of u is what came after. Where the sky was freer than now the Sun was there, too, and all of u counts.
 ///
 /// A direction at a level is solved when first asked for; any number of threads may ask, and what they are told does not depend on it.
 class SurfaceClasses {
@@ -70,9 +66,8 @@ class SurfaceClasses {
   static constexpr double kTiltStep_rad = 0.2617993877991494;     // 15 degrees
   static constexpr double kAzimuthStep_rad = 0.5235987755982988;  // 30 degrees
 
-  /// `past_sky`: whether the s_k will be asked for, which takes the kernel of all rows. `highest_m`: no surface is asked for that
-  /// stands higher above ground. Throws InputError as solve_surface does.
-  /// `neighbours`: whether histories and what the past is worth are kept, by which surfaces warm each other (surface_past.cpp).
+  /// `past_sky`: whether the s_k will be asked for, which takes the kernel of all rows. `highest_m`: no surface is asked for that stands higher above ground. Throws InputError as solve_surface
+  /// does. `neighbours`: whether histories and what the past is worth are kept, by which surfaces warm each other (surface_past.cpp).
   SurfaceClasses(std::shared_ptr<const OutdoorsSeries> series, ClassSurface surface, int threads,
                  bool past_sky = false, double highest_m = 0.0, bool neighbours = false);
 
@@ -122,8 +117,8 @@ class SurfaceClasses {
   std::size_t first_row(const Corners& at) const;
   Shade shaded(const Corners& at, math::Vec3 normal, double free_sky, std::span<double> weight_k) const;
   void bends(const Corners& at, std::span<const double> sum_k, std::span<double> per_pair) const;
-  /// What a free sky is worth (Shade::of_sky_k), how far apart the places of the Sun are that count (0: all in one; about 1: all over a day),
-  /// and what it is worth where it is always seen: about, to know how many rays to send.
+  /// What a free sky is worth (Shade::of_sky_k), how far apart the places of the Sun are that count (0: all in one; about 1: all over a day), and what it is worth where it is always seen: about,
+  /// to know how many rays to send.
   struct AtStake {
     double of_sky_k = 0.0, sun_spread = 0.0, rise_k = 0.0;
   };
@@ -141,16 +136,15 @@ class SurfaceClasses {
   const Outdoors& outdoors(std::size_t row) const { return series_->rows[row]; }
   /// The sunlit row that one of the series is; -1: the Sun did not shine.
   std::int32_t sunlit_row_of(std::size_t row) const { return past_.sunlit[row]; }
-  /// A row of the past, drawn by what a gain there is worth, and kelvins now per W m-2 of gain there over the chance of it: in shade,
-  /// and by what always Sun adds to that.
+  /// A row of the past, drawn by what a gain there is worth, and kelvins now per W m-2 of gain there over the chance of it: in shade, and by what always Sun adds to that.
   struct PastRow {
     std::size_t row = 0;
     double in_shade_k = 0.0, of_sun_k = 0.0;
   };
   /// Three numbers from 0 to 1. Rows of much light are drawn more often.
   PastRow draw_past(const Corners& at, std::array<double, 3> by_chance) const;
-  /// The same at several times, of the classes of one material, with one row for all: drawn as one of the times has it, by the chance that all of them
-  /// give it. `row`: of that time's series, whose number is returned.
+  /// The same at several times, of the classes of one material, with one row for all: drawn as one of the times has it, by the chance that all of them give it. `row`: of that time's series, whose
+  /// number is returned.
   static std::size_t draw_past(std::span<const SurfaceClasses* const> by_time, const Pose& pose,
                                std::array<double, 4> by_chance, std::span<PastRow> found);
   /// Rows before another, drawn by what a gain there is worth to it: as the same time before the series' end is to that.
@@ -164,8 +158,8 @@ class SurfaceClasses {
   Then then(const Corners& at, double free_sky, std::size_t bin) const;
   /// The same throughout the past, a mean of sunlit and shaded.
   double worth_of_all_k(const Corners& at) const;
-  /// Of what a gain throughout the past adds to a surface its square is lost, times this: a warmer surface emits, gives to still air and evaporates
-  /// more than in proportion, so that the next watt is worth less. Per kelvin.
+  /// Of what a gain throughout the past adds to a surface its square is lost, times this: a warmer surface emits, gives to still air and evaporates more than in proportion, so that the next watt
+  /// is worth less. Per kelvin.
   double bend_of_gain(const Corners& at) const;
   double ground_reflectance() const { return surface_.stand.ground_reflectance; }
   FromBeside from_ground(std::size_t row) const { return of_level_ground(outdoors(row), surface_.stand); }
@@ -193,8 +187,7 @@ class SurfaceClasses {
     std::array<std::vector<float>, 2> kernel, difference;  ///< by sunlit row: K, not below 0; K_1 - K_0
     /// By row of the series, of both skies: mean of K_0 and K_1, and K_1 - K_0; empty without `past_sky`.
     std::vector<float> past_kernel, past_difference;
-    /// By bin of the past. Sums of the kernels over the bin, K_0 and K_1 - K_0, and shares of sums of them up to
-    /// it: by what they are worth under the light of the time, and alone.
+    /// By bin of the past. Sums of the kernels over the bin, K_0 and K_1 - K_0, and shares of sums of them up to it: by what they are worth under the light of the time, and alone.
     std::vector<std::array<float, 4>>
         then_k;  ///< shaded, and the rise in the Sun, each with the sky hidden and free
     std::vector<float> worth, worth_of_sun, drawn, lagged;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -95,14 +96,53 @@ TEST_F(NodeBudget, CountsTheMaterialsThatAPixelHolds) {
   EXPECT_NEAR(widened_by({{0, 0, 1.0f, 0.0f}}), 1.0, 1e-6);
   EXPECT_NEAR(widened_by({{0, 1, 1.0f, 0.0f}}), 5.0, 1e-6);
   EXPECT_NEAR(widened_by({{0, 0, 0.75f, 0.0f}, {0, 1, 0.25f, 0.0f}}), 2.0, 1e-6);
-  // As much of the worse one as there may be.
-  EXPECT_NEAR(widened_by({{0, 0, 0.75f, 0.1f}, {0, 1, 0.25f, 0.1f}}), 2.0 + 0.6, 1e-6);
+  // As much of the worse one as there may be, which the other has less of.
+  EXPECT_NEAR(widened_by({{0, 0, 0.75f, 0.1f}, {0, 1, 0.25f, 0.1f}}), 0.65 + 0.35 * 5.0, 1e-6);
+  // Where not all is told, what is uncertain of the one need not be the other's.
+  EXPECT_NEAR(widened_by({{0, 0, 0.6f, 0.1f}, {0, 1, 0.2f, 0.1f}}), 1.6 + 0.6 + 0.2 * 5.0, 1e-6);
   // What is not told of, and what no pixel's materials are told of, is the worst.
   EXPECT_NEAR(widened_by({{0, 0, 0.5f, 0.0f}}), 0.5 + 2.5, 1e-6);
   EXPECT_NEAR(widened_by({}), 5.0, 1e-6);
   EXPECT_NEAR(widened_by({{0, 7, 1.0f, 0.0f}}), 5.0, 1e-6);
   nodes_[0].emitted_of.clear();
   EXPECT_NEAR(widened_by({{0, 0, 1.0f, 0.0f}}), 5.0, 1e-6);
+}
+
+// Shares that are off by as much as they may be, in all ways in which they still make one.
+TEST_F(NodeBudget, HoldsWhateverSharesAPixelHas) {
+  const NodeHalfWidth node{0.0, 0.0, 5.0, {1.0, 2.5, 4.0}};
+  const std::vector<sampling::Abundance> held{{0, 0, 0.4f, 0.2f}, {0, 1, 0.35f, 0.1f}, {0, 2, 0.25f, 0.15f}};
+  double most = 0.0;
+  constexpr int kSteps = 40;
+  for (int i = -kSteps; i <= kSteps; ++i)
+    for (int j = -kSteps; j <= kSteps; ++j) {
+      const double first = 0.2 * i / kSteps, second = 0.1 * j / kSteps, third = -first - second;
+      if (std::abs(third) > 0.15) continue;
+      most = std::max(most, (0.4 + first) * 1.0 + (0.35 + second) * 2.5 + (0.25 + third) * 4.0);
+    }
+  const double told = emitted_by(node, held.data(), held.size());
+  EXPECT_GE(told, most);
+  EXPECT_LE(told, most + 0.2);  // each of them by all that it may be off: 0.45 + 0.25 + 0.6 more
+}
+
+// Rays make room for what a pixel's own materials are uncertain by.
+TEST_F(NodeBudget, LeavesMoreToTheSamplerWhereMaterialsAreCertain) {
+  std::vector<double> mean{60.0, 60.0}, limit(2);
+  nodes_ = {{0.0, 0.0, 2.5, {1.0, 2.5}}, {0.0, 0.0, 2.5, {1.0, 2.5}}};
+  const AccuracyTolerance limits = tolerance(0.05);  // 3
+  const auto random_of = [&](std::vector<sampling::Abundance> held) {
+    limits.limits_holding(held.data(), held.size(), mean, limit);
+    return limit[0];
+  };
+  EXPECT_TRUE(limits.by_material());
+  EXPECT_NEAR(kJoint.half_width(random_of({{0, 0, 1.0f, 0.0f}}), 1.0), 3.0, 1e-12);
+  EXPECT_NEAR(kJoint.half_width(random_of({{0, 0, 0.75f, 0.0f}, {0, 1, 0.25f, 0.0f}}), 1.375), 3.0, 1e-12);
+  const double of_worst = random_of({{0, 1, 1.0f, 0.0f}});
+  limits.limits(mean, limit);
+  EXPECT_DOUBLE_EQ(of_worst, limit[0]);
+  EXPECT_DOUBLE_EQ(random_of({}), limit[0]);  // it is not known which
+  for (NodeHalfWidth& node : nodes_) node.emitted_of.clear();
+  EXPECT_FALSE(tolerance(0.05).by_material());
 }
 
 TEST_F(NodeBudget, PixelsOfATileHaveMaterialsOfTheirOwn) {

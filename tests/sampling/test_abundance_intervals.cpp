@@ -1,6 +1,8 @@
 // Half-widths of abundances: of borders that were traced, and of clutter.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "accuracy_scenes.h"
@@ -86,6 +88,64 @@ TEST(AbundanceIntervals, HoldInClutter) {
     }
   }
   EXPECT_GE(judged.coverage(), 0.95);
+}
+
+/// Pixels may err by 0.1 and by 0.4 more of what they hold of materials from 2 on, where that is asked.
+class LooserByMaterial final : public Tolerance {
+ public:
+  explicit LooserByMaterial(bool asked) : asked_(asked) {}
+  bool by_material() const override { return asked_; }
+  void limits(std::span<const double>, std::span<double> limit) const override {
+    std::fill(limit.begin(), limit.end(), 0.1);
+  }
+  void limits_holding(const Abundance* held, std::size_t count, std::span<const double>,
+                      std::span<double> limit) const override {
+    double loose = 0.0;
+    for (std::size_t k = 0; k < count; ++k)
+      if (held[k].material >= 2) loose += held[k].fraction;
+    std::fill(limit.begin(), limit.end(), 0.1 + 0.4 * loose);
+  }
+  double confidence() const override { return 0.95; }
+
+ private:
+  bool asked_;
+};
+
+// What is less to be known of a pixel for the materials in it takes fewer rays, and no others' are fewer.
+TEST(AbundanceIntervals, LimitsAreThoseOfTheMaterialsHeld) {
+  constexpr int kSide = 6;
+  const auto at = [](double x, double y) {  // clutter of 0 and 1 to the left, of 2 and 3 to the right
+    return (x < 0.5 * kSide ? 0u : 2u) + material_at(x, y) % 2;
+  };
+  const auto samples = [&](bool asked) {
+    ShapeField field([&](double x, double y) { return static_cast<Label>(at(x, y)); },
+                     [](Label l, double, double, int) {
+                       return static_cast<float>(kCold + 2.0 * static_cast<double>(l % 2));
+                     });
+    const LooserByMaterial tolerance(asked);
+    const PixelFootprint footprint = PixelFootprint::box(1.0);
+    const int steering_channels[1] = {0};
+    TileProblem problem;
+    problem.tile = problem.image = {0, 0, kSide, kSide};
+    problem.seed = 3;
+    problem.footprint = &footprint;
+    problem.tolerance = &tolerance;
+    problem.steering_channels = steering_channels;
+    TileResult result;
+    AccuracySampler(AccuracyOptions{}).sample(problem, field, result);
+    std::array<double, 2> sums{};
+    for (std::size_t p = 0; p < kSide * kSide; ++p) {
+      EXPECT_TRUE(result.converged(p)) << p;
+      const bool loose = p % kSide >= kSide / 2;
+      sums[loose] += result.radiance_evaluations[p];
+      EXPECT_LE(result.half_width[p], (asked && loose ? 0.5f : 0.1f) * 1.00001f);
+    }
+    return sums;
+  };
+  const auto told = samples(true), same = samples(false);
+  EXPECT_LT(told[1], 0.4 * told[0]);
+  EXPECT_NEAR(told[0] / same[0], 1.0, 0.05);
+  EXPECT_GT(same[1], 0.7 * same[0]);  // a fault: limits of one for all
 }
 
 }  // namespace

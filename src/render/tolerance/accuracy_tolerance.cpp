@@ -7,6 +7,7 @@
 
 #include "render/tolerance/channel_brightness.h"
 #include "render/tolerance/degree_limits.h"
+#include "render/tolerance/node_budget.h"
 #include "sampling/intervals/bounded_error.h"
 
 namespace ifov::render {
@@ -85,8 +86,19 @@ void AccuracyTolerance::leave_hidden_channels(const std::vector<double>& path_ra
   if (std::find(seen.begin(), seen.end(), 1) != seen.end()) judged_ = std::move(seen);
 }
 
+bool AccuracyTolerance::by_material() const {
+  return std::any_of(nodes_.begin(), nodes_.end(),
+                     [](const NodeHalfWidth& node) { return !node.emitted_of.empty(); });
+}
+
+void AccuracyTolerance::limits_holding(const sampling::Abundance* held, std::size_t count,
+                                       std::span<const double> mean, std::span<double> limit) const {
+  limits_beside({}, mean, limit, held, count);
+}
+
 void AccuracyTolerance::limits_beside(std::span<const double> bounds, std::span<const double> mean,
-                                      std::span<double> limit) const {
+                                      std::span<double> limit, const sampling::Abundance* held,
+                                      std::size_t count) const {
   asked(mean, limit);
   for (std::size_t c = 0; c < judged_columns(limit.size()); ++c) {
     if (std::isinf(limit[c])) continue;  // not judged
@@ -96,8 +108,11 @@ void AccuracyTolerance::limits_beside(std::span<const double> bounds, std::span<
       of_air = c == channel ? air_[c].all_of(mean[c]) : air_[channel].of_polarization(mean[channel]);
     other += of_air;
     if (!bounds.empty()) other += bounds[c];
-    if (!nodes_.empty())
-      other += nodes_[channel].counted(std::abs(mean[channel]), limit[c], nodes_[channel].given_up);
+    if (!nodes_.empty()) {
+      const NodeHalfWidth& node = nodes_[channel];
+      other += node.counted(std::abs(mean[channel]), limit[c],
+                            std::max(node.given_up, node.emitted - emitted_by(node, held, count)));
+    }
     const double of_rays = of_air > limit[c] ? kShareOfAir * of_air : 0.0;
     if (other > 0.0) limit[c] = std::max({joint_->random(limit[c], other), kLeastShare * limit[c], of_rays});
   }

@@ -2,8 +2,7 @@
 
 namespace ifov::render {
 
-/// How far a channel's radiance may be off because of how the air was computed: the same for every path and
-/// every ray, so no number of rays makes it smaller. W m-2 sr-1 um-1.
+/// How far a channel's radiance may be off because of how the air was computed: the same for every path and every ray, so no number of rays makes it smaller. W m-2 sr-1 um-1.
 struct AtmosphereHalfWidth {
   double path = 0.0;           ///< of the light that the path adds
   double surface = 0.0;        ///< of light from surfaces, relative
@@ -15,8 +14,7 @@ struct AtmosphereHalfWidth {
   double nodes_path = 0.0, nodes_surface = 0.0,
          nodes_sky = 0.0;  ///< what of the first three the few spectral nodes make
 
-  /// How far Q and U of the path, and of the sky that surfaces reflect, may be off beside that, in parts of the
-  /// radiance (docs/theory/polarization.md).
+  /// How far Q and U of the path, and of the sky that surfaces reflect, may be off beside that, in parts of the radiance (docs/theory/polarization.md).
   double polarization_path = 0.0, polarization_sky = 0.0;
 
   /// Of Q, U or V of light of this radiance; `before` as below.

@@ -8,9 +8,8 @@ class SpectralNodes;
 
 namespace ifov::render {
 
-/// Brightness temperature of each channel: the temperature at which a black body gives the channel's radiance,
-/// and the slope dL/dT there, from a table of channel-integrated Planck radiances (1 K steps, 100 K to 1500 K,
-/// interpolated in ln L over 1/T, where Planck's law is nearly straight).
+/// Brightness temperature of each channel: the temperature at which a black body gives the channel's radiance, and the slope dL/dT there, from a table of channel-integrated Planck radiances (1 K
+/// steps, 100 K to 1500 K, interpolated in ln L over 1/T, where Planck's law is nearly straight).
 class ChannelBrightness {
  public:
   explicit ChannelBrightness(const radiometry::SpectralNodes& nodes);

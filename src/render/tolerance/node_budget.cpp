@@ -39,21 +39,34 @@ class HeldMaterials {
   std::size_t next_ = 0;
 };
 
-/// Of the materials of a pixel, each with as much of it as it may have; of what nothing is known the worst.
-double emitted_by(const NodeHalfWidth& node, std::span<const sampling::Abundance> held) {
-  if (node.emitted_of.empty()) return node.emitted;
-  double sum = 0.0, known = 0.0;
-  for (const sampling::Abundance& one : held) {
-    if (one.material >= node.emitted_of.size()) continue;
-    sum += (static_cast<double>(one.fraction) + static_cast<double>(one.half_width)) *
-           node.emitted_of[one.material];
-    known += static_cast<double>(one.fraction);
+}  // namespace
+
+double emitted_by(const NodeHalfWidth& node, const sampling::Abundance* held, std::size_t count) {
+  constexpr double kRounding = 1e-4;
+  if (node.emitted_of.empty() || count == 0) return node.emitted;
+  const auto of = [&node](const sampling::Abundance& one) {
+    return one.material < node.emitted_of.size() ? node.emitted_of[one.material] : node.emitted;
+  };
+  double sum = 0.0, known = 0.0, least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < count; ++k) {
+    sum += static_cast<double>(held[k].fraction) * of(held[k]);
+    known += static_cast<double>(held[k].fraction);
   }
-  sum += std::max(0.0, 1.0 - known) * node.emitted;
+  const double rest = std::max(0.0, 1.0 - known);
+  sum += rest * node.emitted;
+  // Where all of a pixel is told, one material has more of it by what others have less: so shares move h by at most the sum of their
+  // half-widths times |h - a|, whatever a is.
+  const auto moved = [&](double a) {
+    double by = 0.0;
+    for (std::size_t k = 0; k < count; ++k)
+      by += static_cast<double>(held[k].half_width) * std::abs(of(held[k]) - a);
+    return by;
+  };
+  if (rest < kRounding)
+    for (std::size_t k = 0; k < count; ++k) least = std::min(least, moved(of(held[k])));
+  sum += std::min(least, moved(0.0));
   return std::isfinite(sum) ? std::min(sum, node.emitted) : node.emitted;
 }
-
-}  // namespace
 
 void widen(std::span<const NodeHalfWidth> nodes, const AccuracyTolerance* tolerance,
            sampling::TileResult& tile) {
@@ -71,9 +84,9 @@ void widen(std::span<const NodeHalfWidth> nodes, const AccuracyTolerance* tolera
     bool wider = false;
     for (std::size_t c = 0; c < columns; ++c) {
       const std::size_t channel = c % channels;
-      const double more =
-          nodes[channel].counted(std::abs(mean[channel]), std::isinf(limit[c]) ? 0.0 : limit[c],
-                                 nodes[channel].emitted - emitted_by(nodes[channel], held));
+      const double more = nodes[channel].counted(
+          std::abs(mean[channel]), std::isinf(limit[c]) ? 0.0 : limit[c],
+          nodes[channel].emitted - emitted_by(nodes[channel], held.data(), held.size()));
       tile.add_bound(p * columns + c, more);
       const double ratio = tile.joined(p * columns + c, joint) / limit[c];
       worst = std::max(worst, std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio);

@@ -7,8 +7,9 @@
 #include "render/tolerance/node_half_width.h"
 
 namespace ifov::sampling {
+struct Abundance;
 struct TileResult;
-}
+}  // namespace ifov::sampling
 namespace ifov::transport {
 class SpectralScene;
 }
@@ -19,6 +20,9 @@ class AccuracyTolerance;
 
 /// By channel, of the errors that the nodes' own checks found.
 std::vector<NodeHalfWidth> node_half_widths(const transport::SpectralScene& scene);
+
+/// Of `emitted`, of a pixel that holds `count` materials: each as much as it may have of the pixel; of what is not told the worst.
+double emitted_by(const NodeHalfWidth& node, const sampling::Abundance* held, std::size_t count);
 
 /// Widens a tile's intervals by what the nodes may be wrong by wherever that is more than NodeHalfWidth::kNegligible of
 /// what was asked for (everywhere, where nothing was), and judges those pixels anew. `tolerance` may be null.

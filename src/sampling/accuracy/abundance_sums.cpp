@@ -13,14 +13,15 @@
 
 namespace ifov::sampling {
 
-void add_abundances(const Radiance& radiance, const LeafIntegrator& integrator, const LabelTable& table,
-                    const Field& field, const std::vector<int>& outputs, double normal, TileResult& result) {
+std::vector<Abundance> abundances_of(const Radiance& radiance, const LeafIntegrator& integrator,
+                                     const LabelTable& table, const Field& field,
+                                     std::span<const int> outputs, std::size_t count, double normal) {
   constexpr std::size_t kReference = 0;  // the group of columns whose footprint shares hold for
   struct Share {
     std::uint32_t material;
     double fraction = 0.0, variance = 0.0;
   };
-  std::vector<SmallVector<Share, 2>> shares(static_cast<std::size_t>(result.tile.count()));
+  std::vector<SmallVector<Share, 2>> shares(count);
   const auto share_of_material = [&](int output, std::uint32_t material) -> Share& {
     for (Share& s : shares[output])
       if (s.material == material) return s;
@@ -38,7 +39,7 @@ void add_abundances(const Radiance& radiance, const LeafIntegrator& integrator, 
       if (model.groups > 1 && integrator.whole_weight(pixel.source, output, kReference) == 0.0) continue;
       if (pixel.cluttered) {
         const double w = integrator.whole_weight(pixel.source, output, kReference),
-                     count = pixel.clutter_count();
+                     values = pixel.clutter_count();
         std::vector<std::pair<std::uint32_t, double>> seen;
         for (const ClutterRound& round : pixel.rounds)
           for (const auto& [material, hits] : round.materials()) {
@@ -51,9 +52,9 @@ void add_abundances(const Radiance& radiance, const LeafIntegrator& integrator, 
           }
         for (const auto& [material, hits] : seen) {
           Share& share = share_of_material(output, material);
-          const double f = hits / count;
+          const double f = hits / values;
           share.fraction += w * f;
-          share.variance += w * w * f * (1.0 - f) / count;
+          share.variance += w * w * f * (1.0 - f) / values;
         }
         continue;
       }
@@ -74,13 +75,15 @@ void add_abundances(const Radiance& radiance, const LeafIntegrator& integrator, 
       }
     }
   }
+  std::vector<Abundance> found;
   for (int o : outputs) {
     std::sort(shares[o].begin(), shares[o].end(),
               [](const Share& a, const Share& b) { return a.material < b.material; });
     for (const Share& s : shares[o])
-      result.abundances.push_back({static_cast<std::uint32_t>(o), s.material, static_cast<float>(s.fraction),
-                                   static_cast<float>(normal * std::sqrt(s.variance))});
+      found.push_back({static_cast<std::uint32_t>(o), s.material, static_cast<float>(s.fraction),
+                       static_cast<float>(normal * std::sqrt(s.variance))});
   }
+  return found;
 }
 
 }  // namespace ifov::sampling

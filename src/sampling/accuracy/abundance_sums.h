@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace ifov::sampling {
@@ -8,11 +10,12 @@ class Field;
 class LabelTable;
 class LeafIntegrator;
 class Radiance;
-struct TileResult;
+struct Abundance;
 
-/// Adds the shares of the materials in these outputs, which a group of source pixels reaches, to the result. Half-widths
-/// are `normal` standard errors.
-void add_abundances(const Radiance& radiance, const LeafIntegrator& integrator, const LabelTable& table,
-                    const Field& field, const std::vector<int>& outputs, double normal, TileResult& result);
+/// The shares of the materials in these outputs, which a group of source pixels reaches, output by output and sorted by material.
+/// Half-widths are `normal` standard errors. `count`: of all outputs.
+std::vector<Abundance> abundances_of(const Radiance& radiance, const LeafIntegrator& integrator,
+                                     const LabelTable& table, const Field& field,
+                                     std::span<const int> outputs, std::size_t count, double normal);
 
 }  // namespace ifov::sampling

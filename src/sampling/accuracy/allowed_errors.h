@@ -28,24 +28,19 @@ class AllowedErrors {
   void take_from_lattice();
   /// Those of contrasts; no column that comes to steer later counts there.
   void set_contrasts();
-  /// The same of all that is in one pixel, whether the lattice has met it or not; true where columns were added, whose
-  /// limits take_from_sums() has to set.
+  /// The same of all that is in one pixel, whether the lattice has met it or not; true where columns were added, whose limits take_from_sums() has to set.
   bool cover(const SourcePixels& traced);
-  /// The lattice may have been in step with what it looked at: limits follow the means that borders tell, of the steering
-  /// columns in all outputs.
+  /// The lattice may have been in step with what it looked at: limits follow the means that borders tell, of the steering columns in all outputs.
   void take_from_sums(OutputIntervals& intervals);
 
   /// 1 over the variance allowed by the lattice's means, by column: 0 where nothing is asked. Valid until the next call.
   std::span<const double> inverse_squares(int source);
 
-  /// Share of a source pixel's allowed variance that borders may take: all of it where every label looks the same
-  /// everywhere.
+  /// Share of a source pixel's allowed variance that borders may take: all of it where every label looks the same everywhere.
   double geometry_share(int source, const LabelSpread& spread) const;
-  /// What borders have in the variance of an output pixel at its worst column, over the square of its allowed standard
-  /// error; `geometry`: their variance by steering column.
+  /// What borders have in the variance of an output pixel at its worst column, over the square of its allowed standard error; `geometry`: their variance by steering column.
   double border_part(int source, const double* geometry) const;
-  /// Variance that borders may leave in a source pixel, in squares of its allowed standard error: more where it counts
-  /// only in part in each output.
+  /// Variance that borders may leave in a source pixel, in squares of its allowed standard error: more where it counts only in part in each output.
   double border_variance(int source, const LabelSpread& spread) const;
 
  private:

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/call_scope.h"
+#include "sampling/accuracy/abundance_sums.h"
 #include "sampling/accuracy/basis/label_table.h"
 #include "sampling/accuracy/radiance/clutter_sums.h"
 #include "sampling/accuracy/radiance/footprint_weights.h"
@@ -15,6 +16,7 @@
 #include "sampling/accuracy/radiance/unseen_values.h"
 #include "sampling/accuracy/weights/leaf_integrator.h"
 #include "sampling/footprint_groups.h"
+#include "sampling/tile.h"
 
 namespace ifov::sampling {
 
@@ -52,15 +54,19 @@ struct OutputIntervals::Leading {
 };
 
 OutputIntervals::OutputIntervals(const Tolerance& tolerance, const LaterLight* later, const LabelTable& table,
-                                 int outputs, const ColumnFootprints& footprints)
+                                 const Field& field, int outputs, const ColumnFootprints& footprints)
     : limits_(tolerance, later),
+      by_material_(tolerance.by_material()),
+      field_(field),
       table_(table),
       footprints_(footprints),
       stopping_(tolerance.confidence()),
       states_(static_cast<std::size_t>(outputs)),
       // Values that weigh unlike are kept, and their paths' replicates tell a variance.
       sums_(states_.size(), !footprints.whole_pixel()),
-      clutter_(std::make_unique<ClutterSums>()) {}
+      clutter_(std::make_unique<ClutterSums>()),
+      first_held_(states_.size(), 0),
+      held_count_(states_.size(), 0) {}
 
 OutputIntervals::~OutputIntervals() = default;
 
@@ -96,6 +102,22 @@ void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& int
         add_traced(radiance, integrator, {pixel, moments, o, g, columns, by_group[g]}, weighed);
   }
   settle_paths(outputs, n);
+  if (by_material_) find_materials(radiance, integrator, outputs);
+}
+
+void OutputIntervals::find_materials(const Radiance& radiance, const LeafIntegrator& integrator,
+                                     std::span<const int> outputs) {
+  held_ = abundances_of(radiance, integrator, table_, field_, outputs, states_.size(), stopping_.normal());
+  std::fill(held_count_.begin(), held_count_.end(), 0);
+  for (std::size_t k = 0; k < held_.size(); ++k) {
+    const std::size_t output = held_[k].pixel;
+    if (held_count_[output]++ == 0) first_held_[output] = k;
+  }
+}
+
+void OutputIntervals::limits(int output, std::span<const double> mean, std::span<double> limit) {
+  const auto of = static_cast<std::size_t>(output);
+  limits_.of(of, held_.data() + first_held_[of], held_count_[of], mean, limit);
 }
 
 /// What a cluttered pixel adds to its outputs.

@@ -18,8 +18,7 @@ class OutputSums {
     Satterthwaite* path;  ///< as if all paths were drawn apart
     /// As replicates of paths differ, else as `path`; null where nothing has replicates.
     Satterthwaite* replicated;
-    /// Sum of weight * standard deviation of one value, for Neyman's allocation; with what values have not met, as if n values
-    /// left 1 / n of it as well.
+    /// Sum of weight * standard deviation of one value, for Neyman's allocation; with what values have not met, as if n values left 1 / n of it as well.
     double *deviation, *deviation_unmet;
     double* gain;      ///< variance of paths over what it would be if all were drawn apart
     double* foretold;  ///< the part of `path` that more values leave as it is: of means taken from maps
@@ -40,8 +39,8 @@ class OutputSums {
       const double apart = path[column].variance();
       return apart > 0.0 ? deviation[column] * deviation[column] / apart : 0.0;
     }
-    /// Leaves in `path` the smaller of what paths drawn apart and what sequences leave. Both are too large rather than too small:
-    /// the one does not know what sequences gain, the other what fine grids do.
+    /// Leaves in `path` the smaller of what paths drawn apart and what sequences leave. Both are too large rather than too small: the one does not know what sequences gain, the other what fine
+    /// grids do.
     void settle_path(std::size_t column, SequenceGain known) const {
       // Few degrees of freedom widen an interval about as a variance larger by 4 / nu would.
       constexpr double kFewest = 4.0, kWidening = 4.0;

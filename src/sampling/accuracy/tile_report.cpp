@@ -37,8 +37,10 @@ void TileReport::add_group(const Radiance& radiance, const LeafIntegrator& integ
                            const std::vector<int>& outputs, OutputIntervals& intervals) {
   add_intervals(outputs, intervals);
   add_reasons(radiance);
-  add_abundances(radiance, integrator, table_, ledger_.field(), outputs, intervals.stopping().normal(),
-                 result_);
+  const std::vector<Abundance> held =
+      abundances_of(radiance, integrator, table_, ledger_.field(), outputs,
+                    static_cast<std::size_t>(result_.tile.count()), intervals.stopping().normal());
+  result_.abundances.insert(result_.abundances.end(), held.begin(), held.end());
 }
 
 void TileReport::add_intervals(const std::vector<int>& outputs, OutputIntervals& intervals) {

@@ -35,7 +35,8 @@ TileWork::TileWork(const TileProblem& problem, Field& field, const AccuracyOptio
       recall_(problem, columns_),
       tracing_(problem, field, options, parts, footprints_, recall_),
       sources_(tracing_.lattice().domain().count()),
-      intervals_(*problem.tolerance, problem.later, tracing_.table(), problem.tile.count(), footprints_),
+      intervals_(*problem.tolerance, problem.later, tracing_.table(), field, problem.tile.count(),
+                 footprints_),
       report_(tracing_.prober(), tracing_.ledger(), tracing_.table(), options.max_samples_per_pixel, result) {
   result.reset(problem.tile, columns_);
   recall_.recall_tests(intervals_.states());

@@ -16,18 +16,22 @@ double student(double points) {
   return sampling::two_sided_student(kConfidence, std::max(points, 1.0));
 }
 
-double with_beside(const TemperatureErrors::OfMaterial& of, double beside_k, int points) {
-  const double of_all_k = student(of.points) * of.rms_k, of_chosen_k = 2.0 * of.unsettled_k,
-               of_beside_k = beside_k > 0.0 ? student(points) * beside_k : 0.0;
+/// Student's t of as many points times their root mean square.
+double held_by(int points, double rms_k) { return points > 0 ? student(points) * rms_k : 0.0; }
+
+double with_beside(const TemperatureErrors::OfMaterial& of, double of_beside_k) {
+  const double of_all_k = student(of.points) * of.rms_k, of_chosen_k = 2.0 * of.unsettled_k;
   return std::hypot(std::max(of_all_k, of_chosen_k), 2.0 * of.step_k, of_beside_k) + of.ground_k;
 }
 
 }  // namespace
 
-double TemperatureErrors::OfMaterial::half_width_k() const { return with_beside(*this, beside_k, beside); }
+double TemperatureErrors::OfMaterial::half_width_k() const {
+  return with_beside(*this, std::max(held_by(beside, beside_k), held_by(most_beside, most_beside_k)));
+}
 
 double TemperatureErrors::OfMaterial::whole_half_width_k() const {
-  return std::max(half_width_k(), with_beside(*this, met_beside_k, met_beside));
+  return std::max(half_width_k(), with_beside(*this, held_by(met_beside, met_beside_k)));
 }
 
 double TemperatureErrors::half_width_k() const {

@@ -6,23 +6,22 @@
 
 namespace ifov::session {
 
-/// What solved temperatures may be off by, beside what rays into the past do not tell: measured at points that the camera
-/// sees, and at some made up of materials that it hardly sees, each solved in full by itself against what its class makes of
-/// the same exposure. Kelvins.
+/// What solved temperatures may be off by, beside what rays into the past do not tell: measured at points that the camera sees, and at some made up of materials that it hardly sees, each solved
+/// in full by itself against what its class makes of the same exposure. Kelvins.
 struct TemperatureErrors {
   struct OfMaterial {
     double points = 0.0, rms_k = 0.0, step_k = 0.0;
     /// Root mean square of points of a past unlike most: half lit, or where things came and went; the larger.
     double unsettled_k = 0.0;
     /// Likewise of what is made of surfaces about points: of those that the camera sees, and that rays meet going on.
-    double beside_k = 0.0, met_beside_k = 0.0;
+    double beside_k = 0.0, met_beside_k = 0.0, most_beside_k = 0.0;  ///< the last: that it matters most to
     double ground_k = 0.0;  ///< largest, of the wind where nothing below faces up and ground lies beside
-    /// Of what two standard deviations hold, 95.45 %: Student's t of as many points times the root mean square, or twice that of those that were
-    /// chosen, and twice the steps'. What the ground makes uncertain comes on top, as it is no matter of chance.
+    /// Of what two standard deviations hold, 95.45 %: Student's t of as many points times the root mean square, or twice that of those that were chosen, and twice the steps'. What the ground
+    /// makes uncertain comes on top, as it is no matter of chance.
     double half_width_k() const;
     double whole_half_width_k() const;  ///< seen or met, the larger
-    int seen = 0, beside = 0,
-        met_beside = 0;  ///< of the points, those seen; more, of `beside_k`, `met_beside_k`
+    /// Of the points, those seen; more, of `beside_k`, `met_beside_k`, `most_beside_k`.
+    int seen = 0, beside = 0, met_beside = 0, most_beside = 0;
   };
   int points = 0, made_up = 0, unsettled = 0;
   bool mirrors = false;              ///< some material is not Lambertian

@@ -15,7 +15,7 @@
 namespace ifov::session {
 namespace {
 
-constexpr int kRays = 6, kRaysBeyond = 2, kSkyPairsOfNeighbour = 8;
+constexpr int kSkyPairsOfNeighbour = 8;
 constexpr int kDrawsOfRay = 48, kDrawsOfPoint = 48, kTriesOfRay = 40;
 constexpr double kLeastOfView = 0.002;  // that is not sky
 constexpr double kLeastHit = 0.025;     // of rays, below which the fewer meet something
@@ -32,7 +32,7 @@ std::vector<thermal::FromBeside> sent_by(const Neighbourhood& about, const geome
   const auto exposure = surface.exposure(hit, key, kSkyPairsOfNeighbour, 1);
   const thermal::SurfaceSolution solution = full_solution(
       solved, about.series, about.stand, surface.normal_at(hit), exposure,
-      depth > 0 ? beside_of(about, hit, exposure, sampling::hash(key, depth), kRaysBeyond, depth - 1)
+      depth > 0 ? beside_of(about, hit, exposure, sampling::hash(key, depth), about.rays_beyond, depth - 1)
                 : std::vector<thermal::FromBeside>());
   const double absorbed = solution.balance.skin().solar_absorptance;
   const double reflected = is_solved ? 1.0 - absorbed : about.stand.ground_reflectance;
@@ -172,7 +172,7 @@ std::vector<thermal::FromBeside> beside_of(const Neighbourhood& about, const geo
 
 BesideOff beside_off(const Neighbourhood& about, const exposure::SolvedSurface& surface,
                      const SolvedMaterial& solved, const geometry::SurfacePoint& point, std::uint64_t key,
-                     const exposure::SolvedSurface::Exposure& exposure, double full_k) {
+                     const exposure::SolvedSurface::Exposure& exposure, double full_k, int rays) {
   constexpr int kDepth = 1;  // of both: what lies further behind is told by further_k
   BesideOff found;
   const math::Vec3 normal = outward_normal(point);
@@ -182,7 +182,7 @@ BesideOff beside_off(const Neighbourhood& about, const exposure::SolvedSurface& 
   const double sun = surface.sun_share(point, exposure);
   for (std::size_t half = 0; half < found.off_k.size(); ++half) {
     const std::uint64_t own = sampling::hash(key, half);
-    const Beside beside = rays_beside(about, point, normal, exposure.free_sky, own, kRays);
+    const Beside beside = rays_beside(about, point, normal, exposure.free_sky, own, rays);
     if (beside.hits.empty()) return found;
     double linear_k = 0.0;
     for (std::size_t k = 0; k < beside.hits.size(); ++k)

@@ -53,17 +53,18 @@ struct Neighbourhood {
   const thermal::OutdoorsSeries& series;
   const thermal::Stand& stand;
   double sun_radius_rad;
+  int rays_beyond = 2;  ///< from each surface that is met
 };
 
-/// What comes to a point from all but the sky, by row of the series: its view of that times the mean of what surfaces send that `rays` meet,
-/// each solved in full by itself, with what comes to it likewise by a few rays `depth` times more. What has a temperature of its own has that,
-/// what has none that of the air, and they reflect as the ground does. Empty where hardly anything but sky is seen.
+/// What comes to a point from all but the sky, by row of the series: its view of that times the mean of what surfaces send that `rays` meet, each solved in full by itself, with what comes to it
+/// likewise by a few rays `depth` times more. What has a temperature of its own has that, what has none that of the air, and they reflect as the ground does. Empty where hardly anything but sky
+/// is seen.
 std::vector<thermal::FromBeside> beside_of(const Neighbourhood& about, const geometry::SurfacePoint& point,
                                            const exposure::SolvedSurface::Exposure& exposure,
                                            std::uint64_t key, int rays, int depth);
 
-/// What images make of the surfaces about a point, against two full solutions with what is about it, each by other rays: two estimates of
-/// by how much they are off. And by how much they would change with one more surface behind those that are met.
+/// What images make of the surfaces about a point, against two full solutions with what is about it, each by `rays` of its own: two estimates of by how much they are off. And by how much they
+/// would change with one more surface behind those that are met.
 struct BesideOff {
   std::array<double, 2> off_k{};
   std::array<double, 2> taken_k{};  ///< of these, what images add: without it they are off by what is left
@@ -71,6 +72,6 @@ struct BesideOff {
 };
 BesideOff beside_off(const Neighbourhood& about, const exposure::SolvedSurface& surface,
                      const SolvedMaterial& solved, const geometry::SurfacePoint& point, std::uint64_t key,
-                     const exposure::SolvedSurface::Exposure& exposure, double full_k);
+                     const exposure::SolvedSurface::Exposure& exposure, double full_k, int rays = 6);
 
 }  // namespace ifov::session

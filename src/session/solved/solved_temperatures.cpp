@@ -27,7 +27,11 @@ constexpr int kAcross = 24;                                // rays along each si
 constexpr std::size_t kMeasured = 64, kLeastMeasured = 8;  // points, of all materials and of each
 constexpr double kLeastUnsettled_k = 0.2;
 constexpr int kSkyPairs = 128;
-constexpr int kForBeside = 3, kMetForBeside = 4;
+constexpr int kForBeside = 3, kMetForBeside = 4, kMostBeside = 5;
+constexpr std::size_t kMostCounted = 4,
+                      kAskedOf = 48;  // points chosen for what is about them, and of how many
+constexpr int kDrawsOfFirst = 6, kDrawsOfChoice = 24;
+constexpr int kRaysBeside = 6, kMoreRaysBeside = 12, kMoreBeyond = 4;
 
 thermal::Stand open_stand(const DocumentOutdoors& about) {
   thermal::Stand stand;
@@ -115,6 +119,8 @@ struct Measured {
   double height_m = 0.0;  ///< above ground
   double off_k = 0.0;
   BesideOff beside;
+  double full_k = 0.0;  ///< without what is about it, as it is exposed; where that is asked
+  exposure::SolvedSurface::Exposure exposure{};
   std::optional<double>
       ground_k;  ///< by what its temperature would be another if the ground were that beside
 };
@@ -165,9 +171,36 @@ void add_unsettled(std::vector<Measured>& points, const SolvedMaterial& solved,
   }
 }
 
-/// Of points of a material a few that see something else than the sky.
+/// Of points that see something a few that it warms or cools most: an image may hold few such, and images are off by most there.
+void add_most_beside(std::vector<Measured>& points, const SolvedMaterial& solved,
+                     std::span<const geometry::SurfacePoint* const> found, const exposure::PastScene& past) {
+  exposure::SolvedSurface::Exposure half_lit;
+  half_lit.visibility.assign(solved.classes->sunlit_rows(), 0.5);
+  const auto beside_k = [&](std::size_t k, std::uint64_t key, int draws) {
+    half_lit.height_m = past.height_above_ground_m(found[k]->position_m, thermal::kLowestWind_m);
+    return std::abs(solved.surface->beside_k(*found[k], half_lit, key, draws));
+  };
+  // Few rays tell of all which to ask closely.
+  std::vector<std::pair<double, std::size_t>> asked;
+  for (std::size_t k = 0; k < found.size(); ++k) asked.emplace_back(-beside_k(k, k, kDrawsOfFirst), k);
+  std::sort(asked.begin(), asked.end());
+  asked.resize(std::min(asked.size(), kAskedOf));
+  double most_k = kLeastUnsettled_k;
+  for (auto& [kelvins, k] : asked) most_k = std::max(most_k, kelvins = beside_k(k, ~k, kDrawsOfChoice));
+  std::vector<const geometry::SurfacePoint*> most;
+  for (const auto& [kelvins, k] : asked)
+    if (kelvins >= 0.5 * most_k) most.push_back(found[k]);
+  const std::size_t count = std::min(most.size(), kMostCounted);
+  for (std::size_t k = 0; k < count; ++k) {
+    points.emplace_back(solved, *most[k * most.size() / count]);
+    points.back().chosen_for = kMostBeside;
+  }
+}
+
+/// Of points of a material a few that see something else than the sky, and of those a few that it matters to most.
 void add_beside(std::vector<Measured>& points, const SolvedMaterial& solved,
-                std::span<const geometry::SurfacePoint* const> seen, int chosen_for) {
+                std::span<const geometry::SurfacePoint* const> seen, const exposure::PastScene& past,
+                int chosen_for) {
   std::vector<const geometry::SurfacePoint*> found;
   for (std::size_t k = 0; k < seen.size(); ++k)
     if (solved.surface->sees_surfaces(*seen[k], k)) found.push_back(seen[k]);
@@ -176,6 +209,7 @@ void add_beside(std::vector<Measured>& points, const SolvedMaterial& solved,
     points.emplace_back(solved, *found[k * found.size() / count]);
     points.back().chosen_for = chosen_for;
   }
+  if (chosen_for == kForBeside) add_most_beside(points, solved, found, past);
 }
 
 using PointsOfMaterials = std::map<std::uint32_t, std::vector<const geometry::SurfacePoint*>>;
@@ -218,10 +252,39 @@ std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor
                                         : past.height_above_ground_m(found[k % found.size()]->position_m,
                                                                      thermal::kLowestWind_m));
     add_unsettled(points, solved, found, past);
-    add_beside(points, solved, found, kForBeside);
-    add_beside(points, solved, met_of_material[material], kMetForBeside);
+    add_beside(points, solved, found, past, kForBeside);
+    add_beside(points, solved, met_of_material[material], past, kMetForBeside);
   }
   return points;
+}
+
+/// Where rays to what is about the points of a material scatter by a good part of what images seem to be off there, more of them tell.
+void ask_again(const Neighbourhood& about, std::span<Measured> points, int threads) {
+  constexpr double kGoodPart = 0.2, kLittle_k2 = 0.0025;
+  std::map<std::pair<const SolvedMaterial*, int>, std::array<double, 3>> of;  // squares, of scatter, points
+  const auto group_of = [](const Measured& point) { return std::pair(point.solved, point.chosen_for); };
+  for (const Measured& point : points) {
+    if (point.chosen_for < kForBeside) continue;
+    auto& [squares_k2, scatter_k2, count] = of[group_of(point)];
+    const auto& [one_k, other_k] = point.beside.off_k;
+    squares_k2 += 0.25 * (one_k + other_k) * (one_k + other_k);
+    scatter_k2 += 0.25 * (one_k - other_k) * (one_k - other_k);
+    ++count;
+  }
+  std::vector<std::size_t> again;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (points[k].chosen_for < kForBeside) continue;
+    const auto& [squares_k2, scatter_k2, count] = of.at(group_of(points[k]));
+    if (scatter_k2 > kGoodPart * squares_k2 && squares_k2 > kLittle_k2 * count) again.push_back(k);
+  }
+  Neighbourhood by_more = about;
+  by_more.rays_beyond = kMoreBeyond;
+  parallel_for(static_cast<std::int64_t>(again.size()), threads, [&](std::int64_t k) {
+    const std::size_t number = again[static_cast<std::size_t>(k)];
+    Measured& point = points[number];
+    point.beside = beside_off(by_more, *point.solved->surface, *point.solved, point.at, number,
+                              point.exposure, point.full_k, kMoreRaysBeside);
+  });
 }
 
 /// What classes make of the points against solutions in full, material by material; of the root mean squares the largest.
@@ -245,14 +308,18 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
     point.off_k = surface.temperature_k(point.at, exposure) - full_k;
     point.height_m = exposure.height_m;
     if (point.made_up) return;
-    if (point.chosen_for >= kForBeside)
-      point.beside = beside_off(about, *point.solved->surface, *point.solved, point.at,
-                                static_cast<std::uint64_t>(k), exposure, full_k);
+    if (point.chosen_for >= kForBeside) {
+      point.beside = beside_off(about, *point.solved->surface, *point.solved, point.at, number, exposure,
+                                full_k, kRaysBeside);
+      point.full_k = full_k;
+      point.exposure = exposure;
+    }
     if (exposure.height_m > 0.0) return;
     exposure.height_m =
         exposure::height_above_ground_beside_m(past, point.at.position_m, thermal::kLowestWind_m);
     if (exposure.height_m > 0.0) point.ground_k = std::abs(full_solution_k() - full_k);
   });
+  ask_again(about, points, threads);
   double worst_half_width_k = 0.0;
   for (const auto& [material, solved] : about.by_material) {
     if (firsts.at(material) != material) {
@@ -260,7 +327,8 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
       continue;
     }
     double sum_k = 0.0, squares_k2 = 0.0, count = 0.0;
-    std::array<std::pair<double, int>, 2> beside{};     // squares, points: that the camera sees, that are met
+    std::array<std::pair<double, int>, 3>
+        beside{};  // squares, points: that the camera sees, that are met, that it matters most to
     std::array<std::pair<double, double>, 2> chosen{};  // squares, points
     for (const Measured& point : points) {
       if (point.solved != &solved) continue;
@@ -299,6 +367,8 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
     own.points = count;
     own.beside = beside[0].second;
     own.beside_k = std::sqrt(beside[0].first / std::max(own.beside, 1));
+    own.most_beside = beside[2].second;
+    own.most_beside_k = std::sqrt(beside[2].first / std::max(own.most_beside, 1));
     own.met_beside = beside[1].second;
     own.met_beside_k = std::sqrt(beside[1].first / std::max(own.met_beside, 1));
     for (const auto& [squares, number] : chosen)

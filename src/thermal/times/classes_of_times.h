@@ -15,9 +15,8 @@ namespace ifov::thermal {
 struct DirectionOfTimes;
 struct NodeOfTimes;
 
-/// The classes of one material at several times, asked together: what the past of a point has in common at all of them. The past is
-/// told by absolute time, in spans between rows of the series; spans make up bins, each of about the same part of what the past
-/// is worth to the times in the mean. Numbers of all times stand side by side, `lanes()` of them.
+/// The classes of one material at several times, asked together: what the past of a point has in common at all of them. The past is told by absolute time, in spans between rows of the series;
+/// spans make up bins, each of about the same part of what the past is worth to the times in the mean. Numbers of all times stand side by side, `lanes()` of them.
 class ClassesOfTimes {
  public:
   /// Rows of all times fall on each other: `serves()`. One or more.

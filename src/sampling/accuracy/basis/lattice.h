@@ -12,9 +12,8 @@ namespace ifov::sampling {
 /// Halvings of a lattice cell: flames of 1e-8 of a pixel are followed. Keys of edges (below) hold no more.
 constexpr int kMaxLevel = 15;
 
-/// The integer-keyed lattice of a tile and its halo. Positions count in fine units of 1 / (cells << kMaxLevel) px from the top left
-/// corner of the domain; a cell of level l is (1 << kMaxLevel) >> l units wide. The image-wide position of a vertex is what its random
-/// numbers are keyed by, so that neighbouring tiles agree about it.
+/// The integer-keyed lattice of a tile and its halo. Positions count in fine units of 1 / (cells << kMaxLevel) px from the top left corner of the domain; a cell of level l is (1 << kMaxLevel) >>
+/// l units wide. The image-wide position of a vertex is what its random numbers are keyed by, so that neighbouring tiles agree about it.
 class Lattice {
  public:
   Lattice(PixelRect domain, int cells_per_pixel)
@@ -101,8 +100,7 @@ class Lattice {
     return (origin + whole) + (fine - whole * units_per_px_) * unit_px_;
   }
 
-  /// fine / units_per_px_ for fine >= 0, by a multiplication: exact while there are fewer than 2^26 root
-  /// cells a side.
+  /// fine / units_per_px_ for fine >= 0, by a multiplication: exact while there are fewer than 2^26 root cells a side.
   std::int32_t whole_px(std::int32_t fine) const {
     const auto root = static_cast<std::uint32_t>(fine) >> kMaxLevel;
     return cells_ == 1 ? static_cast<std::int32_t>(root)

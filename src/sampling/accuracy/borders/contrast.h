@@ -10,10 +10,8 @@
 
 namespace ifov::sampling {
 
-/// What a misplaced border costs: the difference of two labels' radiance in units of the standard error that
-/// the tolerance allows to a pixel, largest over the steering columns. An area of a px^2 put to the wrong label
-/// moves the pixel by a * contrast allowed standard errors. A label's own spread counts as well: what is
-/// wrong about a sliver is its radiance there, not the mean.
+/// What a misplaced border costs: the difference of two labels' radiance in units of the standard error that the tolerance allows to a pixel, largest over the steering columns. An area of a px^2
+/// put to the wrong label moves the pixel by a * contrast allowed standard errors. A label's own spread counts as well: what is wrong about a sliver is its radiance there, not the mean.
 class Contrast {
  public:
   /// `steering` may grow until the first of the limits is set.

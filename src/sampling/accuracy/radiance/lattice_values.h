@@ -8,8 +8,7 @@
 
 namespace ifov::sampling {
 
-/// Labels and values at the lattice's vertices, row by row (Lattice::columns() + 1 in a row), shared by the
-/// pixels around them.
+/// Labels and values at the lattice's vertices, row by row (Lattice::columns() + 1 in a row), shared by the pixels around them.
 struct LatticeValues {
   static constexpr std::uint32_t kMixed = ~std::uint32_t{0};
 
