@@ -72,8 +72,7 @@ class Field {
   virtual void values(std::span<const PathRequest> requests, std::span<Label> labels,
                       std::span<float> values) = 0;
 
-  /// The same where points are taken to show the labels `expected`, which those may be told to that do so as far as their paths tell: where
-  /// a path sees the Sun, to be lit in a penumbra.
+  /// The same where points are taken to show the labels `expected`, which those may be told to that do so as far as their paths tell: where a path sees the Sun, to be lit in a penumbra.
   virtual void values_expecting(std::span<const PathRequest> requests, std::span<const Label> expected,
                                 std::span<Label> labels, std::span<float> values);
 

@@ -75,15 +75,13 @@ class Pattern {
  public:
   virtual ~Pattern() = default;
 
-  /// Rewrites what was resolved so far: splits or replaces constituents, sets their temperatures, tilts the shading
-  /// normal. Leaves it as ResolvedSurface says it must be.
+  /// Rewrites what was resolved so far: splits or replaces constituents, sets their temperatures, tilts the shading normal. Leaves it as ResolvedSurface says it must be.
   virtual void apply(const geometry::SurfacePoint& point, ResolvedSurface& surface) const = 0;
 
   /// Whether constituents of unlike materials (see truth_materials) may come out side by side. Labels do not tell
   /// materials apart on such a surface assignment; abundances are estimated from the weights.
   virtual bool mixes_materials() const { return false; }
-  /// Where it mixes, the materials that it brings in besides those of the surface assignment's own states; empty: any of the
-  /// scene's. Each costs a column of numbers.
+  /// Where it mixes, the materials that it brings in besides those of the surface assignment's own states; empty: any of the scene's. Each costs a column of numbers.
   virtual std::vector<std::uint32_t> mixed_materials() const { return {}; }
 
   /// The states that `apply` puts in the place of a state of the surface assignment, where these may emit or scatter otherwise.
@@ -97,8 +95,7 @@ class Pattern {
 };
 
 /// What covers a part of an object (SurfacePoint::material is an index into Scene::assignments): one state, or a map
-/// of classes draped from above, each with its state. Where a state has a temperature map, that replaces its
-/// temperature. Patterns then apply in their order.
+/// of classes draped from above, each with its state. Where a state has a temperature map, that replaces its temperature. Patterns then apply in their order.
 struct SurfaceAssignment {
   std::vector<std::uint32_t> states;  ///< indices into Scene::states; one, or by class index of the map
   std::shared_ptr<const materials::ClassMap> classes;
@@ -117,8 +114,7 @@ struct SurfaceAssignment {
   std::vector<const materials::NumberedMap*> maps() const;  ///< all, once, in the order given; holes count
 };
 
-/// The immutable assembly of geometry, materials and light. Answers "what is at this point" and "what lights it";
-/// knows nothing of sensors.
+/// The immutable assembly of geometry, materials and light. Answers "what is at this point" and "what lights it"; knows nothing of sensors.
 struct Scene {
   Scene();
   Scene(Scene&&) noexcept;
@@ -164,8 +160,7 @@ struct Scene {
   void solve(const geometry::SurfacePoint& at, std::uint64_t draw, double share, ResolvedSurface& of) const;
 };
 
-/// The materials that truth tells apart: all but those that are further curves of another (Material::curve_of), which
-/// count as that one.
+/// The materials that truth tells apart: all but those that are further curves of another (Material::curve_of), which count as that one.
 struct TruthMaterials {
   std::vector<std::string> names;
   std::vector<std::uint32_t> of_material;  ///< index into `names`, by index into Scene::materials

@@ -13,12 +13,10 @@ namespace ifov::transport {
 class SpectralScene;
 
 /// What sunlight mirrors throw on surfaces, for labels: so that the rims of such light, and the gradients in it, are
-/// found like those of shadows. Of flat mirrors it says which images of which points of the disc are seen, of round
-/// ones how bright all are together, in steps of two.
+/// found like those of shadows. Of flat mirrors it says which images of which points of the disc are seen, of round ones how bright all are together, in steps of two.
 class MirrorLight {
  public:
-  /// Null where no mirror throws the Sun, or nothing is sought by way of mirrors (`reflections` 0). Keeps references to the
-  /// scene and to the Sun's images in its flat mirrors.
+  /// Null where no mirror throws the Sun, or nothing is sought by way of mirrors (`reflections` 0). Keeps references to the scene and to the Sun's images in its flat mirrors.
   static std::unique_ptr<MirrorLight> find(const SpectralScene& scene, const SunImages& images,
                                            int reflections);
   MirrorLight(const MirrorLight&) = delete;

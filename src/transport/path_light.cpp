@@ -2,10 +2,9 @@
 
 #include <cmath>
 #include <cstring>
-#include <numbers>
 
 #include "math/vec3.h"
-#include "scene/scene.h"
+#include "transport/mirrors/sun_disc.h"
 #include "transport/sky/adjacent_ground.h"
 #include "transport/sky/sky_dome.h"
 #include "transport/spectral_scene.h"
@@ -332,18 +331,13 @@ void PathLight::add_sky(const PathRecord::Path& path) {
 }
 
 void PathLight::add_disc(const PathRecord::Path& path) {
-  const math::Vec3 direction = path.escaped_direction;
-  const auto& disc = scene_.scene().sun;
-  if (path.escaped_sees_sun && disc && disc->half_angle_rad > 0.0 && direction.z > 0.0 &&
-      math::length(math::cross(direction, disc->direction)) < std::sin(disc->half_angle_rad) &&
-      math::dot(direction, disc->direction) > 0.0) {
-    const double sine = std::sin(disc->half_angle_rad);
-    const float per_irradiance = static_cast<float>(1.0 / (std::numbers::pi * sine * sine));
-    if (path.first == PathVertex::kNone)
-      spectra::add_scaled(sum_, scene_.sun_irradiance(), per_irradiance, n_);
-    else
-      spectra::add_scaled_product(sum_, spectrum(kThroughput), scene_.sun_irradiance(), per_irradiance, n_);
-  }
+  if (!path.escaped_sees_sun) return;
+  const auto per_irradiance = static_cast<float>(sun_disc_radiance(scene_.scene(), path.escaped_direction));
+  if (!(per_irradiance > 0.0f)) return;
+  if (path.first == PathVertex::kNone)
+    spectra::add_scaled(sum_, scene_.sun_irradiance(), per_irradiance, n_);
+  else
+    spectra::add_scaled_product(sum_, spectrum(kThroughput), scene_.sun_irradiance(), per_irradiance, n_);
 }
 
 }  // namespace ifov::transport

@@ -223,8 +223,7 @@ class PathTracer {
              SurfaceEvent& event) const;
   /// Share of what a path's ray met that is not sought from where it comes from: all or nothing, by the maximum heuristic.
   float unsought(const Path& path, const geometry::SurfacePoint& hit) const;
-  /// The event of light from a direction that reaches a surface geometrically: of irradiance on the shading normal's
-  /// plane, or of radiance, weighed by cosines.
+  /// The event of light from a direction that reaches a surface geometrically: of irradiance on the shading normal's plane, or of radiance, weighed by cosines.
   static LobeEvent arriving(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction,
                             bool transmitted);
   static LobeEvent scattering(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction,

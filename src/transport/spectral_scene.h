@@ -68,15 +68,13 @@ class SpectralScene {
     return materials_.maximum_reflectance(material) + materials_.maximum_transmittance(material);
   }
 
-  /// Whether the spectra of a surface have to be computed: materials side by side, a temperature from a map, or a model or a
-  /// lamp that depends on direction.
+  /// Whether the spectra of a surface have to be computed: materials side by side, a temperature from a map, or a model or a lamp that depends on direction.
   bool is_mixed(const scene::ResolvedSurface& surface) const {
     return surface.count > 1 || surface.constituents[0].mapped_temperature_k > 0.0 ||
            materials_.directional(surface.constituents[0].material) != nullptr ||
            (!patterned_.empty() && patterned_[surface.constituents[0].state] != nullptr);
   }
-  /// What the lamp of a state gives off in its brightest direction, W m-2 sr-1 um-1, and how that depends on the direction;
-  /// null: it has no lamp, it does not.
+  /// What the lamp of a state gives off in its brightest direction, W m-2 sr-1 um-1, and how that depends on the direction; null: it has no lamp, it does not.
   const float* lamp_radiance(std::uint32_t state) const;
   const scene::RadiationPattern* lamp_pattern(std::uint32_t state) const {
     return patterned_.empty() ? nullptr : patterned_[state];
@@ -108,8 +106,7 @@ class SpectralScene {
   /// The ground as the air sees it, place by place; null: as all around. To be set before light is asked for.
   const AdjacentGround* adjacent_ground() const { return adjacent_.get(); }
   void set_adjacent(std::shared_ptr<const AdjacentGround> ground) { adjacent_ = std::move(ground); }
-  /// A table that tells the path's polarization, also where one line of sight holds for all; null where the
-  /// atmosphere's tables are unpolarized.
+  /// A table that tells the path's polarization, also where one line of sight holds for all; null where the atmosphere's tables are unpolarized.
   const ViewTable* polarized_path() const;
 
   /// Null where no surface outshines the others so much that its light has to be sought.
@@ -125,8 +122,7 @@ class SpectralScene {
   /// How much brighter than at the ground the sky is there.
   const float* sky_share(double height_m, float* scratch) const;
 
-  /// By channel: radiance of a level white Lambertian under Sun and sky, through the view path's transmittance, and of one below
-  /// the lamp that lights it most.
+  /// By channel: radiance of a level white Lambertian under Sun and sky, through the view path's transmittance, and of one below the lamp that lights it most.
   std::vector<double> white_reflected() const;
   /// What the path to the sensor adds, by channel, W m-2 sr-1 um-1.
   std::vector<double> path_radiance() const;

@@ -8,8 +8,7 @@ namespace ifov::transport {
 class SeparateImages;
 
 struct TransportOptions {
-  /// Surfaces a path may scatter at: 0 emission and sky only, 1 adds direct sun; negative: no limit, paths end by
-  /// Russian roulette without bias.
+  /// Surfaces a path may scatter at: 0 emission and sky only, 1 adds direct sun; negative: no limit, paths end by Russian roulette without bias.
   int maximum_scatterings = -1;
   /// Whether light is sought from the scene's emitters, if it has any; the mean is the same without.
   bool seek_emitters = true;

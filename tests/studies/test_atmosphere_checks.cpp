@@ -43,8 +43,7 @@ TEST(AtmosphereNodes, StandForAllTerms) {
 
 TEST(AtmosphereNodes, StandForAllTermsOfThermalChannels) {
   std::vector<radiometry::Channel> channels;
-  for (const double um : {4.3, 9.6})
-    channels.push_back(radiometry::Channel::gaussian("", um, 0.05 * um));
+  for (const double um : {4.3, 9.6}) channels.push_back(radiometry::Channel::gaussian("", um, 0.05 * um));
   EXPECT_LE(worst(node_errors(channels, {})), 0.005);
   const std::array faulty{radiometry::Channel::gaussian("", 9.6, 0.48)};
   EXPECT_GT(worst(node_errors(faulty, {.most_nodes = 1})), 0.02);

@@ -5,6 +5,7 @@
 
 #include "math/frame.h"
 #include "sampling/warp.h"
+#include "scene/scene.h"
 
 namespace ifov::transport {
 
@@ -20,6 +21,16 @@ std::vector<math::Vec3> fixed_disc_points(math::Vec3 towards_sun, double half_an
         frame.to_world({sine * std::cos(turn), sine * std::sin(turn), std::sqrt(1.0 - sine * sine)})));
   }
   return points;
+}
+
+double sun_disc_radiance(const scene::Scene& scene, math::Vec3 direction) {
+  const auto& disc = scene.sun;
+  if (!disc || !(disc->half_angle_rad > 0.0) || !(direction.z > 0.0)) return 0.0;
+  const double sine = std::sin(disc->half_angle_rad);
+  if (!(math::length(math::cross(direction, disc->direction)) < sine) ||
+      !(math::dot(direction, disc->direction) > 0.0))
+    return 0.0;
+  return 1.0 / (std::numbers::pi * sine * sine);
 }
 
 }  // namespace ifov::transport

@@ -15,8 +15,7 @@ struct Scene;
 
 namespace ifov::transport {
 
-/// The mirrors of a scene under its Sun: flat ones by their normals, through each of which the Sun has one image, and
-/// whatever else may send sunlight somewhere that no image tells of.
+/// The mirrors of a scene under its Sun: flat ones by their normals, through each of which the Sun has one image, and whatever else may send sunlight somewhere that no image tells of.
 class SunMirrors {
  public:
   static constexpr std::uint32_t kNone = 0xffffffffu;

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "scene/scene.h"
+#include "transport/mirrors/sun_disc.h"
 #include "transport/polarized/lobe_mueller.h"
 #include "transport/sky/adjacent_ground.h"
 #include "transport/sky/sky_dome.h"
@@ -179,15 +178,10 @@ void PolarizedPathLight::start_at_sky(const PathRecord::Path& path, const Polari
 }
 
 void PolarizedPathLight::add_disc(const PathRecord::Path& path) {
-  const Vec3 direction = path.escaped_direction;
-  const auto& disc = scene_.scene().sun;
-  if (path.escaped_sees_sun && disc && disc->half_angle_rad > 0.0 && direction.z > 0.0 &&
-      math::length(math::cross(direction, disc->direction)) < std::sin(disc->half_angle_rad) &&
-      math::dot(direction, disc->direction) > 0.0) {
-    const double sine = std::sin(disc->half_angle_rad);
-    spectra::add_scaled(arriving_.rows[0], scene_.sun_irradiance(),
-                        static_cast<float>(1.0 / (std::numbers::pi * sine * sine)), n_);
-  }
+  if (!path.escaped_sees_sun) return;
+  const auto per_irradiance = static_cast<float>(sun_disc_radiance(scene_.scene(), path.escaped_direction));
+  if (per_irradiance > 0.0f)
+    spectra::add_scaled(arriving_.rows[0], scene_.sun_irradiance(), per_irradiance, n_);
 }
 
 void PolarizedPathLight::leave(const PathRecord& record, const PathVertex& vertex,
