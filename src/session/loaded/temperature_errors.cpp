@@ -27,7 +27,7 @@ double with_beside(const TemperatureErrors::OfMaterial& of, double of_beside_k) 
 }  // namespace
 
 double TemperatureErrors::OfMaterial::half_width_k() const {
-  return with_beside(*this, std::max(held_by(beside, beside_k), held_by(most_beside, most_beside_k)));
+  return with_beside(*this, held_by(beside, beside_k));
 }
 
 double TemperatureErrors::OfMaterial::whole_half_width_k() const {

@@ -14,14 +14,14 @@ struct TemperatureErrors {
     /// Root mean square of points of a past unlike most: half lit, or where things came and went; the larger.
     double unsettled_k = 0.0;
     /// Likewise of what is made of surfaces about points: of those that the camera sees, and that rays meet going on.
-    double beside_k = 0.0, met_beside_k = 0.0, most_beside_k = 0.0;  ///< the last: that it matters most to
+    double beside_k = 0.0, met_beside_k = 0.0;
     double ground_k = 0.0;  ///< largest, of the wind where nothing below faces up and ground lies beside
     /// Of what two standard deviations hold, 95.45 %: Student's t of as many points times the root mean square, or twice that of those that were chosen, and twice the steps'. What the ground
     /// makes uncertain comes on top, as it is no matter of chance.
     double half_width_k() const;
     double whole_half_width_k() const;  ///< seen or met, the larger
-    /// Of the points, those seen; more, of `beside_k`, `met_beside_k`, `most_beside_k`.
-    int seen = 0, beside = 0, met_beside = 0, most_beside = 0;
+    /// Of the points, those seen; more, of `beside_k`, `met_beside_k`.
+    int seen = 0, beside = 0, met_beside = 0;
   };
   int points = 0, made_up = 0, unsettled = 0;
   bool mirrors = false;              ///< some material is not Lambertian

@@ -27,10 +27,7 @@ constexpr int kAcross = 24;                                // rays along each si
 constexpr std::size_t kMeasured = 64, kLeastMeasured = 8;  // points, of all materials and of each
 constexpr double kLeastUnsettled_k = 0.2;
 constexpr int kSkyPairs = 128;
-constexpr int kForBeside = 3, kMetForBeside = 4, kMostBeside = 5;
-constexpr std::size_t kMostCounted = 4,
-                      kAskedOf = 48;  // points chosen for what is about them, and of how many
-constexpr int kDrawsOfFirst = 6, kDrawsOfChoice = 24;
+constexpr int kForBeside = 3, kMetForBeside = 4;
 constexpr int kRaysBeside = 6, kMoreRaysBeside = 12, kMoreBeyond = 4;
 
 thermal::Stand open_stand(const DocumentOutdoors& about) {
@@ -171,36 +168,9 @@ void add_unsettled(std::vector<Measured>& points, const SolvedMaterial& solved,
   }
 }
 
-/// Of points that see something a few that it warms or cools most: an image may hold few such, and images are off by most there.
-void add_most_beside(std::vector<Measured>& points, const SolvedMaterial& solved,
-                     std::span<const geometry::SurfacePoint* const> found, const exposure::PastScene& past) {
-  exposure::SolvedSurface::Exposure half_lit;
-  half_lit.visibility.assign(solved.classes->sunlit_rows(), 0.5);
-  const auto beside_k = [&](std::size_t k, std::uint64_t key, int draws) {
-    half_lit.height_m = past.height_above_ground_m(found[k]->position_m, thermal::kLowestWind_m);
-    return std::abs(solved.surface->beside_k(*found[k], half_lit, key, draws));
-  };
-  // Few rays tell of all which to ask closely.
-  std::vector<std::pair<double, std::size_t>> asked;
-  for (std::size_t k = 0; k < found.size(); ++k) asked.emplace_back(-beside_k(k, k, kDrawsOfFirst), k);
-  std::sort(asked.begin(), asked.end());
-  asked.resize(std::min(asked.size(), kAskedOf));
-  double most_k = kLeastUnsettled_k;
-  for (auto& [kelvins, k] : asked) most_k = std::max(most_k, kelvins = beside_k(k, ~k, kDrawsOfChoice));
-  std::vector<const geometry::SurfacePoint*> most;
-  for (const auto& [kelvins, k] : asked)
-    if (kelvins >= 0.5 * most_k) most.push_back(found[k]);
-  const std::size_t count = std::min(most.size(), kMostCounted);
-  for (std::size_t k = 0; k < count; ++k) {
-    points.emplace_back(solved, *most[k * most.size() / count]);
-    points.back().chosen_for = kMostBeside;
-  }
-}
-
-/// Of points of a material a few that see something else than the sky, and of those a few that it matters to most.
+/// Of points of a material a few that see something else than the sky.
 void add_beside(std::vector<Measured>& points, const SolvedMaterial& solved,
-                std::span<const geometry::SurfacePoint* const> seen, const exposure::PastScene& past,
-                int chosen_for) {
+                std::span<const geometry::SurfacePoint* const> seen, int chosen_for) {
   std::vector<const geometry::SurfacePoint*> found;
   for (std::size_t k = 0; k < seen.size(); ++k)
     if (solved.surface->sees_surfaces(*seen[k], k)) found.push_back(seen[k]);
@@ -209,7 +179,6 @@ void add_beside(std::vector<Measured>& points, const SolvedMaterial& solved,
     points.emplace_back(solved, *found[k * found.size() / count]);
     points.back().chosen_for = chosen_for;
   }
-  if (chosen_for == kForBeside) add_most_beside(points, solved, found, past);
 }
 
 using PointsOfMaterials = std::map<std::uint32_t, std::vector<const geometry::SurfacePoint*>>;
@@ -252,8 +221,8 @@ std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor
                                         : past.height_above_ground_m(found[k % found.size()]->position_m,
                                                                      thermal::kLowestWind_m));
     add_unsettled(points, solved, found, past);
-    add_beside(points, solved, found, past, kForBeside);
-    add_beside(points, solved, met_of_material[material], past, kMetForBeside);
+    add_beside(points, solved, found, kForBeside);
+    add_beside(points, solved, met_of_material[material], kMetForBeside);
   }
   return points;
 }
@@ -327,8 +296,7 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
       continue;
     }
     double sum_k = 0.0, squares_k2 = 0.0, count = 0.0;
-    std::array<std::pair<double, int>, 3>
-        beside{};  // squares, points: that the camera sees, that are met, that it matters most to
+    std::array<std::pair<double, int>, 2> beside{};     // squares, points: that the camera sees, that are met
     std::array<std::pair<double, double>, 2> chosen{};  // squares, points
     for (const Measured& point : points) {
       if (point.solved != &solved) continue;
@@ -367,8 +335,6 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
     own.points = count;
     own.beside = beside[0].second;
     own.beside_k = std::sqrt(beside[0].first / std::max(own.beside, 1));
-    own.most_beside = beside[2].second;
-    own.most_beside_k = std::sqrt(beside[2].first / std::max(own.most_beside, 1));
     own.met_beside = beside[1].second;
     own.met_beside_k = std::sqrt(beside[1].first / std::max(own.met_beside, 1));
     for (const auto& [squares, number] : chosen)
