@@ -12,18 +12,6 @@
 #include "atmosphere/spherical_shells.h"
 
 namespace ifov::atmosphere {
-namespace {
-
-void legendre_polynomials(double x, std::span<double> p) {
-  p[0] = 1.0;
-  if (p.size() > 1) p[1] = x;
-  for (std::size_t l = 2; l < p.size(); ++l) {
-    const double n = static_cast<double>(l);
-    p[l] = ((2.0 * n - 1.0) * x * p[l - 1] - (n - 1.0) * p[l - 2]) / n;
-  }
-}
-
-}  // namespace
 
 SuccessiveOrders::SuccessiveOrders(const ScatteringColumn& column, const ColumnPhase& phase,
                                    const GaussNodes& nodes, const ScatteringOptions& options)
@@ -72,13 +60,13 @@ SuccessiveOrders::Mode SuccessiveOrders::groundlit(int mode, const GaussNodes& o
   ModeMoments moments = step.empty_moments();
   const std::vector<double>& z_km = column_.altitude_km;
   const double ground_km = column_.ground_km();
-  std::vector<double> legendre(static_cast<std::size_t>(moments.terms));
+  const bool polarized = given > 1 && moments.components > 1;
+  const SphericalSeries series(mode, moments.terms, polarized);
+  SphericalFunctions f;
   for (std::size_t j = 0; j < outs; ++j) {
     const double mu = out.position[j];
-    SphericalFunctions f;
     const double i = light[j], q = given > 1 ? light[outs + j] : 0.0,
                  u = given > 2 ? light[2 * outs + j] : 0.0;
-    const bool polarized = given > 1 && moments.components > 1;
     double depth = 0.0, length = 0.0;
     for (std::size_t level = levels; level-- > 0;) {
       // About a round Earth light of a place arrives the steeper the higher, and the ground ends below the horizontal.
@@ -89,19 +77,13 @@ SuccessiveOrders::Mode SuccessiveOrders::groundlit(int mode, const GaussNodes& o
         spread = mu / arrives * nearer * nearer;
       }
       const double weight = out.weight[j] * spread * std::exp(-depth);
-      if (mode == 0 && !polarized) {
-        legendre_polynomials(arrives, legendre);
-        for (int l = 0; l < moments.terms; ++l)
-          moments.at(l, 0)[level] += weight * i * legendre[static_cast<std::size_t>(l)];
-      } else {
-        if (column_.spherical || f.p.empty()) f = spherical_functions(mode, phase_.terms, arrives);
-        for (int l = mode; l < moments.terms; ++l) {
-          const int at = l - mode;
-          moments.at(l, 0)[level] += weight * i * f.p[at];
-          if (!polarized) continue;
-          moments.at(l, 1)[level] += weight * (f.r[at] * q + (moments.components > 2 ? f.t[at] * u : 0.0));
-          if (moments.components > 2) moments.at(l, 2)[level] += weight * (f.t[at] * q + f.r[at] * u);
-        }
+      if (column_.spherical || level + 1 == levels) series.at(arrives, f);
+      for (int l = mode; l < moments.terms; ++l) {
+        const int at = l - mode;
+        moments.at(l, 0)[level] += weight * i * f.p[at];
+        if (!polarized) continue;
+        moments.at(l, 1)[level] += weight * (f.r[at] * q + (moments.components > 2 ? f.t[at] * u : 0.0));
+        if (moments.components > 2) moments.at(l, 2)[level] += weight * (f.t[at] * q + f.r[at] * u);
       }
       if (level == 0) continue;
       double slant = 1.0 / mu;

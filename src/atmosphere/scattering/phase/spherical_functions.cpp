@@ -53,4 +53,69 @@ SphericalFunctions spherical_functions(int mode, int count, double mu) {
   return functions;
 }
 
+SphericalSeries::Recurrence::Recurrence(int m, int n, int count)
+    : first(std::max(std::abs(m), std::abs(n))),
+      of_minus(0.5 * std::abs(m - n)),
+      of_plus(0.5 * std::abs(m + n)) {
+  if (first >= count) return;
+  lowest = atmosphere::lowest(m, n, first, 0.0);
+  for (int l = first; l + 1 < count; ++l) {
+    const double k = l + 1.0, of_l = l;
+    if (l == 0) {
+      a.push_back(1.0), b.push_back(0.0), c.push_back(0.0);
+      continue;
+    }
+    const double below = std::sqrt((of_l * of_l - m * m) * (of_l * of_l - n * n));
+    const double above = of_l * std::sqrt((k * k - m * m) * (k * k - n * n));
+    a.push_back((2.0 * l + 1.0) * l * k / above);
+    b.push_back((2.0 * l + 1.0) * m * n / above);
+    c.push_back(l > first ? k * below / above : 0.0);
+  }
+}
+
+void SphericalSeries::Recurrence::at(double x, std::vector<double>& d) const {
+  std::fill(d.begin(), d.end(), 0.0);
+  const auto start = static_cast<std::size_t>(first);
+  if (start >= d.size()) return;
+  const auto power = [](double base, double exponent) {
+    return exponent > 0.0 ? std::pow(std::max(0.0, base), exponent) : 1.0;
+  };
+  d[start] = lowest * power(1.0 - x, of_minus) * power(1.0 + x, of_plus);
+  double before = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const double now = d[start + k];
+    d[start + k + 1] = (a[k] * x - b[k]) * now - c[k] * before;
+    before = now;
+  }
+}
+
+SphericalSeries::SphericalSeries(int mode, int count, bool polarized) : mode_(mode), count_(count) {
+  of_.emplace_back(mode, 0, count);
+  if (!polarized) return;
+  of_.emplace_back(mode, 2, count);
+  of_.emplace_back(mode, -2, count);
+}
+
+void SphericalSeries::at(double mu, SphericalFunctions& functions) const {
+  const auto from = static_cast<std::ptrdiff_t>(mode_);
+  const auto size = static_cast<std::size_t>(count_);
+  std::vector<double>& d = functions.p;
+  d.resize(size);
+  of_[0].at(mu, d);
+  if (of_.size() > 1) {
+    functions.r.resize(size);
+    functions.t.resize(size);
+    of_[1].at(mu, functions.r);
+    of_[2].at(mu, functions.t);
+    for (std::size_t l = 0; l < size; ++l) {
+      const double plus = functions.r[l], minus = functions.t[l];
+      functions.r[l] = 0.5 * (plus + minus);
+      functions.t[l] = 0.5 * (minus - plus);
+    }
+    functions.r.erase(functions.r.begin(), functions.r.begin() + from);
+    functions.t.erase(functions.t.begin(), functions.t.begin() + from);
+  }
+  d.erase(d.begin(), d.begin() + from);
+}
+
 }  // namespace ifov::atmosphere
