@@ -117,4 +117,23 @@ TEST(ScatteringPhase, GaussNodesIntegratePolynomials) {
   }
 }
 
+TEST(SphericalSeries, IsTheFunctionsOneByOne) {
+  for (const int mode : {0, 1, 2, 3, 17})
+    for (const bool polarized : {false, true}) {
+      const SphericalSeries series(mode, 40, polarized);
+      SphericalFunctions found;
+      for (const double mu : {-1.0, -0.6, 0.0, 0.01, 0.73, 0.9999, 1.0}) {
+        series.at(mu, found);
+        const SphericalFunctions one = spherical_functions(mode, 40, mu);
+        ASSERT_EQ(found.p.size(), one.p.size());
+        for (std::size_t l = 0; l < one.p.size(); ++l) {
+          EXPECT_NEAR(found.p[l], one.p[l], 1e-11) << mode << ' ' << mu << ' ' << l;
+          if (!polarized) continue;
+          EXPECT_NEAR(found.r[l], one.r[l], 1e-11) << mode << ' ' << mu << ' ' << l;
+          EXPECT_NEAR(found.t[l], one.t[l], 1e-11) << mode << ' ' << mu << ' ' << l;
+        }
+      }
+    }
+}
+
 }  // namespace test_scattering_phase
