@@ -30,11 +30,11 @@ namespace {
 
 /// Rays of the lattice along a side of a pixel, and of each towards what throws light.
 constexpr int kAcross = 2;
-constexpr std::uint64_t kSent = 24;
+constexpr std::uint64_t kSent = 32;
 /// Mirrors and boundaries that are followed, one behind another.
 constexpr int kMostMet = 8;
-/// What shines is made so wide that it fills this: all directions within 10 deg of its middle.
-constexpr double kWideCosine = 0.985, kWide_sr = 2.0 * std::numbers::pi * (1.0 - kWideCosine);
+/// What shines is made so wide that it fills this: all directions within 15 deg of its middle.
+constexpr double kWideCosine = 0.966, kWide_sr = 2.0 * std::numbers::pi * (1.0 - kWideCosine);
 /// Of more, neighbours are put together.
 constexpr std::size_t kMostTargets = 128;
 /// So much of what one path brings, over their number, is missed by all of them in one of a hundred cases.
@@ -114,6 +114,46 @@ class UnseenBends::Chain {
   bool in_medium_;
   int bends_ = 0, reflections_ = 0;
   bool known_ = false;
+};
+
+/// Directions from a surface towards spheres about what throws light, by their share of the view; over all of a side where it lies in one.
+class UnseenBends::Aims {
+ public:
+  Aims(std::span<const geometry::SurfaceSurvey::Ball> throwers, Point3 at, Vec3 outward, bool both_sides) {
+    for (const auto& thrower : throwers) {
+      const Vec3 to = thrower.centre_m - at;
+      const double apart = length(to), sine = thrower.radius_m / std::max(apart, 1e-300);
+      if (sine < 1.0) {
+        aims_.push_back({to / apart, sampling::UniformCone(std::asin(sine)), sine * sine});
+        continue;
+      }
+      const sampling::UniformCone half(0.5 * std::numbers::pi);
+      aims_.push_back({outward, half, both_sides ? 0.5 : 1.0});
+      if (both_sides) aims_.push_back({-outward, half, 0.5});
+    }
+    double all = 0.0;
+    for (const Aim& aim : aims_) all += aim.share;
+    for (Aim& aim : aims_) aim.share /= all;
+  }
+  Vec3 sample(double choice, sampling::Point2 u) const {
+    std::size_t picked = 0;
+    while (picked + 1 < aims_.size() && choice >= aims_[picked].share) choice -= aims_[picked++].share;
+    return aims_[picked].cone.sample(aims_[picked].axis, u);
+  }
+  /// Of all spheres in which a direction lies, 1/sr.
+  double density(Vec3 direction) const {
+    double sum = 0.0;
+    for (const Aim& aim : aims_) sum += aim.share * aim.cone.density(aim.axis, direction);
+    return sum;
+  }
+
+ private:
+  struct Aim {
+    Vec3 axis;
+    sampling::UniformCone cone;
+    double share;
+  };
+  std::vector<Aim> aims_;
 };
 
 struct UnseenBends::Told {
@@ -217,33 +257,19 @@ void UnseenBends::send(const math::Ray& seen, std::uint64_t name, std::size_t pi
   if (!(spread > 0.0)) return;
   const Vec3 outward = (view.hit.front ? view.hit.geometric_normal : -view.hit.geometric_normal).as_vector();
   const Point3 at = at_home(scene_.scene(), view.hit.position_m);
-  std::vector<double> views;
-  double all = 0.0;
-  for (const auto& thrower : throwers_) {
-    const double apart = length(thrower.centre_m - at), radius = thrower.radius_m;
-    views.push_back(apart > radius ? radius * radius / (apart * apart) : 1.0);
-    all += views.back();
-  }
+  const Aims aims(throwers_, at, outward, passes);
   for (std::uint64_t k = 0; k < kSent; ++k) {
     const std::uint64_t key = sampling::hash(seed_, name, k);
     const auto random = [&](std::uint64_t which) {
       return sampling::unit_double(sampling::hash(key, which));
     };
-    double position = random(0) * all;
-    std::size_t picked = 0;
-    while (picked + 1 < views.size() && position >= views[picked]) position -= views[picked++];
-    const Vec3 towards = throwers_[picked].centre_m - at;
-    const double sine = throwers_[picked].radius_m / std::max(length(towards), 1e-300);
-    const bool inside = sine >= 1.0;
-    const double side_of_rays = passes && random(3) < 0.5 ? -1.0 : 1.0;
-    const sampling::UniformCone cone(inside ? 0.5 * std::numbers::pi : std::asin(sine));
-    const Vec3 direction =
-        cone.sample(inside ? side_of_rays * outward : towards / length(towards), {random(1), random(2)});
+    const Vec3 direction = aims.sample(random(0), {random(1), random(2)});
     const double side = dot(direction, outward);
     if (!(side > 0.0) && !passes) continue;
+    const double density = aims.density(direction);
+    if (!(density > 0.0)) continue;  // rounding, at a rim
     const double of_path = view.weight * spread;
-    const double weight = of_path * std::abs(side) * cone.solid_angle_sr() * (inside && passes ? 2.0 : 1.0) *
-                          all / views[picked] / (std::numbers::pi * kSent * kAcross * kAcross);
+    const double weight = of_path * std::abs(side) / (std::numbers::pi * density * kSent * kAcross * kAcross);
     math::Ray sent =
         ray.onward(view.hit.position_m + (side > 0.0 ? 1.0 : -1.0) * view.hit.offset_m * outward, direction);
     Chain way(scene_, view.in_medium());

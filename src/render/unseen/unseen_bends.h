@@ -26,7 +26,7 @@ namespace ifov::render {
 class AccuracyTolerance;
 
 /// Light of what outshines the scene that boundaries bend, or mirrors by way of which it is not sought throw, on surfaces: scattered
-/// paths find it by chance. Rays from what a pixel sees, by such ways, towards what shines as if that were twenty degrees
+/// paths find it by chance. Rays from what a pixel sees, by such ways, towards what shines as if that were thirty degrees
 /// wide tell how much it may be, where too few of the pixel's paths have found any of it. That marks pixels; it
 /// never enters a radiance.
 class UnseenBends {
@@ -47,6 +47,7 @@ class UnseenBends {
  private:
   UnseenBends(const transport::SpectralScene& scene, const sensor::Camera& camera, std::uint64_t seed);
   class Chain;  // of mirrors and boundaries that a ray meets
+  class Aims;   // directions towards what throws light
   struct Told;  // of a tile, by pixel and channel
   void send(const math::Ray& seen, std::uint64_t name, std::size_t pixel, ShiningTargets& targets, Told& told,
             sampling::RayCounts& counts) const;
