@@ -37,8 +37,6 @@ constexpr int kMostMet = 8;
 constexpr double kWideCosine = 0.966, kWide_sr = 2.0 * std::numbers::pi * (1.0 - kWideCosine);
 /// Of more, neighbours are put together.
 constexpr std::size_t kMostTargets = 128;
-/// So much of what one path brings, over their number, is missed by all of them in one of a hundred cases.
-constexpr double kMissed = 4.6;
 constexpr std::uint64_t kBendChoice = 0x62656e6473ull;
 
 }  // namespace
@@ -160,12 +158,10 @@ struct UnseenBends::Told {
   Told(std::size_t pixels, std::size_t channel_count)
       : channels(channel_count),
         thrown(pixels * channels, 0.0),
-        brought(thrown),
         first_moment(pixels, 0.0),
         second_moment(pixels, 0.0) {}
   std::size_t channels;
-  /// By pixel and channel: that light, and the most that one path brings of it.
-  std::vector<double> thrown, brought;
+  std::vector<double> thrown;  ///< by pixel and channel: that light
   /// By pixel: mean and mean square of what a scattered path of it finds of that light, over the usual radiance.
   std::vector<double> first_moment, second_moment;
 };
@@ -221,8 +217,8 @@ bool UnseenBends::is_free(const math::Ray& from, const ShiningTarget& target,
   });
 }
 
-void UnseenBends::add_exit(const math::Ray& exit, double weight, double of_path, std::size_t pixel,
-                           ShiningTargets& targets, Told& told, sampling::RayCounts& counts) const {
+void UnseenBends::add_exit(const math::Ray& exit, double weight, std::size_t pixel, ShiningTargets& targets,
+                           Told& told, sampling::RayCounts& counts) const {
   const Point3 at = at_home(scene_.scene(), exit.origin_m);
   for (const ShiningTarget& target : targets.at(exit.time_s)) {
     const Vec3 to = target.centre_m - at;
@@ -233,11 +229,8 @@ void UnseenBends::add_exit(const math::Ray& exit, double weight, double of_path,
     const double share = weight * target.of_time() * std::min(1.0, light_sr / kWide_sr);
     if (!(share > 0.0) || !is_free(exit, target, counts)) continue;
     const std::span<const double> radiance = parts_.highest(target.part.assignment);
-    for (std::size_t c = 0; c < told.channels; ++c) {
-      const std::size_t at_channel = pixel * told.channels + c;
-      told.thrown[at_channel] += share * radiance[c];
-      told.brought[at_channel] = std::max(told.brought[at_channel], of_path * target.of_time() * radiance[c]);
-    }
+    for (std::size_t c = 0; c < told.channels; ++c)
+      told.thrown[pixel * told.channels + c] += share * radiance[c];
   }
 }
 
@@ -274,8 +267,7 @@ void UnseenBends::send(const math::Ray& seen, std::uint64_t name, std::size_t pi
         ray.onward(view.hit.position_m + (side > 0.0 ? 1.0 : -1.0) * view.hit.offset_m * outward, direction);
     Chain way(scene_, view.in_medium());
     way.follow(sent, key, counts, [&](const math::Ray& exit) {
-      if (!way.is_sought())
-        add_exit(exit, weight * way.weight, of_path * way.weight, pixel, targets, told, counts);
+      if (!way.is_sought()) add_exit(exit, weight * way.weight, pixel, targets, told, counts);
     });
     if (!way.hit.hit() || way.is_sought() || way.in_medium()) continue;
     if (const std::uint32_t part = parts_.part_of(way.hit); part != transport::ShiningParts::kNone) {
@@ -317,13 +309,8 @@ void UnseenBends::settle(const AccuracyTolerance* tolerance, sampling::TileResul
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const auto pixel = static_cast<std::size_t>(y * width + x);
-      const auto around = [&](const std::vector<double>& what, std::size_t per_pixel, std::size_t c) {
-        double sum = 0.0;
-        int count = 0;
-        for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j)
-          for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i, ++count)
-            sum += what[static_cast<std::size_t>(j * width + i) * per_pixel + c];
-        return sum / count;
+      const auto around = [&](std::span<const double> what, std::size_t per_pixel, std::size_t c) {
+        return mean_about(what, per_pixel, c, x, y, width, height);
       };
       const double paths = std::max(1.0, static_cast<double>(tile.radiance_evaluations[pixel]));
       const double first = around(told.first_moment, 1, 0), second = around(told.second_moment, 1, 0);

@@ -51,9 +51,9 @@ class UnseenBends {
   struct Told;  // of a tile, by pixel and channel
   void send(const math::Ray& seen, std::uint64_t name, std::size_t pixel, ShiningTargets& targets, Told& told,
             sampling::RayCounts& counts) const;
-  /// What leaves a chain, times its weight, may meet of what shines; by channel into `told`. `of_path`: of a path's light.
-  void add_exit(const math::Ray& exit, double weight, double of_path, std::size_t pixel,
-                ShiningTargets& targets, Told& told, sampling::RayCounts& counts) const;
+  /// What leaves a chain, times its weight, may meet of what shines; by channel into `told`.
+  void add_exit(const math::Ray& exit, double weight, std::size_t pixel, ShiningTargets& targets, Told& told,
+                sampling::RayCounts& counts) const;
   bool is_free(const math::Ray& from, const ShiningTarget& target, sampling::RayCounts& counts) const;
 
   const transport::SpectralScene& scene_;

@@ -243,13 +243,8 @@ void UnseenLobes::settle(const AccuracyTolerance* tolerance, sampling::TileResul
   for (int y = 0; y < grid.height; ++y)
     for (int x = 0; x < grid.width; ++x) {
       const auto pixel = static_cast<std::size_t>(y * grid.width + x);
-      const auto around = [&](const std::vector<double>& what, std::size_t per_pixel, std::size_t c) {
-        double sum = 0.0;
-        int count = 0;
-        for (int j = std::max(0, y - 1); j <= std::min(grid.height - 1, y + 1); ++j)
-          for (int i = std::max(0, x - 1); i <= std::min(grid.width - 1, x + 1); ++i, ++count)
-            sum += what[static_cast<std::size_t>(j * grid.width + i) * per_pixel + c];
-        return sum / count;
+      const auto around = [&](std::span<const double> what, std::size_t per_pixel, std::size_t c) {
+        return mean_about(what, per_pixel, c, x, y, grid.width, grid.height);
       };
       const double first = around(told.first_moment, 1, 0), second = around(told.second_moment, 1, 0);
       // As many paths as if each of them found all or nothing of it.

@@ -6,6 +6,16 @@
 
 namespace ifov::render {
 
+double mean_about(std::span<const double> values, std::size_t per_pixel, std::size_t c, int x, int y,
+                  int width, int height) {
+  double sum = 0.0;
+  int count = 0;
+  for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j)
+    for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i, ++count)
+      sum += values[static_cast<std::size_t>(j * width + i) * per_pixel + c];
+  return sum / count;
+}
+
 void UnseenWidening::widen(std::size_t pixel, std::span<const double> more, sampling::TileResult& tile) {
   constexpr float kRounding = 1e-5f;
   if (std::none_of(more.begin(), more.end(), [](double light) { return light > 0.0; })) return;

@@ -8,6 +8,10 @@
 
 namespace ifov::render {
 
+/// Mean of the c-th of `per_pixel` values of each pixel over the 3 x 3 about pixel (x, y), as many as there are of a tile of this size.
+double mean_about(std::span<const double> values, std::size_t per_pixel, std::size_t c, int x, int y,
+                  int width, int height);
+
 /// Widens half-widths of finished pixels by light that may reach them and was not found. An object serves one thread.
 class UnseenWidening {
  public:
