@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "render/emissivity_layer.h"
 #include "render/parts/part_columns.h"
 #include "render/polarized/stokes_columns.h"
 #include "sampling/tile.h"
@@ -75,7 +76,8 @@ class Mixing {
 
 void mix_layers(const Mixing& mixing, std::size_t carried, std::size_t channels, sampling::TileResult& tile) {
   const auto as_of = [](std::string_view name) -> std::optional<As> {
-    if (name == PartLayers::kMean || name == StokesLayers::kMean || name == StokesLayers::kBefore)
+    if (name == PartLayers::kMean || name == StokesLayers::kMean || name == StokesLayers::kBefore ||
+        name == kEmissivityLayer)
       return As::mean;
     if (name == PartLayers::kStandardError || name == StokesLayers::kStandardError ||
         name == StokesLayers::kHalfWidth)

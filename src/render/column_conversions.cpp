@@ -4,6 +4,7 @@
 #include <limits>
 #include <span>
 
+#include "radiometry/spectrum.h"
 #include "render/image_info.h"
 #include "sensor/detector/brightness_scale.h"
 #include "sensor/detector/mosaic.h"
@@ -51,6 +52,21 @@ double brightness_kelvin(const ImageInfo& image, std::size_t channel, int column
     if (std::abs(change) < 1e-9 * x) break;
   }
   return 1.0 / x;
+}
+
+double band_width_um(const ImageInfo& image, std::size_t channel, int column) {
+  const ChannelInfo& of = image.channels[channel];
+  const auto width_um = [](const radiometry::Channel& whose) {
+    const radiometry::Spectrum& response = whose.response;
+    return whose.is_monochromatic()
+               ? std::numeric_limits<double>::quiet_NaN()
+               : radiometry::integral(response, response.first_um(), response.last_um()) / response.maximum();
+  };
+  if (!of.brightness) return std::numeric_limits<double>::quiet_NaN();
+  if (!image.responses || (*image.responses)[channel].carried.size() < 2)
+    return width_um(of.brightness->channel());
+  const std::vector<sensor::BrightnessScale>& scales = image.responses->scales(channel);
+  return weighted(image, channel, column, [&](std::size_t k) { return width_um(scales[k].channel()); });
 }
 
 std::string mosaic_pattern(const ImageInfo& image) {

@@ -12,6 +12,10 @@ struct ImageInfo;
 double toa_irradiance(const ImageInfo& image, std::size_t channel, int column);
 double brightness_kelvin(const ImageInfo& image, std::size_t channel, int column, double radiance);
 
+/// Width of an even response of the same maximum and area, um: by it a mean radiance is one within the channel. Not a number of a single
+/// wavelength, or where the response is not known.
+double band_width_um(const ImageInfo& image, std::size_t channel, int column);
+
 /// The mosaic's rows with parentheses about each: "(red, green), (green, blue)".
 std::string mosaic_pattern(const ImageInfo& image);
 

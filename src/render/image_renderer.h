@@ -63,6 +63,7 @@ struct RenderJob {
   std::vector<const truth::Collector*> collectors{};  ///< of what tiles note beside radiance
   EarlierTiles* earlier = nullptr;                    ///< tiles of a run at a looser tolerance, to go on from
   const Polarimetry* polarimetry = nullptr;           ///< null: radiance alone
+  bool emissivity = false;                            ///< tiles tell that of what is seen
   bool parts = false;                                 ///< tiles tell the parts that radiance is made of
   const sensor::ColumnResponses* responses = nullptr;  ///< null: channels are what paths carry
 

@@ -75,6 +75,7 @@ class Sweep {
     one.keep_variances = all.keep_variances;
     one.collectors = all.collectors;
     one.polarimetry = all.polarimetry;
+    one.emissivity = all.emissivity;
     one.parts = all.parts;
     one.responses = all.responses;
     return one;

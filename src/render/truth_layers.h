@@ -10,6 +10,9 @@ struct Scene;
 namespace ifov::sensor {
 class Camera;
 }
+namespace ifov::transport {
+class SpectralScene;
+}
 namespace ifov::truth {
 struct Collector;
 }
@@ -20,7 +23,11 @@ namespace ifov::render {
 void add_truth_layers(std::span<const truth::Collector* const> collectors, const scene::Scene& scene,
                       const sensor::Camera& camera, sampling::TileResult& tile);
 
-/// Such a layer without values in it yet.
+/// Adds kEmissivityLayer, before channels are made of what paths carry (make_channels()).
+void add_emissivity_layer(const transport::SpectralScene& scene, const sensor::Camera& camera,
+                          sampling::TileResult& tile);
+
+/// A collector's layer without values in it yet.
 sampling::TileLayer empty_layer(const truth::Collector& collector, std::size_t pixels);
 
 }  // namespace ifov::render

@@ -31,6 +31,7 @@ RenderJob job_of(const RenderJob& job, const sensor::SingleView& view, std::size
   one.keep_memory = job.keep_memory;
   one.keep_variances = job.keep_variances;
   one.collectors = job.collectors;
+  one.emissivity = job.emissivity;
   one.parts = job.parts;
   return one;
 }

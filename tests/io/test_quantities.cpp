@@ -26,6 +26,7 @@
 #include "truth/identity.h"
 #include "truth/location.h"
 #include "truth/orientation.h"
+#include "truth/pixel_temperature.h"
 #include "truth/range.h"
 #include "truth/sky_view.h"
 #include "truth/sunlight.h"
@@ -70,6 +71,7 @@ TEST(Quantities, RowsAreWhatTheyWrite) {
     const bool radiance =
         quantity->bands == Quantity::Bands::stokes || quantity->needs.mosaic ||
         (quantity->is_spectral() && !quantity->needs.stokes && quantity->name.find("transmittance") != 0 &&
+         quantity->name.find("radiance_per_nm") != 0 && !quantity->needs.emissivity &&
          !quantity->needs.sunlight && !quantity->needs.responses);
     EXPECT_EQ(quantity->unit.empty(), radiance) << quantity->name;
     EXPECT_EQ(quantity->band_names.empty(), quantity->bands != Quantity::Bands::named) << quantity->name;
@@ -133,6 +135,8 @@ TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
   image.mosaic = nullptr;
   const QuantitySet bare = possible_quantities(QuantitySet::all(), image, false);
   EXPECT_TRUE(bare == QuantitySet({&quantities::kRadiance,
+                                   &quantities::kRadiancePerNm,
+                                   &quantities::kBandRadiance,
                                    &quantities::kBrightnessTemperature,
                                    &quantities::kSamples,
                                    &quantities::kQuality,
@@ -142,6 +146,7 @@ TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
                                    &quantities::kTrueLocation,
                                    &quantities::kViewAngles,
                                    &quantities::kTemperature,
+                                   &quantities::kPixelTemperature,
                                    &quantities::kRange,
                                    &quantities::kNormal,
                                    &quantities::kSlope,
@@ -152,6 +157,7 @@ TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
                                    &quantities::kSkyView,
                                    &quantities::kObjectClass,
                                    &quantities::kInstance,
+                                   &quantities::kEmissivity,
                                    &quantities::kEmittedRadiance,
                                    &quantities::kSunRadiance,
                                    &quantities::kSkyRadiance,
@@ -164,9 +170,9 @@ TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
 TEST(QuantitySet, WhatTheyNeedIsNoted) {
   EXPECT_EQ(collectors_of(QuantitySet::all()),
             (std::vector{&truth::kLocation, &truth::kTrueLocation, &truth::kViewAngles, &truth::kTemperature,
-                         &truth::kRange, &truth::kNormal, &truth::kSlope, &truth::kGsd, &truth::kTime,
-                         &truth::kSunAngles, &truth::kShadow, &truth::kSkyView, &truth::kMaterial,
-                         &truth::kInstance}))
+                         &truth::kPixelTemperature, &truth::kRange, &truth::kNormal, &truth::kSlope,
+                         &truth::kGsd, &truth::kTime, &truth::kSunAngles, &truth::kShadow, &truth::kSkyView,
+                         &truth::kMaterial, &truth::kInstance}))
       << "objects and instances come of one";
   EXPECT_TRUE(collectors_of({&quantities::kRadiance}).empty());
 }

@@ -40,6 +40,28 @@ void put_over_sunlight(const FinishedTile& of, std::span<const float> radiance, 
   sink.put(values);
 }
 
+constexpr double kPerNm = 0.1;  // uW cm-2 nm-1 of 1 W m-2 um-1
+
+void put_per_nm(std::span<const float> radiance, ValueSink& sink) {
+  std::vector<float> values(radiance.size());
+  std::transform(radiance.begin(), radiance.end(), values.begin(),
+                 [](float value) { return static_cast<float>(kPerNm * static_cast<double>(value)); });
+  sink.put(values);
+}
+
+void put_within_band(const FinishedTile& of, std::span<const float> radiance, ValueSink& sink) {
+  const std::size_t channels = of.image.channels.size();
+  const auto width = static_cast<std::size_t>(of.tile.tile.width());
+  std::vector<double> width_um(channels * width);
+  for (std::size_t i = 0; i < width_um.size(); ++i)
+    width_um[i] =
+        render::band_width_um(of.image, i % channels, of.tile.tile.x0 + static_cast<int>(i / channels));
+  std::vector<float> values(radiance.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = static_cast<float>(width_um[i % width_um.size()] * static_cast<double>(radiance[i]));
+  sink.put(values);
+}
+
 void put_toa_reflectance(const FinishedTile& of, ValueSink& sink) {
   put_over_sunlight(of, of.tile.mean, sink);
 }
@@ -81,6 +103,54 @@ void tell_sunlight(EnviHeader& header, const render::ImageInfo& image) {
 }
 
 }  // namespace
+
+constinit const Quantity kRadiancePerNm{
+    .name = "radiance_per_nm",
+    .what = "radiance in uW cm-2 sr-1 nm-1",
+    .unit = "uW cm-2 sr-1 nm-1",
+    .role = Quantity::Role::radiance,
+    .statistic = Quantity::Statistic::mean,
+    .type = EnviType::float32,
+    .bands = Quantity::Bands::channels,
+    .band_names = {},
+    .needs = {.radiance = true},
+    .values = [](const FinishedTile& of, ValueSink& sink) { put_per_nm(of.tile.mean, sink); }};
+
+constinit const Quantity kRadiancePerNmHalfWidth{
+    .name = "radiance_per_nm_half_width",
+    .what = "half-width of the interval of the radiance in uW cm-2 sr-1 nm-1",
+    .unit = "uW cm-2 sr-1 nm-1",
+    .role = Quantity::Role::error,
+    .statistic = Quantity::Statistic::half_width,
+    .type = EnviType::float32,
+    .bands = Quantity::Bands::channels,
+    .band_names = {},
+    .needs = {.errors = true, .radiance = true},
+    .values = [](const FinishedTile& of, ValueSink& sink) { put_per_nm(of.tile.half_width, sink); }};
+
+constinit const Quantity kBandRadiance{
+    .name = "band_radiance",
+    .what = "radiance within the channel, of the response with a maximum of 1",
+    .unit = "W m-2 sr-1",
+    .role = Quantity::Role::radiance,
+    .statistic = Quantity::Statistic::mean,
+    .type = EnviType::float32,
+    .bands = Quantity::Bands::channels,
+    .band_names = {},
+    .needs = {.radiance = true, .responses = true},
+    .values = [](const FinishedTile& of, ValueSink& sink) { put_within_band(of, of.tile.mean, sink); }};
+
+constinit const Quantity kBandRadianceHalfWidth{
+    .name = "band_radiance_half_width",
+    .what = "half-width of the interval of the radiance within the channel",
+    .unit = "W m-2 sr-1",
+    .role = Quantity::Role::error,
+    .statistic = Quantity::Statistic::half_width,
+    .type = EnviType::float32,
+    .bands = Quantity::Bands::channels,
+    .band_names = {},
+    .needs = {.errors = true, .radiance = true, .responses = true},
+    .values = [](const FinishedTile& of, ValueSink& sink) { put_within_band(of, of.tile.half_width, sink); }};
 
 constinit const Quantity kToaReflectance{.name = "toa_reflectance",
                                          .what = "reflectance at the sensor",

@@ -2,9 +2,13 @@
 
 #include "io/quantities/quantity.h"
 
-/// The radiance of a pixel as agencies deliver it: over the Sun's, or as a temperature.
+/// The radiance of a pixel as agencies deliver it: in other units, over the Sun's, or as a temperature.
 namespace ifov::io::quantities {
 
+extern const Quantity kRadiancePerNm;  ///< uW cm-2 sr-1 nm-1
+extern const Quantity kRadiancePerNmHalfWidth;
+extern const Quantity kBandRadiance;  ///< W m-2 sr-1, within the response scaled to a maximum of 1
+extern const Quantity kBandRadianceHalfWidth;
 extern const Quantity kToaReflectance;
 extern const Quantity kToaReflectanceHalfWidth;
 extern const Quantity kBrightnessTemperature;

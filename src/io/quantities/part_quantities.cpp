@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "render/emissivity_layer.h"
 #include "render/parts/part_columns.h"
 #include "render/tile_sink.h"
 
@@ -82,5 +83,23 @@ constinit const Quantity kTransmittance = part<LightPart::transmittance>(
     "transmittance", "what the air leaves of light on its way from the surface seen to the sensor");
 constinit const Quantity kTransmittanceError =
     error_of<LightPart::transmittance>("transmittance_standard_error", "standard error of the transmittance");
+
+constinit const Quantity kEmissivity{
+    .name = "emissivity",
+    .what = "emissivity, towards the sensor, of what the middle of each pixel sees",
+    .unit = "1",
+    .role = Quantity::Role::truth,
+    .statistic = Quantity::Statistic::middle,
+    .type = EnviType::float32,
+    .bands = Quantity::Bands::channels,
+    .band_names = {},
+    .needs = {.emissivity = true},
+    .values = [](const FinishedTile& of, ValueSink& sink) {
+      if (const sampling::TileLayer* const layer = of.tile.layer(render::kEmissivityLayer))
+        sink.put(layer->values<float>());
+      else
+        sink.put(std::vector<float>(of.tile.samples.size() * of.image.channels.size(),
+                                    std::numeric_limits<float>::quiet_NaN()));
+    }};
 
 }  // namespace ifov::io::quantities

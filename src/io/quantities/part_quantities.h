@@ -11,5 +11,7 @@ extern const Quantity kEmittedRadiance, kSunRadiance, kSkyRadiance, kSceneRadian
 /// Their standard errors.
 extern const Quantity kEmittedRadianceError, kSunRadianceError, kSkyRadianceError, kSceneRadianceError,
     kPathRadianceError, kTransmittanceError;
+/// That of what the ray through the pixel's middle meets, by channel.
+extern const Quantity kEmissivity;
 
 }  // namespace ifov::io::quantities

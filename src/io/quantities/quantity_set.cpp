@@ -68,7 +68,7 @@ QuantitySet possible_quantities(const QuantitySet& choice, const render::ImageIn
     const Quantity::Needs& needs = quantity->needs;
     if ((!needs.errors || knows_errors) && (!needs.air || air) &&
         (!needs.materials || !image.materials.empty()) && (!needs.stokes || image.stokes) &&
-        (!(needs.parts || needs.radiance) || !points) && (!needs.sunlight || sunlight) &&
+        (!(needs.parts || needs.radiance || needs.emissivity) || !points) && (!needs.sunlight || sunlight) &&
         (!needs.mosaic || image.mosaic))
       possible.add(*quantity);
   }

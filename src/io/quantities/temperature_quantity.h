@@ -6,5 +6,7 @@ namespace ifov::io::quantities {
 
 /// How warm what the middle of the pixel sees is; not numbers where that is nothing, or has no temperature.
 extern const Quantity kTemperature;
+/// How warm the surfaces in the pixel are (truth::kPixelTemperature).
+extern const Quantity kPixelTemperature;
 
 }  // namespace ifov::io::quantities

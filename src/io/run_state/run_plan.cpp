@@ -9,6 +9,7 @@
 #include "core/format.h"
 #include "io/products/product_writer.h"
 #include "io/quantities/radiance_quantities.h"
+#include "render/emissivity_layer.h"
 #include "render/parts/part_columns.h"
 #include "render/truth_layers.h"
 #include "sampling/tile.h"
@@ -70,6 +71,11 @@ bool RunPlan::tells_parts() const {
   return std::any_of(made.begin(), made.end(), [](const Quantity* q) { return q->needs.parts; });
 }
 
+bool RunPlan::tells_emissivity() const {
+  const QuantitySet made = made_cubes();
+  return std::any_of(made.begin(), made.end(), [](const Quantity* q) { return q->needs.emissivity; });
+}
+
 bool RunPlan::keeps_variances() const {
   const QuantitySet made = made_cubes();
   return keeps_memory ||
@@ -86,6 +92,7 @@ sampling::TileResult RunPlan::example_tile(int pixels) const {
   if (!keeps_variances()) tile.drop_variances();
   for (const truth::Collector* collector : collectors_of(made_cubes()))
     tile.layers.push_back(render::empty_layer(*collector, static_cast<std::size_t>(pixels)));
+  if (tells_emissivity()) render::add_empty_emissivity_layer(image.channels.size(), tile);
   if (tells_parts()) render::add_empty_part_layers(image.channels.size(), tile);
   return tile;
 }

@@ -51,6 +51,7 @@ struct RunPlan {
   QuantitySet made_cubes() const;
   /// Whether tiles tell the parts of their light.
   bool tells_parts() const;
+  bool tells_emissivity() const;
   /// Whether tiles carry the variances.
   bool keeps_variances() const;
   /// Whether the cubes hold all the values that tiles have, so that the state need not.

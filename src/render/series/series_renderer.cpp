@@ -30,7 +30,7 @@ std::string cannot_share_paths(std::span<const RenderJob* const> by_time) {
   if (first.camera.pictures() != nullptr) return "they are made of pictures, sweeps or rows";
   if (first.camera.moves_while_exposed()) return "the camera moves while they are exposed";
   if (first.image_wide) return "the accuracy is that of the image as a whole";
-  if (first.polarimetry != nullptr || first.parts) return "more than radiance is told";
+  if (first.polarimetry != nullptr || first.parts || first.emissivity) return "more than radiance is told";
   if (!first.scene.scene().mirror_assignments().empty()) return "there are mirrors or panes";
   if (const auto& world = first.scene.scene().world; world != nullptr && world->moving() != nullptr)
     return "something moves";

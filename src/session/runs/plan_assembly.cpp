@@ -89,6 +89,7 @@ void set_contents(const io::RunPlan& plan, render::RenderJob& job) {
   job.keep_memory = plan.keeps_memory;
   job.keep_variances = plan.keeps_variances();
   job.collectors = io::collectors_of(plan.made_cubes());
+  job.emissivity = plan.tells_emissivity();
   job.parts = plan.tells_parts();
 }
 
