@@ -11,6 +11,7 @@
 #include "render/emissivity_layer.h"
 #include "render/parts/part_columns.h"
 #include "render/polarized/stokes_columns.h"
+#include "render/tolerance/node_budget.h"
 #include "sampling/tile.h"
 #include "sensor/spectrometer/column_responses.h"
 
@@ -80,7 +81,7 @@ void mix_layers(const Mixing& mixing, std::size_t carried, std::size_t channels,
         name == kEmissivityLayer)
       return As::mean;
     if (name == PartLayers::kStandardError || name == StokesLayers::kStandardError ||
-        name == StokesLayers::kHalfWidth)
+        name == StokesLayers::kHalfWidth || name == kThermalLayer)
       return As::spread;
     return std::nullopt;
   };

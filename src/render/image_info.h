@@ -44,6 +44,7 @@ struct ImageInfo {
   std::vector<std::uint32_t> first_of_objects;   ///< number in the world of the first that stands for each
   std::string radiance_unit = "W m-2 sr-1 um-1";
   bool stokes = false, has_map = false;  ///< Q, U and V beside I; where it lies on a map
+  bool solved = false;                   ///< some temperatures of the scene are
   double map_x_m = 0.0, map_y_m = 0.0, gsd_m = 0.0;
   double map_rotation_rad = 0.0;  ///< azimuth of the upward direction of the image, clockwise from north
   std::string map_projection;     ///< "Arbitrary" for a local ENU frame, else well-known text

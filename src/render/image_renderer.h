@@ -64,6 +64,7 @@ struct RenderJob {
   EarlierTiles* earlier = nullptr;                    ///< tiles of a run at a looser tolerance, to go on from
   const Polarimetry* polarimetry = nullptr;           ///< null: radiance alone
   bool emissivity = false;                            ///< tiles tell that of what is seen
+  bool thermal_errors = false;                        ///< tiles tell what solved temperatures may be off by
   bool parts = false;                                 ///< tiles tell the parts that radiance is made of
   const sensor::ColumnResponses* responses = nullptr;  ///< null: channels are what paths carry
 

@@ -210,6 +210,7 @@ sampling::TileResult Picture::tile(const sampling::PixelRect& tile, std::size_t 
   field.settle(result);
   if (job_.image_wide) judge_as_image(sampled, result);
   if (!result.column_errors.empty()) result.column_errors.resize(static_cast<std::size_t>(result.columns));
+  if (job_.thermal_errors) add_thermal_layer(job_.nodes, result);
   if (job_.emissivity) add_emissivity_layer(job_.scene, job_.camera, result);
   if (job_.responses != nullptr) make_channels(*job_.responses, result);
   if (!job_.keep_variances && !job_.keep_memory) result.drop_variances();

@@ -76,6 +76,7 @@ class Sweep {
     one.collectors = all.collectors;
     one.polarimetry = all.polarimetry;
     one.emissivity = all.emissivity;
+    one.thermal_errors = all.thermal_errors;
     one.parts = all.parts;
     one.responses = all.responses;
     return one;

@@ -32,6 +32,7 @@ RenderJob job_of(const RenderJob& job, const sensor::SingleView& view, std::size
   one.keep_variances = job.keep_variances;
   one.collectors = job.collectors;
   one.emissivity = job.emissivity;
+  one.thermal_errors = job.thermal_errors;
   one.parts = job.parts;
   return one;
 }

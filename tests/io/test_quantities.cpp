@@ -128,6 +128,8 @@ TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
   image.channels[1].toa_irradiance = 1200.0;
   EXPECT_FALSE(possible_quantities(QuantitySet::all(), image).has(quantities::kMosaic));
   image.mosaic = std::make_shared<const sensor::Mosaic>(sensor::Mosaic{2, 1, {0, 1}});
+  EXPECT_FALSE(possible_quantities(QuantitySet::all(), image).has(quantities::kThermalHalfWidth));
+  image.solved = true;
   EXPECT_EQ(possible_quantities(QuantitySet::all(), image).size(), all_quantities().size());
   image.materials.clear();
   image.stokes = false;

@@ -157,6 +157,10 @@ TEST_F(NodeBudget, PixelsOfATileHaveMaterialsOfTheirOwn) {
   EXPECT_NEAR(result.bound[0], 1.0, 1e-6);
   EXPECT_NEAR(result.bound[1], 5.0, 1e-6);
   EXPECT_NEAR(result.bound[2], 3.0, 1e-6);
+  add_thermal_layer(nodes_, result);
+  ASSERT_NE(result.layer(kThermalLayer), nullptr);
+  const std::span<const float> told = result.layer(kThermalLayer)->values<float>();
+  EXPECT_EQ(std::vector<float>(told.begin(), told.end()), (std::vector{1.0f, 5.0f, 3.0f}));
 }
 
 TEST_F(NodeBudget, WidensIntervalsAndSaysWhereNodesAreTooFew) {

@@ -44,7 +44,7 @@ DOCUMENT = {
         "channels": [{"name": "thermal", "top_hat": {"from": "10 um", "to": "12 um"}}],
     },
     "sampling": {"accuracy": {"error": "2 K"}, "tile": 8},
-    "output": {"products": ["half_width", "temperature"]},
+    "output": {"products": ["half_width", "temperature", "thermal_half_width"]},
 }
 
 
@@ -70,13 +70,16 @@ class SolvedImage(unittest.TestCase):
         for threads in (1, 2):
             said, out = self.render(threads)
             self.assertEqual(said.returncode, 0, said.stderr)
-            cubes.append([(out / f"image_{name}.img").read_bytes() for name in ("radiance", "half_width", "temperature")])
+            cubes.append([(out / f"image_{name}.img").read_bytes() for name in ("radiance", "half_width", "temperature", "thermal_half_width")])
         self.assertEqual(cubes[0], cubes[1])
         run = json.loads((out / "image_run.json").read_text())
         self.assertTrue(any(re.search(r"at \d+ points that the camera sees, each solved in full", note) for note in run["notes"]))
         kelvin = array.array("f", cubes[0][2])
         known = sorted(value for value in kelvin if value > 250)
         self.assertGreater(known[-1] - known[0], 8)
+        # What the temperatures may be off by is in the half-widths and beside them.
+        half_width, thermal = array.array("f", cubes[0][1]), array.array("f", cubes[0][3])
+        self.assertTrue(all(0 < part <= whole for part, whole in zip(thermal, half_width)))
 
     def test_what_the_camera_hardly_sees_is_measured_all_the_same(self):
         """A road that no ray of the survey meets had been off by 0 K at 0 points, and all pixels sure of it."""

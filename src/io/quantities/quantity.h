@@ -70,6 +70,7 @@ struct Quantity {
     bool materials = false;
     bool stokes = false;      ///< a sensor that tells polarization
     bool emissivity = false;  ///< tiles that tell the emissivity of what is seen
+    bool solved = false;      ///< temperatures that were solved
     bool parts = false;      ///< tiles that tell the parts of their light, which irradiances at points do not
     bool radiance = false;   ///< pixels that are radiances, which irradiances at points are not
     bool sunlight = false;   ///< the Sun above the horizon, and what it sends before the air took some

@@ -69,7 +69,7 @@ QuantitySet possible_quantities(const QuantitySet& choice, const render::ImageIn
     if ((!needs.errors || knows_errors) && (!needs.air || air) &&
         (!needs.materials || !image.materials.empty()) && (!needs.stokes || image.stokes) &&
         (!(needs.parts || needs.radiance || needs.emissivity) || !points) && (!needs.sunlight || sunlight) &&
-        (!needs.mosaic || image.mosaic))
+        (!needs.mosaic || image.mosaic) && (!needs.solved || image.solved))
       possible.add(*quantity);
   }
   return possible;

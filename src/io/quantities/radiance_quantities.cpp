@@ -5,6 +5,7 @@
 
 #include "render/polarized/stokes_columns.h"
 #include "render/tile_sink.h"
+#include "render/tolerance/node_budget.h"
 
 namespace ifov::io::quantities {
 namespace {
@@ -40,6 +41,13 @@ void put_model_error(const FinishedTile& of, ValueSink& sink) {
     if (const auto& channel = channels[i % channels.size()]; channel.air)
       model[i] = static_cast<float>(channel.air->of_model(of.tile.mean[i], before.empty() ? 0.0 : before[i]));
   sink.put(model);
+}
+
+void put_thermal_half_width(const FinishedTile& of, ValueSink& sink) {
+  if (const sampling::TileLayer* const layer = of.tile.layer(render::kThermalLayer))
+    sink.put(layer->values<float>());
+  else
+    sink.put(std::vector<float>(of.tile.mean.size(), 0.0f));
 }
 
 }  // namespace
@@ -102,5 +110,16 @@ constinit const Quantity kAtmosphereModelError{
     .band_names = {},
     .needs = {.errors = true, .air = true},
     .values = put_model_error};
+
+constinit const Quantity kThermalHalfWidth{.name = "thermal_half_width",
+                                           .what = "what solved temperatures may be off by, as radiance",
+                                           .unit = "",
+                                           .role = Quantity::Role::error,
+                                           .statistic = Quantity::Statistic::half_width,
+                                           .type = EnviType::float32,
+                                           .bands = Quantity::Bands::channels,
+                                           .band_names = {},
+                                           .needs = {.errors = true, .solved = true},
+                                           .values = put_thermal_half_width};
 
 }  // namespace ifov::io::quantities

@@ -10,5 +10,7 @@ extern const Quantity kRadiance, kStandardError, kHalfWidth;
 extern const Quantity kAtmosphereHalfWidth;
 /// What the model of the air may be off by, in intervals or not.
 extern const Quantity kAtmosphereModelError;
+/// What it may be off by because temperatures that were solved are what they are.
+extern const Quantity kThermalHalfWidth;
 
 }  // namespace ifov::io::quantities

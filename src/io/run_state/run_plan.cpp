@@ -11,6 +11,7 @@
 #include "io/quantities/radiance_quantities.h"
 #include "render/emissivity_layer.h"
 #include "render/parts/part_columns.h"
+#include "render/tolerance/node_budget.h"
 #include "render/truth_layers.h"
 #include "sampling/tile.h"
 
@@ -76,6 +77,11 @@ bool RunPlan::tells_emissivity() const {
   return std::any_of(made.begin(), made.end(), [](const Quantity* q) { return q->needs.emissivity; });
 }
 
+bool RunPlan::tells_thermal_errors() const {
+  const QuantitySet made = made_cubes();
+  return std::any_of(made.begin(), made.end(), [](const Quantity* q) { return q->needs.solved; });
+}
+
 bool RunPlan::keeps_variances() const {
   const QuantitySet made = made_cubes();
   return keeps_memory ||
@@ -93,6 +99,7 @@ sampling::TileResult RunPlan::example_tile(int pixels) const {
   for (const truth::Collector* collector : collectors_of(made_cubes()))
     tile.layers.push_back(render::empty_layer(*collector, static_cast<std::size_t>(pixels)));
   if (tells_emissivity()) render::add_empty_emissivity_layer(image.channels.size(), tile);
+  if (tells_thermal_errors()) tile.layers.push_back(render::empty_thermal_layer(image.channels.size(), tile));
   if (tells_parts()) render::add_empty_part_layers(image.channels.size(), tile);
   return tile;
 }

@@ -52,6 +52,7 @@ struct RunPlan {
   /// Whether tiles tell the parts of their light.
   bool tells_parts() const;
   bool tells_emissivity() const;
+  bool tells_thermal_errors() const;
   /// Whether tiles carry the variances.
   bool keeps_variances() const;
   /// Whether the cubes hold all the values that tiles have, so that the state need not.

@@ -144,6 +144,7 @@ void write_members(JsonWriter& json, const render::ImageInfo& image, WrittenWith
   json.member("height_px", image.height_px);
   if (image.sweep_lines > 0) json.member("sweep_lines", image.sweep_lines);
   json.member("radiance_unit", image.radiance_unit);
+  if (image.solved) json.member("solved_temperatures", true);
   json.member("footprint_px", image.footprint_px);
   json.list("channels", [&] {
     for (std::size_t c = 0; c < image.channels.size(); ++c)
@@ -196,6 +197,7 @@ render::ImageInfo image_of(const JsonView& v) {
   image.height_px = v["height_px"].small_integer();
   if (v["sweep_lines"].is_there()) image.sweep_lines = v["sweep_lines"].small_integer();
   image.radiance_unit = v["radiance_unit"].text();
+  image.solved = v["solved_temperatures"].is_there();
   image.footprint_px = v["footprint_px"].number();
   std::vector<sensor::ColumnResponses::Channel> by_column;
   for (const JsonView& c : v["channels"].items()) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "render/tolerance/accuracy_tolerance.h"
@@ -66,6 +67,27 @@ double emitted_by(const NodeHalfWidth& node, const sampling::Abundance* held, st
     for (std::size_t k = 0; k < count; ++k) least = std::min(least, moved(of(held[k])));
   sum += std::min(least, moved(0.0));
   return std::isfinite(sum) ? std::min(sum, node.emitted) : node.emitted;
+}
+
+sampling::TileLayer empty_thermal_layer(std::size_t channels, const sampling::TileResult& tile) {
+  return {kThermalLayer, sizeof(float), static_cast<std::uint32_t>(channels),
+          std::vector<std::byte>(static_cast<std::size_t>(tile.tile.count()) * channels * sizeof(float))};
+}
+
+void add_thermal_layer(std::span<const NodeHalfWidth> nodes, sampling::TileResult& tile) {
+  if (nodes.empty()) return;
+  sampling::TileLayer layer = empty_thermal_layer(nodes.size(), tile);
+  std::byte* into = layer.bytes.data();
+  HeldMaterials materials(tile);
+  for (std::size_t p = 0; p < tile.samples.size(); ++p) {
+    const std::span<const sampling::Abundance> held = materials.of(p);
+    for (const NodeHalfWidth& node : nodes) {
+      const float of_channel = static_cast<float>(emitted_by(node, held.data(), held.size()));
+      std::memcpy(into, &of_channel, sizeof(float));
+      into += sizeof(float);
+    }
+  }
+  tile.layers.push_back(std::move(layer));
 }
 
 void widen(std::span<const NodeHalfWidth> nodes, const AccuracyTolerance* tolerance,

@@ -57,6 +57,8 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
     plan.files = io::stamp_scene_files(
         document.files, std::filesystem::path(document.sources.file_name).parent_path(), parts.known_files);
   plan.image = parts.info;
+  plan.image.solved = std::any_of(parts.scene.states.begin(), parts.scene.states.end(),
+                                  [](const scene::SurfaceState& state) { return state.solved > 0; });
   tell_objects(document.scene.objects, parts.placed, *parts.scene.world, plan.image);
   plan.tile_px = document.sampling.tile_px;
   plan.judged = parts.tolerance != nullptr;
@@ -91,6 +93,7 @@ void set_contents(const io::RunPlan& plan, render::RenderJob& job) {
   job.collectors = io::collectors_of(plan.made_cubes());
   job.emissivity = plan.tells_emissivity();
   job.parts = plan.tells_parts();
+  job.thermal_errors = plan.tells_thermal_errors();
 }
 
 }  // namespace ifov::session
