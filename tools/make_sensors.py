@@ -429,7 +429,7 @@ GROUPS = {
           ("M. Drusch et al., Sentinel-2: ESA's optical high-resolution mission for GMES operational services, Remote Sensing of Environment 120 "
            "(2012) 25-36, doi:10.1016/j.rse.2011.11.026: required signal-to-noise ratios at reference radiances; aperture of 150 mm.", FIGURES)],
          [*around_centre(MSI, 1e-3), told("optics", {"aperture": "150 mm", "f_number": 4})]),
-        ("Sentinel-3 OLCI", "OLCI", "Ocean and land colour from 814 km. Nominal centres and widths; the noise is what was required at radiances of the open ocean.",
+        ("Sentinel-3 OLCI", "OLCI", "Ocean and land colour from 814 km. Nominal centres and widths (Oa21 is two thirds as wide); the noise is what was required at radiances of the open ocean.",
          "300 m",
          [("C. Donlon et al., The Global Monitoring for Environment and Security (GMES) Sentinel-3 mission, Remote Sensing of Environment 120 "
            "(2012) 37-57, doi:10.1016/j.rse.2011.07.024: bands, reference radiances, required signal-to-noise ratios.", FIGURES)],
@@ -442,8 +442,8 @@ GROUPS = {
            "(2012) 37-57, doi:10.1016/j.rse.2011.07.024: NEdT at 270 K.", FIGURES)], around_centre(SLSTR)),
     ],
     "nasa": [
-        ("MODIS", "Terra MODIS; Aqua MODIS", "Whiskbroom of Terra and Aqua, from 705 km. Nominal edges; the noise is what was required at typical radiances.",
-         "1 km (bands 8 to 36), 250 m (1, 2), 500 m (3 to 7)", [MODIS_PAGE], [*bands(MODIS, 1e-3), *bands(MODIS_THERMAL)]),
+        ("MODIS", "Terra MODIS; Aqua MODIS", "Whiskbroom of Terra and Aqua, from 705 km. Nominal edges (6, 7 and 12 of Terra's lie a third to half a width shorter); the noise is what was required "
+         "at typical radiances.", "1 km (bands 8 to 36), 250 m (1, 2), 500 m (3 to 7)", [MODIS_PAGE], [*bands(MODIS, 1e-3), *bands(MODIS_THERMAL)]),
         ("ASTER", "Terra ASTER", "Three telescopes on Terra, from 705 km. Nominal edges; noise of 10 to 14 as required at 300 K; of 1 to 9 it is told in reflectance, not "
          "in radiance, and left out. Band 3B, which looks back, is as 3N.", "15 m (1 to 3N), 30 m (4 to 9), 90 m (10 to 14)",
          [("M. Abrams, S. Hook, B. Ramachandran, ASTER User Handbook, version 2, Jet Propulsion Laboratory (2002), table of bands.", PUBLIC),
@@ -451,7 +451,7 @@ GROUPS = {
            "(ASTER), IEEE Transactions on Geoscience and Remote Sensing 36 (1998) 1062-1071, doi:10.1109/36.700991: NEdT of 0.3 K or less.", FIGURES)],
          bands(ASTER)),
         ("VIIRS", "Suomi NPP VIIRS; NOAA-20 VIIRS", "Whiskbroom of Suomi NPP and its followers, from 829 km. Nominal edges; the noise is what was required at typical "
-         "radiances and temperatures, of bands with two gains at the high one. Of the day-night band none is told.", "750 m, I1 to I5 375 m",
+         "radiances and temperatures, of bands with two gains at the high one. Of the day-night band none is told. M12 lies a third of its width shorter.", "750 m, I1 to I5 375 m",
          [("C. Cao, F. J. De Luccia, X. Xiong, R. Wolfe, F. Weng, Early on-orbit performance of the Visible Infrared Imaging Radiometer Suite onboard "
            "the Suomi National Polar-Orbiting Partnership (S-NPP) satellite, IEEE Transactions on Geoscience and Remote Sensing 52 (2014) 1142-1156, "
            "doi:10.1109/TGRS.2013.2247768: bands, typical radiances, required SNR and NEdT.", FIGURES)], bands(VIIRS)),
@@ -462,7 +462,7 @@ GROUPS = {
            "doi:10.1109/TGRS.2019.2945701.", FIGURES)], around_centre(ECOSTRESS)),
     ],
     "commercial": [
-        ("WorldView-3", "WV-3; WorldView", "Panchromatic, eight bands to 1.04 um, eight of shortwave infrared, from 617 km. Nominal edges; no noise is told.",
+        ("WorldView-3", "WV-3; WorldView", "Panchromatic, eight bands to 1.04 um, eight of shortwave infrared, from 617 km. Nominal edges (half of NIR2's response lies in half of them); no noise is told.",
          "1.24 m, PAN 0.31 m, SWIR1 to SWIR8 3.7 m",
          [("DigitalGlobe, WorldView-3 data sheet (2014); the same edges in the International Charter's description of the mission "
            "(docs.charter.uat.esaportal.eu/missions/opt/worldview-3).", FIGURES)], bands(WORLDVIEW_3, 1e-3)),
