@@ -65,7 +65,7 @@ struct SensorPresetInfo {
   double first_um = 0.0, last_um = 0.0;  ///< between the outermost half-maxima
   std::string noise;                     ///< "SNR", "NEdT of 3", ...; empty: none is told
   std::string ground;                    ///< size of its pixels on the ground, or its kind, in words
-  std::string document;                  ///< it over a flat ground, to be changed: a document, JSON
+  std::string document;                  ///< it over the shore of a lake, to be changed: a document, JSON
 };
 IFOV_API std::vector<SensorPresetInfo> sensor_preset_list();
 /// By its name or another that it has, letters compared without case. Throws InputError, naming near misses.

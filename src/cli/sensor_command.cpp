@@ -148,7 +148,7 @@ Command add_sensors_command(CLI::App& app) {
   parser->add_option("NAME", *name, "The instrument; without it all are listed");
   parser->footer(
       "A document takes one by its name: \"sensor\": {\"preset\": \"Landsat 8 TIRS\", \"camera\": ...}. What is printed of one is a\n"
-      "whole document with a flat ground under it, to be changed.\n\n"
+      "whole document with land and a lake under it, to be changed.\n\n"
       "Examples:\n"
       "  ifov sensors\n"
       "  ifov sensors \"Landsat 8 TIRS\" > tirs.json");

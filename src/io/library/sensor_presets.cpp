@@ -311,8 +311,11 @@ std::string preset_text(const SensorPreset& preset) {
   return format(R"({{
   "ifov": 1,
   "scene": {{
-    "materials": {{"ground": {{"reflectance": 0.3, "temperature": "300 K"}}}},
-    "objects": [{{"plane": {{}}, "material": "ground"}}]
+    "materials": {{"land": {{"reflectance": 0.3, "temperature": "300 K"}}, "lake": {{"reflectance": 0.05, "temperature": "290 K"}}}},
+    "objects": [
+      {{"plane": {{}}, "material": "land"}},
+      {{"disk": {{"center": ["100 km", "0 m", "0.1 m"], "normal": [0, 0, 1], "radius": "100 km"}}, "material": "lake"}}
+    ]
   }},
   "light": {{"sun": {{"disc": {{"zenith": "45 deg", "azimuth": "135 deg"}}}}, "sky": {{"none": {{}}}}}},
 {}  "sensor": {{{}

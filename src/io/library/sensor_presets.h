@@ -56,7 +56,7 @@ std::span<const SensorPreset> sensor_presets();
 /// By its name or another that it has, letters compared without case; an InputError names near misses.
 const SensorPreset& sensor_preset(std::string_view name);
 
-/// A document of a flat ground under it, for a user to change; a line of JSON for each channel.
+/// A document of it over the shore of a lake, for a user to change; a line of JSON for each channel.
 std::string preset_text(const SensorPreset& preset);
 
 }  // namespace ifov::io
