@@ -63,7 +63,7 @@ class Preset:
     @property
     def channels(self) -> list[dict[str, Any]]:
         """As a document's ``sensor.channels``, to be changed."""
-        return self.document["sensor"]["channels"]
+        return list(self.document["sensor"]["channels"])
 
 
 def presets() -> list[Preset]:
