@@ -4,7 +4,7 @@ them publish it.
 
     python3 tools/make_sensors.py data/sensors
 
-Each figure below was typed in from the page or paper that the `source` beside it names; what was found nowhere is not told. What is worked
+Each figure below is of the page or paper that the `source` beside it names; what was found nowhere is not told. What is worked
 out of published figures (noise of spectrometers, the efficiency of the DSLR) is worked out here."""
 
 import json
