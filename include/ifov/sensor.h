@@ -56,15 +56,19 @@ struct SensorDescription {
 /// z = 0. Throws InputError, located; SystemError for files of responses and spectra.
 IFOV_API SensorDescription describe_sensor(const Document& document);
 
-/// An instrument whose published channels a document takes by name ("preset").
+/// An instrument whose published figures a document takes by name ("preset").
 struct SensorPresetInfo {
   std::string name, about;
+  std::vector<std::string> also;     ///< other names that it is found by
   std::vector<std::string> sources;  ///< with licences
   int bands = 0;
-  std::string document;  ///< its channels as a document's part, JSON
+  double first_um = 0.0, last_um = 0.0;  ///< between the outermost half-maxima
+  std::string noise;                     ///< "SNR", "NEdT of 3", ...; empty: none is told
+  std::string ground;                    ///< size of its pixels on the ground, or its kind, in words
+  std::string document;                  ///< it over the shore of a lake, to be changed: a document, JSON
 };
 IFOV_API std::vector<SensorPresetInfo> sensor_preset_list();
-/// By its name, letters compared without case. Throws InputError, naming near misses.
+/// By its name or another that it has, letters compared without case. Throws InputError, naming near misses.
 IFOV_API SensorPresetInfo find_sensor_preset(const std::string& name);
 
 }  // namespace ifov

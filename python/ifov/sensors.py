@@ -46,13 +46,24 @@ _BY_COLUMN = (
 
 @dataclasses.dataclass(frozen=True)
 class Preset:
-    """name: as documents name it (``"sensor": {"preset": name}``); sources: publications with their licences; channels: as a document's
-    ``sensor.channels``, to be changed"""
+    """name: as documents name it (``"sensor": {"preset": name}``); also: other names of it; sources: publications with their licences; bands: how
+    many channels; range_um: between their outermost half-maxima; noise: what is told of it, such as ``"SNR"``, empty where nothing is; ground: size of
+    its pixels, or its kind; document: it over the shore of a lake, to be changed"""
 
     name: str
+    also: list[str]
     about: str
     sources: list[str]
-    channels: list[dict[str, Any]]
+    bands: int
+    range_um: tuple[float, float]
+    noise: str
+    ground: str
+    document: dict[str, Any]
+
+    @property
+    def channels(self) -> list[dict[str, Any]]:
+        """As a document's ``sensor.channels``, to be changed."""
+        return list(self.document["sensor"]["channels"])
 
 
 def presets() -> list[Preset]:
@@ -61,7 +72,7 @@ def presets() -> list[Preset]:
 
 
 def find(name: str) -> Preset:
-    """An instrument by its name, letters compared without case. Throws ``DocumentError``, which names near misses."""
+    """An instrument by its name or another that it has, letters compared without case. Throws ``DocumentError``, which names near misses."""
     return _preset(library().find_sensor_preset(name))
 
 
@@ -106,5 +117,14 @@ def describe(document: Mapping[str, Any]) -> xarray.Dataset:
 
 
 def _preset(found: Any) -> Preset:
-    part = json.loads(without_comments(found.document))
-    return Preset(found.name, found.about, list(found.sources), part.get("sensor", part)["channels"])
+    return Preset(
+        found.name,
+        list(found.also),
+        found.about,
+        list(found.sources),
+        found.bands,
+        (found.first_um, found.last_um),
+        found.noise,
+        found.ground,
+        json.loads(without_comments(found.document)),
+    )

@@ -52,6 +52,12 @@ void add_sensors(nb::module_& module) {
   nb::class_<SensorPresetInfo>(module, "SensorPreset")
       .def_ro("name", &SensorPresetInfo::name)
       .def_ro("about", &SensorPresetInfo::about)
+      .def_ro("also", &SensorPresetInfo::also)
+      .def_ro("bands", &SensorPresetInfo::bands)
+      .def_ro("first_um", &SensorPresetInfo::first_um)
+      .def_ro("last_um", &SensorPresetInfo::last_um)
+      .def_ro("noise", &SensorPresetInfo::noise)
+      .def_ro("ground", &SensorPresetInfo::ground)
       .def_ro("sources", &SensorPresetInfo::sources)
       .def_ro("document", &SensorPresetInfo::document);
   module.def("describe_sensor", &describe_sensor, nb::arg("document"));

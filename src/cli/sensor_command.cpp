@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "cli/document_arguments.h"
 #include "cli/inputs_below.h"
@@ -68,18 +69,44 @@ void say_sensor(const Document& document) {
   for (const SensorDescription::Channel& channel : sensor.channels) say_channel(channel);
 }
 
+/// Comments of lines that are no longer than a terminal's.
+std::string commented(const std::string& text) {
+  constexpr std::size_t kWidth = 110;
+  std::string lines, line;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t to = std::min(text.find(' ', from), text.size());
+    const std::string word = text.substr(from, to - from);
+    if (!line.empty() && line.size() + 1 + word.size() > kWidth)
+      lines += format("// {}\n", line), line.clear();
+    line += line.empty() ? word : " " + word;
+    from = to + 1;
+  }
+  return lines + format("// {}\n", line);
+}
+
+void say_preset(const SensorPresetInfo& preset) {
+  std::string text = commented(format("{}: {}", preset.name, preset.about));
+  for (const std::string& source : preset.sources) text += commented(format("- {}", source));
+  text += commented(format(
+      "What a document takes by \"sensor\": {{\"preset\": \"{}\"}} is all below 'sensor' but the camera.",
+      preset.name));
+  say(text + preset.document);
+}
+
 ExitCode list_presets(const std::string& name) {
   if (!name.empty()) {
-    const SensorPresetInfo preset = find_sensor_preset(name);
-    std::string text = format("// {}: {}\n", preset.name, preset.about);
-    for (const std::string& source : preset.sources) text += format("// {}\n", source);
-    say(text + preset.document);
+    say_preset(find_sensor_preset(name));
     return ExitCode::ok;
   }
-  for (const SensorPresetInfo& preset : sensor_preset_list()) {
-    say(format("{} ({} bands): {}\n", preset.name, preset.bands, preset.about));
-    for (const std::string& source : preset.sources) say(format("    {}\n", source));
-  }
+  const auto row = [](const std::string& instrument, const std::string& bands, const std::string& um,
+                      const std::string& noise, const std::string& pixel) {
+    say(format("{:<22} {:>5}  {:<15} {:<18} {}\n", instrument, bands, um, noise, pixel));
+  };
+  row("instrument", "bands", "um", "noise", "pixel, or kind");
+  for (const SensorPresetInfo& preset : sensor_preset_list())
+    row(preset.name, format("{}", preset.bands), format("{:.4g} to {:.4g}", preset.first_um, preset.last_um),
+        preset.noise.empty() ? "not told" : preset.noise, preset.ground);
+  say("\n'ifov sensors NAME' says what an instrument is and where its figures come from, and prints a document with it.\n");
   return ExitCode::ok;
 }
 
@@ -116,11 +143,12 @@ Command add_sensor_command(CLI::App& app) {
 
 Command add_sensors_command(CLI::App& app) {
   auto name = std::make_shared<std::string>();
-  CLI::App* parser = app.add_subcommand(
-      "sensors", "List instruments whose channels are known, or print one as a document's part");
-  parser->add_option("NAME", *name, "The instrument; without it all are listed with their sources");
+  CLI::App* parser =
+      app.add_subcommand("sensors", "List instruments that are known by name, or print one as a document");
+  parser->add_option("NAME", *name, "The instrument; without it all are listed");
   parser->footer(
-      "A document takes one by its name: \"sensor\": {\"preset\": \"Landsat 8 TIRS\", \"camera\": ...}\n\n"
+      "A document takes one by its name: \"sensor\": {\"preset\": \"Landsat 8 TIRS\", \"camera\": ...}. What is printed of one is a\n"
+      "whole document with land and a lake under it, to be changed.\n\n"
       "Examples:\n"
       "  ifov sensors\n"
       "  ifov sensors \"Landsat 8 TIRS\" > tirs.json");

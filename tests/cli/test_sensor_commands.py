@@ -1,17 +1,12 @@
-"""`ifov sensor` and `ifov sensors`: what follows of a sensor, and instruments by name."""
+"""`ifov sensor`: what follows of a sensor."""
 
-import csv
 import json
 import math
-import os
-import pathlib
 import re
 import unittest
 
 from program import Folder, run
 from test_detector import C, H, K, changed, integral, mean_radiance, text
-
-TRUTH = pathlib.Path(os.environ.get("IFOV_TRUTH", pathlib.Path(__file__).resolve().parents[3] / "shared/truth"))
 
 
 class Sensor(unittest.TestCase):
@@ -113,82 +108,6 @@ class Sensor(unittest.TestCase):
             done = run("sensor", "scene.json", cwd=folder)
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, r"^scene\.json:\d+:\d+: a detector needs the sensor's 'optics'")
-
-
-class Presets(unittest.TestCase):
-    def names(self):
-        return [line.split(" (")[0] for line in run("sensors").stdout.splitlines() if not line.startswith(" ")]
-
-    def test_every_preset_has_a_source_and_loads(self):
-        listed = run("sensors").stdout
-        self.assertGreaterEqual(len(self.names()), 7)
-        for name in self.names():
-            with self.subTest(name):
-                self.assertRegex(listed.split(f"{name} (")[1], r"^\d+ bands\): .*\n    .*Licence: ")
-                document = changed(sensor__optics=None, sensor__detector=None, sensor__channels=None)
-                document["sensor"]["preset"] = name.lower()
-                printed = run("sensors", name)
-                self.assertEqual((printed.returncode, printed.stderr), (0, ""))
-                part = json.loads("\n".join(line for line in printed.stdout.splitlines() if not line.startswith("//")))
-                written = changed(sensor__optics=None, sensor__detector=None, sensor__channels=part["sensor"]["channels"])
-                with Folder(named=json.dumps(document), written=json.dumps(written)) as folder:
-                    told = [run("sensor", f"{which}.json", cwd=folder) for which in ("named", "written")]
-                self.assertEqual([one.returncode for one in told], [0, 0], told[0].stderr + told[1].stderr)
-                # Figures of what is printed have six digits.
-                numbers = [re.findall(r"[-+]?\d+\.?\d*(?:e[-+]?\d+)?", one.stdout) for one in told]
-                self.assertEqual(*(re.sub(r"[-+]?\d+\.?\d*(?:e[-+]?\d+)?", "#", one.stdout) for one in told))
-                for a, b in zip(*numbers):
-                    self.assertAlmostEqual(float(a), float(b), delta=1e-3 * abs(float(a)))
-
-    def test_nominal_bands_lie_where_the_responses_do(self):
-        if not (TRUTH / "sensors/expected_bands.csv").exists():
-            self.skipTest("no expected_bands.csv")
-        measured = {}
-        for row in csv.DictReader((TRUTH / "sensors/expected_bands.csv").open()):
-            measured.setdefault(row["sensor"], {})[row["band"]] = row
-        seen = 0
-        for name, of in (("Landsat 8 OLI", "L8_OLI"), ("Landsat 9 OLI-2", "L9_OLI"), ("Landsat 8 TIRS", "L8_TIRS"), ("MODIS", "Terra_MODIS"),
-                         ("Sentinel-2 MSI", "S2A_MSI_V4"), ("ASTER", "TERRA_ASTER_TIR")):
-            printed = run("sensors", name).stdout
-            part = json.loads("\n".join(line for line in printed.splitlines() if not line.startswith("//")))
-            for channel in part["sensor"]["channels"]:
-                first, last = (float(channel["top_hat"][key].split()[0]) for key in ("from", "to"))
-                row = measured[of].get(channel["name"]) or measured[of].get(channel["name"].lstrip("B"))
-                if of == "Terra_MODIS":  # 16 bands, which are numbered by wavelength there
-                    if int(channel["name"]) > 16:
-                        continue
-                    row = min(measured[of].values(), key=lambda one: abs(float(one["centroid_um"]) - 0.5 * (first + last)))
-                if row is None:
-                    continue
-                with self.subTest(f"{name} {channel['name']}"):
-                    self.assertTrue(first < float(row["centroid_um"]) < last, row)
-                    self.assertLess(abs((last - first) / float(row["fwhm_um"]) - 1), 0.5)
-                seen += 1
-        self.assertGreater(seen, 30)
-
-    def test_noise_of_modis(self):
-        """Required NEdT at other temperatures than 300 K is a radiance: of band 33, 0.25 K at 260 K."""
-        document = changed(sensor__optics=None, sensor__detector=None, sensor__channels=None)
-        document["sensor"]["preset"] = "MODIS"
-        with Folder(scene=json.dumps(document)) as folder:
-            out = run("sensor", "scene.json", cwd=folder).stdout
-        nedl = float(re.search(r"^33: .*?NEdL +([0-9.e-]+)", out, re.M | re.S).group(1))
-        slope = mean_radiance(13.185, 13.485, 260.5) - mean_radiance(13.185, 13.485, 259.5)
-        self.assertAlmostEqual(nedl / (0.25 * slope), 1, delta=1e-3)
-        self.assertAlmostEqual(float(re.search(r"^1: .*?NEdL +([0-9.e-]+)", out, re.M | re.S).group(1)), 21.8 / 128, delta=1e-4)
-
-    def test_mistakes(self):
-        done = run("sensors", "Landsat 8 TIR")
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("there is no preset 'Landsat 8 TIR'", done.stderr)
-        self.assertIn("Landsat 8 TIRS", done.stderr)
-        document = changed(sensor__optics=None, sensor__detector=None)
-        document["sensor"]["preset"] = "MODIS"
-        with Folder(both=json.dumps(document, indent=1), detector=json.dumps({**changed(sensor__channels=None), "sensor": {
-                **changed(sensor__channels=None)["sensor"], "preset": "Landsat 8 TIRS"}}, indent=1)) as folder:
-            both, detector = (run("check", f"{name}.json", cwd=folder) for name in ("both", "detector"))
-        self.assertRegex(both.stderr, r"^both\.json:\d+:\d+: .*'channels'")
-        self.assertIn("channel '10' states its noise by 'noise_temperature', and its noise also follows from the 'detector'", detector.stderr)
 
 
 if __name__ == "__main__":

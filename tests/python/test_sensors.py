@@ -34,6 +34,12 @@ class Sensors(unittest.TestCase):
         self.assertTrue(all(name in listed for name in names))
         tirs = ifov.sensors.find("landsat 8 tirs")
         self.assertEqual([channel["noise_temperature"] for channel in tirs.channels], ["0.05 K", "0.05 K"])
+        self.assertEqual((tirs.bands, tirs.noise, tirs.ground), (2, "NEdT", "100 m"))
+        np.testing.assert_allclose(tirs.range_um, (10.6, 12.51))
+        camera = ifov.sensors.find("microbolometer")
+        self.assertIn("microbolometer", camera.also)
+        self.assertEqual(camera.document["sensor"]["detector"]["time_constant"], "12 ms")
+        np.testing.assert_allclose(ifov.sensors.describe(camera.document)["step_share"], 1 - np.exp(-33.33 / 12), rtol=1e-6)
         with self.assertRaisesRegex(ifov.DocumentError, "did you mean 'Landsat 8 TIRS'"):
             ifov.sensors.find("Landsat 8 TIR")
         # Channels are those of the preset by name.

@@ -15,6 +15,9 @@ struct OpticsDocument {
   std::optional<double> temperature_k;         ///< of the optics; none: they emit nothing
   std::optional<SpectrumDocument> emissivity;  ///< what the throughput leaves of 1 if not given
   SourcePosition position;
+
+  /// What `other` says, and this where it says nothing; of aperture, focal length and f-number other's or this one's all.
+  OpticsDocument under(const OpticsDocument& other) const;
 };
 
 /// Dark current of HgCdTe by its cutoff and temperature.

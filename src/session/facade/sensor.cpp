@@ -15,8 +15,9 @@ namespace ifov {
 namespace {
 
 SensorPresetInfo told(const io::SensorPreset& preset) {
-  return {preset.name, preset.about, preset.sources, static_cast<int>(preset.bands.size()),
-          io::preset_text(preset)};
+  const auto [first_um, last_um] = preset.range_um();
+  return {preset.name, preset.about, preset.also,         preset.sources, preset.channel_count(),
+          first_um,    last_um,      preset.noise_text(), preset.ground,  io::preset_text(preset)};
 }
 
 }  // namespace

@@ -137,6 +137,17 @@ void add_views(Record<SensorDocument>& record, const char* key, const SchemaType
              placed, std::move(doc));
 }
 
+/// Where a row puts what counts before the same of a preset, key by key.
+template <class V>
+auto over_preset(std::shared_ptr<const V> SensorDocument::*member) {
+  return via(
+      [member](SensorDocument& sensor, V value) {
+        const std::shared_ptr<const V> preset = sensor.*member;
+        sensor.*member = std::make_shared<const V>(preset ? preset->under(value) : std::move(value));
+      },
+      [member](const SensorDocument& sensor) { return (sensor.*member).get(); });
+}
+
 /// What an image's pixels alone have.
 void refuse_for_views(const SensorDocument& sensor, const DocumentNode& node) {
   if (dynamic_cast<const ViewSettings*>(sensor.camera.settings.get()) == nullptr) return;
@@ -175,11 +186,15 @@ SchemaType<SensorDocument> sensor_type() {
   add_views(record, "rays", rays_type(), "instead: radiance along rays");
   record.exactly_one()
       .one("channels", &SensorDocument::channels, channels_type(), "spectral channels")
-      .one("preset", only_read([](SensorDocument& sensor, std::vector<ChannelDocument> channels) {
-             sensor.channels = std::move(channels);
-           }),
-           preset_type(),
-           "instead: the channels of an instrument and their noise, as published; `ifov sensors` lists them")
+      .one(
+          "preset", only_read([](SensorDocument& sensor, SensorDocument preset) {
+            sensor.channels = std::move(preset.channels);
+            sensor.optics = std::move(preset.optics), sensor.detector = std::move(preset.detector);
+            sensor.mosaic = std::move(preset.mosaic);
+          }),
+          preset_type(),
+          "instead: the channels of an instrument and their noise, its optics, detector and mosaic as far as they are published; what the document "
+          "says of these counts before them. `ifov sensors` lists the instruments")
       .optional("psf",
                 via(
                     [](SensorDocument& sensor, PsfEntry entry) {
@@ -198,9 +213,9 @@ SchemaType<SensorDocument> sensor_type() {
           "their errors")
       .with_default("fill_factor", &SensorDocument::fill_factor, fraction({0.0, 1.0, true, false, {}}), "1",
                     "sensitive share of a detector element's area, a centred square")
-      .optional("optics", shared(&SensorDocument::optics), optics_type(),
+      .optional("optics", over_preset(&SensorDocument::optics), optics_type(),
                 "what light passes, for a `detector`")
-      .optional("detector", shared(&SensorDocument::detector), detector_type(),
+      .optional("detector", over_preset(&SensorDocument::detector), detector_type(),
                 "how light becomes electrons and counts: for `ifov detect`, and errors in shares of noise")
       .optional(
           "smile", shared(&SensorDocument::smile), smile_type(true),

@@ -71,7 +71,7 @@ SchemaType<PlatformDocument> platform_type();
 SchemaType<std::shared_ptr<const PlatformDocument>> motion_type();  ///< of something in the scene
 SchemaType<CameraDocument> camera_type();
 SchemaType<std::vector<ChannelDocument>> channels_type();
-SchemaType<std::vector<ChannelDocument>> preset_type();  ///< of an instrument, by its name
+SchemaType<SensorDocument> preset_type();  ///< an instrument by its name: all but its camera
 SchemaType<OpticsDocument> optics_type();
 SchemaType<DetectorDocument> detector_type();
 SchemaType<SnrDocument> snr_type();
