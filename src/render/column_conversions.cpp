@@ -22,6 +22,17 @@ double weighted(const ImageInfo& image, std::size_t channel, int column, const O
   return sum;
 }
 
+/// Of the response of a pixel's column; not a number where it is not known.
+template <class Of>
+double of_response(const ImageInfo& image, std::size_t channel, int column, const Of& of) {
+  const ChannelInfo& told = image.channels[channel];
+  if (!told.brightness) return std::numeric_limits<double>::quiet_NaN();
+  if (!image.responses || (*image.responses)[channel].carried.size() < 2)
+    return of(told.brightness->channel());
+  const std::vector<sensor::BrightnessScale>& scales = image.responses->scales(channel);
+  return weighted(image, channel, column, [&](std::size_t k) { return of(scales[k].channel()); });
+}
+
 }  // namespace
 
 double toa_irradiance(const ImageInfo& image, std::size_t channel, int column) {
@@ -55,18 +66,17 @@ double brightness_kelvin(const ImageInfo& image, std::size_t channel, int column
 }
 
 double band_width_um(const ImageInfo& image, std::size_t channel, int column) {
-  const ChannelInfo& of = image.channels[channel];
-  const auto width_um = [](const radiometry::Channel& whose) {
+  return of_response(image, channel, column, [](const radiometry::Channel& whose) {
     const radiometry::Spectrum& response = whose.response;
     return whose.is_monochromatic()
                ? std::numeric_limits<double>::quiet_NaN()
                : radiometry::integral(response, response.first_um(), response.last_um()) / response.maximum();
-  };
-  if (!of.brightness) return std::numeric_limits<double>::quiet_NaN();
-  if (!image.responses || (*image.responses)[channel].carried.size() < 2)
-    return width_um(of.brightness->channel());
-  const std::vector<sensor::BrightnessScale>& scales = image.responses->scales(channel);
-  return weighted(image, channel, column, [&](std::size_t k) { return width_um(scales[k].channel()); });
+  });
+}
+
+double mean_wavelength_um(const ImageInfo& image, std::size_t channel, int column) {
+  return of_response(image, channel, column,
+                     [](const radiometry::Channel& whose) { return whose.centre_um; });
 }
 
 std::string mosaic_pattern(const ImageInfo& image) {

@@ -16,6 +16,10 @@ double brightness_kelvin(const ImageInfo& image, std::size_t channel, int column
 /// wavelength, or where the response is not known.
 double band_width_um(const ImageInfo& image, std::size_t channel, int column);
 
+/// Middle of the response, um: by it radiance that is even over the channel is a number of photons. Not a number where the response is not
+/// known.
+double mean_wavelength_um(const ImageInfo& image, std::size_t channel, int column);
+
 /// The mosaic's rows with parentheses about each: "(red, green), (green, blue)".
 std::string mosaic_pattern(const ImageInfo& image);
 

@@ -42,7 +42,7 @@ class Lists(unittest.TestCase):
         with Folder(usual=DOME, frame=DOME.replace(ORTHOGRAPHIC, FRAME),
                     all=with_output(DOME, formats=["envi"], products=["all"])) as folder:
             for name, wanted in (("usual", usual), ("frame", sorted([*usual, "location"])),
-                                 ("all", sorted([*usual, "standard_error", "abundance_half_width", "location", "true_location", "view_angles", "temperature", "radiance_per_nm", "radiance_per_nm_half_width", "band_radiance", "band_radiance_half_width", "pixel_temperature", "emissivity", "brightness_temperature", "brightness_temperature_half_width", *TRUTH, *PARTS]))):
+                                 ("all", sorted([*usual, "standard_error", "abundance_half_width", "location", "true_location", "view_angles", "temperature", "radiance_per_nm", "radiance_per_nm_half_width", "band_radiance", "band_radiance_half_width", "photon_radiance", "photon_radiance_half_width", "pixel_temperature", "emissivity", "brightness_temperature", "brightness_temperature_half_width", *TRUTH, *PARTS]))):
                 self.assertEqual(run("render", f"{name}.json", cwd=folder).returncode, 0)
                 self.assertEqual(cubes(folder / f"{name}.out"), sorted(f"image_{cube}.img" for cube in wanted))
 

@@ -139,6 +139,7 @@ TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
   EXPECT_TRUE(bare == QuantitySet({&quantities::kRadiance,
                                    &quantities::kRadiancePerNm,
                                    &quantities::kBandRadiance,
+                                   &quantities::kPhotonRadiance,
                                    &quantities::kBrightnessTemperature,
                                    &quantities::kSamples,
                                    &quantities::kQuality,

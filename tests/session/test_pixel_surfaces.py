@@ -83,11 +83,11 @@ class PixelSurfaces(unittest.TestCase):
         self.assertGreater(abs(0.5 * (s * s + p * p) / ((n - 1) / (n + 1)) ** 2 - 1.0), 0.3)  # what the angle changes would show
 
     def test_units_of_radiance(self):
-        words = ["half_width", "radiance_per_nm", "radiance_per_nm_half_width", "band_radiance", "band_radiance_half_width"]
+        words = ["half_width", "radiance_per_nm", "radiance_per_nm_half_width", "band_radiance", "band_radiance_half_width", "photon_radiance", "photon_radiance_half_width"]
         described = document({"lawn": {"emissivity": 0.98, "temperature": "290 K"}, "roof": {"emissivity": 0.9, "temperature": "310 K"}},
                              [{"plane": {}, "material": "lawn"}, {"hemisphere": {"center": ["0 m", "0 m", "0 m"], "radius": "3.3 m"}, "material": "roof"}],
                              words, sampling={"accuracy": {"error": "3 %"}})
-        radiance, half, per_nm, per_nm_half, band, band_half = self.cubes(described, "radiance", *words, codes=(0, 5, 6))
+        radiance, half, per_nm, per_nm_half, band, band_half, photons, photons_half = self.cubes(described, "radiance", *words, codes=(0, 5, 6))
         self.assertGreater(half.max(), 0.0)
         np.testing.assert_allclose(per_nm, 0.1 * radiance, rtol=1e-6)  # 1 W m-2 um-1 = 100 uW cm-2 in 1000 nm
         np.testing.assert_allclose(per_nm_half, 0.1 * half, rtol=1e-6)
@@ -95,6 +95,10 @@ class PixelSurfaces(unittest.TestCase):
         for channel, width, within in ((0, 1.5, 1e-5), (1, bell, 2e-4)):
             np.testing.assert_allclose(band[:, channel], width * radiance[:, channel], rtol=within)
             np.testing.assert_allclose(band_half[:, channel], width * half[:, channel], rtol=within)
+        for channel, um in ((0, 8.75), (1, 10.0), (2, 11.0)):
+            of_joule = um * 1e-6 / (6.62607015e-34 * 299792458.0)
+            np.testing.assert_allclose(photons[:, channel], of_joule * radiance[:, channel], rtol=1e-6)
+            np.testing.assert_allclose(photons_half[:, channel], of_joule * half[:, channel], rtol=1e-6)
         self.assertTrue(np.isnan(band[:, 2]).all(), "a single wavelength has no width")
         header = (self.folder / "out/image_radiance_per_nm.img.hdr").read_text()
         self.assertIn("data units = uW cm-2 sr-1 nm-1", header)

@@ -49,17 +49,24 @@ void put_per_nm(std::span<const float> radiance, ValueSink& sink) {
   sink.put(values);
 }
 
-void put_within_band(const FinishedTile& of, std::span<const float> radiance, ValueSink& sink) {
+/// Times what follows of the response of each pixel's column.
+template <class Of>
+void put_times(const FinishedTile& of, std::span<const float> radiance, const Of& factor, ValueSink& sink) {
   const std::size_t channels = of.image.channels.size();
   const auto width = static_cast<std::size_t>(of.tile.tile.width());
-  std::vector<double> width_um(channels * width);
-  for (std::size_t i = 0; i < width_um.size(); ++i)
-    width_um[i] =
-        render::band_width_um(of.image, i % channels, of.tile.tile.x0 + static_cast<int>(i / channels));
+  std::vector<double> factors(channels * width);
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    factors[i] = factor(of.image, i % channels, of.tile.tile.x0 + static_cast<int>(i / channels));
   std::vector<float> values(radiance.size());
   for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = static_cast<float>(width_um[i % width_um.size()] * static_cast<double>(radiance[i]));
+    values[i] = static_cast<float>(factors[i % factors.size()] * static_cast<double>(radiance[i]));
   sink.put(values);
+}
+
+/// Of light of one wavelength, photons of 1 W s are its wavelength over h c.
+double photons_of_joule(const render::ImageInfo& image, std::size_t channel, int column) {
+  constexpr double kJouleUm = 6.62607015e-34 * 299792458.0 * 1e6;  // h c, exact (SI 2019)
+  return render::mean_wavelength_um(image, channel, column) / kJouleUm;
 }
 
 void put_toa_reflectance(const FinishedTile& of, ValueSink& sink) {
@@ -138,7 +145,9 @@ constinit const Quantity kBandRadiance{
     .bands = Quantity::Bands::channels,
     .band_names = {},
     .needs = {.radiance = true, .responses = true},
-    .values = [](const FinishedTile& of, ValueSink& sink) { put_within_band(of, of.tile.mean, sink); }};
+    .values = [](const FinishedTile& of, ValueSink& sink) {
+      put_times(of, of.tile.mean, render::band_width_um, sink);
+    }};
 
 constinit const Quantity kBandRadianceHalfWidth{
     .name = "band_radiance_half_width",
@@ -150,7 +159,37 @@ constinit const Quantity kBandRadianceHalfWidth{
     .bands = Quantity::Bands::channels,
     .band_names = {},
     .needs = {.errors = true, .radiance = true, .responses = true},
-    .values = [](const FinishedTile& of, ValueSink& sink) { put_within_band(of, of.tile.half_width, sink); }};
+    .values = [](const FinishedTile& of, ValueSink& sink) {
+      put_times(of, of.tile.half_width, render::band_width_um, sink);
+    }};
+
+constinit const Quantity kPhotonRadiance{
+    .name = "photon_radiance",
+    .what = "photons s-1 m-2 sr-1 um-1, of radiance that is even over the channel",
+    .unit = "photons s-1 m-2 sr-1 um-1",
+    .role = Quantity::Role::radiance,
+    .statistic = Quantity::Statistic::mean,
+    .type = EnviType::float32,
+    .bands = Quantity::Bands::channels,
+    .band_names = {},
+    .needs = {.radiance = true, .responses = true},
+    .values = [](const FinishedTile& of, ValueSink& sink) {
+      put_times(of, of.tile.mean, photons_of_joule, sink);
+    }};
+
+constinit const Quantity kPhotonRadianceHalfWidth{
+    .name = "photon_radiance_half_width",
+    .what = "half-width of the interval of the photons s-1 m-2 sr-1 um-1",
+    .unit = "photons s-1 m-2 sr-1 um-1",
+    .role = Quantity::Role::error,
+    .statistic = Quantity::Statistic::half_width,
+    .type = EnviType::float32,
+    .bands = Quantity::Bands::channels,
+    .band_names = {},
+    .needs = {.errors = true, .radiance = true, .responses = true},
+    .values = [](const FinishedTile& of, ValueSink& sink) {
+      put_times(of, of.tile.half_width, photons_of_joule, sink);
+    }};
 
 constinit const Quantity kToaReflectance{.name = "toa_reflectance",
                                          .what = "reflectance at the sensor",
