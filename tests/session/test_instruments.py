@@ -73,6 +73,32 @@ class Instruments(unittest.TestCase):
         self.assertIn(done.returncode, (0, 5, 6), done.stderr)
         self.assertEqual(self.cubes("again"), self.cubes("scene.out/oli"))
 
+    def test_each_has_mounts_of_its_own(self):
+        """On the platform's: as a document whose platform has them all; and lenses apart see places as far apart."""
+        lens = {"camera": {"frame": {"pixels": [12, 10], "focal_length": "20 mm", "pitch": "0.2 mm"}}, "channels": [CHANNELS["red"]]}
+        plate, own = {"lever_arm": ["0.5 m", "0 m", "0.2 m"]}, {"lever_arm": ["0.3 m", "-0.4 m", "0 m"]}
+        turned = {"pitch": "2 deg"}
+        described = document(instruments={"bare": lens, "apart": {**lens, "mount": own}, "turned": {**lens, "mount": [own, turned]}})
+        described["platform"]["mount"] = plate
+        described["scene"]["objects"] = [{"plane": {}, "material": "lawn"}]
+        self.call("render", described)
+        alone = document(instruments=None, sensor=lens)
+        alone["platform"]["mount"] = [plate, own, turned]
+        alone["scene"]["objects"] = described["scene"]["objects"]
+        self.call("render", alone, "-o", "alone", name="alone.json")
+        self.assertEqual(self.cubes("scene.out/turned"), self.cubes("alone"))
+        place = {name: np.fromfile(self.folder / f"scene.out/{name}/image_location.img", "<f8").reshape(10, 3, 12) for name in ("bare", "apart", "turned")}
+        # The nose is to the north, the right wing to the east.
+        np.testing.assert_allclose((place["apart"] - place["bare"])[:, :2].transpose(1, 0, 2).reshape(2, -1).T, [[-0.4, 0.3]] * 120, atol=1e-9)
+        middle = lambda name: place[name][4:6, 1].mean()
+        ahead = (100.0 - 0.2) * np.tan(np.radians(2.0))
+        self.assertAlmostEqual(middle("turned") - middle("apart"), ahead, delta=2e-3 * ahead)
+
+    def test_mounts_need_a_platform(self):
+        lens = {"mount": {"lever_arm": ["1 m", "0 m", "0 m"]}, "camera": {"orthographic": {"gsd": "1 m", "pixels": [4, 4]}}, "channels": [CHANNELS["red"]]}
+        said = self.call("check", document(instruments=None, sensor=lens, platform=None), codes=(1,)).stderr
+        self.assertRegex(said, r"^scene\.json:\d+:\d+: the sensor has a 'mount', and there is no 'platform' that carries it")
+
     def test_solved_temperatures_are_shared(self):
         """What they are looked up in is worked out once; what they may be off by, where each camera looks."""
         text = (ROOT / "examples/street_day.json").read_text(encoding="utf-8")

@@ -65,6 +65,7 @@ struct MountDocument {
 /// Each on the one before, the last of which has the camera.
 struct MountList {
   std::vector<MountDocument> mounts;
+  SourcePosition position = {};  ///< of a sensor's own
 };
 
 inline std::span<const MountDocument> mounts_in(const std::shared_ptr<const MountList>& list) {

@@ -81,9 +81,9 @@ struct KernelPsf {
 
 struct SensorDocument {
   CameraDocument camera;
+  std::shared_ptr<const struct MountList> mounts;  ///< of its own, on the platform's; null: none
   std::vector<ChannelDocument> channels;  ///< at least one; names are unique
   std::variant<NoPsf, GaussianPsf, AiryPsf, KernelPsf, std::shared_ptr<const PupilDocument>> psf;
-  SourcePosition psf_position;
   bool stokes = false;                           ///< Q, U and V are told beside I
   double fill_factor = 1.0;                      ///< sensitive share of an element's area, a centred square
   std::shared_ptr<const OpticsDocument> optics;  ///< null: none is told; likewise
@@ -91,7 +91,7 @@ struct SensorDocument {
   std::shared_ptr<const SmileDocument> smile;           ///< null: responses are alike in all columns
   std::shared_ptr<const KeystoneDocument> keystone;     ///< (spectrometer_document.h)
   std::shared_ptr<const struct MosaicDocument> mosaic;  ///< null: each element sees all channels
-  SourcePosition position;
+  SourcePosition position, psf_position;
 };
 
 }  // namespace ifov::io

@@ -72,6 +72,14 @@ void find_tracked(const Document& document, PlatformFlight& flight) {
                                 mounts == 1 ? std::string("is one") : format("are {}", mounts)));
 }
 
+/// Those of a platform and of one of its sensors.
+std::shared_ptr<const MountList> with_own(const PlatformDocument& platform, const SensorDocument& sensor) {
+  const std::span<const MountDocument> carried = mounts_in(platform.mounts), own = mounts_in(sensor.mounts);
+  MountList all{{carried.begin(), carried.end()}};
+  all.mounts.insert(all.mounts.end(), own.begin(), own.end());
+  return std::make_shared<const MountList>(std::move(all));
+}
+
 }  // namespace
 
 void mount_camera(Document& document) {
@@ -79,10 +87,14 @@ void mount_camera(Document& document) {
   std::shared_ptr<const PlatformFlight> flight;
   if (document.platform) {
     PlatformFlight carrying{*document.platform, document.time, document.scene.origin, document.seed};
+    if (document.sensor.mounts) carrying.platform.mounts = with_own(*document.platform, document.sensor);
     find_tracked(document, carrying);
     flight = std::make_shared<const PlatformFlight>(std::move(carrying));
   }
   CameraDocument& camera = document.sensor.camera;
+  if (document.sensor.mounts && !document.platform)
+    throw document_error(document.sources, document.sensor.mounts->position,
+                         "the sensor has a 'mount', and there is no 'platform' that carries it");
   try {
     if (auto carried = camera.settings->carried_by(flight)) {
       camera.settings = std::move(carried);

@@ -3,6 +3,9 @@
 
 #include "core/format.h"
 #include "io/document/mount_document.h"
+#include "io/document/schema/shared_target.h"
+#include "io/document/sensor_document.h"
+#include "io/document/tables/own_mounts.h"
 #include "io/document/tables/platform_angles.h"
 #include "io/document/tables/platform_tables.h"
 
@@ -213,6 +216,19 @@ SchemaType<std::vector<MountDocument>> mounts_type(const char* doc, bool moves) 
                       return mounts.size() == 1 ? std::optional(mounts.front()) : std::nullopt;
                     }),
                 list(record.type(), 1, kMostMounts));
+}
+
+void add_own_mounts(Record<SensorDocument>& record) {
+  const auto own_mounts = located<MountList>(
+      mounts_type("How the camera is carried by the body, or by the mount before it in a list.", true),
+      [](std::vector<MountDocument> mounts, const DocumentNode& node) {
+        return MountList{std::move(mounts), node.key_position()};
+      },
+      [](const MountList& list) { return list.mounts; });
+  record.optional(
+      "mount", shared(&SensorDocument::mounts), own_mounts,
+      "of this camera, or a list of mounts, on those of the document's `platform`: where it is beside other "
+      "instruments, and how it is turned against them");
 }
 
 }  // namespace ifov::io

@@ -6,6 +6,7 @@
 #include "io/document/schema/shared_target.h"
 #include "io/document/sensor_document.h"
 #include "io/document/spectrometer_document.h"
+#include "io/document/tables/own_mounts.h"
 #include "io/document/tables/spectrometer_tables.h"
 #include "io/document/tables/tables.h"
 
@@ -152,7 +153,7 @@ auto over_preset(std::shared_ptr<const V> SensorDocument::*member) {
 void refuse_for_views(const SensorDocument& sensor, const DocumentNode& node) {
   if (dynamic_cast<const ViewSettings*>(sensor.camera.settings.get()) == nullptr) return;
   for (const char* key :
-       {"psf", "stokes", "fill_factor", "optics", "detector", "smile", "keystone", "mosaic"})
+       {"mount", "psf", "stokes", "fill_factor", "optics", "detector", "smile", "keystone", "mosaic"})
     if (const DocumentNode* own = node.find(key))
       own->fail_at_key(
           format("'{}' is of the pixels of a picture, and '{}' makes none", key, sensor.camera.model));
@@ -184,6 +185,7 @@ SchemaType<SensorDocument> sensor_type() {
             "instead: towards directions all over the hemisphere, and the albedo");
   add_views(record, "points", points_type(), "instead: irradiance and sky view at points");
   add_views(record, "rays", rays_type(), "instead: radiance along rays");
+  add_own_mounts(record);
   record.exactly_one()
       .one("channels", &SensorDocument::channels, channels_type(), "spectral channels")
       .one(
