@@ -82,7 +82,7 @@ struct KernelPsf {
 struct SensorDocument {
   CameraDocument camera;
   std::shared_ptr<const struct MountList> mounts;  ///< of its own, on the platform's; null: none
-  std::vector<ChannelDocument> channels;  ///< at least one; names are unique
+  std::vector<ChannelDocument> channels;           ///< at least one; names are unique
   std::variant<NoPsf, GaussianPsf, AiryPsf, KernelPsf, std::shared_ptr<const PupilDocument>> psf;
   bool stokes = false;                           ///< Q, U and V are told beside I
   double fill_factor = 1.0;                      ///< sensitive share of an element's area, a centred square
