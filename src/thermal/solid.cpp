@@ -38,7 +38,15 @@ void check(const Solid& solid) {
     check_value(i, "conductivity", layer.conductivity_w_m_k, "W m-1 K-1");
     check_value(i, "density", layer.density_kg_m3, "kg m-3");
     check_value(i, "specific heat", layer.specific_heat_j_kg_k, "J kg-1 K-1");
+    if (!std::isfinite(layer.gap_behind_m2_k_w) || layer.gap_behind_m2_k_w < 0.0)
+      throw InputError(format("layer {}: the resistance behind it is {:g} m2 K W-1, expected 0 or above",
+                              i + 1, layer.gap_behind_m2_k_w));
   }
+  if (!(solid.layers.back().gap_behind_m2_k_w > 0.0)) return;
+  if (std::holds_alternative<Insulated>(solid.back))
+    throw InputError("the last layer has air behind it and then nothing that heat passes to");
+  if (std::holds_alternative<DeepGround>(solid.back))
+    throw InputError("the last layer goes on as ground, and has air behind it");
 }
 
 }  // namespace ifov::thermal

@@ -11,6 +11,8 @@ struct SolidLayer {
   double conductivity_w_m_k = 0.0;
   double density_kg_m3 = 0.0;
   double specific_heat_j_kg_k = 0.0;
+  double gap_behind_m2_k_w =
+      0.0;  ///< resistance of what has no mass between it and what is behind, such as air; 0 or above
   bool operator==(const SolidLayer&) const = default;
 };
 

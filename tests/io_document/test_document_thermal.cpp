@@ -96,6 +96,46 @@ TEST(DocumentThermal, Messages) {
       << message(R"({"layers": [{"thickness": "5 mm", "library": "steel"}], "roughness": "ruff"})");
 }
 
+TEST(DocumentThermal, AirGaps) {
+  const ThermalDocument wall = read(
+      R"({"layers": [{"thickness": "10 cm", "library": "brick"}, {"air_gap": "5 cm"}, {"thickness": "10 cm", "library": "brick"},
+                     {"air_gap": "1 in", "heat_flow": "up", "emissivities": [0.9, "5 %"]}], "back": {"room": {}}})");
+  ASSERT_EQ(wall.layers.size(), 4u);
+  ASSERT_TRUE(!wall.layers[0].air_gap && wall.layers[1].air_gap && wall.layers[3].air_gap);
+  EXPECT_DOUBLE_EQ(wall.layers[1].air_gap->thickness_m, 0.05);
+  EXPECT_EQ(wall.layers[1].air_gap->heat_flow, "horizontal");
+  EXPECT_EQ(wall.layers[1].air_gap->emissivities, (std::vector<double>{0.9, 0.9}));
+  EXPECT_DOUBLE_EQ(wall.layers[3].air_gap->thickness_m, 0.0254);
+  EXPECT_EQ(wall.layers[3].air_gap->emissivities, (std::vector<double>{0.9, 0.05}));
+
+  const auto of_layers = [](const std::string& layers, const std::string& rest = "") {
+    return message(R"({"layers": [)" + layers + "]" + rest + "}");
+  };
+  const std::string brick = R"({"thickness": "10 cm", "library": "brick"})", air = R"({"air_gap": "2 cm"})";
+  const std::string at = "'scene.materials.soil.thermal.layers";
+  EXPECT_EQ(of_layers(air + ", " + brick),
+            at + "[0]' is an air gap, and the surface is that of a solid; begin with a solid");
+  EXPECT_EQ(of_layers(brick + ", " + air + ", " + air + ", " + brick),
+            at + "[2]' is an air gap behind another; give one of them, or the sheet between");
+  EXPECT_EQ(
+      of_layers(brick + ", " + air),
+      at +
+          "[1]' is an air gap, and no heat passes behind it; give a \"back\" that has a temperature, or leave it out");
+  EXPECT_EQ(of_layers(brick + ", " + air, R"(, "back": {"ground": {}})"),
+            at + "[1]' is an air gap, and deep ground is what the last layer goes on as; end with a solid");
+  EXPECT_EQ(of_layers(brick + R"(, {"air_gap": "40 cm"}, )" + brick),
+            at +
+                "[1].air_gap' is the text \"40 cm\", expected a length between 1 and 300 mm, such as \"1 m\" "
+                "(units: m, km, cm, mm, um, nm, ft, in)");
+  EXPECT_EQ(of_layers(brick + R"(, {"air_gap": "4 cm", "heat_flow": "sideways"}, )" + brick),
+            at + "[1].heat_flow' is the text \"sideways\", expected 'horizontal', 'up' or 'down'");
+  const std::string both =
+      test::message_with(kSoil, with_thermal(R"({"layers": [{"air_gap": "4 cm", "library": "brick"}]})"));
+  EXPECT_NE(both.find("folder/a.json:9:"), std::string::npos) << both;
+  EXPECT_NE(both.find("'library' cannot stand beside 'air_gap' in " + at + "[0]'"), std::string::npos)
+      << both;
+}
+
 TEST(DocumentThermal, GivenAndSolvedIsOneTooMany) {
   const std::string text = test::message_with(
       kSoil,

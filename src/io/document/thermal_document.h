@@ -8,11 +8,17 @@
 
 namespace ifov::io {
 
-/// A sheet of a solid: of the library, or of its three numbers.
+/// A sheet of a solid: of the library, or of its three numbers. Or one of air.
 struct ThermalLayerDocument {
+  struct AirGap {
+    double thickness_m = 0.0;
+    std::string heat_flow = "horizontal";  ///< one of thermal::HeatFlow
+    std::vector<double> emissivities{0.9, 0.9};
+  };
   double thickness_m = 0.0;
   std::string library;  ///< empty: the numbers
   double conductivity_w_m_k = 0.0, density_kg_m3 = 0.0, specific_heat_j_kg_k = 0.0;
+  std::optional<AirGap> air_gap{};  ///< in place of all that
 };
 
 /// What lies behind the last layer; nothing given: no heat passes.

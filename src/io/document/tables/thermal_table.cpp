@@ -7,6 +7,7 @@
 #include "io/document/thermal_document.h"
 #include "io/library/thermal_library.h"
 #include "thermal/convection.h"
+#include "thermal/faces/air_gap.h"
 #include "thermal/solid.h"
 #include "thermal/wind_profile.h"
 
@@ -34,7 +35,35 @@ SchemaType<std::string> names_of(int count) {
   return choice(words);
 }
 
-SchemaType<ThermalLayerDocument> layer_type() {
+SchemaType<ThermalLayerDocument> air_gap_type() {
+  using Layer = ThermalLayerDocument;
+  using Gap = Layer::AirGap;
+  const auto given = [](auto member) {
+    return via(
+        [member](Layer& layer, auto value) {
+          (layer.air_gap ? *layer.air_gap : layer.air_gap.emplace()).*member = std::move(value);
+        },
+        [member](const Layer& layer) {
+          return layer.air_gap ? std::optional((*layer.air_gap).*member) : std::nullopt;
+        });
+  };
+  Record<Layer> record(
+      "air gap",
+      "Air that does not change with that outdoors, between two layers or before what is behind: a "
+      "resistance without mass by its thickness, the way that heat goes and both faces (ISO 6946).");
+  record
+      .required("air_gap", given(&Gap::thickness_m),
+                quantity(kLength, Range::between(1.0, 1e3 * thermal::kThickestGap_m, "mm")),
+                "how thick the air is")
+      .with_default("heat_flow", given(&Gap::heat_flow), names_of<thermal::HeatFlow>(thermal::kHeatFlows),
+                    "\"horizontal\"", "as through a wall; or mostly up or down through a roof or a floor")
+      .with_default("emissivities", given(&Gap::emissivities),
+                    list(fraction(Range::between(0.01, 1.0)), 2, 2), "[0.9, 0.9]",
+                    "of both faces; 0.05 of a bright foil");
+  return record.type();
+}
+
+SchemaType<ThermalLayerDocument> solid_layer_type() {
   using Layer = ThermalLayerDocument;
   Record<Layer> record("thermal layer", "A sheet of one solid: of the library, or of three numbers.");
   record.required("thickness", &Layer::thickness_m, thickness(), "at least 10 um");
@@ -69,6 +98,30 @@ SchemaType<ThermalLayerDocument> layer_type() {
     }
   });
   return record.type();
+}
+
+SchemaType<ThermalLayerDocument> layer_type() {
+  return tagged<ThermalLayerDocument>(
+      {{{"air_gap"}, air_gap_type()},
+       {{"thickness", "library", "conductivity", "density", "specific_heat"}, solid_layer_type()}});
+}
+
+/// Air lies between two solids, or between one and what is behind.
+void check_air_gaps(const ThermalDocument& thermal, const DocumentNode& node) {
+  const std::vector<ThermalLayerDocument>& layers = thermal.layers;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (!layers[i].air_gap) continue;
+    const DocumentNode& gap = node.given("layers").items()[i];
+    const auto fail = [&](const char* message) { gap.fail(format("{} {}", gap.title(), message)); };
+    if (i == 0) fail("is an air gap, and the surface is that of a solid; begin with a solid");
+    if (layers[i - 1].air_gap) fail("is an air gap behind another; give one of them, or the sheet between");
+    if (i + 1 < layers.size()) continue;
+    if (thermal.back.ground)
+      fail("is an air gap, and deep ground is what the last layer goes on as; end with a solid");
+    if (!thermal.back.held_k && !thermal.back.room)
+      fail(
+          "is an air gap, and no heat passes behind it; give a \"back\" that has a temperature, or leave it out");
+  }
 }
 
 SchemaType<ThermalBackDocument> back_type() {
@@ -148,6 +201,7 @@ SchemaType<ThermalDocument> thermal_type() {
                 "of long waves, in place of the spectrum's");
   for (const char* key : {"back", "wetness", "resistance", "solar_absorptance", "emissivity"})
     record.needs(key, "layers");
+  record.check(check_air_gaps);
   return record.type();
 }
 

@@ -12,6 +12,7 @@
 #include "radiometry/planck.h"
 #include "radiometry/solar_spectrum.h"
 #include "session/assembly/shared/with_position.h"
+#include "thermal/faces/air_gap.h"
 #include "thermal/therm_slab.h"
 
 namespace ifov::session {
@@ -69,10 +70,11 @@ thermal::Back back_of(const io::ThermalBackDocument& back, double deep_k) {
   return thermal::Insulated{};
 }
 
-thermal::Roughness roughness_named(const std::string& name) {
+template <class E>
+E named(const std::string& name) {
   int i = 0;
-  while (thermal::name_of(static_cast<thermal::Roughness>(i)) != name) ++i;
-  return static_cast<thermal::Roughness>(i);
+  while (thermal::name_of(static_cast<E>(i)) != name) ++i;
+  return static_cast<E>(i);
 }
 
 std::string layer_text(const thermal::SolidLayer& layer, const std::string& name) {
@@ -81,8 +83,21 @@ std::string layer_text(const thermal::SolidLayer& layer, const std::string& name
                 layer.density_kg_m3, layer.specific_heat_j_kg_k, 100.0 * thermal::daily_depth_m(layer));
 }
 
+void take_air_gap(const io::ThermalLayerDocument::AirGap& source, ThermalMaterial& result) {
+  const double resistance =
+      thermal::resistance_m2_k_w({source.thickness_m, source.emissivities[0], source.emissivities[1],
+                                  named<thermal::HeatFlow>(source.heat_flow)});
+  result.solid.layers.back().gap_behind_m2_k_w = resistance;
+  result.description.push_back(format("{:g} mm air, heat flow {}: {:.3f} m2 K W-1 by ISO 6946",
+                                      1e3 * source.thickness_m, source.heat_flow, resistance));
+}
+
 void take_layers(const io::ThermalDocument& source, ThermalMaterial& result) {
   for (const io::ThermalLayerDocument& layer : source.layers) {
+    if (layer.air_gap) {
+      take_air_gap(*layer.air_gap, result);
+      continue;
+    }
     thermal::SolidLayer solid{layer.thickness_m, layer.conductivity_w_m_k, layer.density_kg_m3,
                               layer.specific_heat_j_kg_k};
     if (!layer.library.empty()) {
@@ -111,7 +126,7 @@ ThermalMaterial from_document(const io::ThermalDocument& source, double deep_k) 
     result.solid.back = back_of(source.back, deep_k);
     result.skin.wetness = {source.wetness, source.resistance_s_m};
   }
-  result.skin.roughness = roughness_named(source.roughness);
+  result.skin.roughness = named<thermal::Roughness>(source.roughness);
   result.skin.power_w_m2 = source.power_w_m2;
   return result;
 }
