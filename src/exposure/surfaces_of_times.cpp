@@ -229,7 +229,7 @@ std::unique_ptr<const SurfacesOfTimes> SurfacesOfTimes::of(std::span<const scene
     for (std::size_t number = 0; number < scene->solved.size(); ++number) {
       const auto* surface = dynamic_cast<const SolvedSurface*>(scene->solved[number].get());
       if (surface == nullptr) continue;
-      if (surface->scene().changes()) return nullptr;
+      if (surface->scene().changes() || surface->classes().two_faces()) return nullptr;
       by_number[number].push_back(surface->shared_classes());
       if (any == nullptr) any = surface;
       if (neighbours.size() < static_cast<std::size_t>(&scene - by_time.data()) + 1)

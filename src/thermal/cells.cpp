@@ -66,14 +66,15 @@ Cells cut_into_cells(const Solid& solid, const CellSizes& sizes) {
     cells.back_temperature_k = temperature_k;
     cells.back_conductance_w_m2_k = conductance;
   };
-  std::visit(
-      Overloaded{[](const Insulated&) {}, [&](const HeldBack& back) { held(back.temperature_k, half_above); },
-                 [&](const RoomAir& room) {
-                   held(room.temperature_k,
-                        room.conductance_w_m2_k > 0.0 ? in_series(half_above, room.conductance_w_m2_k) : 0.0);
-                 },
-                 [&](const DeepGround& ground) { held(ground.temperature_k, half_above); }},
-      solid.back);
+  std::visit(Overloaded{[](const Insulated&) {}, [](const OtherFace&) {},
+                        [&](const HeldBack& back) { held(back.temperature_k, half_above); },
+                        [&](const RoomAir& room) {
+                          held(room.temperature_k, room.conductance_w_m2_k > 0.0
+                                                       ? in_series(half_above, room.conductance_w_m2_k)
+                                                       : 0.0);
+                        },
+                        [&](const DeepGround& ground) { held(ground.temperature_k, half_above); }},
+             solid.back);
   return cells;
 }
 

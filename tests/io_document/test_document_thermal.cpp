@@ -136,6 +136,42 @@ TEST(DocumentThermal, AirGaps) {
       << both;
 }
 
+TEST(DocumentThermal, LeavesAndOtherSides) {
+  const ThermalDocument leaf = read(R"({"leaf": {}})");
+  ASSERT_TRUE(leaf.leaf && leaf.layers.empty() && !leaf.therm);
+  EXPECT_DOUBLE_EQ(leaf.leaf->width_m, 0.05);
+  EXPECT_DOUBLE_EQ(leaf.leaf->stomatal_mol_m2_s, 0.4);
+  EXPECT_FALSE(leaf.leaf->both_faces);
+  EXPECT_DOUBLE_EQ(leaf.leaf->water_m, 2e-4);
+  const ThermalDocument needle = read(
+      R"({"leaf": {"width": "1 mm", "stomatal_conductance": "200 mmol m-2 s-1", "stomata": "both faces", "water": "0.4 mm"}, "emissivity": 0.98})");
+  EXPECT_DOUBLE_EQ(needle.leaf->width_m, 1e-3);
+  EXPECT_DOUBLE_EQ(needle.leaf->stomatal_mol_m2_s, 0.2);
+  EXPECT_TRUE(needle.leaf->both_faces);
+  EXPECT_TRUE(read(R"({"layers": [{"thickness": "1 mm", "library": "steel"}], "back": {"other_side": {}}})")
+                  .back.other_side);
+
+  EXPECT_NE(
+      message(R"({"leaf": {"stomatal_conductance": "12 mol m-2 s-1"}})")
+          .find(
+              "leaf.stomatal_conductance' is the text \"12 mol m-2 s-1\", expected a conductance of stomata "
+              "between 0 and 10 mol m-2 s-1"),
+      std::string::npos);
+  EXPECT_NE(message(R"({"leaf": {"stomata": "top"}})")
+                .find("leaf.stomata' is the text \"top\", expected 'one face' or 'both faces'"),
+            std::string::npos);
+  EXPECT_EQ(
+      message(R"({"leaf": {}, "roughness": "rough"})"),
+      "'scene.materials.soil.thermal.roughness' is given beside 'leaf', along whose width the wind goes");
+  const std::string wet = test::message_with(kSoil, with_thermal(R"({"leaf": {}, "wetness": 0.5})"));
+  EXPECT_NE(wet.find("'wetness'"), std::string::npos) << wet;
+  EXPECT_NE(wet.find("'layers'"), std::string::npos) << wet;
+  EXPECT_EQ(
+      message(
+          R"({"therm": {"density": "7.8 g/cm3", "specific_heat": "0.1 cal g-1 K-1", "conductivity": "40 W m-1 K-1", "thickness": "1 mm", "solar_absorption": 0.7, "emissivity": 0.9}, "emissivity": 0.8})"),
+      "'scene.materials.soil.thermal.emissivity' is given beside 'therm', which has its own");
+}
+
 TEST(DocumentThermal, GivenAndSolvedIsOneTooMany) {
   const std::string text = test::message_with(
       kSoil,

@@ -29,9 +29,20 @@ struct ThermalBackDocument {
   struct Ground {
     std::optional<double> temperature_k;  ///< absent: the mean of the air
   };
+  /// The other face of a thin sheet, outdoors as well.
+  struct OtherSide {};
   std::optional<double> held_k;
   std::optional<Room> room;
   std::optional<Ground> ground;
+  std::optional<OtherSide> other_side;
+};
+
+/// A leaf by what its air and its stomata pass.
+struct LeafDocument {
+  double width_m = 0.0;
+  double stomatal_mol_m2_s = 0.0;
+  bool both_faces = false;  ///< have stomata
+  double water_m = 0.0;     ///< thickness of the water that it holds
 };
 
 /// The seven numbers of DIRSIG's THERM.
@@ -40,10 +51,11 @@ struct ThermDocument {
   double solar_absorption = 0.0, emissivity = 0.0, exposed_area = 0.5;
 };
 
-/// What a surface's temperature follows from: layers, or THERM's numbers.
+/// What a surface's temperature follows from: layers, THERM's numbers or a leaf's.
 struct ThermalDocument {
   std::vector<ThermalLayerDocument> layers;
   std::optional<ThermDocument> therm;
+  std::optional<LeafDocument> leaf;
   ThermalBackDocument back;
   std::string roughness = "rough";  ///< one of thermal::Roughness
   double wetness = 0.0;

@@ -138,11 +138,38 @@ SchemaType<ThermalBackDocument> back_type() {
   ground.optional(
       "temperature", &Back::Ground::temperature_k, above_zero(kTemperature, "K"),
       "deep down; without it the mean of the air over the weather's year, or what there is of it");
+  Record<Back::OtherSide> other_side(
+      "other side of a sheet",
+      "Of a sign, a hood, a tarpaulin that stands free: a sheet that passes heat so well that both faces are as warm, "
+      "at most 0.01 m2 K W-1. Either face takes in the Sun, the sky, the wind and what is about it.");
   Record<Back> record("back of layers", "What lies behind the last layer.");
   record.exactly_one()
       .one("temperature", &Back::held_k, above_zero(kTemperature, "K"), "that is held there")
       .one("room", &Back::room, room.type(), "air of a room")
-      .one("ground", &Back::ground, ground.type(), "deep ground");
+      .one("ground", &Back::ground, ground.type(), "deep ground")
+      .one("other_side", &Back::other_side, other_side.type(),
+           "the other face of the same thin sheet, outdoors, too");
+  return record.type();
+}
+
+SchemaType<LeafDocument> leaf_type() {
+  using Leaf = LeafDocument;
+  Record<Leaf> record(
+      "free leaf",
+      "A leaf of two faces that stands free: air along its own width, and stomata (Campbell and Norman 1998).");
+  record
+      .with_default("width", &Leaf::width_m, quantity(kLength, Range::between(0.1, 3000.0, "mm")), "\"5 cm\"",
+                    "along the wind: 1 mm of a needle, 5 cm of a broad leaf")
+      .with_default(
+          "stomatal_conductance", &Leaf::stomatal_mol_m2_s,
+          quantity(kLeafConductance, Range::between(0.0, 10.0, "mol m-2 s-1")), "\"0.4 mol m-2 s-1\"",
+          "of a face that has stomata, for vapour, by day: in the dark they are shut; 0 of a dry leaf")
+      .with_default(
+          "stomata", &Leaf::both_faces,
+          choice(std::vector<std::pair<std::string, bool>>{{"one face", false}, {"both faces", true}}),
+          "\"one face\"", "as of most trees; grasses and many crops have them on both")
+      .with_default("water", &Leaf::water_m, quantity(kLength, Range::between(0.02, 20.0, "mm")),
+                    "\"0.2 mm\"", "thickness of the water that it holds, which stores heat");
   return record.type();
 }
 
@@ -179,11 +206,13 @@ SchemaType<ThermalDocument> thermal_type() {
                }),
            list(layer_type(), 1, kMostLayers), "from the surface inwards")
       .one("therm", &Thermal::therm, therm_type(), "THERM's seven numbers in their place")
+      .one("leaf", &Thermal::leaf, leaf_type(), "a leaf, both faces of which are outdoors")
       .optional("back",
                 via([](Thermal& thermal, ThermalBackDocument back) { thermal.back = back; },
                     [](const Thermal& thermal) {
                       const ThermalBackDocument& back = thermal.back;
-                      return back.held_k || back.room || back.ground ? std::optional(back) : std::nullopt;
+                      return back.held_k || back.room || back.ground || back.other_side ? std::optional(back)
+                                                                                        : std::nullopt;
                     }),
                 back_type(), "what lies behind the last layer; without it no heat passes there")
       .with_default("roughness", &Thermal::roughness, names_of<thermal::Roughness>(thermal::kRoughnesses),
@@ -199,9 +228,18 @@ SchemaType<ThermalDocument> thermal_type() {
                 "in place of what the material's spectrum takes of sunlight")
       .optional("emissivity", &Thermal::emissivity, fraction(Range::between(0.0, 1.0)),
                 "of long waves, in place of the spectrum's");
-  for (const char* key : {"back", "wetness", "resistance", "solar_absorptance", "emissivity"})
-    record.needs(key, "layers");
-  record.check(check_air_gaps);
+  for (const char* key : {"back", "wetness", "resistance"}) record.needs(key, "layers");
+  record.check([](const Thermal& thermal, const DocumentNode& node) {
+    check_air_gaps(thermal, node);
+    const auto refuse = [&](std::string_view key, const char* message) {
+      if (const DocumentNode* found = node.find(key))
+        found->fail_at_key(format("{} {}", found->title(), message));
+    };
+    if (thermal.therm)
+      for (const char* key : {"solar_absorptance", "emissivity"})
+        refuse(key, "is given beside 'therm', which has its own");
+    if (thermal.leaf) refuse("roughness", "is given beside 'leaf', along whose width the wind goes");
+  });
   return record.type();
 }
 

@@ -12,6 +12,7 @@
 #include "radiometry/planck.h"
 #include "radiometry/solar_spectrum.h"
 #include "session/assembly/shared/with_position.h"
+#include "session/assembly/surfaces/two_faces.h"
 #include "thermal/faces/air_gap.h"
 #include "thermal/therm_slab.h"
 
@@ -67,6 +68,7 @@ thermal::Back back_of(const io::ThermalBackDocument& back, double deep_k) {
   if (back.held_k) return thermal::HeldBack{*back.held_k};
   if (back.room) return thermal::RoomAir{back.room->temperature_k, back.room->conductance_w_m2_k};
   if (back.ground) return thermal::DeepGround{back.ground->temperature_k.value_or(deep_k)};
+  if (back.other_side) return thermal::OtherFace{};
   return thermal::Insulated{};
 }
 
@@ -111,6 +113,20 @@ void take_layers(const io::ThermalDocument& source, ThermalMaterial& result) {
   }
 }
 
+void take_leaf(const thermal::Leaf& leaf, double water_m, ThermalMaterial& result) {
+  thermal::SolidLayer water = io::thermal_library().solid("water").values;
+  water.thickness_m = water_m;
+  result.solid.layers.push_back(water);
+  result.solid.back = thermal::OtherFace{};
+  result.skin.two_faces = true;
+  result.skin.leaf = leaf;
+  result.description.push_back(format(
+      "a leaf {:g} cm wide, holding {:g} mm of water; stomata of {:g} mol m-2 s-1 on {}; fluxes are of both "
+      "faces together",
+      100.0 * leaf.width_m, 1e3 * water_m, leaf.stomatal_mol_m2_s,
+      leaf.stomatal_faces == 2 ? "both faces" : "one face"));
+}
+
 ThermalMaterial from_document(const io::ThermalDocument& source, double deep_k) {
   ThermalMaterial result;
   if (const auto& therm = source.therm) {
@@ -121,10 +137,17 @@ ThermalMaterial from_document(const io::ThermalDocument& source, double deep_k) 
     result.skin = thermal::skin_of(slab);
     result.start = thermal::Start::air;
     result.description.push_back("THERM: " + layer_text(result.solid.layers[0], {}));
+  } else if (source.leaf) {
+    take_leaf({source.leaf->width_m, source.leaf->stomatal_mol_m2_s, source.leaf->both_faces ? 2 : 1},
+              source.leaf->water_m, result);
   } else {
     take_layers(source, result);
     result.solid.back = back_of(source.back, deep_k);
     result.skin.wetness = {source.wetness, source.resistance_s_m};
+    if (source.back.other_side) {
+      result.skin.two_faces = true;
+      result.description.push_back("both faces are outdoors and as warm; fluxes are of both together");
+    }
   }
   result.skin.roughness = named<thermal::Roughness>(source.roughness);
   result.skin.power_w_m2 = source.power_w_m2;
@@ -134,6 +157,11 @@ ThermalMaterial from_document(const io::ThermalDocument& source, double deep_k) 
 ThermalMaterial from_library(const io::LibrarySurface& surface, const std::string& name, double deep_k) {
   using Back = io::LibrarySurface::Back;
   ThermalMaterial result;
+  if (surface.leaf.width_m > 0.0) {
+    take_leaf(surface.leaf, surface.layers.front().thickness_m, result);
+    result.description.push_back(format("as '{}' of the library", name));
+    return result;
+  }
   result.solid.layers = surface.layers;
   for (const thermal::SolidLayer& layer : surface.layers) result.description.push_back(layer_text(layer, {}));
   result.description.push_back(format("as '{}' of the library", name));
@@ -174,11 +202,24 @@ void take_optics(const io::DocumentSources& sources, const io::MaterialDocument&
                result.skin.melts_k - 273.15));
   take(absorptance, solar_absorptance(optics), 0.8, "absorptance of sunlight", "solar_absorptance",
        result.skin.solar_absorptance);
+  if (result.skin.two_faces) {
+    const auto of_sun = [&](double um) { return radiometry::solar_irradiance_1au().at(um); };
+    result.skin.transmittance = std::min(1.0 - result.skin.solar_absorptance,
+                                         mean_of(transmittance_of(optics), 0.3, 4.0, of_sun).value);
+  }
   take(emissivity, longwave_emissivity(optics), 0.3, "long-wave emissivity", "emissivity",
        result.skin.emissivity);
 }
 
 }  // namespace
+
+bool has_two_faces(const io::MaterialDocument& source) {
+  if (source.thermal) return source.thermal->leaf || source.thermal->back.other_side;
+  const auto* library = std::get_if<io::LibrarySource>(&source.spectrum.source);
+  const io::LibrarySurface* surface =
+      library != nullptr ? io::thermal_library().surface(library->material) : nullptr;
+  return surface != nullptr && surface->back == io::LibrarySurface::Back::other_side;
+}
 
 std::optional<ThermalMaterial> assemble_thermal(const io::DocumentSources& sources,
                                                 const io::MaterialDocument& source,
