@@ -10,7 +10,7 @@
 #include "geometry/world.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
-#include "thermal/sky_longwave.h"
+#include "thermal/faces/sky_longwave.h"
 
 namespace ifov::exposure {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "thermal/sky_longwave.h"
+#include "thermal/faces/sky_longwave.h"
 
 namespace ifov::thermal {
 namespace {

@@ -3,8 +3,8 @@
 #include <limits>
 #include <vector>
 
-#include "thermal/convection.h"
-#include "thermal/evaporation.h"
+#include "thermal/faces/convection.h"
+#include "thermal/faces/evaporation.h"
 #include "thermal/faces/leaf.h"
 #include "thermal/fluxes.h"
 #include "thermal/surface_exchange.h"

@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "outdoors.h"
 #include "thermal/faces/leaf.h"
-#include "thermal/sky_longwave.h"
+#include "thermal/faces/sky_longwave.h"
 #include "thermal/surface_classes.h"
 #include "thermal/surface_solution.h"
 

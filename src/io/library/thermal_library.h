@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "thermal/convection.h"
+#include "thermal/faces/convection.h"
 #include "thermal/faces/leaf.h"
 #include "thermal/solid.h"
 

@@ -10,7 +10,7 @@
 #include "sampling/random.h"
 #include "sampling/warp.h"
 #include "scene/scene.h"
-#include "thermal/sky_longwave.h"
+#include "thermal/faces/sky_longwave.h"
 
 namespace ifov::session {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "thermal/convection.h"
-#include "thermal/evaporation.h"
+#include "thermal/faces/convection.h"
+#include "thermal/faces/evaporation.h"
 
 namespace ifov::thermal {
 

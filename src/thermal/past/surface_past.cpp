@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "thermal/sky_longwave.h"
+#include "thermal/faces/sky_longwave.h"
 #include "thermal/surface_classes.h"
 
 namespace ifov::thermal {

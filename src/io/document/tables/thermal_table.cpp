@@ -6,8 +6,8 @@
 #include "io/document/tables/tables.h"
 #include "io/document/thermal_document.h"
 #include "io/library/thermal_library.h"
-#include "thermal/convection.h"
 #include "thermal/faces/air_gap.h"
+#include "thermal/faces/convection.h"
 #include "thermal/solid.h"
 #include "thermal/wind_profile.h"
 

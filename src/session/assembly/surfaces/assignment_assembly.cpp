@@ -9,7 +9,6 @@
 #include "scene/scene.h"
 #include "session/assembly/shared/spectrum_assembly.h"
 #include "session/assembly/shared/with_position.h"
-#include "session/assembly/surfaces/two_faces.h"
 
 namespace ifov::session {
 namespace {
@@ -217,14 +216,7 @@ AssignmentAssembly::Surface AssignmentAssembly::surface_of(
   Surface surface = plain_surface(material_index(sides->first.name), temperature);
   surface.back =
       std::make_shared<const Surface>(plain_surface(material_index(sides->second.name), temperature));
-  if (surface.solved > 0 && surface.back->material != surface.material &&
-      (has_two_faces(written_[surface.material]) || has_two_faces(written_[surface.back->material])))
-    throw io::document_error(
-        sources_, sides->second.position,
-        format(
-            "a sheet whose faces are both outdoors has the same material on either, and its sides are '{}' and '{}': "
-            "give one of them, or both a \"back\" other than \"other_side\"",
-            sides->first.name, sides->second.name));
+  check_faces(surface, *sides);
   if (surface.back->holes && surface.back->material != surface.material)
     throw io::document_error(
         sources_, sides->second.position,
@@ -255,17 +247,6 @@ AssignmentAssembly::Surface AssignmentAssembly::plain_surface(
   }
   surface.state = state(surface, surface.material);
   return surface;
-}
-
-void AssignmentAssembly::refuse_solved(std::uint32_t material) const {
-  const materials::Material& optics = scene_.materials[material];
-  if (optics.bsdf->passage() != materials::Passage::none)
-    throw InputError(format("the temperature of '{}' cannot be solved: light goes through it", optics.name));
-  if (optics.transmittance && !has_two_faces(written_[material]))
-    throw InputError(format(
-        "the temperature of '{}' cannot be solved: light goes through it, and it is not told to be a sheet "
-        "of two faces; give \"thermal\": {{\"leaf\": {{}}}}, or layers with \"back\": {{\"other_side\": {{}}}}",
-        optics.name));
 }
 
 std::uint32_t AssignmentAssembly::material_index(const std::string& name) const {
