@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "thermal/faces/power_table.h"
 #include "thermal/faces/sky_longwave.h"
 
 namespace ifov::thermal {
@@ -69,6 +70,11 @@ SurfaceBalance::Row SurfaceBalance::row_of(const OutdoorsSeries& series, const S
   row.given.sky_longwave = skin_.emissivity * now.longwave_w_m2 * sky_view;
   row.given.ground_longwave = skin_.emissivity * beside->longwave_w_m2;
   row.given.power = skin_.power_w_m2;
+  if (skin_.power_over_time) {
+    const double time_s = series.begin_s + static_cast<double>(index) * series.step_s;
+    row.given.power =
+        skin_.power_over_time->mean_w_m2(time_s - 0.5 * series.step_s, time_s + 0.5 * series.step_s);
+  }
   row.air = now.air;
   const double wind_m_s = wind_at_m_s(now.wind_m_s, series.anemometer, stand.height_m, stand.terrain);
   if (skin_.leaf.width_m > 0.0) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "thermal/faces/convection.h"
@@ -11,6 +12,8 @@
 #include "thermal/wind_profile.h"
 
 namespace ifov::thermal {
+
+struct PowerTable;
 
 /// What comes from outside at one instant.
 struct Outdoors {
@@ -36,8 +39,9 @@ struct Skin {
   double emissivity = 0.95;
   Roughness roughness = Roughness::rough;
   Wetness wetness;
-  double power_w_m2 = 0.0;        ///< from inside, given off at the surface
-  double convecting_faces = 1.0;  ///< areas that the air reaches, over that of one face
+  double power_w_m2 = 0.0;                              ///< from inside, given off at the surface
+  std::shared_ptr<const PowerTable> power_over_time{};  ///< the same in place of that; null: it is that
+  double convecting_faces = 1.0;                        ///< areas that the air reaches, over that of one face
   /// Above it the surface melts: what it gains beyond goes away with the water, and none of it freezes again.
   double melts_k = std::numeric_limits<double>::infinity();
   /// A thin sheet of one temperature, both faces of which are outdoors and alike.

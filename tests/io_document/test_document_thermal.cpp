@@ -3,6 +3,7 @@
 
 #include "core/format.h"
 #include "document_maker.h"
+#include "geodesy/utc_seconds.h"
 #include "io/document/document.h"
 #include "io/document/thermal_document.h"
 
@@ -43,7 +44,7 @@ TEST(DocumentThermal, LayersAndBacks) {
   EXPECT_EQ(road.roughness, "medium rough");
   EXPECT_DOUBLE_EQ(road.wetness, 0.2);
   EXPECT_DOUBLE_EQ(road.resistance_s_m, 70.0);
-  EXPECT_DOUBLE_EQ(road.power_w_m2, 60.0);
+  EXPECT_DOUBLE_EQ(road.power.constant_w_m2, 60.0);
   const ThermalDocument wall =
       read(R"({"layers": [{"thickness": "20 cm", "library": "brick"}], "back": {"room": {}}})");
   ASSERT_TRUE(wall.back.room.has_value());
@@ -170,6 +171,28 @@ TEST(DocumentThermal, LeavesAndOtherSides) {
       message(
           R"({"therm": {"density": "7.8 g/cm3", "specific_heat": "0.1 cal g-1 K-1", "conductivity": "40 W m-1 K-1", "thickness": "1 mm", "solar_absorption": 0.7, "emissivity": 0.9}, "emissivity": 0.8})"),
       "'scene.materials.soil.thermal.emissivity' is given beside 'therm', which has its own");
+}
+
+TEST(DocumentThermal, PowerOverTime) {
+  const auto of_power = [](const std::string& table) {
+    return R"({"layers": [{"thickness": "1 mm", "library": "steel"}], "power": {"table": [)" + table + "]}}";
+  };
+  const ThermalDocument hood = read(of_power(
+      R"({"time": "2026-06-21T08:00+02:00", "power": "0 W m-2"}, {"time": "2026-06-21T06:30Z", "power": "0.3 kW m-2"})"));
+  ASSERT_EQ(hood.power.table.size(), 2u);
+  EXPECT_DOUBLE_EQ(hood.power.table[1].power_w_m2, 300.0);
+  EXPECT_NEAR(geodesy::seconds_after(hood.power.table[1].time, hood.power.table[0].time), 1800.0, 1e-6);
+  EXPECT_EQ(
+      message(of_power(
+          R"({"time": "2026-06-21T08:00Z", "power": "0 W m-2"}, {"time": "2026-06-21T07:00Z", "power": "1 W m-2"})")),
+      "'scene.materials.soil.thermal.power.table[1].time' is 2026-06-21T07:00:00.000Z, expected a time after "
+      "2026-06-21T08:00:00.000Z, which stands before it");
+  const std::string no_zone = test::message_with(
+      kSoil, with_thermal(of_power(R"({"time": "2026-06-21T08:00", "power": "0 W m-2"})")));
+  EXPECT_NE(no_zone.find("zone"), std::string::npos) << no_zone;
+  EXPECT_NE(message(of_power("")).find("power.table' is an empty list, expected a list of 1 to 100000"),
+            std::string::npos)
+      << message(of_power(""));
 }
 
 TEST(DocumentThermal, GivenAndSolvedIsOneTooMany) {

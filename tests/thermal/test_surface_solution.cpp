@@ -2,6 +2,7 @@
 
 #include "exchanges.h"
 #include "outdoors.h"
+#include "thermal/faces/power_table.h"
 #include "thermal/linear_kernel.h"
 #include "thermal/surface_solution.h"
 #include "thermal/therm_slab.h"
@@ -46,6 +47,34 @@ TEST(SurfaceBalance, FluxesOfATiltedSurface) {
   EXPECT_NEAR(gain.w_m2, fluxes.sum(), 1e-9);
   EXPECT_NEAR(gain.slope_w_m2_k, (balance.gain(10.0, 300.01).w_m2 - balance.gain(10.0, 299.99).w_m2) / 0.02,
               1e-4);
+}
+
+/// An engine that runs for two hours, in still water of a sheet in the dark: C dT/dt = P(t) - losses, by steps of a second, and the mean over
+/// rows of what the table says.
+TEST(SurfaceSolution, PowerOverTimeAsItsTable) {
+  OutdoorsSeries night = june(1.0);
+  for (Outdoors& now : night.rows) now.direct_w_m2 = now.diffuse_w_m2 = 0.0;
+  const double at_s = night.begin_s + 43200.0;
+  PowerTable engine{{at_s, at_s + 1.0, at_s + 7200.0, at_s + 7201.0}, {0.0, 300.0, 300.0, 0.0}};
+  EXPECT_NEAR(engine.mean_w_m2(at_s - 10.0, at_s + 11.0), (0.5 + 10.0) * 300.0 / 21.0, 1e-9);
+  EXPECT_NEAR(engine.mean_w_m2(at_s + 100.0, at_s + 400.0), 300.0, 1e-9);
+  EXPECT_NEAR(engine.mean_w_m2(at_s + 7000.0, at_s + 8000.0), 200.5 * 300.0 / 1000.0, 1e-9);
+  EXPECT_EQ(engine.mean_w_m2(at_s - 900.0, at_s - 600.0), 0.0);
+  const Solid hood{{{2e-3, 50.0, 7800.0, 450.0}}, Insulated{}};
+  Skin skin;
+  const SurfaceSolution cold = solve_surface(hood, skin, Stand{}, night);
+  skin.power_over_time = std::make_shared<const PowerTable>(engine);
+  const SurfaceSolution warm = solve_surface(hood, skin, Stand{}, night);
+  double lumped_k = cold.surface_k(144);
+  for (int i = 0; i < 10800; ++i) {
+    const double power = i < 7200 ? 300.0 : 0.0;
+    lumped_k += (power + cold.balance.gain(at_s + i, lumped_k).w_m2) / (2e-3 * 7800.0 * 450.0);
+    if ((i + 1) % 1800 != 0 || i + 1 == 7200) continue;  // a row at a jump has half of it
+    EXPECT_NEAR(warm.surface_k(144 + static_cast<std::size_t>(i + 1) / 300), lumped_k, 0.1) << i;
+  }
+  EXPECT_GT(warm.surface_k(144 + 24), cold.surface_k(144 + 24) + 10.0);
+  // A fault: it ran two hours before.
+  EXPECT_LT(cold.surface_k(144 + 24), warm.surface_k(144 + 24) - 5.0);
 }
 
 /// Snow under a warm June day: no warmer than 0 degrees, and what it gains there goes into melting, worked out by hand. What does not melt

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "geodesy/utc_time.h"
 
 namespace ifov::io {
 
@@ -37,6 +38,16 @@ struct ThermalBackDocument {
   std::optional<OtherSide> other_side;
 };
 
+/// Heat from inside: always as much, or over time.
+struct PowerDocument {
+  struct AtTime {
+    geodesy::UtcTime time;
+    double power_w_m2 = 0.0;
+  };
+  double constant_w_m2 = 0.0;
+  std::vector<AtTime> table;  ///< in rising order; empty: the constant
+};
+
 /// A leaf by what its air and its stomata pass.
 struct LeafDocument {
   double width_m = 0.0;
@@ -60,7 +71,7 @@ struct ThermalDocument {
   std::string roughness = "rough";  ///< one of thermal::Roughness
   double wetness = 0.0;
   double resistance_s_m = 0.0;
-  double power_w_m2 = 0.0;
+  PowerDocument power;
   std::optional<double> solar_absorptance, emissivity;  ///< absent: of the spectrum
   SourcePosition position;
 };

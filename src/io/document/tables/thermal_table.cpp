@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "core/format.h"
+#include "geodesy/utc_seconds.h"
 #include "io/document/schema/heat_quantities.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
@@ -191,6 +192,36 @@ SchemaType<ThermDocument> therm_type() {
   return record.type();
 }
 
+SchemaType<PowerDocument> power_type() {
+  constexpr std::size_t kMostTimes = 100000;
+  using AtTime = PowerDocument::AtTime;
+  Record<AtTime> one("power at a time", "Heat from inside at one time.");
+  one.required("time", &AtTime::time, time_type(), "of UTC, or with another zone")
+      .required("power", &AtTime::power_w_m2, quantity(kHeatFlux), "given off at the surface");
+  Record<PowerDocument> over_time(
+      "power over time",
+      "Of an engine, of a hall that is heated: linear between its times, the first and the last hold beyond.");
+  over_time.required("table", &PowerDocument::table, list(one.type(), 1, kMostTimes), "times in rising order")
+      .check([](const PowerDocument& power, const DocumentNode& node) {
+        for (std::size_t k = 1; k < power.table.size(); ++k) {
+          if (geodesy::seconds_after(power.table[k].time, power.table[k - 1].time) > 0.0) continue;
+          const DocumentNode& time = node.given("table").items()[k].given("time");
+          time.fail(format("{} is {}, expected a time after {}, which stands before it", time.title(),
+                           geodesy::format_utc(power.table[k].time),
+                           geodesy::format_utc(power.table[k - 1].time)));
+        }
+      });
+  return either(converted<PowerDocument>(
+                    quantity(kHeatFlux),
+                    [](double w_m2) {
+                      return PowerDocument{w_m2, {}};
+                    },
+                    [](const PowerDocument& power) {
+                      return power.table.empty() ? std::optional(power.constant_w_m2) : std::nullopt;
+                    }),
+                over_time.type());
+}
+
 }  // namespace
 
 SchemaType<ThermalDocument> thermal_type() {
@@ -222,8 +253,8 @@ SchemaType<ThermalDocument> thermal_type() {
       .with_default("resistance", &Thermal::resistance_s_m,
                     quantity(kResistance, Range::at_least(0.0, "s/m")), "\"0 s/m\"",
                     "what stands in the vapour's way before the air does: 70 s/m of a lawn's stomata")
-      .with_default("power", &Thermal::power_w_m2, quantity(kHeatFlux), "\"0 W m-2\"",
-                    "given off at the surface from inside")
+      .with_default("power", &Thermal::power, power_type(), "\"0 W m-2\"",
+                    "given off at the surface from inside: always as much, or over time")
       .optional("solar_absorptance", &Thermal::solar_absorptance, fraction(Range::between(0.0, 1.0)),
                 "in place of what the material's spectrum takes of sunlight")
       .optional("emissivity", &Thermal::emissivity, fraction(Range::between(0.0, 1.0)),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atmosphere/weather_series.h"
 #include "core/error.h"
 #include "io/document/document_error.h"
 #include "io/document/scene_document.h"
@@ -14,6 +15,7 @@
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/surfaces/two_faces.h"
 #include "thermal/faces/air_gap.h"
+#include "thermal/faces/power_table.h"
 #include "thermal/therm_slab.h"
 
 namespace ifov::session {
@@ -150,7 +152,18 @@ ThermalMaterial from_document(const io::ThermalDocument& source, double deep_k) 
     }
   }
   result.skin.roughness = named<thermal::Roughness>(source.roughness);
-  result.skin.power_w_m2 = source.power_w_m2;
+  result.skin.power_w_m2 = source.power.constant_w_m2;
+  if (!source.power.table.empty()) {
+    thermal::PowerTable table;
+    for (const io::PowerDocument::AtTime& one : source.power.table) {
+      table.time_s.push_back(atmosphere::seconds_of(one.time));
+      table.w_m2.push_back(one.power_w_m2);
+    }
+    const auto [least, most] = std::minmax_element(table.w_m2.begin(), table.w_m2.end());
+    result.description.push_back(
+        format("heat from inside of {:g} to {:g} W m-2, at {} times", *least, *most, table.w_m2.size()));
+    result.skin.power_over_time = std::make_shared<const thermal::PowerTable>(std::move(table));
+  }
   return result;
 }
 
