@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "thermal/faces/power_table.h"
 #include "thermal/faces/sky_longwave.h"
+#include "thermal/faces/time_table.h"
 
 namespace ifov::thermal {
 namespace {
@@ -31,6 +31,9 @@ double global_w_m2(const Outdoors& now) {
 
 /// As steep as keeps a melting surface within some hundredths of a kelvin, and Newton's method in its stride.
 constexpr double kMelting_w_m2_k = 1e4;
+
+/// As stiff as keeps what is held within a thousandth of a kelvin of it.
+constexpr double kHolding_w_m2_k = 1e6;
 
 double mix(double a, double b, double share) { return a + share * (b - a); }
 
@@ -70,10 +73,12 @@ SurfaceBalance::Row SurfaceBalance::row_of(const OutdoorsSeries& series, const S
   row.given.sky_longwave = skin_.emissivity * now.longwave_w_m2 * sky_view;
   row.given.ground_longwave = skin_.emissivity * beside->longwave_w_m2;
   row.given.power = skin_.power_w_m2;
+  const double time_s = series.begin_s + static_cast<double>(index) * series.step_s;
+  if (skin_.as_air) row.held_k = now.air.temperature_k;
+  if (skin_.held_k)
+    row.held_k = skin_.held_k->mean(time_s - 0.5 * series.step_s, time_s + 0.5 * series.step_s);
   if (skin_.power_over_time) {
-    const double time_s = series.begin_s + static_cast<double>(index) * series.step_s;
-    row.given.power =
-        skin_.power_over_time->mean_w_m2(time_s - 0.5 * series.step_s, time_s + 0.5 * series.step_s);
+    row.given.power = skin_.power_over_time->mean(time_s - 0.5 * series.step_s, time_s + 0.5 * series.step_s);
   }
   row.air = now.air;
   const double wind_m_s = wind_at_m_s(now.wind_m_s, series.anemometer, stand.height_m, stand.terrain);
@@ -120,6 +125,7 @@ const SurfaceBalance::Row& SurfaceBalance::at(double time_s, Row& between) const
   row.air.vapour_pa = mix(a.air.vapour_pa, b.air.vapour_pa, share);
   row.air.pressure_pa = mix(a.air.pressure_pa, b.air.pressure_pa, share);
   row.forced_w_m2_k = mix(a.forced_w_m2_k, b.forced_w_m2_k, share);
+  row.held_k = mix(a.held_k, b.held_k, share);
   row.open_stomata = mix(a.open_stomata, b.open_stomata, share);
   row.forced_back_w_m2_k = mix(a.forced_back_w_m2_k, b.forced_back_w_m2_k, share);
   return row;
@@ -155,6 +161,10 @@ Fluxes SurfaceBalance::complete(const Row& row, double surface_k, double& slope)
   if (surface_k > skin_.melts_k) {
     fluxes.latent -= kMelting_w_m2_k * (surface_k - skin_.melts_k);
     slope -= kMelting_w_m2_k;
+  }
+  if (!std::isnan(row.held_k)) {
+    fluxes.power -= kHolding_w_m2_k * (surface_k - row.held_k);
+    slope -= kHolding_w_m2_k;
   }
   return fluxes;
 }

@@ -13,7 +13,7 @@
 
 namespace ifov::thermal {
 
-struct PowerTable;
+struct TimeTable;
 
 /// What comes from outside at one instant.
 struct Outdoors {
@@ -39,11 +39,15 @@ struct Skin {
   double emissivity = 0.95;
   Roughness roughness = Roughness::rough;
   Wetness wetness;
-  double power_w_m2 = 0.0;                              ///< from inside, given off at the surface
-  std::shared_ptr<const PowerTable> power_over_time{};  ///< the same in place of that; null: it is that
-  double convecting_faces = 1.0;                        ///< areas that the air reaches, over that of one face
+  double power_w_m2 = 0.0;                             ///< from inside, given off at the surface
+  std::shared_ptr<const TimeTable> power_over_time{};  ///< the same in place of that; null: it is that
+  double convecting_faces = 1.0;                       ///< areas that the air reaches, over that of one face
   /// Above it the surface melts: what it gains beyond goes away with the water, and none of it freezes again.
   double melts_k = std::numeric_limits<double>::infinity();
+  /// What is as warm as the air, or as is told of it over time: heat from inside holds it there.
+  bool as_air = false;
+  std::shared_ptr<const TimeTable> held_k{};
+  bool is_held() const { return as_air || held_k != nullptr; }
   /// A thin sheet of one temperature, both faces of which are outdoors and alike.
   bool two_faces = false;
   double transmittance = 0.0;  ///< of sunlight, to the other side
@@ -98,9 +102,10 @@ class SurfaceBalance : public SurfaceExchange {
   struct Row {
     Fluxes given;
     MoistAir air;
-    double forced_w_m2_k = 0.0;       ///< of forced convection, at glass
-    double open_stomata = 1.0;        ///< share, of a leaf
-    double forced_back_w_m2_k = 0.0;  ///< at the other of two faces
+    double forced_w_m2_k = 0.0;                                ///< of forced convection, at glass
+    double held_k = std::numeric_limits<double>::quiet_NaN();  ///< by heat from inside
+    double open_stomata = 1.0;                                 ///< share, of a leaf
+    double forced_back_w_m2_k = 0.0;                           ///< at the other of two faces
   };
   Row row_of(const OutdoorsSeries& series, const Stand& stand, std::size_t index, double visibility,
              double free_sky, const FromBeside* beside);

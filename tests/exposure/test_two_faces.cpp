@@ -152,6 +152,29 @@ TEST(TwoFaces, AreWarmedByWhatStandsOnEitherSide) {
   }
 }
 
+// A wall that is told to be as warm all the time by a table warms as one of that temperature does; one that was cold until a minute ago does not.
+TEST(HeldTemperatures, WarmWhatStandsBesideThemByTheirPast) {
+  const StillDays weather("sign");
+  const std::string wall =
+      R"(, {"box": {"low": ["0.3 m", "-3 m", "0 m"], "high": ["0.5 m", "3 m", "4 m"]}, "material": "hot"})";
+  const std::string given = text_of(weather, kSheet, wall, "02:00"),
+                    hot = R"({"emissivity": 1, "temperature": "310 K"})";
+  const auto sign_k = [&](const std::string& table) {
+    std::string text = given;
+    if (!table.empty())
+      text.replace(text.find(hot), hot.size(),
+                   R"({"emissivity": 1, "temperature": "solved", "thermal": {"table": [)" + table + "]}}");
+    const Session session = load(text);
+    return mean_k(sign_of(session), seen_from(session, -3.0), 8000);
+  };
+  const double given_k = sign_k("");
+  EXPECT_NEAR(sign_k(R"({"time": "2026-06-21T00:00Z", "temperature": "310 K"})"), given_k, 0.15);
+  EXPECT_LT(
+      sign_k(
+          R"({"time": "2026-06-21T01:59Z", "temperature": "280 K"}, {"time": "2026-06-21T02:00Z", "temperature": "310 K"})"),
+      given_k - 2.0);
+}
+
 TEST(TwoFaces, OfLeavesThatLetLightThrough) {
   const ClearDays weather("sign", 2.5);
   const std::string leaf =

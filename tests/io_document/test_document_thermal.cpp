@@ -195,6 +195,25 @@ TEST(DocumentThermal, PowerOverTime) {
       << message(of_power(""));
 }
 
+TEST(DocumentThermal, TemperaturesThatAreKnown) {
+  const ThermalDocument air = read(R"({"air": {}})");
+  ASSERT_TRUE(air.held && air.held->table.empty() && air.layers.empty());
+  const ThermalDocument told = read(
+      R"({"table": [{"time": "2026-06-21T06:00Z", "temperature": "20 degC"}, {"time": "2026-06-21T12:00Z", "temperature": "308.15 K"}]})");
+  ASSERT_TRUE(told.held && told.held->table.size() == 2);
+  EXPECT_DOUBLE_EQ(told.held->table[0].temperature_k, 293.15);
+  EXPECT_EQ(
+      message(
+          R"({"table": [{"time": "2026-06-21T06:00Z", "temperature": "20 degC"}, {"time": "2026-06-21T06:00Z", "temperature": "21 degC"}]})"),
+      "'scene.materials.soil.thermal.table[1].time' is 2026-06-21T06:00:00.000Z, expected a time after "
+      "2026-06-21T06:00:00.000Z, which stands before it");
+  EXPECT_EQ(message(R"({"air": {}, "power": "60 W m-2"})"),
+            "'scene.materials.soil.thermal.power' has no part where it is told how warm the surface is");
+  const std::string both = test::message_with(kSoil, with_thermal(R"({"air": {}, "leaf": {}})"));
+  EXPECT_NE(both.find("'air'"), std::string::npos) << both;
+  EXPECT_NE(both.find("'leaf'"), std::string::npos) << both;
+}
+
 TEST(DocumentThermal, GivenAndSolvedIsOneTooMany) {
   const std::string text = test::message_with(
       kSoil,

@@ -48,6 +48,15 @@ struct PowerDocument {
   std::vector<AtTime> table;  ///< in rising order; empty: the constant
 };
 
+/// A temperature that is known: of the air, or over time.
+struct HeldTemperatureDocument {
+  struct AtTime {
+    geodesy::UtcTime time;
+    double temperature_k = 0.0;
+  };
+  std::vector<AtTime> table;  ///< in rising order; empty: that of the air
+};
+
 /// A leaf by what its air and its stomata pass.
 struct LeafDocument {
   double width_m = 0.0;
@@ -67,6 +76,7 @@ struct ThermalDocument {
   std::vector<ThermalLayerDocument> layers;
   std::optional<ThermDocument> therm;
   std::optional<LeafDocument> leaf;
+  std::optional<HeldTemperatureDocument> held;
   ThermalBackDocument back;
   std::string roughness = "rough";  ///< one of thermal::Roughness
   double wetness = 0.0;

@@ -44,7 +44,7 @@ std::optional<double> other_side_k(const Neighbourhood& about, const SolvedMater
   double thickness_m = 0.0;
   for (const thermal::SolidLayer& layer : solid.layers) thickness_m += layer.thickness_m;
   if (!std::holds_alternative<thermal::Insulated>(solid.back) || thickness_m > kThickest_m ||
-      solved.thermal.start == thermal::Start::air)
+      solved.thermal.start == thermal::Start::air || solved.thermal.skin.is_held())
     return std::nullopt;
   geometry::SurfacePoint behind = point;
   behind.front = !point.front;

@@ -192,8 +192,27 @@ SchemaType<ThermDocument> therm_type() {
   return record.type();
 }
 
+template <class AtTime>
+void check_rising(const std::vector<AtTime>& table, const DocumentNode& list) {
+  for (std::size_t k = 1; k < table.size(); ++k) {
+    if (geodesy::seconds_after(table[k].time, table[k - 1].time) > 0.0) continue;
+    const DocumentNode& time = list.items()[k].given("time");
+    time.fail(format("{} is {}, expected a time after {}, which stands before it", time.title(),
+                     geodesy::format_utc(table[k].time), geodesy::format_utc(table[k - 1].time)));
+  }
+}
+
+constexpr std::size_t kMostTimes = 100000;
+
+SchemaType<std::vector<HeldTemperatureDocument::AtTime>> held_table_type() {
+  using AtTime = HeldTemperatureDocument::AtTime;
+  Record<AtTime> one("temperature at a time", "How warm it is at one time.");
+  one.required("time", &AtTime::time, time_type(), "of UTC, or with another zone")
+      .required("temperature", &AtTime::temperature_k, above_zero(kTemperature, "K"), "of the surface");
+  return list(one.type(), 1, kMostTimes);
+}
+
 SchemaType<PowerDocument> power_type() {
-  constexpr std::size_t kMostTimes = 100000;
   using AtTime = PowerDocument::AtTime;
   Record<AtTime> one("power at a time", "Heat from inside at one time.");
   one.required("time", &AtTime::time, time_type(), "of UTC, or with another zone")
@@ -203,13 +222,7 @@ SchemaType<PowerDocument> power_type() {
       "Of an engine, of a hall that is heated: linear between its times, the first and the last hold beyond.");
   over_time.required("table", &PowerDocument::table, list(one.type(), 1, kMostTimes), "times in rising order")
       .check([](const PowerDocument& power, const DocumentNode& node) {
-        for (std::size_t k = 1; k < power.table.size(); ++k) {
-          if (geodesy::seconds_after(power.table[k].time, power.table[k - 1].time) > 0.0) continue;
-          const DocumentNode& time = node.given("table").items()[k].given("time");
-          time.fail(format("{} is {}, expected a time after {}, which stands before it", time.title(),
-                           geodesy::format_utc(power.table[k].time),
-                           geodesy::format_utc(power.table[k - 1].time)));
-        }
+        check_rising(power.table, node.given("table"));
       });
   return either(converted<PowerDocument>(
                     quantity(kHeatFlux),
@@ -226,6 +239,8 @@ SchemaType<PowerDocument> power_type() {
 
 SchemaType<ThermalDocument> thermal_type() {
   using Thermal = ThermalDocument;
+  using HeldTable = std::vector<HeldTemperatureDocument::AtTime>;
+  struct AsAir {};
   Record<Thermal> record("thermal material",
                          "What a surface's temperature follows from under weather (`ifov temperature`).");
   record.exactly_one()
@@ -238,6 +253,22 @@ SchemaType<ThermalDocument> thermal_type() {
            list(layer_type(), 1, kMostLayers), "from the surface inwards")
       .one("therm", &Thermal::therm, therm_type(), "THERM's seven numbers in their place")
       .one("leaf", &Thermal::leaf, leaf_type(), "a leaf, both faces of which are outdoors")
+      .one("air",
+           via([](Thermal& thermal, AsAir) { thermal.held.emplace(); },
+               [](const Thermal& thermal) {
+                 return thermal.held && thermal.held->table.empty() ? std::optional(AsAir{}) : std::nullopt;
+               }),
+           Record<AsAir>("as the air", "Nothing is solved: the surface is as warm as the air.").type(),
+           "as warm as the air")
+      .one(
+          "table",
+          via([](Thermal& thermal, HeldTable table) { thermal.held = {std::move(table)}; },
+              [](const Thermal& thermal) {
+                return thermal.held && !thermal.held->table.empty() ? std::optional(thermal.held->table)
+                                                                    : std::nullopt;
+              }),
+          held_table_type(),
+          "how warm it is over time, linear between, the first and the last hold beyond; times in rising order")
       .optional("back",
                 via([](Thermal& thermal, ThermalBackDocument back) { thermal.back = back; },
                     [](const Thermal& thermal) {
@@ -262,6 +293,7 @@ SchemaType<ThermalDocument> thermal_type() {
   for (const char* key : {"back", "wetness", "resistance"}) record.needs(key, "layers");
   record.check([](const Thermal& thermal, const DocumentNode& node) {
     check_air_gaps(thermal, node);
+    if (thermal.held) check_rising(thermal.held->table, node.given("table"));
     const auto refuse = [&](std::string_view key, const char* message) {
       if (const DocumentNode* found = node.find(key))
         found->fail_at_key(format("{} {}", found->title(), message));
@@ -269,6 +301,9 @@ SchemaType<ThermalDocument> thermal_type() {
     if (thermal.therm)
       for (const char* key : {"solar_absorptance", "emissivity"})
         refuse(key, "is given beside 'therm', which has its own");
+    if (thermal.held)
+      for (const char* key : {"power", "roughness"})
+        refuse(key, "has no part where it is told how warm the surface is");
     if (thermal.leaf) refuse("roughness", "is given beside 'leaf', along whose width the wind goes");
   });
   return record.type();

@@ -15,7 +15,7 @@
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/surfaces/two_faces.h"
 #include "thermal/faces/air_gap.h"
-#include "thermal/faces/power_table.h"
+#include "thermal/faces/time_table.h"
 #include "thermal/therm_slab.h"
 
 namespace ifov::session {
@@ -129,6 +129,27 @@ void take_leaf(const thermal::Leaf& leaf, double water_m, ThermalMaterial& resul
       leaf.stomatal_faces == 2 ? "both faces" : "one face"));
 }
 
+void take_held(const io::HeldTemperatureDocument& source, ThermalMaterial& result) {
+  thermal::SolidLayer skin = io::thermal_library().solid("steel").values;  // of any stuff: it follows at once
+  skin.thickness_m = 1e-3;
+  result.solid.layers.push_back(skin);
+  if (source.table.empty()) {
+    result.skin.as_air = true;
+    result.description.push_back("as warm as the air; \"power\" is what holds it there");
+    return;
+  }
+  thermal::TimeTable table;
+  for (const io::HeldTemperatureDocument::AtTime& one : source.table) {
+    table.time_s.push_back(atmosphere::seconds_of(one.time));
+    table.value.push_back(one.temperature_k);
+  }
+  const auto [least, most] = std::minmax_element(table.value.begin(), table.value.end());
+  result.description.push_back(
+      format("{:.2f} to {:.2f} degC as told, at {} times; \"power\" is what holds it there", *least - 273.15,
+             *most - 273.15, table.value.size()));
+  result.skin.held_k = std::make_shared<const thermal::TimeTable>(std::move(table));
+}
+
 ThermalMaterial from_document(const io::ThermalDocument& source, double deep_k) {
   ThermalMaterial result;
   if (const auto& therm = source.therm) {
@@ -139,6 +160,8 @@ ThermalMaterial from_document(const io::ThermalDocument& source, double deep_k) 
     result.skin = thermal::skin_of(slab);
     result.start = thermal::Start::air;
     result.description.push_back("THERM: " + layer_text(result.solid.layers[0], {}));
+  } else if (source.held) {
+    take_held(*source.held, result);
   } else if (source.leaf) {
     take_leaf({source.leaf->width_m, source.leaf->stomatal_mol_m2_s, source.leaf->both_faces ? 2 : 1},
               source.leaf->water_m, result);
@@ -154,15 +177,15 @@ ThermalMaterial from_document(const io::ThermalDocument& source, double deep_k) 
   result.skin.roughness = named<thermal::Roughness>(source.roughness);
   result.skin.power_w_m2 = source.power.constant_w_m2;
   if (!source.power.table.empty()) {
-    thermal::PowerTable table;
+    thermal::TimeTable table;
     for (const io::PowerDocument::AtTime& one : source.power.table) {
       table.time_s.push_back(atmosphere::seconds_of(one.time));
-      table.w_m2.push_back(one.power_w_m2);
+      table.value.push_back(one.power_w_m2);
     }
-    const auto [least, most] = std::minmax_element(table.w_m2.begin(), table.w_m2.end());
+    const auto [least, most] = std::minmax_element(table.value.begin(), table.value.end());
     result.description.push_back(
-        format("heat from inside of {:g} to {:g} W m-2, at {} times", *least, *most, table.w_m2.size()));
-    result.skin.power_over_time = std::make_shared<const thermal::PowerTable>(std::move(table));
+        format("heat from inside of {:g} to {:g} W m-2, at {} times", *least, *most, table.value.size()));
+    result.skin.power_over_time = std::make_shared<const thermal::TimeTable>(std::move(table));
   }
   return result;
 }

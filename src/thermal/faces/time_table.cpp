@@ -1,18 +1,18 @@
-#include "thermal/faces/power_table.h"
+#include "thermal/faces/time_table.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace ifov::thermal {
 
-double PowerTable::mean_w_m2(double from_s, double to_s) const {
+double TimeTable::mean(double from_s, double to_s) const {
   // Sum over the parts between the table's times, each a trapezium.
   const auto at = [&](double t) {
     const auto after = std::upper_bound(time_s.begin(), time_s.end(), t);
-    if (after == time_s.begin()) return w_m2.front();
-    if (after == time_s.end()) return w_m2.back();
+    if (after == time_s.begin()) return value.front();
+    if (after == time_s.end()) return value.back();
     const auto i = static_cast<std::size_t>(after - time_s.begin());
-    return std::lerp(w_m2[i - 1], w_m2[i], (t - time_s[i - 1]) / (time_s[i] - time_s[i - 1]));
+    return std::lerp(value[i - 1], value[i], (t - time_s[i - 1]) / (time_s[i] - time_s[i - 1]));
   };
   double sum = 0.0, begin_s = from_s;
   for (auto next = std::upper_bound(time_s.begin(), time_s.end(), from_s); begin_s < to_s; ++next) {
