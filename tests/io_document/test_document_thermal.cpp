@@ -237,7 +237,20 @@ TEST(DocumentThermal, SolvedIsATemperature) {
   EXPECT_EQ(solved, 1);
   const std::string text =
       test::message_with(kSoil, "\"soil\": {\"reflectance\": 0.25, \"temperature\": \"solfed\"}");
-  EXPECT_NE(text.find("temperature' is the text \"solfed\""), std::string::npos) << text;
+  EXPECT_NE(
+      text.find(
+          "temperature' is the text \"solfed\", expected a temperature of at least 0 K, such as \"20 degC\" "
+          "(units: K, degC, degF), or \"solved\""),
+      std::string::npos)
+      << text;
+  const std::string air =
+      test::message_with(kSoil, "\"soil\": {\"reflectance\": 0.25, \"temperature\": \"air\"}");
+  EXPECT_NE(
+      air.find(
+          "temperature' is the text \"air\": of what is as warm as the air it is \"solved\", and the material has "
+          "\"thermal\": {\"air\": {}}"),
+      std::string::npos)
+      << air;
 }
 
 TEST(DocumentThermal, TemperaturesAreSolvedSo) {
