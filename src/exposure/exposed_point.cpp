@@ -15,6 +15,7 @@ namespace ifov::exposure {
 namespace {
 
 constexpr double kLevel = 1.0 - 1e-9;
+constexpr int kMostDraws = 2000;  // numbers, for a direction to one side of the horizon
 
 struct LeavingRays {
   std::vector<math::Ray> rays;
@@ -24,14 +25,16 @@ struct LeavingRays {
 
 }  // namespace
 
-ExposedPoint::ExposedPoint(const PastScene& scene, const geometry::SurfacePoint& point) : scene_(scene) {
+ExposedPoint::ExposedPoint(const PastScene& scene, const geometry::SurfacePoint& point, bool two_faces)
+    : scene_(scene), two_faces_(two_faces) {
   outward_ = point.geometric_normal.as_vector();
   normal_ = point.shading_normal.as_vector();
-  if (!point.front) {
+  if (two_faces ? normal_.z < 0.0 : !point.front) {
     outward_ = -outward_;
     normal_ = -normal_;
   }
   origin_m_ = point.position_m + point.offset_m * outward_;
+  behind_m_ = point.position_m - point.offset_m * outward_;
   if (scene.changes()) presence_ = scene.world().presence(point.instance);
 }
 
@@ -51,7 +54,7 @@ void ExposedPoint::free(std::span<const math::Vec3> directions, std::span<const 
   for (std::size_t k = 0; k < directions.size(); ++k) {
     is_free[k] = 0;
     if (!leaves(directions[k])) continue;
-    scratch.rays.push_back({.origin_m = origin_m_, .direction = directions[k]});
+    scratch.rays.push_back(ray(directions[k]));
     if (!times_s.empty()) scratch.rays.back().time_s = time_here_s(times_s[k]);
     scratch.owner.push_back(k);
   }
@@ -61,11 +64,12 @@ void ExposedPoint::free(std::span<const math::Vec3> directions, std::span<const 
 }
 
 bool ExposedPoint::leaves(math::Vec3 direction) const {
-  return math::dot(direction, outward_) > 0.0 && math::dot(direction, normal_) > 0.0;
+  const double outward = math::dot(direction, outward_), along = math::dot(direction, normal_);
+  return (outward > 0.0 && along > 0.0) || (two_faces_ && outward < 0.0 && along < 0.0);
 }
 
 math::Ray ExposedPoint::ray(math::Vec3 direction) const {
-  return {.origin_m = origin_m_, .direction = direction};
+  return {.origin_m = math::dot(direction, outward_) < 0.0 ? behind_m_ : origin_m_, .direction = direction};
 }
 
 void ExposedPoint::sky_directions(std::uint64_t key, int pairs, std::vector<math::Vec3>& directions) const {
@@ -80,6 +84,7 @@ void ExposedPoint::ground_directions(std::uint64_t key, int pairs,
 void ExposedPoint::directions(std::uint64_t key, int pairs, bool up,
                               std::vector<math::Vec3>& directions) const {
   directions.clear();
+  if (two_faces_) return of_both_faces(key, pairs, up, directions);
   const double cosine = std::clamp(normal_.z, -1.0, 1.0);
   const auto draw = [&](int k, int which) { return sampling::unit_double(sampling::hash(key, k, 0, which)); };
   if (std::abs(cosine) > kLevel) {
@@ -101,6 +106,24 @@ void ExposedPoint::directions(std::uint64_t key, int pairs, bool up,
     const double along = half * std::lerp(low, high, (k / 2 + draw(k, 2)) / pairs);
     const double out = std::sqrt(std::max(0.0, 1.0 - chord * chord - along * along));
     directions.push_back(chord * across + along * downhill + out * normal_);
+  }
+}
+
+void ExposedPoint::of_both_faces(std::uint64_t key, int pairs, bool up,
+                                 std::vector<math::Vec3>& directions) const {
+  // One face sees (1 + cos) / 2 of the sky and the other the rest; of what is below the horizon it is the other way round.
+  const double of_upper = 0.5 * (1.0 + std::clamp(normal_.z, -1.0, 1.0));
+  for (int k = 0; k < 2 * pairs; ++k) {
+    const auto draw = [&](int which) { return sampling::unit_double(sampling::hash(key, k, 1, which)); };
+    const bool upper = draw(0) < (up ? of_upper : 1.0 - of_upper);
+    const sampling::TangentFrame frame(upper ? normal_ : -normal_);
+    math::Vec3 direction;
+    int which = 1;
+    do {
+      direction = frame.to_world(sampling::cosine_hemisphere({draw(which), draw(which + 1)}));
+      which += 2;
+    } while ((direction.z > 0.0) != up && which < kMostDraws);
+    directions.push_back(direction);
   }
 }
 

@@ -17,13 +17,15 @@ namespace ifov::exposure {
 
 class PastScene;
 
-/// A surface point, from the side that was met, to ask what its surroundings hide. Keeps a reference to the scene.
+/// A surface point, from the side that was met, to ask what its surroundings hide; of a sheet of two faces both, each towards its own side. Keeps
+/// a reference to the scene.
 class ExposedPoint {
  public:
-  ExposedPoint(const PastScene& scene, const geometry::SurfacePoint& point);
+  ExposedPoint(const PastScene& scene, const geometry::SurfacePoint& point, bool two_faces = false);
 
   math::Point3 position_m() const { return origin_m_; }
-  math::Vec3 normal() const { return normal_; }  ///< shading normal, out of the side that was met
+  /// Shading normal, out of the side that was met; of two faces that which looks up.
+  math::Vec3 normal() const { return normal_; }
   /// That, and how high above ground the point is, which may take a ray.
   thermal::Pose pose() const;
 
@@ -39,7 +41,7 @@ class ExposedPoint {
   double time_here_s(double time_s) const;
 
   /// Pairs of directions to the sky above the point's own horizon, as it sees it (by their cosines), by chance: each pair in a
-  /// stratum of its own. None where no sky is above it.
+  /// stratum of its own. None where no sky is above it. Of two faces each direction is one's, as often as that sees of the sky.
   void sky_directions(std::uint64_t key, int pairs, std::vector<math::Vec3>& directions) const;
   /// The same to below the horizon.
   void ground_directions(std::uint64_t key, int pairs, std::vector<math::Vec3>& directions) const;
@@ -47,10 +49,13 @@ class ExposedPoint {
  private:
   void directions(std::uint64_t key, int pairs, bool up, std::vector<math::Vec3>& found) const;
 
+  void of_both_faces(std::uint64_t key, int pairs, bool up, std::vector<math::Vec3>& directions) const;
+
   const PastScene& scene_;
   const geometry::Presence* presence_ = nullptr;  ///< of the point's object; null: it was always there
-  math::Point3 origin_m_;
+  math::Point3 origin_m_, behind_m_;
   math::Vec3 normal_, outward_;
+  bool two_faces_;
 };
 
 }  // namespace ifov::exposure

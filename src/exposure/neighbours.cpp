@@ -10,7 +10,7 @@
 #include "geometry/world.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
-#include "thermal/sky_longwave.h"
+#include "thermal/faces/sky_longwave.h"
 
 namespace ifov::exposure {
 namespace {
@@ -19,7 +19,7 @@ constexpr int kTimes = 8;  // that may have warmed a neighbour, of which one is 
 constexpr double kUpright = 1e-6;
 constexpr double kNear_m = 20.0;  // about as high is the ground so far away, for the wind of what is met
 
-enum class Of { past, row, now, warmed, times, around, further, further_past, goes_on, corner };
+enum class Of { past, row, now, warmed, times, around, further, further_past, goes_on, corner, both };
 
 double number(std::uint64_t key, Of of, int k = 0) {
   return sampling::unit_double(sampling::hash(key, of, k));
@@ -50,6 +50,14 @@ bool Neighbours::sees_sun(const ExposedPoint& point, std::size_t row, std::uint6
   return is_free != 0;
 }
 
+bool Neighbours::sees_sky(const ExposedPoint& point, std::uint64_t key) const {
+  static thread_local std::vector<math::Vec3> directions;
+  point.sky_directions(key, 1, directions);
+  std::uint8_t is_free = 0;
+  if (!directions.empty()) point.free({directions.data(), 1}, {}, {&is_free, 1});
+  return is_free != 0;
+}
+
 std::size_t Neighbours::warming_row(const thermal::Pose& pose, const thermal::SurfaceClasses& classes,
                                     const thermal::SurfaceClasses::Corners& at, std::size_t row,
                                     std::uint64_t key) const {
@@ -60,7 +68,7 @@ std::size_t Neighbours::warming_row(const thermal::Pose& pose, const thermal::Su
     const std::int32_t sunlit = classes.sunlit_row_of(of);
     if (sunlit < 0) return 0.0;
     return classes.outdoors(of).direct_w_m2 *
-           std::max(0.0, math::dot(pose.normal, classes.sun_at(static_cast<std::size_t>(sunlit), 0.0)));
+           classes.facing(pose.normal, classes.sun_at(static_cast<std::size_t>(sunlit), 0.0));
   };
   for (int k = 0; k < kTimes; ++k) {
     const std::size_t lag =
@@ -93,19 +101,25 @@ thermal::FromBeside Neighbours::sent(const geometry::SurfacePoint& met, std::siz
   const thermal::SurfaceClasses& classes = own != nullptr ? *own : *any_;
   const thermal::Outdoors& now = classes.outdoors(row);
   const thermal::FromBeside ground = classes.from_ground(row);
-  const ExposedPoint point(past_, met);
+  const bool two_faces = own != nullptr && own->two_faces();
+  const ExposedPoint point(past_, met, two_faces);
   const thermal::Pose pose = pose_of(point, met, behind.ground_m);
+  // What is sent leaves by the side that was met; light that comes to the other one goes through a leaf.
+  const math::Vec3 side = two_faces ? ExposedPoint(past_, met).normal() : pose.normal;
+  const double through = two_faces ? own->skin().transmittance : 0.0;
+  const double back = own != nullptr ? 1.0 - own->skin().solar_absorptance - through : 0.0;
 
-  double light_w_m2 = 0.0;
+  double light_w_m2 = 0.0, behind_w_m2 = 0.0;
   std::optional<bool> lit;
   if (const std::int32_t sunlit = classes.sunlit_row_of(row); sunlit >= 0) {
-    const double cosine = math::dot(pose.normal, classes.sun_at(static_cast<std::size_t>(sunlit), 0.0));
-    if (cosine > 0.0) lit = sees_sun(point, row, sampling::hash(key, Of::now));
-    if (lit.value_or(false)) light_w_m2 += now.direct_w_m2 * cosine;
+    const double cosine = math::dot(side, classes.sun_at(static_cast<std::size_t>(sunlit), 0.0));
+    if (cosine > 0.0 || two_faces) lit = sees_sun(point, row, sampling::hash(key, Of::now));
+    if (lit.value_or(false)) (cosine > 0.0 ? light_w_m2 : behind_w_m2) += now.direct_w_m2 * std::abs(cosine);
   }
   // One direction tells what is about it: sky, a further surface, or the ground.
+  const bool from_behind = through > 0.0 && number(key, Of::around, 2) * (back + through) < through;
   const math::Vec3 around =
-      sampling::TangentFrame(pose.normal)
+      sampling::TangentFrame(from_behind ? -side : side)
           .to_world(sampling::cosine_hemisphere({number(key, Of::around, 0), number(key, Of::around, 1)}));
   geometry::SurfacePoint beyond;
   if (point.leaves(around)) {
@@ -124,16 +138,21 @@ thermal::FromBeside Neighbours::sent(const geometry::SurfacePoint& met, std::siz
     comes.sunlight_w_m2 += (more.sunlight_w_m2 - ground.sunlight_w_m2) / behind.chance;
     comes.longwave_w_m2 += (more.longwave_w_m2 - ground.longwave_w_m2) / behind.chance;
   }
-  light_w_m2 += comes.sunlight_w_m2;
+  if (from_behind)
+    behind_w_m2 += comes.sunlight_w_m2 * (back + through) / through;
+  else
+    light_w_m2 += through > 0.0 ? comes.sunlight_w_m2 * (back + through) / back : comes.sunlight_w_m2;
   if (own == nullptr) {
     double given_k = main.mapped_temperature_k > 0.0 ? main.mapped_temperature_k : state.temperature_k;
     if (!(given_k > 0.0)) given_k = now.air.temperature_k;
     return {classes.ground_reflectance() * light_w_m2,
             thermal::kStefanBoltzmann_w_m2_k4 * std::pow(given_k, 4)};
   }
-  const double open = 0.5 * (1.0 + pose.normal.z);
+  const double open = own->open_share(pose.normal);
   const thermal::SurfaceClasses::Corners at = own->any_corner(pose, number(key, Of::corner));
-  const auto then = own->then(at, is_sky && open > kUpright ? 1.0 / open : 0.0, own->bin_of_row(row));
+  double free_sky = is_sky && open > kUpright ? 1.0 / open : 0.0;
+  if (two_faces) free_sky = sees_sky(point, sampling::hash(key, Of::both)) ? 1.0 : 0.0;
+  const auto then = own->then(at, free_sky, own->bin_of_row(row));
   double surface_k = then.shaded_k;
   if (then.rise_k != 0.0) {
     const std::uint64_t warmed_key = sampling::hash(key, Of::warmed);
@@ -142,18 +161,30 @@ thermal::FromBeside Neighbours::sent(const geometry::SurfacePoint& met, std::siz
       surface_k += then.rise_k;
   }
   double fourth_power = std::pow(surface_k, 4);
-  if (is_asked(1)) {
+  double of_warming = 1.0;
+  if (two_faces) {  // either face is warmed by what it sees
+    of_warming = 2.0;
+    const math::Vec3 from =
+        sampling::TangentFrame(number(key, Of::both, 0) < 0.5 ? side : -side)
+            .to_world(sampling::cosine_hemisphere({number(key, Of::both, 1), number(key, Of::both, 2)}));
+    beyond = this->met(point, from);
+  }
+  const bool goes_further = two_faces
+                                ? beyond.hit() && behind.depth > 0 &&
+                                      (behind.chance >= 1.0 || number(key, Of::goes_on, 1) < behind.chance)
+                                : is_asked(1);
+  if (goes_further) {
     const std::size_t lag =
         own->draw_lag(at, number(key, Of::further_past, 0), number(key, Of::further_past, 1));
     const std::size_t then_row = row - std::min(row, lag);
     const double warmer_k =
-        surface_k + own->worth_of_all_k(at) *
+        surface_k + of_warming * own->worth_of_all_k(at) *
                         own->more_than_ground_w_m2(
                             sent(beyond, then_row, next, sampling::hash(key, Of::further_past, 2)), then_row);
     fourth_power += (std::pow(warmer_k, 4) - fourth_power) / behind.chance;
   }
   const thermal::Skin& skin = own->skin();
-  return {(1.0 - skin.solar_absorptance) * light_w_m2,
+  return {back * light_w_m2 + through * behind_w_m2,
           skin.emissivity * thermal::kStefanBoltzmann_w_m2_k4 * fourth_power +
               (1.0 - skin.emissivity) * comes.longwave_w_m2};
 }

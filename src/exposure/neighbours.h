@@ -73,6 +73,8 @@ class Neighbours {
   thermal::FromBeside sent(const geometry::SurfacePoint& met, std::size_t row, Behind behind,
                            std::uint64_t key) const;
   bool sees_sun(const ExposedPoint& point, std::size_t row, std::uint64_t key) const;
+  /// By one direction; of both faces of a sheet together.
+  bool sees_sky(const ExposedPoint& point, std::uint64_t key) const;
   /// A row at which the Sun warmed the surface until another.
   std::size_t warming_row(const thermal::Pose& pose, const thermal::SurfaceClasses& classes,
                           const thermal::SurfaceClasses::Corners& at, std::size_t row,

@@ -53,7 +53,8 @@ SolvedSurface::SolvedSurface(std::shared_ptr<const thermal::SurfaceClasses> clas
     : classes_(std::move(classes)),
       scene_(std::move(scene)),
       neighbours_(std::move(neighbours)),
-      sun_radius_rad_(sun_radius_rad) {
+      sun_radius_rad_(sun_radius_rad),
+      two_faces_(classes_->two_faces()) {
   if (!scene_.changes()) return;
   // The last row stands for all that follows it.
   for (std::size_t row = 0; row < classes_->rows(); ++row)
@@ -65,6 +66,12 @@ SolvedSurface::SolvedSurface(std::shared_ptr<const thermal::SurfaceClasses> clas
 SolvedSurface SolvedSurface::spending(const Spent& spent) const {
   SolvedSurface other = *this;
   other.spent_ = spent;
+  return other;
+}
+
+SolvedSurface SolvedSurface::exposed_on(bool two_faces) const {
+  SolvedSurface other = *this;
+  other.two_faces_ = two_faces;
   return other;
 }
 
@@ -92,7 +99,7 @@ scene::EstimatedTemperature SolvedSurface::at(const geometry::SurfacePoint& poin
 scene::EstimatedTemperature SolvedSurface::estimate(const geometry::SurfacePoint& point, std::uint64_t key,
                                                     double share, const Spent& spent) const {
   static thread_local Directions scratch;
-  const ExposedPoint exposed(scene_, point);
+  const ExposedPoint exposed(scene_, point, two_faces_);
   const thermal::Pose pose = exposed.pose();
   const thermal::SurfaceClasses::Corners at = classes_->corners(pose);
   const PointRays rays(classes_->at_stake(at), share);
@@ -205,7 +212,7 @@ SolvedSurface::Beside SolvedSurface::beside(const ExposedPoint& exposed, const t
                                             std::span<const geometry::SurfacePoint> met,
                                             const PointRays& rays) const {
   Beside found;
-  const double above = 0.5 * (1.0 + pose.normal.z), below = 1.0 - above;
+  const double above = classes_->open_share(pose.normal), below = classes_->skin().faces() - above;
   const double worth_k = classes_->worth_of_all_k(at);
   const Neighbours::Behind behind{rays.depth, rays.chance_behind, exposed.position_m().z - pose.height_m};
   // A ray of little worth goes on by chance, and counts the more.
@@ -245,7 +252,7 @@ double SolvedSurface::sun_share(const geometry::SurfacePoint& point, const Expos
 double SolvedSurface::beside_k(const geometry::SurfacePoint& point, const Exposure& exposure,
                                std::uint64_t key, int draws, int further) const {
   if (neighbours_ == nullptr) return 0.0;
-  const ExposedPoint exposed(scene_, point);
+  const ExposedPoint exposed(scene_, point, two_faces_);
   const thermal::Pose pose(exposed.normal(), exposure.height_m);
   const thermal::SurfaceClasses::Corners at = classes_->corners(pose);
   const double sun = sun_share(point, exposure);
@@ -265,8 +272,8 @@ double SolvedSurface::beside_k(const geometry::SurfacePoint& point, const Exposu
 
 bool SolvedSurface::sees_surfaces(const geometry::SurfacePoint& point, std::uint64_t key) const {
   constexpr int kPairs = 4;
-  const ExposedPoint exposed(scene_, point);
-  if (0.5 * (1.0 - exposed.normal().z) >= kLeastBelow) return true;
+  const ExposedPoint exposed(scene_, point, two_faces_);
+  if (two_faces_ || 0.5 * (1.0 - exposed.normal().z) >= kLeastBelow) return true;
   std::vector<math::Vec3> directions;
   exposed.sky_directions(sampling::hash(key, Draw::sky), kPairs, directions);
   std::vector<std::uint8_t> is_free(directions.size());
@@ -344,7 +351,7 @@ std::vector<double> SolvedSurface::past_free_sky(const ExposedPoint& exposed,
 
 SolvedSurface::Exposure SolvedSurface::exposure(const geometry::SurfacePoint& point, std::uint64_t key,
                                                 int sky_pairs, int sun_rays) const {
-  const ExposedPoint exposed(scene_, point);
+  const ExposedPoint exposed(scene_, point, two_faces_);
   Exposure result;
   result.height_m = exposed.pose().height_m;
   std::vector<math::Vec3> directions;
@@ -373,7 +380,7 @@ SolvedSurface::Exposure SolvedSurface::exposure(const geometry::SurfacePoint& po
 }
 
 math::Vec3 SolvedSurface::normal_at(const geometry::SurfacePoint& point) const {
-  return ExposedPoint(scene_, point).normal();
+  return ExposedPoint(scene_, point, two_faces_).normal();
 }
 
 double SolvedSurface::temperature_k(const geometry::SurfacePoint& point, const Exposure& exposure) const {

@@ -36,6 +36,8 @@ class SolvedSurface final : public scene::SolvedTemperature {
   /// The same at another cost in images.
   SolvedSurface spending(const Spent& spent) const;
   const Spent& spent() const { return spent_; }
+  /// What comes to the one face that a point is on, or to both of a sheet; not its temperature.
+  SolvedSurface exposed_on(bool two_faces) const;
 
   using scene::SolvedTemperature::at;
   scene::EstimatedTemperature at(const geometry::SurfacePoint& point, std::uint64_t draw,
@@ -124,6 +126,7 @@ class SolvedSurface final : public scene::SolvedTemperature {
   std::shared_ptr<const Neighbours> neighbours_;
   double sun_radius_rad_;
   Spent spent_;
+  bool two_faces_;
   std::vector<std::size_t> changed_rows_;  ///< of the series, about which something is not as it is now
 };
 

@@ -8,6 +8,7 @@
 #include "exposure/exposed_point.h"
 #include "exposure/past_suns.h"
 #include "exposure/point_rays.h"
+#include "exposure/shared_surfaces.h"
 #include "exposure/solved_surface.h"
 #include "geometry/surface_point.h"
 #include "sampling/random.h"
@@ -229,7 +230,7 @@ std::unique_ptr<const SurfacesOfTimes> SurfacesOfTimes::of(std::span<const scene
     for (std::size_t number = 0; number < scene->solved.size(); ++number) {
       const auto* surface = dynamic_cast<const SolvedSurface*>(scene->solved[number].get());
       if (surface == nullptr) continue;
-      if (surface->scene().changes()) return nullptr;
+      if (surface->scene().changes() || surface->classes().two_faces()) return nullptr;
       by_number[number].push_back(surface->shared_classes());
       if (any == nullptr) any = surface;
       if (neighbours.size() < static_cast<std::size_t>(&scene - by_time.data()) + 1)
@@ -242,6 +243,11 @@ std::unique_ptr<const SurfacesOfTimes> SurfacesOfTimes::of(std::span<const scene
   if (neighbours.size() != by_time.size() || neighbours.front() == nullptr) neighbours.clear();
   return std::make_unique<const SurfacesOfTimes>(by_number, any->scene(), any->sun_radius_rad(),
                                                  std::move(neighbours));
+}
+
+std::unique_ptr<const scene::TemperaturesOfTimes> share_surfaces(
+    std::span<const scene::Scene* const> by_time) {
+  return SurfacesOfTimes::of(by_time);
 }
 
 void SurfacesOfTimes::at(std::size_t number, const geometry::SurfacePoint& point, std::uint64_t draw,

@@ -14,7 +14,7 @@ constexpr int kSkyLooks = 8;
 }  // namespace
 
 SolvedSurface::Unsettled SolvedSurface::unsettled(const geometry::SurfacePoint& point) const {
-  const ExposedPoint exposed(scene_, point);
+  const ExposedPoint exposed(scene_, point, two_faces_);
   const thermal::Pose pose = exposed.pose();
   std::vector<double> sums_k(classes_->sunlit_rows());
   const double of_sky_k = classes_->shaded(pose, 1.0, sums_k).of_sky_k;

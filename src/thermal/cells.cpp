@@ -58,6 +58,7 @@ Cells cut_into_cells(const Solid& solid, const CellSizes& sizes) {
       cells.conductance_w_m2_k.push_back(half_above > 0.0 ? in_series(half_above, half) : half);
       half_above = half;
     }
+    if (layer.gap_behind_m2_k_w > 0.0) half_above = in_series(half_above, 1.0 / layer.gap_behind_m2_k_w);
     layer_depths += layer.thickness_m / daily_m;
     layer_m += layer.thickness_m;
   }
@@ -65,14 +66,15 @@ Cells cut_into_cells(const Solid& solid, const CellSizes& sizes) {
     cells.back_temperature_k = temperature_k;
     cells.back_conductance_w_m2_k = conductance;
   };
-  std::visit(
-      Overloaded{[](const Insulated&) {}, [&](const HeldBack& back) { held(back.temperature_k, half_above); },
-                 [&](const RoomAir& room) {
-                   held(room.temperature_k,
-                        room.conductance_w_m2_k > 0.0 ? in_series(half_above, room.conductance_w_m2_k) : 0.0);
-                 },
-                 [&](const DeepGround& ground) { held(ground.temperature_k, half_above); }},
-      solid.back);
+  std::visit(Overloaded{[](const Insulated&) {}, [](const OtherFace&) {},
+                        [&](const HeldBack& back) { held(back.temperature_k, half_above); },
+                        [&](const RoomAir& room) {
+                          held(room.temperature_k, room.conductance_w_m2_k > 0.0
+                                                       ? in_series(half_above, room.conductance_w_m2_k)
+                                                       : 0.0);
+                        },
+                        [&](const DeepGround& ground) { held(ground.temperature_k, half_above); }},
+             solid.back);
   return cells;
 }
 

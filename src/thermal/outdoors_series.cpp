@@ -8,7 +8,7 @@
 
 #include "atmosphere/weather_series.h"
 #include "core/error.h"
-#include "thermal/sky_longwave.h"
+#include "thermal/faces/sky_longwave.h"
 #include "thermal/sun_path.h"
 #include "thermal/sun_split.h"
 #include "thermal/weather_clock.h"

@@ -11,6 +11,8 @@ struct SolidLayer {
   double conductivity_w_m_k = 0.0;
   double density_kg_m3 = 0.0;
   double specific_heat_j_kg_k = 0.0;
+  double gap_behind_m2_k_w =
+      0.0;  ///< resistance of what has no mass between it and what is behind, such as air; 0 or above
   bool operator==(const SolidLayer&) const = default;
 };
 
@@ -41,7 +43,15 @@ struct DeepGround {
   double temperature_k = 0.0;
   bool operator==(const DeepGround&) const = default;
 };
-using Back = std::variant<Insulated, HeldBack, RoomAir, DeepGround>;
+/// The other face of the same thin sheet, which is outdoors, too (Skin::two_faces): both are taken to have one temperature.
+struct OtherFace {
+  bool operator==(const OtherFace&) const = default;
+};
+using Back = std::variant<Insulated, HeldBack, RoomAir, DeepGround, OtherFace>;
+/// Of a sheet whose faces have about one temperature, m2 K W-1: 100 W m-2 across it are 1 K.
+inline constexpr double kMostAcross_m2_k_w = 0.01;
+/// From the surface to behind the last layer.
+double resistance_across_m2_k_w(const std::vector<SolidLayer>& layers);
 inline constexpr double kGroundDepths = 10.0;
 
 /// From the surface inwards.

@@ -1,15 +1,19 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <vector>
 
-#include "thermal/convection.h"
-#include "thermal/evaporation.h"
+#include "thermal/faces/convection.h"
+#include "thermal/faces/evaporation.h"
+#include "thermal/faces/leaf.h"
 #include "thermal/fluxes.h"
 #include "thermal/surface_exchange.h"
 #include "thermal/wind_profile.h"
 
 namespace ifov::thermal {
+
+struct TimeTable;
 
 /// What comes from outside at one instant.
 struct Outdoors {
@@ -35,10 +39,20 @@ struct Skin {
   double emissivity = 0.95;
   Roughness roughness = Roughness::rough;
   Wetness wetness;
-  double power_w_m2 = 0.0;        ///< from inside, given off at the surface
-  double convecting_faces = 1.0;  ///< areas that the air reaches, over that of one face
+  double power_w_m2 = 0.0;                             ///< from inside, given off at the surface
+  std::shared_ptr<const TimeTable> power_over_time{};  ///< the same in place of that; null: it is that
+  double convecting_faces = 1.0;                       ///< areas that the air reaches, over that of one face
   /// Above it the surface melts: what it gains beyond goes away with the water, and none of it freezes again.
   double melts_k = std::numeric_limits<double>::infinity();
+  /// What is as warm as the air, or as is told of it over time: heat from inside holds it there.
+  bool as_air = false;
+  std::shared_ptr<const TimeTable> held_k{};
+  bool is_held() const { return as_air || held_k != nullptr; }
+  /// A thin sheet of one temperature, both faces of which are outdoors and alike.
+  bool two_faces = false;
+  double transmittance = 0.0;  ///< of sunlight, to the other side
+  Leaf leaf;                   ///< convection and vapour of a leaf in place of the rest
+  int faces() const { return two_faces ? 2 : 1; }
   bool operator==(const Skin&) const = default;
 };
 
@@ -63,7 +77,8 @@ FromBeside of_level_ground(const Outdoors& now, const Stand& stand);
 
 /// The balance of a surface outdoors,
 ///   a (E_sun V cos + E_sky F + r_g E_global (1 - F)) + e (L_sky F + sigma T_a^4 (1 - F)) - e sigma T^4 + h (T_a - T) - LE + P,
-/// with the sky's share of its view F = (1 + cos tilt) / 2 and V of the Sun that it sees.
+/// with the sky's share of its view F = (1 + cos tilt) / 2 and V of the Sun that it sees. A sheet of two faces gains what both do, by area of
+/// the sheet: one faces the Sun, F is 1 for both together, and all that they see is 2.
 class SurfaceBalance : public SurfaceExchange {
  public:
   /// `visibility`: V at each row, from 0 to 1; empty: 1. `free_sky`: at each row in place of the stand's; empty: that. `beside`: at each row in
@@ -87,7 +102,10 @@ class SurfaceBalance : public SurfaceExchange {
   struct Row {
     Fluxes given;
     MoistAir air;
-    double forced_w_m2_k = 0.0;  ///< of forced convection, at glass
+    double forced_w_m2_k = 0.0;                                ///< of forced convection, at glass
+    double held_k = std::numeric_limits<double>::quiet_NaN();  ///< by heat from inside
+    double open_stomata = 1.0;                                 ///< share, of a leaf
+    double forced_back_w_m2_k = 0.0;                           ///< at the other of two faces
   };
   Row row_of(const OutdoorsSeries& series, const Stand& stand, std::size_t index, double visibility,
              double free_sky, const FromBeside* beside);

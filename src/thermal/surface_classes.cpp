@@ -29,7 +29,7 @@ math::Vec3 sun_of(const Outdoors& now) {
           std::sin(now.sun_elevation_rad)};
 }
 
-math::Vec3 facing(double tilt_rad, double azimuth_rad) {
+math::Vec3 normal_of(double tilt_rad, double azimuth_rad) {
   return {std::sin(tilt_rad) * std::sin(azimuth_rad), std::sin(tilt_rad) * std::cos(azimuth_rad),
           std::cos(tilt_rad)};
 }
@@ -88,7 +88,7 @@ void SurfaceClasses::solve(Node& node, double height_m, double tilt_rad, double 
   stand.height_m = height_m;
   stand.tilt_rad = tilt_rad;
   stand.azimuth_rad = azimuth_rad;
-  const math::Vec3 normal = facing(tilt_rad, azimuth_rad);
+  const math::Vec3 normal = normal_of(tilt_rad, azimuth_rad);
   const auto solved = [&](double visibility) {
     return solve_surface(surface_.solid, surface_.skin, stand, *series_, surface_.start,
                          std::vector<double>(series_->rows.size(), visibility));
@@ -98,9 +98,7 @@ void SurfaceClasses::solve(Node& node, double height_m, double tilt_rad, double 
     node.past_kernel.assign(series_->rows.size(), 0.0f);
     node.past_difference = node.past_kernel;
   }
-  const auto gain_w_m2 = [&](const Row& row) {
-    return row.absorbed_w_m2 * std::max(0.0, math::dot(normal, row.sun));
-  };
+  const auto gain_w_m2 = [&](const Row& row) { return row.absorbed_w_m2 * facing(normal, row.sun); };
   std::array<bool, 2> is_warmed{};
   Worths worths;
   node.first = rows_.size();
@@ -347,13 +345,13 @@ SurfaceClasses::Shade SurfaceClasses::shaded(const Corners& at, math::Vec3 norma
   }
   for (std::size_t k = 0; k < count; ++k) {
     const Row& row = rows_[first + k];
-    weight_k[k] *= row.absorbed_w_m2 * std::max(0.0, math::dot(normal, row.sun));
+    weight_k[k] *= row.absorbed_w_m2 * facing(normal, row.sun);
   }
   return shade;
 }
 
 void SurfaceClasses::past_sky(const Pose& pose, std::span<double> weight_k, std::span<double> bend_k) const {
-  const double open = 0.5 * (1.0 + pose.normal.z);
+  const double open = open_share(pose.normal);
   std::fill(weight_k.begin(), weight_k.end(), 0.0);
   std::fill(bend_k.begin(), bend_k.end(), 0.0);
   for (const Corner& corner : corners(pose))

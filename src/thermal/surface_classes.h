@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -161,6 +162,14 @@ class SurfaceClasses {
   /// Of what a gain throughout the past adds to a surface its square is lost, times this: a warmer surface emits, gives to still air and evaporates more than in proportion, so that the next watt
   /// is worth less. Per kelvin.
   double bend_of_gain(const Corners& at) const;
+  /// The cosine by which the Sun's beam meets a surface, that of the face it meets; 0 where that is not one of the surface's.
+  double facing(math::Vec3 normal, math::Vec3 sun) const {
+    const double cosine = math::dot(normal, sun);
+    return two_faces() ? std::abs(cosine) : std::max(0.0, cosine);
+  }
+  /// What a surface in the open sees of the sky, both of a sheet's faces together.
+  double open_share(math::Vec3 normal) const { return two_faces() ? 1.0 : 0.5 * (1.0 + normal.z); }
+  bool two_faces() const { return surface_.skin.two_faces; }
   double ground_reflectance() const { return surface_.stand.ground_reflectance; }
   FromBeside from_ground(std::size_t row) const { return of_level_ground(outdoors(row), surface_.stand); }
   const Skin& skin() const { return surface_.skin; }

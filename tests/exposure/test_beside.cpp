@@ -12,7 +12,7 @@
 #include "session/session.h"
 #include "session/solved/document_outdoors.h"
 #include "session/solved/second_pass.h"
-#include "thermal/sky_longwave.h"
+#include "thermal/faces/sky_longwave.h"
 
 namespace ifov::session::test_beside {
 namespace {

@@ -141,7 +141,7 @@ TEST(PointRays, ImagesSpendRaysWhereTheyAreWorthMoreThanPaths) {
           "scene": {{"origin": {{"latitude": "52 deg", "longitude": "5 deg"}}, "materials": {{
               "lawn": {{"reflectance": {{"library": "grass, lawn"}}, "temperature": "solved"}},
               "wall": {{"reflectance": 0.3, "temperature": "20 degC"}},
-              "leaf": {{"reflectance": {{"library": "leaf, aspen"}}, "temperature": "solved"}}}},
+              "leaf": {{"reflectance": {{"library": "leaves, stacked"}}, "temperature": "solved"}}}},
             "objects": [{{"plane": {{}}, "material": "lawn"}},
               {{"box": {{"low": ["-6 m", "-6 m", "0 m"], "high": ["0 m", "-3 m", "4 m"]}}, "material": "wall"}},
               {{"box": {{"low": ["-6 m", "2 m", "0 m"], "high": ["0 m", "4 m", "4 m"]}}, "material": "wall"}}{}]}},

@@ -314,7 +314,8 @@ TEST(SolvedTemperatures, SayWhatIsMissing) {
       replaced(replaced(good, R"("plane": {}, "material": "road")", R"("plane": {}, "material": "leaf")"),
                R"("brick": {)",
                R"("leaf": {"reflectance": 0.4, "transmittance": 0.4, "temperature": "solved"}, "brick": {)"),
-      "the temperature of 'leaf' cannot be solved: light goes through it");
+      "the temperature of 'leaf' cannot be solved: light goes through it, and it is not told to be a sheet of two faces; "
+      "give \"thermal\": {\"leaf\": {}}, or layers with \"back\": {\"other_side\": {}}");
 }
 
 TEST(SolvedTemperatures, RefuseAnAccuracyThatTheyDoNotHave) {

@@ -3,6 +3,7 @@
 
 #include "core/format.h"
 #include "document_maker.h"
+#include "geodesy/utc_seconds.h"
 #include "io/document/document.h"
 #include "io/document/thermal_document.h"
 
@@ -43,7 +44,7 @@ TEST(DocumentThermal, LayersAndBacks) {
   EXPECT_EQ(road.roughness, "medium rough");
   EXPECT_DOUBLE_EQ(road.wetness, 0.2);
   EXPECT_DOUBLE_EQ(road.resistance_s_m, 70.0);
-  EXPECT_DOUBLE_EQ(road.power_w_m2, 60.0);
+  EXPECT_DOUBLE_EQ(road.power.constant_w_m2, 60.0);
   const ThermalDocument wall =
       read(R"({"layers": [{"thickness": "20 cm", "library": "brick"}], "back": {"room": {}}})");
   ASSERT_TRUE(wall.back.room.has_value());
@@ -96,6 +97,123 @@ TEST(DocumentThermal, Messages) {
       << message(R"({"layers": [{"thickness": "5 mm", "library": "steel"}], "roughness": "ruff"})");
 }
 
+TEST(DocumentThermal, AirGaps) {
+  const ThermalDocument wall = read(
+      R"({"layers": [{"thickness": "10 cm", "library": "brick"}, {"air_gap": "5 cm"}, {"thickness": "10 cm", "library": "brick"},
+                     {"air_gap": "1 in", "heat_flow": "up", "emissivities": [0.9, "5 %"]}], "back": {"room": {}}})");
+  ASSERT_EQ(wall.layers.size(), 4u);
+  ASSERT_TRUE(!wall.layers[0].air_gap && wall.layers[1].air_gap && wall.layers[3].air_gap);
+  EXPECT_DOUBLE_EQ(wall.layers[1].air_gap->thickness_m, 0.05);
+  EXPECT_EQ(wall.layers[1].air_gap->heat_flow, "horizontal");
+  EXPECT_EQ(wall.layers[1].air_gap->emissivities, (std::vector<double>{0.9, 0.9}));
+  EXPECT_DOUBLE_EQ(wall.layers[3].air_gap->thickness_m, 0.0254);
+  EXPECT_EQ(wall.layers[3].air_gap->emissivities, (std::vector<double>{0.9, 0.05}));
+
+  const auto of_layers = [](const std::string& layers, const std::string& rest = "") {
+    return message(R"({"layers": [)" + layers + "]" + rest + "}");
+  };
+  const std::string brick = R"({"thickness": "10 cm", "library": "brick"})", air = R"({"air_gap": "2 cm"})";
+  const std::string at = "'scene.materials.soil.thermal.layers";
+  EXPECT_EQ(of_layers(air + ", " + brick),
+            at + "[0]' is an air gap, and the surface is that of a solid; begin with a solid");
+  EXPECT_EQ(of_layers(brick + ", " + air + ", " + air + ", " + brick),
+            at + "[2]' is an air gap behind another; give one of them, or the sheet between");
+  EXPECT_EQ(
+      of_layers(brick + ", " + air),
+      at +
+          "[1]' is an air gap, and no heat passes behind it; give a \"back\" that has a temperature, or leave it out");
+  EXPECT_EQ(of_layers(brick + ", " + air, R"(, "back": {"ground": {}})"),
+            at + "[1]' is an air gap, and deep ground is what the last layer goes on as; end with a solid");
+  EXPECT_EQ(of_layers(brick + R"(, {"air_gap": "40 cm"}, )" + brick),
+            at +
+                "[1].air_gap' is the text \"40 cm\", expected a length between 1 and 300 mm, such as \"1 m\" "
+                "(units: m, km, cm, mm, um, nm, ft, in)");
+  EXPECT_EQ(of_layers(brick + R"(, {"air_gap": "4 cm", "heat_flow": "sideways"}, )" + brick),
+            at + "[1].heat_flow' is the text \"sideways\", expected 'horizontal', 'up' or 'down'");
+  const std::string both =
+      test::message_with(kSoil, with_thermal(R"({"layers": [{"air_gap": "4 cm", "library": "brick"}]})"));
+  EXPECT_NE(both.find("folder/a.json:9:"), std::string::npos) << both;
+  EXPECT_NE(both.find("'library' cannot stand beside 'air_gap' in " + at + "[0]'"), std::string::npos)
+      << both;
+}
+
+TEST(DocumentThermal, LeavesAndOtherSides) {
+  const ThermalDocument leaf = read(R"({"leaf": {}})");
+  ASSERT_TRUE(leaf.leaf && leaf.layers.empty() && !leaf.therm);
+  EXPECT_DOUBLE_EQ(leaf.leaf->width_m, 0.05);
+  EXPECT_DOUBLE_EQ(leaf.leaf->stomatal_mol_m2_s, 0.4);
+  EXPECT_FALSE(leaf.leaf->both_faces);
+  EXPECT_DOUBLE_EQ(leaf.leaf->water_m, 2e-4);
+  const ThermalDocument needle = read(
+      R"({"leaf": {"width": "1 mm", "stomatal_conductance": "200 mmol m-2 s-1", "stomata": "both faces", "water": "0.4 mm"}, "emissivity": 0.98})");
+  EXPECT_DOUBLE_EQ(needle.leaf->width_m, 1e-3);
+  EXPECT_DOUBLE_EQ(needle.leaf->stomatal_mol_m2_s, 0.2);
+  EXPECT_TRUE(needle.leaf->both_faces);
+  EXPECT_TRUE(read(R"({"layers": [{"thickness": "1 mm", "library": "steel"}], "back": {"other_side": {}}})")
+                  .back.other_side);
+
+  EXPECT_NE(
+      message(R"({"leaf": {"stomatal_conductance": "12 mol m-2 s-1"}})")
+          .find(
+              "leaf.stomatal_conductance' is the text \"12 mol m-2 s-1\", expected a conductance of stomata "
+              "between 0 and 10 mol m-2 s-1"),
+      std::string::npos);
+  EXPECT_NE(message(R"({"leaf": {"stomata": "top"}})")
+                .find("leaf.stomata' is the text \"top\", expected 'one face' or 'both faces'"),
+            std::string::npos);
+  EXPECT_EQ(
+      message(R"({"leaf": {}, "roughness": "rough"})"),
+      "'scene.materials.soil.thermal.roughness' is given beside 'leaf', along whose width the wind goes");
+  const std::string wet = test::message_with(kSoil, with_thermal(R"({"leaf": {}, "wetness": 0.5})"));
+  EXPECT_NE(wet.find("'wetness'"), std::string::npos) << wet;
+  EXPECT_NE(wet.find("'layers'"), std::string::npos) << wet;
+  EXPECT_EQ(
+      message(
+          R"({"therm": {"density": "7.8 g/cm3", "specific_heat": "0.1 cal g-1 K-1", "conductivity": "40 W m-1 K-1", "thickness": "1 mm", "solar_absorption": 0.7, "emissivity": 0.9}, "emissivity": 0.8})"),
+      "'scene.materials.soil.thermal.emissivity' is given beside 'therm', which has its own");
+}
+
+TEST(DocumentThermal, PowerOverTime) {
+  const auto of_power = [](const std::string& table) {
+    return R"({"layers": [{"thickness": "1 mm", "library": "steel"}], "power": {"table": [)" + table + "]}}";
+  };
+  const ThermalDocument hood = read(of_power(
+      R"({"time": "2026-06-21T08:00+02:00", "power": "0 W m-2"}, {"time": "2026-06-21T06:30Z", "power": "0.3 kW m-2"})"));
+  ASSERT_EQ(hood.power.table.size(), 2u);
+  EXPECT_DOUBLE_EQ(hood.power.table[1].power_w_m2, 300.0);
+  EXPECT_NEAR(geodesy::seconds_after(hood.power.table[1].time, hood.power.table[0].time), 1800.0, 1e-6);
+  EXPECT_EQ(
+      message(of_power(
+          R"({"time": "2026-06-21T08:00Z", "power": "0 W m-2"}, {"time": "2026-06-21T07:00Z", "power": "1 W m-2"})")),
+      "'scene.materials.soil.thermal.power.table[1].time' is 2026-06-21T07:00:00.000Z, expected a time after "
+      "2026-06-21T08:00:00.000Z, which stands before it");
+  const std::string no_zone = test::message_with(
+      kSoil, with_thermal(of_power(R"({"time": "2026-06-21T08:00", "power": "0 W m-2"})")));
+  EXPECT_NE(no_zone.find("zone"), std::string::npos) << no_zone;
+  EXPECT_NE(message(of_power("")).find("power.table' is an empty list, expected a list of 1 to 100000"),
+            std::string::npos)
+      << message(of_power(""));
+}
+
+TEST(DocumentThermal, TemperaturesThatAreKnown) {
+  const ThermalDocument air = read(R"({"air": {}})");
+  ASSERT_TRUE(air.held && air.held->table.empty() && air.layers.empty());
+  const ThermalDocument told = read(
+      R"({"table": [{"time": "2026-06-21T06:00Z", "temperature": "20 degC"}, {"time": "2026-06-21T12:00Z", "temperature": "308.15 K"}]})");
+  ASSERT_TRUE(told.held && told.held->table.size() == 2);
+  EXPECT_DOUBLE_EQ(told.held->table[0].temperature_k, 293.15);
+  EXPECT_EQ(
+      message(
+          R"({"table": [{"time": "2026-06-21T06:00Z", "temperature": "20 degC"}, {"time": "2026-06-21T06:00Z", "temperature": "21 degC"}]})"),
+      "'scene.materials.soil.thermal.table[1].time' is 2026-06-21T06:00:00.000Z, expected a time after "
+      "2026-06-21T06:00:00.000Z, which stands before it");
+  EXPECT_EQ(message(R"({"air": {}, "power": "60 W m-2"})"),
+            "'scene.materials.soil.thermal.power' has no part where it is told how warm the surface is");
+  const std::string both = test::message_with(kSoil, with_thermal(R"({"air": {}, "leaf": {}})"));
+  EXPECT_NE(both.find("'air'"), std::string::npos) << both;
+  EXPECT_NE(both.find("'leaf'"), std::string::npos) << both;
+}
+
 TEST(DocumentThermal, GivenAndSolvedIsOneTooMany) {
   const std::string text = test::message_with(
       kSoil,
@@ -119,7 +237,20 @@ TEST(DocumentThermal, SolvedIsATemperature) {
   EXPECT_EQ(solved, 1);
   const std::string text =
       test::message_with(kSoil, "\"soil\": {\"reflectance\": 0.25, \"temperature\": \"solfed\"}");
-  EXPECT_NE(text.find("temperature' is the text \"solfed\""), std::string::npos) << text;
+  EXPECT_NE(
+      text.find(
+          "temperature' is the text \"solfed\", expected a temperature of at least 0 K, such as \"20 degC\" "
+          "(units: K, degC, degF), or \"solved\""),
+      std::string::npos)
+      << text;
+  const std::string air =
+      test::message_with(kSoil, "\"soil\": {\"reflectance\": 0.25, \"temperature\": \"air\"}");
+  EXPECT_NE(
+      air.find(
+          "temperature' is the text \"air\": of what is as warm as the air it is \"solved\", and the material has "
+          "\"thermal\": {\"air\": {}}"),
+      std::string::npos)
+      << air;
 }
 
 TEST(DocumentThermal, TemperaturesAreSolvedSo) {

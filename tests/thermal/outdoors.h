@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "atmosphere/weather_series.h"
-#include "thermal/sky_longwave.h"
+#include "thermal/faces/sky_longwave.h"
 #include "thermal/surface_balance.h"
 
 namespace ifov::thermal::test {

@@ -126,6 +126,7 @@ INSTANTIATE_TEST_SUITE_P(FiveAndFifteenMinutes, ConductionTruth, testing::Values
 std::complex<double> layered_wave(const std::vector<SolidLayer>& layers) {
   std::complex<double> temperature = 1.0, flux = 0.0;
   for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
+    temperature += layer->gap_behind_m2_k_w * flux;
     const std::complex<double> q = std::complex<double>(1.0, 1.0) / daily_depth_m(*layer);
     const std::complex<double> x = q * layer->thickness_m, kq = layer->conductivity_w_m_k * q;
     const std::complex<double> above = std::cosh(x) * temperature + std::sinh(x) / kq * flux;
@@ -159,7 +160,9 @@ double layered_error_k(const std::vector<SolidLayer>& layers, double step_s, con
 TEST(Conduction, LayersAsTheWaveThroughThem) {
   const std::vector<SolidLayer> road{{0.06, 0.75, 2360.0, 920.0}, {0.25, 0.30, 1600.0, 800.0}};
   const std::vector<SolidLayer> wall{{0.01, 0.72, 1860.0, 780.0}, {0.05, 0.035, 30.0, 1400.0}, concrete(0.2)};
-  for (const auto& layers : {road, wall}) {
+  std::vector<SolidLayer> cavity{{0.003, 0.72, 1860.0, 780.0}, concrete(0.1)};
+  cavity[0].gap_behind_m2_k_w = 0.18;  // air
+  for (const auto& layers : {road, wall, cavity}) {
     EXPECT_LT(layered_error_k(layers, 300.0), 0.1);
     EXPECT_LT(layered_error_k(layers, 900.0), 0.2);
   }
@@ -167,6 +170,10 @@ TEST(Conduction, LayersAsTheWaveThroughThem) {
   std::vector<SolidLayer> faulty = road;
   faulty[1].density_kg_m3 = 2360.0;
   EXPECT_GT(100.0 * std::abs(layered_wave(road) - layered_wave(faulty)), 0.5);
+  // Another: the air is left out.
+  faulty = cavity;
+  faulty[0].gap_behind_m2_k_w = 0.0;
+  EXPECT_GT(100.0 * std::abs(layered_wave(cavity) - layered_wave(faulty)), 0.5);
 }
 
 /// Carslaw and Jaeger (1959), section 3.8, eq. 3: a slab under a step of flux, its back insulated.

@@ -6,9 +6,9 @@
 #include "atmosphere/weather_series.h"
 #include "core/error.h"
 #include "exchanges.h"
-#include "thermal/convection.h"
-#include "thermal/evaporation.h"
-#include "thermal/sky_longwave.h"
+#include "thermal/faces/convection.h"
+#include "thermal/faces/evaporation.h"
+#include "thermal/faces/sky_longwave.h"
 #include "thermal/sun_split.h"
 #include "thermal/wind_levels.h"
 

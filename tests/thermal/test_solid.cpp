@@ -5,6 +5,8 @@
 #include "core/error.h"
 #include "exchanges.h"
 #include "thermal/cells.h"
+#include "thermal/conduction.h"
+#include "thermal/faces/air_gap.h"
 #include "thermal/solid.h"
 #include "thermal/tridiagonal.h"
 
@@ -32,6 +34,42 @@ TEST(Solid, SaysWhichLayerIsWrong) {
             "layer 1: conductivity is 0 W m-1 K-1, expected a number above 0");
 }
 
+TEST(Solid, AirBehindItLeadsSomewhere) {
+  SolidLayer last = test::concrete(0.1);
+  last.gap_behind_m2_k_w = 0.18;
+  EXPECT_EQ(message({{last, test::concrete(0.1)}, Insulated{}}), "");
+  EXPECT_EQ(message({{last}, RoomAir{293.0, 8.0}}), "");
+  EXPECT_EQ(message({{last}, Insulated{}}),
+            "the last layer has air behind it and then nothing that heat passes to");
+  EXPECT_EQ(message({{last}, DeepGround{285.0}}), "the last layer goes on as ground, and has air behind it");
+  last.gap_behind_m2_k_w = -0.1;
+  EXPECT_EQ(message({{last}, RoomAir{293.0, 8.0}}),
+            "layer 1: the resistance behind it is -0.1 m2 K W-1, expected 0 or above");
+}
+
+// ISO 6946, table of unventilated air layers between faces of high emissivity, m2 K W-1, told to two digits.
+TEST(AirGap, AsIsoHasIt) {
+  struct Row {
+    double mm, up, horizontal, down;
+  };
+  const std::vector<Row> table{{5, 0.11, 0.11, 0.11},   {7, 0.13, 0.13, 0.13},  {10, 0.15, 0.15, 0.15},
+                               {15, 0.16, 0.17, 0.17},  {25, 0.16, 0.18, 0.19}, {50, 0.16, 0.18, 0.21},
+                               {100, 0.16, 0.18, 0.22}, {300, 0.16, 0.18, 0.23}};
+  const auto resistance = [](double mm, HeatFlow flow, double emissivity = 0.9) {
+    return resistance_m2_k_w({1e-3 * mm, emissivity, emissivity, flow});
+  };
+  for (const Row& row : table) {
+    EXPECT_NEAR(resistance(row.mm, HeatFlow::up), row.up, 0.005) << row.mm;
+    EXPECT_NEAR(resistance(row.mm, HeatFlow::horizontal), row.horizontal, 0.005) << row.mm;
+    EXPECT_NEAR(resistance(row.mm, HeatFlow::down), row.down, 0.005) << row.mm;
+  }
+  // Faults: heat that goes down taken to go up; black faces. The table tells.
+  EXPECT_GT(std::abs(resistance(100, HeatFlow::up) - 0.22), 0.05);
+  EXPECT_GT(std::abs(resistance(25, HeatFlow::horizontal, 1.0) - 0.18), 0.015);
+  // Between bright foils hardly anything is radiated.
+  EXPECT_NEAR(resistance(25, HeatFlow::horizontal, 0.03), 1.0 / 1.25, 0.06);
+}
+
 TEST(Solid, DepthAndInertiaOfConcrete) {
   EXPECT_NEAR(daily_depth_m(test::concrete(1.0)), 0.138, 5e-4);
   EXPECT_NEAR(thermal_inertia(test::concrete(1.0)), 1683.33, 0.01);
@@ -46,6 +84,10 @@ TEST(Cells, HoldTheWholeSolid) {
     double resistance = 1.0 / cells.back_conductance_w_m2_k;
     for (const double conductance : cells.conductance_w_m2_k) resistance += 1.0 / conductance;
     EXPECT_NEAR(resistance, 0.1 / 1.4 + 0.02 / 0.04 + 1.0 / 8.0, 1e-12);
+    Solid airy = solid;
+    airy.layers[0].gap_behind_m2_k_w = 0.18;
+    airy.layers[1].gap_behind_m2_k_w = 0.16;
+    EXPECT_NEAR(1.0 / whole_conductance_w_m2_k(cut_into_cells(airy)), resistance + 0.34, 1e-12);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "exchanges.h"
 #include "outdoors.h"
+#include "thermal/faces/time_table.h"
 #include "thermal/linear_kernel.h"
 #include "thermal/surface_solution.h"
 #include "thermal/therm_slab.h"
@@ -46,6 +47,57 @@ TEST(SurfaceBalance, FluxesOfATiltedSurface) {
   EXPECT_NEAR(gain.w_m2, fluxes.sum(), 1e-9);
   EXPECT_NEAR(gain.slope_w_m2_k, (balance.gain(10.0, 300.01).w_m2 - balance.gain(10.0, 299.99).w_m2) / 0.02,
               1e-4);
+}
+
+/// An engine that runs for two hours, in still water of a sheet in the dark: C dT/dt = P(t) - losses, by steps of a second, and the mean over
+/// rows of what the table says.
+TEST(SurfaceSolution, PowerOverTimeAsItsTable) {
+  OutdoorsSeries night = june(1.0);
+  for (Outdoors& now : night.rows) now.direct_w_m2 = now.diffuse_w_m2 = 0.0;
+  const double at_s = night.begin_s + 43200.0;
+  TimeTable engine{{at_s, at_s + 1.0, at_s + 7200.0, at_s + 7201.0}, {0.0, 300.0, 300.0, 0.0}};
+  EXPECT_NEAR(engine.mean(at_s - 10.0, at_s + 11.0), (0.5 + 10.0) * 300.0 / 21.0, 1e-9);
+  EXPECT_NEAR(engine.mean(at_s + 100.0, at_s + 400.0), 300.0, 1e-9);
+  EXPECT_NEAR(engine.mean(at_s + 7000.0, at_s + 8000.0), 200.5 * 300.0 / 1000.0, 1e-9);
+  EXPECT_EQ(engine.mean(at_s - 900.0, at_s - 600.0), 0.0);
+  const Solid hood{{{2e-3, 50.0, 7800.0, 450.0}}, Insulated{}};
+  Skin skin;
+  const SurfaceSolution cold = solve_surface(hood, skin, Stand{}, night);
+  skin.power_over_time = std::make_shared<const TimeTable>(engine);
+  const SurfaceSolution warm = solve_surface(hood, skin, Stand{}, night);
+  double lumped_k = cold.surface_k(144);
+  for (int i = 0; i < 10800; ++i) {
+    const double power = i < 7200 ? 300.0 : 0.0;
+    lumped_k += (power + cold.balance.gain(at_s + i, lumped_k).w_m2) / (2e-3 * 7800.0 * 450.0);
+    if ((i + 1) % 1800 != 0 || i + 1 == 7200) continue;  // a row at a jump has half of it
+    EXPECT_NEAR(warm.surface_k(144 + static_cast<std::size_t>(i + 1) / 300), lumped_k, 0.1) << i;
+  }
+  EXPECT_GT(warm.surface_k(144 + 24), cold.surface_k(144 + 24) + 10.0);
+  // A fault: it ran two hours before.
+  EXPECT_LT(cold.surface_k(144 + 24), warm.surface_k(144 + 24) - 5.0);
+}
+
+TEST(SurfaceSolution, WhatIsHeldIsAsWarmAsTold) {
+  const OutdoorsSeries series = june(1.0);
+  const Solid any{{{1e-3, 50.0, 7800.0, 450.0}}, Insulated{}};
+  Skin air, told, free;
+  air.as_air = true;
+  const double at_s = series.begin_s + 43200.0;
+  told.held_k = std::make_shared<const TimeTable>(TimeTable{{at_s - 7200.0, at_s + 7200.0}, {290.0, 350.0}});
+  const SurfaceSolution as_air = solve_surface(any, air, Stand{}, series),
+                        as_told = solve_surface(any, told, Stand{}, series),
+                        not_held = solve_surface(any, free, Stand{}, series);
+  for (const std::size_t row : {20u, 100u, 144u, 200u, 288u})
+    EXPECT_NEAR(as_air.surface_k(row), series.rows[row].air.temperature_k, 0.005) << row;
+  EXPECT_NEAR(as_told.surface_k(100), 290.0, 0.005);
+  EXPECT_NEAR(as_told.surface_k(144), 320.0, 0.01);
+  EXPECT_NEAR(as_told.surface_k(156), 335.0, 0.01);
+  EXPECT_NEAR(as_told.surface_k(288), 350.0, 0.005);
+  EXPECT_GT(not_held.surface_k(144) - as_air.surface_k(144), 10.0);
+  // What holds it is what is left of the balance, and the heat that it stores.
+  const Fluxes now = as_told.balance.fluxes(series.begin_s + 200.0 * 300.0, as_told.surface_k(200));
+  EXPECT_NEAR(now.sum(), 0.0, 1.0);
+  EXPECT_GT(now.power, 100.0);
 }
 
 /// Snow under a warm June day: no warmer than 0 degrees, and what it gains there goes into melting, worked out by hand. What does not melt

@@ -5,14 +5,21 @@
 #include <vector>
 
 #include "core/error.h"
+#include "geodesy/utc_time.h"
 
 namespace ifov::io {
 
-/// A sheet of a solid: of the library, or of its three numbers.
+/// A sheet of a solid: of the library, or of its three numbers. Or one of air.
 struct ThermalLayerDocument {
+  struct AirGap {
+    double thickness_m = 0.0;
+    std::string heat_flow = "horizontal";  ///< one of thermal::HeatFlow
+    std::vector<double> emissivities{0.9, 0.9};
+  };
   double thickness_m = 0.0;
   std::string library;  ///< empty: the numbers
   double conductivity_w_m_k = 0.0, density_kg_m3 = 0.0, specific_heat_j_kg_k = 0.0;
+  std::optional<AirGap> air_gap{};  ///< in place of all that
 };
 
 /// What lies behind the last layer; nothing given: no heat passes.
@@ -23,9 +30,39 @@ struct ThermalBackDocument {
   struct Ground {
     std::optional<double> temperature_k;  ///< absent: the mean of the air
   };
+  /// The other face of a thin sheet, outdoors as well.
+  struct OtherSide {};
   std::optional<double> held_k;
   std::optional<Room> room;
   std::optional<Ground> ground;
+  std::optional<OtherSide> other_side;
+};
+
+/// Heat from inside: always as much, or over time.
+struct PowerDocument {
+  struct AtTime {
+    geodesy::UtcTime time;
+    double power_w_m2 = 0.0;
+  };
+  double constant_w_m2 = 0.0;
+  std::vector<AtTime> table;  ///< in rising order; empty: the constant
+};
+
+/// A temperature that is known: of the air, or over time.
+struct HeldTemperatureDocument {
+  struct AtTime {
+    geodesy::UtcTime time;
+    double temperature_k = 0.0;
+  };
+  std::vector<AtTime> table;  ///< in rising order; empty: that of the air
+};
+
+/// A leaf by what its air and its stomata pass.
+struct LeafDocument {
+  double width_m = 0.0;
+  double stomatal_mol_m2_s = 0.0;
+  bool both_faces = false;  ///< have stomata
+  double water_m = 0.0;     ///< thickness of the water that it holds
 };
 
 /// The seven numbers of DIRSIG's THERM.
@@ -34,15 +71,17 @@ struct ThermDocument {
   double solar_absorption = 0.0, emissivity = 0.0, exposed_area = 0.5;
 };
 
-/// What a surface's temperature follows from: layers, or THERM's numbers.
+/// What a surface's temperature follows from: layers, THERM's numbers or a leaf's.
 struct ThermalDocument {
   std::vector<ThermalLayerDocument> layers;
   std::optional<ThermDocument> therm;
+  std::optional<LeafDocument> leaf;
+  std::optional<HeldTemperatureDocument> held;
   ThermalBackDocument back;
   std::string roughness = "rough";  ///< one of thermal::Roughness
   double wetness = 0.0;
   double resistance_s_m = 0.0;
-  double power_w_m2 = 0.0;
+  PowerDocument power;
   std::optional<double> solar_absorptance, emissivity;  ///< absent: of the spectrum
   SourcePosition position;
 };

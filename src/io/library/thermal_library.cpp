@@ -79,6 +79,12 @@ class ThermalTable {
                   : value == "room"      ? Back::room
                   : value == "insulated" ? Back::insulated
                                          : (fail("expected ground, insulated or room"), Back::ground);
+    } else if (key == "leaf") {
+      const std::vector<double> numbers = positive(value, 3, false);
+      if (!(numbers[0] > 0.0) || (numbers[2] != 1.0 && numbers[2] != 2.0))
+        fail("expected a width above 0 m, a conductance and 1 or 2 faces with stomata");
+      read.leaf = {numbers[0], numbers[1], static_cast<int>(numbers[2])};
+      read.back = LibrarySurface::Back::other_side;
     } else if (key == "roughness") {
       read.roughness = roughness_of(value);
     } else if (key == "water") {

@@ -6,7 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "thermal/convection.h"
+#include "thermal/faces/convection.h"
+#include "thermal/faces/leaf.h"
 #include "thermal/solid.h"
 
 namespace ifov::io {
@@ -22,10 +23,11 @@ struct LibrarySolid {
 
 /// What a surface of the spectral library stands on.
 struct LibrarySurface {
-  enum class Back { insulated, ground, room };
+  enum class Back { insulated, ground, room, other_side };
   std::vector<thermal::SolidLayer> layers;
   Back back = Back::insulated;
   thermal::Roughness roughness = thermal::Roughness::rough;
+  thermal::Leaf leaf;  ///< of a width, where it is one
   double wet_share = 0.0, resistance_s_m = 0.0;
   double melts_k = std::numeric_limits<double>::infinity();  ///< of the first layer
 };

@@ -21,7 +21,8 @@ double held_by(int points, double rms_k) { return points > 0 ? student(points) *
 
 double with_beside(const TemperatureErrors::OfMaterial& of, double of_beside_k) {
   const double of_all_k = student(of.points) * of.rms_k, of_chosen_k = 2.0 * of.unsettled_k;
-  return std::hypot(std::max(of_all_k, of_chosen_k), 2.0 * of.step_k, of_beside_k) + of.ground_k;
+  return std::hypot(std::max(of_all_k, of_chosen_k), 2.0 * of.step_k, of_beside_k) + of.ground_k +
+         of.other_side_k;
 }
 
 }  // namespace
@@ -44,7 +45,7 @@ double TemperatureErrors::half_width_k() const {
 std::string TemperatureErrors::statement() const {
   return format(
       "solved temperatures: at {} points that the camera sees, each solved in full by itself{}, off by {:.2f} K "
-      "(root mean square, of '{}', the material that is off most), {:.2f} K at worst, {:+.3f} K on average{}; steps of time {:.3f} K{}{}; what is "
+      "(root mean square, of '{}', the material that is off most), {:.2f} K at worst, {:+.3f} K on average{}; steps of time {:.3f} K{}{}{}; what is "
       "about them, lit and shaded as it was, {:.2f} K against the same solved in full",
       points, made_up > 0 ? format(", and {} more of materials that it hardly sees", made_up) : "", rms_k,
       material, worst_k, bias_k,
@@ -58,6 +59,12 @@ std::string TemperatureErrors::statement() const {
           ? format(
                 "; below {} of them nothing faces up, and the ground beside lies lower: by the wind of their height, up to {:.2f} K",
                 on_nothing, ground_k)
+          : "",
+      free_standing > 0
+          ? format(
+                "; {} of them are of thin sheets whose other side is outdoors, which is left out: up to {:.2f} K, of '{}' "
+                "(\"back\": {{\"other_side\": {{}}}} has it count)",
+                free_standing, other_side_k, free_material)
           : "",
       beside_k);
 }

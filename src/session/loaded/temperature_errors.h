@@ -16,8 +16,10 @@ struct TemperatureErrors {
     /// Likewise of what is made of surfaces about points: of those that the camera sees, and that rays meet going on.
     double beside_k = 0.0, met_beside_k = 0.0;
     double ground_k = 0.0;  ///< largest, of the wind where nothing below faces up and ground lies beside
+    double other_side_k =
+        0.0;  ///< largest, of thin sheets whose other side is outdoors and left out; or by what the faces of one differ
     /// Of what two standard deviations hold, 95.45 %: Student's t of as many points times the root mean square, or twice that of those that were chosen, and twice the steps'. What the ground
-    /// makes uncertain comes on top, as it is no matter of chance.
+    /// and the other side make uncertain comes on top, as it is no matter of chance.
     double half_width_k() const;
     double whole_half_width_k() const;  ///< seen or met, the larger
     /// Of the points, those seen; more, of `beside_k`, `met_beside_k`.
@@ -34,6 +36,9 @@ struct TemperatureErrors {
   double lowest_m = 0.0, highest_m = 0.0;  ///< above ground, of those that the camera sees
   int on_nothing = 0;                      ///< points of `ground_k`
   double ground_k = 0.0;                   ///< the largest
+  int free_standing = 0;                   ///< points of `other_side_k`
+  double other_side_k = 0.0;               ///< the largest
+  std::string free_material;               ///< of which that is
   std::string weather;  ///< by which they are solved, and what stood in for what it does not tell
 
   std::map<std::uint32_t, OfMaterial> by_material{};  ///< by its number

@@ -10,7 +10,7 @@
 #include "sampling/random.h"
 #include "sampling/warp.h"
 #include "scene/scene.h"
-#include "thermal/sky_longwave.h"
+#include "thermal/faces/sky_longwave.h"
 
 namespace ifov::session {
 namespace {
@@ -19,6 +19,51 @@ constexpr int kSkyPairsOfNeighbour = 8;
 constexpr int kDrawsOfRay = 48, kDrawsOfPoint = 48, kTriesOfRay = 40;
 constexpr double kLeastOfView = 0.002;  // that is not sky
 constexpr double kLeastHit = 0.025;     // of rays, below which the fewer meet something
+
+double open_share(math::Vec3 normal, bool two_faces) { return two_faces ? 1.0 : 0.5 * (1.0 + normal.z); }
+
+/// What of a sheet of two faces the one sends that was met: light that came to it, and, through a leaf, to the other one.
+std::vector<thermal::FromBeside> sent_by_face(const Neighbourhood& about, const SolvedMaterial& solved,
+                                              const scene::Constituent& main, bool is_solved,
+                                              const geometry::SurfacePoint& hit,
+                                              const thermal::SurfaceSolution& solution, std::uint64_t key,
+                                              int depth) {
+  const thermal::Skin& both = solution.balance.skin();
+  thermal::Skin one = both;
+  one.two_faces = false;
+  one.solar_absorptance = one.emissivity = 1.0;
+  const double through = is_solved ? both.transmittance : 0.0;
+  const double back = is_solved ? 1.0 - both.solar_absorptance - through : about.stand.ground_reflectance;
+  const double emissivity = is_solved ? both.emissivity : 1.0;
+  const double state_k = about.scene.states[main.state].temperature_k;
+  const double given_k = main.mapped_temperature_k > 0.0 ? main.mapped_temperature_k : state_k;
+  const exposure::SolvedSurface surface =
+      exposure::SolvedSurface(solved.classes, about.past, about.sun_radius_rad).exposed_on(false);
+  std::vector<thermal::FromBeside> sent(about.series.rows.size());
+  for (const bool other : {false, true}) {
+    if (other && !(through > 0.0)) break;
+    geometry::SurfacePoint face = hit;
+    if (other) face.front = !hit.front;
+    const auto exposure = surface.exposure(face, sampling::hash(key, other), kSkyPairsOfNeighbour, 1);
+    const std::uint64_t own = sampling::hash(key, depth, other);
+    const thermal::SurfaceBalance balance =
+        face_balance(solved, one, about.series, about.stand, surface.normal_at(face), exposure,
+                     depth > 0 ? beside_of(about, face, exposure, own, about.rays_beyond, depth - 1)
+                               : std::vector<thermal::FromBeside>());
+    for (std::size_t row = 0; row < sent.size(); ++row) {
+      const double surface_k = is_solved       ? solution.surface_k(row)
+                               : given_k > 0.0 ? given_k
+                                               : about.series.rows[row].air.temperature_k;
+      const thermal::Fluxes fluxes =
+          balance.fluxes(about.series.begin_s + about.series.step_s * static_cast<double>(row), surface_k);
+      sent[row].sunlight_w_m2 += (other ? through : back) * (fluxes.sun + fluxes.sky + fluxes.reflected);
+      if (other) continue;
+      sent[row].longwave_w_m2 = emissivity * thermal::kStefanBoltzmann_w_m2_k4 * std::pow(surface_k, 4) +
+                                (1.0 - emissivity) * (fluxes.sky_longwave + fluxes.ground_longwave);
+    }
+  }
+  return sent;
+}
 
 /// What a surface sends to all sides by row of the series, W m-2.
 std::vector<thermal::FromBeside> sent_by(const Neighbourhood& about, const geometry::SurfacePoint& hit,
@@ -30,10 +75,13 @@ std::vector<thermal::FromBeside> sent_by(const Neighbourhood& about, const geome
       is_solved ? about.by_material.at(state.solved - 1) : about.by_material.begin()->second;
   const exposure::SolvedSurface surface(solved.classes, about.past, about.sun_radius_rad);
   const auto exposure = surface.exposure(hit, key, kSkyPairsOfNeighbour, 1);
-  const thermal::SurfaceSolution solution = full_solution(
-      solved, about.series, about.stand, surface.normal_at(hit), exposure,
-      depth > 0 ? beside_of(about, hit, exposure, sampling::hash(key, depth), about.rays_beyond, depth - 1)
-                : std::vector<thermal::FromBeside>());
+  const thermal::SurfaceSolution solution =
+      full_solution(solved, about.series, about.stand, surface.normal_at(hit), exposure,
+                    depth > 0 ? beside_of(about, hit, exposure, sampling::hash(key, depth), about.rays_beyond,
+                                          depth - 1, solved.classes->two_faces())
+                              : std::vector<thermal::FromBeside>());
+  if (solved.classes->two_faces())
+    return sent_by_face(about, solved, main, is_solved, hit, solution, key, depth);
   const double absorbed = solution.balance.skin().solar_absorptance;
   const double reflected = is_solved ? 1.0 - absorbed : about.stand.ground_reflectance;
   const double of_light = absorbed > 0.0 ? reflected / absorbed : 0.0;
@@ -61,22 +109,23 @@ struct Beside {
   std::vector<math::Vec3> directions;
   std::vector<geometry::SurfacePoint> hits;
 };
-Beside rays_beside(const Neighbourhood& about, const geometry::SurfacePoint& point, math::Vec3 normal,
-                   double free_sky, std::uint64_t key, int rays) {
+Beside rays_beside(const Neighbourhood& about, bool two_faces, const geometry::SurfacePoint& point,
+                   math::Vec3 normal, double free_sky, std::uint64_t key, int rays) {
   Beside found;
-  found.view = 1.0 - free_sky * 0.5 * (1.0 + normal.z);
+  found.view = (two_faces ? 2.0 : 1.0) - free_sky * open_share(normal, two_faces);
   if (!(found.view > kLeastOfView)) return found;
-  const sampling::TangentFrame frame(normal);
-  const math::Vec3 outward =
-      point.front ? point.geometric_normal.as_vector() : -point.geometric_normal.as_vector();
+  const sampling::TangentFrame of_side(normal), of_other(-normal);
+  const exposure::ExposedPoint exposed(about.past, point, two_faces);
   // Strata are gone through once, all of them: as many as let about that many rays meet something.
   const int strata = static_cast<int>(std::ceil(rays / std::max(found.view, kLeastHit)));
   for (int k = 0; k < strata || (found.hits.empty() && k < kTriesOfRay * strata); ++k) {
     const double x = sampling::unit_double(sampling::hash(key, k, 0)),
                  y = sampling::unit_double(sampling::hash(key, k, 1));
-    const math::Vec3 along = frame.to_world(sampling::cosine_hemisphere({(k % strata + x) / strata, y}));
-    if (!(math::dot(along, outward) > 0.0)) continue;
-    const math::Ray ray{.origin_m = point.position_m + point.offset_m * outward, .direction = along};
+    const sampling::Point2 place{(k % strata + x) / strata, y};
+    const bool other = two_faces && sampling::unit_double(sampling::hash(key, k, 2)) < 0.5;
+    const math::Vec3 along = (other ? of_other : of_side).to_world(sampling::cosine_hemisphere(place));
+    if (!exposed.leaves(along)) continue;
+    const math::Ray ray = exposed.ray(along);
     geometry::SurfacePoint hit;
     about.scene.world->intersect({&ray, 1}, {&hit, 1});
     if (!hit.hit() && along.z > 0.0) continue;
@@ -87,9 +136,10 @@ Beside rays_beside(const Neighbourhood& about, const geometry::SurfacePoint& poi
 }
 
 std::vector<thermal::FromBeside> sum_of(const Neighbourhood& about, const Beside& beside,
-                                        const exposure::SolvedSurface::Exposure& exposure, double open,
-                                        std::uint64_t key, int depth) {
+                                        const exposure::SolvedSurface::Exposure& exposure, bool two_faces,
+                                        math::Vec3 normal, std::uint64_t key, int depth) {
   std::vector<thermal::FromBeside> sum;
+  const double open = open_share(normal, two_faces), all = two_faces ? 2.0 : 1.0;
   if (beside.hits.empty()) return sum;
   sum.resize(about.series.rows.size());
   const auto count = static_cast<double>(beside.hits.size());
@@ -100,17 +150,12 @@ std::vector<thermal::FromBeside> sum_of(const Neighbourhood& about, const Beside
       const thermal::FromBeside one =
           sent.empty() ? thermal::of_level_ground(about.series.rows[row], about.stand) : sent[row];
       const double view =
-          exposure.past_free_sky.empty() ? beside.view : 1.0 - exposure.past_free_sky[row] * open;
+          exposure.past_free_sky.empty() ? beside.view : all - exposure.past_free_sky[row] * open;
       sum[row].sunlight_w_m2 += view / count * one.sunlight_w_m2;
       sum[row].longwave_w_m2 += view / count * one.longwave_w_m2;
     }
   }
   return sum;
-}
-
-math::Vec3 outward_normal(const geometry::SurfacePoint& point) {
-  const math::Vec3 normal = point.shading_normal.as_vector();
-  return point.front ? normal : -normal;
 }
 
 constexpr int kRaysOn = 4;  // from each point that the camera sees
@@ -146,6 +191,20 @@ ByMaterial solved_materials(const io::Document& document, const scene::Scene& sc
   return by_material;
 }
 
+thermal::SurfaceBalance face_balance(const SolvedMaterial& solved, const thermal::Skin& skin,
+                                     const thermal::OutdoorsSeries& series, thermal::Stand stand,
+                                     math::Vec3 normal, const exposure::SolvedSurface::Exposure& exposure,
+                                     std::vector<thermal::FromBeside> beside) {
+  stand.tilt_rad = std::acos(std::clamp(normal.z, -1.0, 1.0));
+  stand.azimuth_rad = std::atan2(normal.x, normal.y);
+  stand.free_sky = exposure.free_sky;
+  stand.height_m = exposure.height_m;
+  std::vector<double> visibility(series.rows.size(), 0.0);
+  for (std::size_t k = 0; k < exposure.visibility.size(); ++k)
+    visibility[solved.classes->row_of_series(k)] = exposure.visibility[k];
+  return {series, skin, stand, std::move(visibility), exposure.past_free_sky, std::move(beside)};
+}
+
 thermal::SurfaceSolution full_solution(const SolvedMaterial& solved, const thermal::OutdoorsSeries& series,
                                        thermal::Stand stand, math::Vec3 normal,
                                        const exposure::SolvedSurface::Exposure& exposure,
@@ -164,10 +223,10 @@ thermal::SurfaceSolution full_solution(const SolvedMaterial& solved, const therm
 
 std::vector<thermal::FromBeside> beside_of(const Neighbourhood& about, const geometry::SurfacePoint& point,
                                            const exposure::SolvedSurface::Exposure& exposure,
-                                           std::uint64_t key, int rays, int depth) {
-  const math::Vec3 normal = outward_normal(point);
-  return sum_of(about, rays_beside(about, point, normal, exposure.free_sky, key, rays), exposure,
-                0.5 * (1.0 + normal.z), key, depth);
+                                           std::uint64_t key, int rays, int depth, bool two_faces) {
+  const math::Vec3 normal = exposure::ExposedPoint(about.past, point, two_faces).normal();
+  return sum_of(about, rays_beside(about, two_faces, point, normal, exposure.free_sky, key, rays), exposure,
+                two_faces, normal, key, depth);
 }
 
 BesideOff beside_off(const Neighbourhood& about, const exposure::SolvedSurface& surface,
@@ -175,14 +234,15 @@ BesideOff beside_off(const Neighbourhood& about, const exposure::SolvedSurface& 
                      const exposure::SolvedSurface::Exposure& exposure, double full_k, int rays) {
   constexpr int kDepth = 1;  // of both: what lies further behind is told by further_k
   BesideOff found;
-  const math::Vec3 normal = outward_normal(point);
-  const exposure::ExposedPoint exposed(about.past, point);
+  const exposure::ExposedPoint exposed(about.past, point, solved.classes->two_faces());
+  const math::Vec3 normal = exposed.normal();
   const thermal::Pose pose(normal, exposure.height_m);
   const thermal::SurfaceClasses::Corners at = solved.classes->corners(pose);
   const double sun = surface.sun_share(point, exposure);
   for (std::size_t half = 0; half < found.off_k.size(); ++half) {
     const std::uint64_t own = sampling::hash(key, half);
-    const Beside beside = rays_beside(about, point, normal, exposure.free_sky, own, rays);
+    const Beside beside =
+        rays_beside(about, solved.classes->two_faces(), point, normal, exposure.free_sky, own, rays);
     if (beside.hits.empty()) return found;
     double linear_k = 0.0;
     for (std::size_t k = 0; k < beside.hits.size(); ++k)
@@ -194,10 +254,11 @@ BesideOff beside_off(const Neighbourhood& about, const exposure::SolvedSurface& 
       }
     linear_k *= beside.view / static_cast<double>(beside.hits.size());
     linear_k -= solved.classes->bend_of_gain(at) * linear_k * linear_k;
-    const double there_k = full_solution(solved, about.series, about.stand, normal, exposure,
-                                         sum_of(about, beside, exposure, 0.5 * (1.0 + normal.z), own, kDepth))
-                               .history.nodes.back()
-                               .surface_k;
+    const double there_k =
+        full_solution(solved, about.series, about.stand, normal, exposure,
+                      sum_of(about, beside, exposure, solved.classes->two_faces(), normal, own, kDepth))
+            .history.nodes.back()
+            .surface_k;
     found.taken_k[half] = linear_k;
     found.off_k[half] = full_k + linear_k - there_k;
   }

@@ -45,6 +45,12 @@ thermal::SurfaceSolution full_solution(const SolvedMaterial& solved, const therm
                                        const exposure::SolvedSurface::Exposure& exposure,
                                        std::vector<thermal::FromBeside> beside = {});
 
+/// The balance of a point under a skin that is told.
+thermal::SurfaceBalance face_balance(const SolvedMaterial& solved, const thermal::Skin& skin,
+                                     const thermal::OutdoorsSeries& series, thermal::Stand stand,
+                                     math::Vec3 normal, const exposure::SolvedSurface::Exposure& exposure,
+                                     std::vector<thermal::FromBeside> beside);
+
 /// What there is to ask of everything about a point.
 struct Neighbourhood {
   const scene::Scene& scene;
@@ -58,10 +64,10 @@ struct Neighbourhood {
 
 /// What comes to a point from all but the sky, by row of the series: its view of that times the mean of what surfaces send that `rays` meet, each solved in full by itself, with what comes to it
 /// likewise by a few rays `depth` times more. What has a temperature of its own has that, what has none that of the air, and they reflect as the ground does. Empty where hardly anything but sky
-/// is seen.
+/// is seen. `two_faces`: of a sheet, to both.
 std::vector<thermal::FromBeside> beside_of(const Neighbourhood& about, const geometry::SurfacePoint& point,
                                            const exposure::SolvedSurface::Exposure& exposure,
-                                           std::uint64_t key, int rays, int depth);
+                                           std::uint64_t key, int rays, int depth, bool two_faces = false);
 
 /// What images make of the surfaces about a point, against two full solutions with what is about it, each by `rays` of its own: two estimates of by how much they are off. And by how much they
 /// would change with one more surface behind those that are met.

@@ -16,6 +16,7 @@
 #include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/whole/camera_grid.h"
 #include "session/solved/document_outdoors.h"
+#include "session/solved/other_side.h"
 #include "session/solved/second_pass.h"
 #include "thermal/wind_profile.h"
 
@@ -118,8 +119,10 @@ struct Measured {
   BesideOff beside;
   double full_k = 0.0;  ///< without what is about it, as it is exposed; where that is asked
   exposure::SolvedSurface::Exposure exposure{};
+  double across_k = 0.0;  ///< of a sheet of two faces
   std::optional<double>
-      ground_k;  ///< by what its temperature would be another if the ground were that beside
+      ground_k,      ///< by what its temperature would be another if the ground were that beside
+      other_side_k;  ///< likewise if the other side of its sheet counted
 };
 
 /// Level, tilted and upright, to all sides: what the camera may see of a material by way of mirrors, or between its rays.
@@ -283,6 +286,10 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
       point.full_k = full_k;
       point.exposure = exposure;
     }
+    if (point.solved->classes->two_faces())
+      point.across_k = across_k(about, *point.solved, point.at, number, full_k);
+    else
+      point.other_side_k = other_side_k(about, *point.solved, point.at, number, full_k);
     if (exposure.height_m > 0.0) return;
     exposure.height_m =
         exposure::height_above_ground_beside_m(past, point.at.position_m, thermal::kLowestWind_m);
@@ -324,6 +331,15 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
       ++errors.by_material[material].seen;
       errors.lowest_m = errors.points == 1 ? point.height_m : std::min(errors.lowest_m, point.height_m);
       errors.highest_m = std::max(errors.highest_m, point.height_m);
+      double& of_sheet_k = errors.by_material[material].other_side_k;
+      of_sheet_k = std::max({of_sheet_k, point.across_k, point.other_side_k.value_or(0.0)});
+      if (point.other_side_k) {
+        ++errors.free_standing;
+        if (*point.other_side_k > errors.other_side_k) {
+          errors.other_side_k = *point.other_side_k;
+          errors.free_material = document.scene.materials[material].name;
+        }
+      }
       if (!point.ground_k) continue;
       ++errors.on_nothing;
       errors.ground_k = std::max(errors.ground_k, *point.ground_k);

@@ -110,10 +110,11 @@ io::TemperatureReport point_temperature(const io::Document& document, const Poin
   const ByMaterial by_material = solved_materials(document, session.parts().scene, about.mean_air_k);
   thermal::Stand open;
   open.terrain = about.terrain;
-  const thermal::SurfaceSolution here = solve(seen, free_sky,
-                                              beside_of({session.parts().scene, surface->scene(), by_material,
-                                                         series, open, surface->sun_radius_rad()},
-                                                        met, exposure, 0, kRaysBeside, 1));
+  const thermal::SurfaceSolution here = solve(
+      seen, free_sky,
+      beside_of(
+          {session.parts().scene, surface->scene(), by_material, series, open, surface->sun_radius_rad()},
+          met, exposure, 0, kRaysBeside, 1, surface->classes().two_faces()));
 
   double azimuth_deg = stand.azimuth_rad / math::kDegree;
   if (azimuth_deg < 0.0) azimuth_deg += 360.0;

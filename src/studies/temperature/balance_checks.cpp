@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "studies/temperature/temperature_checks.h"
-#include "thermal/sky_longwave.h"
+#include "thermal/faces/sky_longwave.h"
 #include "thermal/surface_exchange.h"
 #include "thermal/surface_solution.h"
 #include "thermal/therm_slab.h"

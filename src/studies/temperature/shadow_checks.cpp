@@ -6,7 +6,7 @@
 #include "studies/temperature/outlined_box.h"
 #include "studies/temperature/study_scenes.h"
 #include "studies/temperature/temperature_checks.h"
-#include "thermal/sky_longwave.h"
+#include "thermal/faces/sky_longwave.h"
 
 namespace ifov::studies {
 namespace {

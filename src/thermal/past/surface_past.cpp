@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "thermal/sky_longwave.h"
+#include "thermal/faces/sky_longwave.h"
 #include "thermal/surface_classes.h"
 
 namespace ifov::thermal {
@@ -168,8 +168,8 @@ double SurfaceClasses::bend_of(const Worths& worths) const {
   }
   // What they emit alone bends at least; where all come to about the same, nothing else is known, and far from them the slope between
   // them says little.
-  const double emitted =
-      worth_k * 6.0 * surface_.skin.emissivity * kStefanBoltzmann_w_m2_k4 * kelvin * kelvin;
+  const double emitted = worth_k * 6.0 * surface_.skin.faces() * surface_.skin.emissivity *
+                         kStefanBoltzmann_w_m2_k4 * kelvin * kelvin;
   if (!(worth_k > 0.0)) return 0.0;
   return std::max(emitted, -0.5 * products / (worth_k * (squares_k2 + kApart_k * kApart_k)));
 }

@@ -40,6 +40,8 @@ constexpr Unit kHeatFluxUnits[] = {{"W m-2"},
                                    {"kW m-2", 1e3},
                                    {"BTU h-1 ft-2", kBtu_j / (3600.0 * kFoot_m * kFoot_m)},
                                    {"W/m2", 1.0, 0.0, false}};
+constexpr Unit kLeafConductanceUnits[] = {
+    {"mol m-2 s-1"}, {"mmol m-2 s-1", 1e-3}, {"mol/m2/s", 1.0, 0.0, false}};
 constexpr Unit kResistanceUnits[] = {{"s/m"}, {"s m-1", 1.0, 0.0, false}};
 
 }  // namespace
@@ -49,6 +51,8 @@ const Dimension kMassDensity{"a density of mass", "2300 kg/m3", kMassDensityUnit
 const Dimension kSpecificHeat{"a specific heat", "880 J kg-1 K-1", kSpecificHeatUnits, 1e-3, 1e9};
 const Dimension kConductance{"a conductance of heat", "8 W m-2 K-1", kConductanceUnits, 1e-9, 1e9};
 const Dimension kHeatFlux{"a flux of heat", "60 W m-2", kHeatFluxUnits, 1e-9, 1e9};
+const Dimension kLeafConductance{"a conductance of stomata", "0.4 mol m-2 s-1", kLeafConductanceUnits, 1e-9,
+                                 1e9};
 const Dimension kResistance{"a resistance of vapour", "70 s/m", kResistanceUnits, 1e-9, 1e9};
 
 }  // namespace ifov::io

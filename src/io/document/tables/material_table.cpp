@@ -41,7 +41,16 @@ SchemaType<TemperatureDocument> temperature_type() {
   const SchemaType<TemperatureDocument> told{
       cases_description({uniform.description, word.description}),
       [uniform](const DocumentNode& node) {
-        if (node.type() != DocumentNode::Type::text || node.text() != "solved") return uniform.read(node);
+        if (node.type() != DocumentNode::Type::text) return uniform.read(node);
+        if (node.text() == "air")
+          node.fail(format(
+              "{} is the text \"air\": of what is as warm as the air it is \"solved\", and the material "
+              "has \"thermal\": {{\"air\": {{}}}}",
+              node.title()));
+        const bool is_word = node.text().find_first_of("0123456789") == std::string::npos;
+        if (is_word && node.text() != "solved")
+          node.fail_expected(uniform.description->expected + ", or \"solved\"");
+        if (!is_word) return uniform.read(node);
         return TemperatureDocument{SolvedTemperatureDocument{}, node.position()};
       },
       [uniform, word](const TemperatureDocument& temperature, Writing& writing) {

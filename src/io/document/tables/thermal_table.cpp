@@ -1,12 +1,14 @@
 #include <cmath>
 
 #include "core/format.h"
+#include "geodesy/utc_seconds.h"
 #include "io/document/schema/heat_quantities.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
 #include "io/document/thermal_document.h"
 #include "io/library/thermal_library.h"
-#include "thermal/convection.h"
+#include "thermal/faces/air_gap.h"
+#include "thermal/faces/convection.h"
 #include "thermal/solid.h"
 #include "thermal/wind_profile.h"
 
@@ -34,7 +36,35 @@ SchemaType<std::string> names_of(int count) {
   return choice(words);
 }
 
-SchemaType<ThermalLayerDocument> layer_type() {
+SchemaType<ThermalLayerDocument> air_gap_type() {
+  using Layer = ThermalLayerDocument;
+  using Gap = Layer::AirGap;
+  const auto given = [](auto member) {
+    return via(
+        [member](Layer& layer, auto value) {
+          (layer.air_gap ? *layer.air_gap : layer.air_gap.emplace()).*member = std::move(value);
+        },
+        [member](const Layer& layer) {
+          return layer.air_gap ? std::optional((*layer.air_gap).*member) : std::nullopt;
+        });
+  };
+  Record<Layer> record(
+      "air gap",
+      "Air that does not change with that outdoors, between two layers or before what is behind: a "
+      "resistance without mass by its thickness, the way that heat goes and both faces (ISO 6946).");
+  record
+      .required("air_gap", given(&Gap::thickness_m),
+                quantity(kLength, Range::between(1.0, 1e3 * thermal::kThickestGap_m, "mm")),
+                "how thick the air is")
+      .with_default("heat_flow", given(&Gap::heat_flow), names_of<thermal::HeatFlow>(thermal::kHeatFlows),
+                    "\"horizontal\"", "as through a wall; or mostly up or down through a roof or a floor")
+      .with_default("emissivities", given(&Gap::emissivities),
+                    list(fraction(Range::between(0.01, 1.0)), 2, 2), "[0.9, 0.9]",
+                    "of both faces; 0.05 of a bright foil");
+  return record.type();
+}
+
+SchemaType<ThermalLayerDocument> solid_layer_type() {
   using Layer = ThermalLayerDocument;
   Record<Layer> record("thermal layer", "A sheet of one solid: of the library, or of three numbers.");
   record.required("thickness", &Layer::thickness_m, thickness(), "at least 10 um");
@@ -71,6 +101,30 @@ SchemaType<ThermalLayerDocument> layer_type() {
   return record.type();
 }
 
+SchemaType<ThermalLayerDocument> layer_type() {
+  return tagged<ThermalLayerDocument>(
+      {{{"air_gap"}, air_gap_type()},
+       {{"thickness", "library", "conductivity", "density", "specific_heat"}, solid_layer_type()}});
+}
+
+/// Air lies between two solids, or between one and what is behind.
+void check_air_gaps(const ThermalDocument& thermal, const DocumentNode& node) {
+  const std::vector<ThermalLayerDocument>& layers = thermal.layers;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (!layers[i].air_gap) continue;
+    const DocumentNode& gap = node.given("layers").items()[i];
+    const auto fail = [&](const char* message) { gap.fail(format("{} {}", gap.title(), message)); };
+    if (i == 0) fail("is an air gap, and the surface is that of a solid; begin with a solid");
+    if (layers[i - 1].air_gap) fail("is an air gap behind another; give one of them, or the sheet between");
+    if (i + 1 < layers.size()) continue;
+    if (thermal.back.ground)
+      fail("is an air gap, and deep ground is what the last layer goes on as; end with a solid");
+    if (!thermal.back.held_k && !thermal.back.room)
+      fail(
+          "is an air gap, and no heat passes behind it; give a \"back\" that has a temperature, or leave it out");
+  }
+}
+
 SchemaType<ThermalBackDocument> back_type() {
   using Back = ThermalBackDocument;
   Record<Back::Room> room("room behind a wall", "Air at a temperature that is held.");
@@ -85,11 +139,38 @@ SchemaType<ThermalBackDocument> back_type() {
   ground.optional(
       "temperature", &Back::Ground::temperature_k, above_zero(kTemperature, "K"),
       "deep down; without it the mean of the air over the weather's year, or what there is of it");
+  Record<Back::OtherSide> other_side(
+      "other side of a sheet",
+      "Of a sign, a hood, a tarpaulin that stands free: a sheet that passes heat so well that both faces are as warm, "
+      "at most 0.01 m2 K W-1. Either face takes in the Sun, the sky, the wind and what is about it.");
   Record<Back> record("back of layers", "What lies behind the last layer.");
   record.exactly_one()
       .one("temperature", &Back::held_k, above_zero(kTemperature, "K"), "that is held there")
       .one("room", &Back::room, room.type(), "air of a room")
-      .one("ground", &Back::ground, ground.type(), "deep ground");
+      .one("ground", &Back::ground, ground.type(), "deep ground")
+      .one("other_side", &Back::other_side, other_side.type(),
+           "the other face of the same thin sheet, outdoors, too");
+  return record.type();
+}
+
+SchemaType<LeafDocument> leaf_type() {
+  using Leaf = LeafDocument;
+  Record<Leaf> record(
+      "free leaf",
+      "A leaf of two faces that stands free: air along its own width, and stomata (Campbell and Norman 1998).");
+  record
+      .with_default("width", &Leaf::width_m, quantity(kLength, Range::between(0.1, 3000.0, "mm")), "\"5 cm\"",
+                    "along the wind: 1 mm of a needle, 5 cm of a broad leaf")
+      .with_default(
+          "stomatal_conductance", &Leaf::stomatal_mol_m2_s,
+          quantity(kLeafConductance, Range::between(0.0, 10.0, "mol m-2 s-1")), "\"0.4 mol m-2 s-1\"",
+          "of a face that has stomata, for vapour, by day: in the dark they are shut; 0 of a dry leaf")
+      .with_default(
+          "stomata", &Leaf::both_faces,
+          choice(std::vector<std::pair<std::string, bool>>{{"one face", false}, {"both faces", true}}),
+          "\"one face\"", "as of most trees; grasses and many crops have them on both")
+      .with_default("water", &Leaf::water_m, quantity(kLength, Range::between(0.02, 20.0, "mm")),
+                    "\"0.2 mm\"", "thickness of the water that it holds, which stores heat");
   return record.type();
 }
 
@@ -111,10 +192,55 @@ SchemaType<ThermDocument> therm_type() {
   return record.type();
 }
 
+template <class AtTime>
+void check_rising(const std::vector<AtTime>& table, const DocumentNode& list) {
+  for (std::size_t k = 1; k < table.size(); ++k) {
+    if (geodesy::seconds_after(table[k].time, table[k - 1].time) > 0.0) continue;
+    const DocumentNode& time = list.items()[k].given("time");
+    time.fail(format("{} is {}, expected a time after {}, which stands before it", time.title(),
+                     geodesy::format_utc(table[k].time), geodesy::format_utc(table[k - 1].time)));
+  }
+}
+
+constexpr std::size_t kMostTimes = 100000;
+
+SchemaType<std::vector<HeldTemperatureDocument::AtTime>> held_table_type() {
+  using AtTime = HeldTemperatureDocument::AtTime;
+  Record<AtTime> one("temperature at a time", "How warm it is at one time.");
+  one.required("time", &AtTime::time, time_type(), "of UTC, or with another zone")
+      .required("temperature", &AtTime::temperature_k, above_zero(kTemperature, "K"), "of the surface");
+  return list(one.type(), 1, kMostTimes);
+}
+
+SchemaType<PowerDocument> power_type() {
+  using AtTime = PowerDocument::AtTime;
+  Record<AtTime> one("power at a time", "Heat from inside at one time.");
+  one.required("time", &AtTime::time, time_type(), "of UTC, or with another zone")
+      .required("power", &AtTime::power_w_m2, quantity(kHeatFlux), "given off at the surface");
+  Record<PowerDocument> over_time(
+      "power over time",
+      "Of an engine, of a hall that is heated: linear between its times, the first and the last hold beyond.");
+  over_time.required("table", &PowerDocument::table, list(one.type(), 1, kMostTimes), "times in rising order")
+      .check([](const PowerDocument& power, const DocumentNode& node) {
+        check_rising(power.table, node.given("table"));
+      });
+  return either(converted<PowerDocument>(
+                    quantity(kHeatFlux),
+                    [](double w_m2) {
+                      return PowerDocument{w_m2, {}};
+                    },
+                    [](const PowerDocument& power) {
+                      return power.table.empty() ? std::optional(power.constant_w_m2) : std::nullopt;
+                    }),
+                over_time.type());
+}
+
 }  // namespace
 
 SchemaType<ThermalDocument> thermal_type() {
   using Thermal = ThermalDocument;
+  using HeldTable = std::vector<HeldTemperatureDocument::AtTime>;
+  struct AsAir {};
   Record<Thermal> record("thermal material",
                          "What a surface's temperature follows from under weather (`ifov temperature`).");
   record.exactly_one()
@@ -126,11 +252,29 @@ SchemaType<ThermalDocument> thermal_type() {
                }),
            list(layer_type(), 1, kMostLayers), "from the surface inwards")
       .one("therm", &Thermal::therm, therm_type(), "THERM's seven numbers in their place")
+      .one("leaf", &Thermal::leaf, leaf_type(), "a leaf, both faces of which are outdoors")
+      .one("air",
+           via([](Thermal& thermal, AsAir) { thermal.held.emplace(); },
+               [](const Thermal& thermal) {
+                 return thermal.held && thermal.held->table.empty() ? std::optional(AsAir{}) : std::nullopt;
+               }),
+           Record<AsAir>("as the air", "Nothing is solved: the surface is as warm as the air.").type(),
+           "as warm as the air")
+      .one(
+          "table",
+          via([](Thermal& thermal, HeldTable table) { thermal.held = {std::move(table)}; },
+              [](const Thermal& thermal) {
+                return thermal.held && !thermal.held->table.empty() ? std::optional(thermal.held->table)
+                                                                    : std::nullopt;
+              }),
+          held_table_type(),
+          "how warm it is over time, linear between, the first and the last hold beyond; times in rising order")
       .optional("back",
                 via([](Thermal& thermal, ThermalBackDocument back) { thermal.back = back; },
                     [](const Thermal& thermal) {
                       const ThermalBackDocument& back = thermal.back;
-                      return back.held_k || back.room || back.ground ? std::optional(back) : std::nullopt;
+                      return back.held_k || back.room || back.ground || back.other_side ? std::optional(back)
+                                                                                        : std::nullopt;
                     }),
                 back_type(), "what lies behind the last layer; without it no heat passes there")
       .with_default("roughness", &Thermal::roughness, names_of<thermal::Roughness>(thermal::kRoughnesses),
@@ -140,14 +284,28 @@ SchemaType<ThermalDocument> thermal_type() {
       .with_default("resistance", &Thermal::resistance_s_m,
                     quantity(kResistance, Range::at_least(0.0, "s/m")), "\"0 s/m\"",
                     "what stands in the vapour's way before the air does: 70 s/m of a lawn's stomata")
-      .with_default("power", &Thermal::power_w_m2, quantity(kHeatFlux), "\"0 W m-2\"",
-                    "given off at the surface from inside")
+      .with_default("power", &Thermal::power, power_type(), "\"0 W m-2\"",
+                    "given off at the surface from inside: always as much, or over time")
       .optional("solar_absorptance", &Thermal::solar_absorptance, fraction(Range::between(0.0, 1.0)),
                 "in place of what the material's spectrum takes of sunlight")
       .optional("emissivity", &Thermal::emissivity, fraction(Range::between(0.0, 1.0)),
                 "of long waves, in place of the spectrum's");
-  for (const char* key : {"back", "wetness", "resistance", "solar_absorptance", "emissivity"})
-    record.needs(key, "layers");
+  for (const char* key : {"back", "wetness", "resistance"}) record.needs(key, "layers");
+  record.check([](const Thermal& thermal, const DocumentNode& node) {
+    check_air_gaps(thermal, node);
+    if (thermal.held) check_rising(thermal.held->table, node.given("table"));
+    const auto refuse = [&](std::string_view key, const char* message) {
+      if (const DocumentNode* found = node.find(key))
+        found->fail_at_key(format("{} {}", found->title(), message));
+    };
+    if (thermal.therm)
+      for (const char* key : {"solar_absorptance", "emissivity"})
+        refuse(key, "is given beside 'therm', which has its own");
+    if (thermal.held)
+      for (const char* key : {"power", "roughness"})
+        refuse(key, "has no part where it is told how warm the surface is");
+    if (thermal.leaf) refuse("roughness", "is given beside 'leaf', along whose width the wind goes");
+  });
   return record.type();
 }
 

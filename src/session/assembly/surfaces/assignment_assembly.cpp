@@ -216,6 +216,7 @@ AssignmentAssembly::Surface AssignmentAssembly::surface_of(
   Surface surface = plain_surface(material_index(sides->first.name), temperature);
   surface.back =
       std::make_shared<const Surface>(plain_surface(material_index(sides->second.name), temperature));
+  check_faces(surface, *sides);
   if (surface.back->holes && surface.back->material != surface.material)
     throw io::document_error(
         sources_, sides->second.position,
@@ -246,12 +247,6 @@ AssignmentAssembly::Surface AssignmentAssembly::plain_surface(
   }
   surface.state = state(surface, surface.material);
   return surface;
-}
-
-void AssignmentAssembly::refuse_solved(std::uint32_t material) const {
-  const materials::Material& optics = scene_.materials[material];
-  if (optics.transmittance || optics.bsdf->passage() != materials::Passage::none)
-    throw InputError(format("the temperature of '{}' cannot be solved: light goes through it", optics.name));
 }
 
 std::uint32_t AssignmentAssembly::material_index(const std::string& name) const {

@@ -104,6 +104,8 @@ class AssignmentAssembly {
   std::shared_ptr<const materials::TemperatureMap> temperature_map(const io::TemperatureMap& map);
   /// Throws where nothing tells what a surface does with heat, as of what lets light through.
   void refuse_solved(std::uint32_t material) const;
+  /// Throws where a sheet whose faces are as warm as each other is made of two materials.
+  void check_faces(const Surface& surface, const std::pair<io::DocumentName, io::DocumentName>& sides) const;
   std::uint32_t state(scene::SurfaceState wanted);
   /// Of a surface, or of what stands in its place, at its temperature.
   std::uint32_t state(const Surface& of, std::uint32_t material);

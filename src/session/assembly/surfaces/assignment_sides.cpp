@@ -4,6 +4,7 @@
 #include "scene/scene.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/surfaces/assignment_assembly.h"
+#include "session/assembly/surfaces/two_faces.h"
 
 namespace ifov::session {
 
@@ -42,6 +43,29 @@ void AssignmentAssembly::check_sides(const io::DocumentName& front_name,
           front_name.name, of_front, um.size() > 1 ? format(" at {:g} um", at) : "", back_name.name,
           of_back));
   }
+}
+
+void AssignmentAssembly::refuse_solved(std::uint32_t material) const {
+  const materials::Material& optics = scene_.materials[material];
+  if (optics.bsdf->passage() != materials::Passage::none)
+    throw InputError(format("the temperature of '{}' cannot be solved: light goes through it", optics.name));
+  if (optics.transmittance && !has_two_faces(written_[material]))
+    throw InputError(format(
+        "the temperature of '{}' cannot be solved: light goes through it, and it is not told to be a sheet "
+        "of two faces; give \"thermal\": {{\"leaf\": {{}}}}, or layers with \"back\": {{\"other_side\": {{}}}}",
+        optics.name));
+}
+
+void AssignmentAssembly::check_faces(const Surface& surface,
+                                     const std::pair<io::DocumentName, io::DocumentName>& sides) const {
+  if (surface.solved > 0 && surface.back->material != surface.material &&
+      (has_two_faces(written_[surface.material]) || has_two_faces(written_[surface.back->material])))
+    throw io::document_error(
+        sources_, sides.second.position,
+        format(
+            "a sheet whose faces are both outdoors has the same material on either, and its sides are '{}' and '{}': "
+            "give one of them, or both a \"back\" other than \"other_side\"",
+            sides.first.name, sides.second.name));
 }
 
 void AssignmentAssembly::add_backs(scene::SurfaceAssignment& assignment,

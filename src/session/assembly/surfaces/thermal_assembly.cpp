@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atmosphere/weather_series.h"
 #include "core/error.h"
 #include "io/document/document_error.h"
 #include "io/document/scene_document.h"
@@ -12,6 +13,9 @@
 #include "radiometry/planck.h"
 #include "radiometry/solar_spectrum.h"
 #include "session/assembly/shared/with_position.h"
+#include "session/assembly/surfaces/two_faces.h"
+#include "thermal/faces/air_gap.h"
+#include "thermal/faces/time_table.h"
 #include "thermal/therm_slab.h"
 
 namespace ifov::session {
@@ -66,13 +70,15 @@ thermal::Back back_of(const io::ThermalBackDocument& back, double deep_k) {
   if (back.held_k) return thermal::HeldBack{*back.held_k};
   if (back.room) return thermal::RoomAir{back.room->temperature_k, back.room->conductance_w_m2_k};
   if (back.ground) return thermal::DeepGround{back.ground->temperature_k.value_or(deep_k)};
+  if (back.other_side) return thermal::OtherFace{};
   return thermal::Insulated{};
 }
 
-thermal::Roughness roughness_named(const std::string& name) {
+template <class E>
+E named(const std::string& name) {
   int i = 0;
-  while (thermal::name_of(static_cast<thermal::Roughness>(i)) != name) ++i;
-  return static_cast<thermal::Roughness>(i);
+  while (thermal::name_of(static_cast<E>(i)) != name) ++i;
+  return static_cast<E>(i);
 }
 
 std::string layer_text(const thermal::SolidLayer& layer, const std::string& name) {
@@ -81,8 +87,21 @@ std::string layer_text(const thermal::SolidLayer& layer, const std::string& name
                 layer.density_kg_m3, layer.specific_heat_j_kg_k, 100.0 * thermal::daily_depth_m(layer));
 }
 
+void take_air_gap(const io::ThermalLayerDocument::AirGap& source, ThermalMaterial& result) {
+  const double resistance =
+      thermal::resistance_m2_k_w({source.thickness_m, source.emissivities[0], source.emissivities[1],
+                                  named<thermal::HeatFlow>(source.heat_flow)});
+  result.solid.layers.back().gap_behind_m2_k_w = resistance;
+  result.description.push_back(format("{:g} mm air, heat flow {}: {:.3f} m2 K W-1 by ISO 6946",
+                                      1e3 * source.thickness_m, source.heat_flow, resistance));
+}
+
 void take_layers(const io::ThermalDocument& source, ThermalMaterial& result) {
   for (const io::ThermalLayerDocument& layer : source.layers) {
+    if (layer.air_gap) {
+      take_air_gap(*layer.air_gap, result);
+      continue;
+    }
     thermal::SolidLayer solid{layer.thickness_m, layer.conductivity_w_m_k, layer.density_kg_m3,
                               layer.specific_heat_j_kg_k};
     if (!layer.library.empty()) {
@@ -96,6 +115,41 @@ void take_layers(const io::ThermalDocument& source, ThermalMaterial& result) {
   }
 }
 
+void take_leaf(const thermal::Leaf& leaf, double water_m, ThermalMaterial& result) {
+  thermal::SolidLayer water = io::thermal_library().solid("water").values;
+  water.thickness_m = water_m;
+  result.solid.layers.push_back(water);
+  result.solid.back = thermal::OtherFace{};
+  result.skin.two_faces = true;
+  result.skin.leaf = leaf;
+  result.description.push_back(format(
+      "a leaf {:g} cm wide, holding {:g} mm of water; stomata of {:g} mol m-2 s-1 on {}; fluxes are of both "
+      "faces together",
+      100.0 * leaf.width_m, 1e3 * water_m, leaf.stomatal_mol_m2_s,
+      leaf.stomatal_faces == 2 ? "both faces" : "one face"));
+}
+
+void take_held(const io::HeldTemperatureDocument& source, ThermalMaterial& result) {
+  thermal::SolidLayer skin = io::thermal_library().solid("steel").values;  // of any stuff: it follows at once
+  skin.thickness_m = 1e-3;
+  result.solid.layers.push_back(skin);
+  if (source.table.empty()) {
+    result.skin.as_air = true;
+    result.description.push_back("as warm as the air; \"power\" is what holds it there");
+    return;
+  }
+  thermal::TimeTable table;
+  for (const io::HeldTemperatureDocument::AtTime& one : source.table) {
+    table.time_s.push_back(atmosphere::seconds_of(one.time));
+    table.value.push_back(one.temperature_k);
+  }
+  const auto [least, most] = std::minmax_element(table.value.begin(), table.value.end());
+  result.description.push_back(
+      format("{:.2f} to {:.2f} degC as told, at {} times; \"power\" is what holds it there", *least - 273.15,
+             *most - 273.15, table.value.size()));
+  result.skin.held_k = std::make_shared<const thermal::TimeTable>(std::move(table));
+}
+
 ThermalMaterial from_document(const io::ThermalDocument& source, double deep_k) {
   ThermalMaterial result;
   if (const auto& therm = source.therm) {
@@ -106,19 +160,44 @@ ThermalMaterial from_document(const io::ThermalDocument& source, double deep_k) 
     result.skin = thermal::skin_of(slab);
     result.start = thermal::Start::air;
     result.description.push_back("THERM: " + layer_text(result.solid.layers[0], {}));
+  } else if (source.held) {
+    take_held(*source.held, result);
+  } else if (source.leaf) {
+    take_leaf({source.leaf->width_m, source.leaf->stomatal_mol_m2_s, source.leaf->both_faces ? 2 : 1},
+              source.leaf->water_m, result);
   } else {
     take_layers(source, result);
     result.solid.back = back_of(source.back, deep_k);
     result.skin.wetness = {source.wetness, source.resistance_s_m};
+    if (source.back.other_side) {
+      result.skin.two_faces = true;
+      result.description.push_back("both faces are outdoors and as warm; fluxes are of both together");
+    }
   }
-  result.skin.roughness = roughness_named(source.roughness);
-  result.skin.power_w_m2 = source.power_w_m2;
+  result.skin.roughness = named<thermal::Roughness>(source.roughness);
+  result.skin.power_w_m2 = source.power.constant_w_m2;
+  if (!source.power.table.empty()) {
+    thermal::TimeTable table;
+    for (const io::PowerDocument::AtTime& one : source.power.table) {
+      table.time_s.push_back(atmosphere::seconds_of(one.time));
+      table.value.push_back(one.power_w_m2);
+    }
+    const auto [least, most] = std::minmax_element(table.value.begin(), table.value.end());
+    result.description.push_back(
+        format("heat from inside of {:g} to {:g} W m-2, at {} times", *least, *most, table.value.size()));
+    result.skin.power_over_time = std::make_shared<const thermal::TimeTable>(std::move(table));
+  }
   return result;
 }
 
 ThermalMaterial from_library(const io::LibrarySurface& surface, const std::string& name, double deep_k) {
   using Back = io::LibrarySurface::Back;
   ThermalMaterial result;
+  if (surface.leaf.width_m > 0.0) {
+    take_leaf(surface.leaf, surface.layers.front().thickness_m, result);
+    result.description.push_back(format("as '{}' of the library", name));
+    return result;
+  }
   result.solid.layers = surface.layers;
   for (const thermal::SolidLayer& layer : surface.layers) result.description.push_back(layer_text(layer, {}));
   result.description.push_back(format("as '{}' of the library", name));
@@ -159,11 +238,24 @@ void take_optics(const io::DocumentSources& sources, const io::MaterialDocument&
                result.skin.melts_k - 273.15));
   take(absorptance, solar_absorptance(optics), 0.8, "absorptance of sunlight", "solar_absorptance",
        result.skin.solar_absorptance);
+  if (result.skin.two_faces) {
+    const auto of_sun = [&](double um) { return radiometry::solar_irradiance_1au().at(um); };
+    result.skin.transmittance = std::min(1.0 - result.skin.solar_absorptance,
+                                         mean_of(transmittance_of(optics), 0.3, 4.0, of_sun).value);
+  }
   take(emissivity, longwave_emissivity(optics), 0.3, "long-wave emissivity", "emissivity",
        result.skin.emissivity);
 }
 
 }  // namespace
+
+bool has_two_faces(const io::MaterialDocument& source) {
+  if (source.thermal) return source.thermal->leaf || source.thermal->back.other_side;
+  const auto* library = std::get_if<io::LibrarySource>(&source.spectrum.source);
+  const io::LibrarySurface* surface =
+      library != nullptr ? io::thermal_library().surface(library->material) : nullptr;
+  return surface != nullptr && surface->back == io::LibrarySurface::Back::other_side;
+}
 
 std::optional<ThermalMaterial> assemble_thermal(const io::DocumentSources& sources,
                                                 const io::MaterialDocument& source,

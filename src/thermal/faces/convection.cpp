@@ -1,4 +1,4 @@
-#include "thermal/convection.h"
+#include "thermal/faces/convection.h"
 
 #include <algorithm>
 #include <array>

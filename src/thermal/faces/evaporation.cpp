@@ -1,4 +1,4 @@
-#include "thermal/evaporation.h"
+#include "thermal/faces/evaporation.h"
 
 #include "atmosphere/weather_series.h"
 

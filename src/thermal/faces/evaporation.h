@@ -1,6 +1,6 @@
 #pragma once
 
-#include "thermal/convection.h"
+#include "thermal/faces/convection.h"
 
 namespace ifov::thermal {
 

@@ -1,4 +1,4 @@
-#include "thermal/sky_longwave.h"
+#include "thermal/faces/sky_longwave.h"
 
 #include <cmath>
 
