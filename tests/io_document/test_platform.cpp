@@ -148,6 +148,128 @@ TEST_F(Platforms, FlyTheSamePathInAllFrames) {
   EXPECT_LT(std::abs(back.longitude_rad - 4.41 * kDegree) * 6.4e6, 1e-3);
 }
 
+/// By closed forms: where it is, and which ground the middle of its image shows.
+TEST_F(Platforms, CircleAndStand) {
+  const auto path = [&](const std::string& platform) {
+    const Document d = document(text(platform));
+    return trajectory_of({*d.platform, d.time, d.scene.origin}, {}, 0.0, 1.0);
+  };
+  const std::string circle =
+      R"({"circling": {"frame": "scene", "center": ["10 m", "20 m", "500 m"], "radius": "300 m", "speed": "30 m/s", "start": "90 deg")";
+  // East of the middle and turning to the right: south. A quarter turn takes pi/2 300/30 s.
+  const auto right = path(circle + "}}");
+  EXPECT_LT(length(right.pose(0.0).position_m - math::Point3{310.0, 20.0, 500.0}), 1e-9);
+  EXPECT_LT(length(right.pose(0.0).velocity_m_s - math::Vec3{0.0, -30.0, 0.0}), 1e-9);
+  EXPECT_LT(length(right.pose(5.0 * std::numbers::pi).position_m - math::Point3{10.0, -280.0, 500.0}), 1e-9);
+  EXPECT_LT(length(right.pose(0.0).enu_from_body.z().v - math::Vec3{0.0, 0.0, -1.0}), 1e-12)
+      << "level unless said otherwise";
+  const auto left = path(circle + R"(, "direction": "counterclockwise", "bank": "coordinated"}})");
+  EXPECT_LT(length(left.pose(0.0).velocity_m_s - math::Vec3{0.0, 30.0, 0.0}), 1e-9);
+  // Its left wing, to the west, is down: 30^2 / (9.80665 300) is the tangent.
+  const double bank = std::atan(900.0 / (9.80665 * 300.0));
+  EXPECT_LT(length(left.pose(0.0).enu_from_body.y().v - math::Vec3{std::cos(bank), 0.0, std::sin(bank)}),
+            1e-12);
+  EXPECT_LT(
+      length(
+          path(
+              R"({"circling": {"frame": "scene", "center": ["0 m", "0 m", "1 m"], "radius": "2 m", "period": "8 s"}})")
+              .pose(2.0)
+              .position_m -
+          math::Point3{2.0, 0.0, 1.0}),
+      1e-12);
+  // About a place on Earth.
+  const geodesy::Geodetic there{52.01 * kDegree, 4.38 * kDegree, 700.0};
+  const math::Point3 expected = geodesy::ecef_from_enu({52.0 * kDegree, 4.4 * kDegree, 0.0})
+                                    .inverse()(geodesy::ecef_from_geodetic(there))
+                                    .p;
+  const std::string geodetic =
+      R"("frame": "geodetic", "latitude": "52.01 deg", "longitude": "4.38 deg", "height": "700 m")";
+  const auto around = path("{\"circling\": {" + geodetic + R"(, "radius": "50 m", "period": "10 s"}})");
+  EXPECT_LT(length(around.pose(5.0).position_m - (expected + math::Vec3{0.0, -50.0, 0.0})), 1e-6);
+  const auto fixed = path("{\"fixed\": {" + geodetic + "}}");
+  for (const double t : {-1e6, 0.0, 1e6}) EXPECT_LT(length(fixed.pose(t).position_m - expected), 1e-6);
+  // Level where it stands, 0.0116 degrees from level at the origin.
+  const auto up = geodesy::ecef_from_enu({52.0 * kDegree, 4.4 * kDegree, 0.0})
+                      .inverse()(geodesy::ecef_from_enu(there).z());
+  EXPECT_LT(length(fixed.pose(0.0).enu_from_body.z().v + up.v), 1e-12);
+  EXPECT_GT(length(fixed.pose(0.0).enu_from_body.z().v + math::Vec3{0.0, 0.0, 1.0}), 1e-4);
+  // A camera on a mast, by both of its names.
+  const std::string frame = R"({"frame": {"pixels": [20, 20], "focal_length": "20 mm", "pitch": "10 um")";
+  const Document mast = document(text(
+      R"({"fixed": {"frame": "scene", "position": ["3 m", "4 m", "50 m"]}, "attitude": {"yaw": "30 deg", "pitch": "20 deg"}})",
+      frame + "}}"));
+  EXPECT_EQ(mast.sensor.camera.settings->description({}, "x, y, z"),
+            "frame, 20 x 20 pixels, 0.573 x 0.573 deg, fixed at x, y, z 3, 4, 50 m");
+  const math::Point3 seen = on_ground(camera(mast)->ray({10.0, 10.0}));
+  EXPECT_NEAR(seen.x, 3.0 + 50.0 * std::tan(20.0 * kDegree) * std::sin(30.0 * kDegree), 1e-9);
+  EXPECT_NEAR(seen.y, 4.0 + 50.0 * std::tan(20.0 * kDegree) * std::cos(30.0 * kDegree), 1e-9);
+  EXPECT_EQ(
+      document(text(circle + "}}", frame + "}}")).sensor.camera.settings->description({}, "x, y, z"),
+      "frame, 20 x 20 pixels, 0.573 x 0.573 deg, circling clockwise at 300 m from x, y, z 10, 20, 500 m, 30 m/s");
+}
+
+TEST_F(Platforms, MessagesOfCirclesAndFixedPlaces) {
+  const auto circle = [&](const std::string& more, const std::string& after = "") {
+    return message(
+        text(R"({"circling": {"frame": "scene", "center": ["0 m", "0 m", "500 m"], "radius": "300 m")" +
+             more + "}" + after + "}"));
+  };
+  const std::string speed = R"(, "speed": "30 m/s")";
+  EXPECT_EQ(circle(speed), "taken");
+  EXPECT_EQ(circle(""), "a.json:4:26: 'platform.circling' needs exactly one of 'speed' or 'period'");
+  EXPECT_EQ(
+      circle(speed + R"(, "period": "60 s")"),
+      "a.json:4:118: 'period' cannot stand beside 'speed': 'platform.circling' takes only one of 'speed' or 'period'");
+  EXPECT_EQ(circle(speed + R"(, "latitude": "52 deg")"),
+            "a.json:4:36: a point in this frame is told by its 'center' alone");
+  EXPECT_EQ(
+      circle(R"(, "speed": "0 m/s")"),
+      "a.json:4:108: 'platform.circling.speed' is the text \"0 m/s\", expected a speed above 0 m/s, such as \"3 m/s\" (units: m/s, km/h, kn)");
+  EXPECT_EQ(
+      circle(speed + R"(, "direction": "left")"),
+      "a.json:4:131: 'platform.circling.direction' is the text \"left\", expected 'clockwise' or 'counterclockwise'");
+  EXPECT_EQ(
+      circle(speed + R"(, "bank": "coordinated")", R"(, "attitude": {"from": "north"})"),
+      "a.json:4:13: 'bank' is about a nose along the track, and 'from' says north; expected one of both");
+  EXPECT_EQ(
+      circle(speed + R"(, "bank": "coordinated")",
+             R"(, "attitude": {"look_at": {"frame": "scene", "position": ["0 m", "0 m", "0 m"]}})"),
+      "a.json:4:13: 'bank' is of wings, and 'look_at' turns the belly to a point: expected one of both (a 'mount' with a 'gimbal' looks at a point from banked wings)");
+  EXPECT_EQ(circle(speed, R"(, "attitude": {"from": "orbit"})"),
+            "a.json:4:13: 'from' \"orbit\" needs a path about the Earth, expected \"track\" or \"north\"");
+  EXPECT_EQ(
+      circle(speed, R"(, "attitude": {"axes": "geocentric"})"),
+      "a.json:4:13: a circle is level in the scene, whose ground is flat: expected 'axes' \"nadir\" or \"velocity\"");
+  const std::string fixed = R"({"fixed": {"frame": "scene", "position": ["0 m", "0 m", "50 m"]})";
+  EXPECT_EQ(
+      message(text(fixed + R"(, "attitude": {"from": "track"}})")),
+      "a.json:4:13: what is fixed flies nowhere, so that its nose cannot be along its track or velocity: expected 'from' \"north\", and other 'axes'");
+  EXPECT_EQ(
+      message(text(fixed + R"(, "attitude": {"axes": "velocity"}})")),
+      "a.json:4:13: what is fixed flies nowhere, so that its nose cannot be along its track or velocity: expected 'from' \"north\", and other 'axes'");
+  EXPECT_EQ(message(text(R"({"fixed": {"frame": "geodetic", "position": ["0 m", "0 m", "50 m"]}})")),
+            "a.json:4:33: a geodetic point is told by 'longitude', 'latitude' and 'height'");
+  EXPECT_EQ(
+      message(text(R"({"fixed": {"frame": "ecef", "position": ["4000 km", "0 m", "5000 km"]}})", kPushbroom,
+                   "{}")),
+      "a.json:4:13: a path about the Earth needs the place of the scene: expected an 'origin' of the scene with 'latitude' and 'longitude'");
+  const std::string frame = R"({"frame": {"pixels": [20, 20], "focal_length": "20 mm", "pitch": "10 um"}})";
+  EXPECT_EQ(
+      message(text(
+          R"({"fixed": {"frame": "geodetic", "latitude": "-52 deg", "longitude": "4.4 deg", "height": "50 m"}})",
+          frame)),
+      "the platform is 52.0 degrees below the scene's horizon, over latitude -52.0000, longitude 4.4000 deg");
+  EXPECT_EQ(
+      message(text(
+          R"({"fixed": {"frame": "geodetic", "latitude": "52.001 deg", "longitude": "4.4 deg", "height": "-10 m"}})",
+          frame)),
+      "taken")
+      << "in a valley";
+  EXPECT_EQ(
+      message(text(fixed + "}")),
+      "line 1 of the scanner looks 0 m behind line 0: the platform stands still, flies backwards or turns back faster than it flies, and the same ground would be seen more than once");
+}
+
 // Vallado et al. 2006, verification satellite 6251 ("Near earth normal drag").
 const std::string kSatellite =
     "DELTA 1 DEB\n"

@@ -12,16 +12,28 @@
 #include "geodesy/attitude.h"
 #include "geodesy/utc_time.h"
 #include "io/document/document_values.h"
+#include "io/document/framed_point.h"
 #include "io/document/origin_document.h"
 #include "math/vec3.h"
 
 namespace ifov::io {
 
-/// Frames of paths. Of the scene: its east, north, up about its origin, in the document's coordinates. Geodetic: longitude,
-/// latitude, height above the ellipsoid WGS 84. ECEF: Earth-centred, Earth-fixed.
-enum class PathFrame { scene, geodetic, ecef };
-
 struct MountList;
+
+/// Of what stands, or hovers.
+struct FixedPath {
+  FramedPoint at;
+};
+
+/// Around a point of the path's height, level in the scene. One of speed and period.
+struct CirclingPath {
+  FramedPoint center;
+  double radius_m = 0.0;
+  std::optional<double> speed_m_s, period_s;
+  double start_rad = 0.0;  ///< from the center to the platform at 0 s: clockwise from north
+  bool clockwise = true;   ///< seen from above
+  bool banked = false;     ///< as in a coordinated turn
+};
 
 struct StraightPath {
   math::Point3 position_m;  ///< at 0 s
@@ -59,7 +71,7 @@ struct PlatformAttitude {
   geodesy::Attitude angles;          ///< about what follows from the rest
   std::optional<PlatformAxes> axes;  ///< none: nadir, or with the belly to `look_at_m`
   std::optional<math::Point3> look_at_m;
-  YawFrom from = YawFrom::track;
+  std::optional<YawFrom> from;  ///< none: the track, or north of what is fixed
 };
 
 /// Power spectra of the body's turns about its own axes, of these standard deviations.
@@ -85,7 +97,7 @@ struct ReportedPose {
 };
 
 struct PlatformDocument {
-  std::variant<StraightPath, WayPointPath, TablePath, OrbitPath> path;
+  std::variant<StraightPath, FixedPath, CirclingPath, WayPointPath, TablePath, OrbitPath> path;
   std::optional<PlatformAttitude> attitude;  ///< none: what the path's table says, or level, the nose ahead
   std::shared_ptr<const MountList> mounts;   ///< null: none
   std::optional<JitterDocument> jitter;

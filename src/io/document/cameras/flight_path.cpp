@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "core/error.h"
 #include "core/overloaded.h"
 #include "geodesy/geodetic.h"
+#include "io/document/cameras/framed_places.h"
 #include "io/document/cameras/orbit_path.h"
 #include "io/document/cameras/path_table.h"
 #include "io/document/platform_document.h"
+#include "math/angle.h"
 #include "platform/stance.h"
 #include "platform/trajectory.h"
 
@@ -25,16 +28,24 @@ using platform::PathPoint;
 using platform::Quaternion;
 using platform::Trajectory;
 
-geodesy::Geodetic place_of(const OriginDocument& origin) {
-  return {origin.geographic->latitude_rad, origin.geographic->longitude_rad, origin.height_m};
-}
+constexpr double kStandardGravity_m_s2 = 9.80665;
 
-platform::HeldAttitude held(const PlatformAttitude& attitude) {
+/// An attitude with all that a document may leave out.
+struct Attitude : PlatformAttitude {
+  explicit Attitude(const PlatformDocument& platform)
+      : PlatformAttitude(platform.attitude.value_or(PlatformAttitude{})) {
+    const bool stands = std::holds_alternative<FixedPath>(platform.path);
+    from = PlatformAttitude::from.value_or(stands ? YawFrom::north : YawFrom::track);
+  }
+  YawFrom from;
+};
+
+platform::HeldAttitude held(const Attitude& attitude) {
   return {attitude.angles, attitude.from == YawFrom::track};
 }
 
 /// Of a platform that turns by itself; none where it holds angles.
-std::optional<platform::Pointing> pointing(const PlatformAttitude& attitude, math::Vec3 offset_m) {
+std::optional<platform::Pointing> pointing(const Attitude& attitude, math::Vec3 offset_m) {
   if (attitude.look_at_m)
     return platform::Pointing{*attitude.look_at_m - offset_m, attitude.angles,
                               attitude.from == YawFrom::track};
@@ -43,8 +54,7 @@ std::optional<platform::Pointing> pointing(const PlatformAttitude& attitude, mat
 }
 
 /// How a body stands at a place (ECEF, m) with a velocity over the ground.
-platform::Stance stance_about_earth(const PlatformAttitude& attitude, EcefPoint place,
-                                    math::Vec3 velocity_m_s,
+platform::Stance stance_about_earth(const Attitude& attitude, EcefPoint place, math::Vec3 velocity_m_s,
                                     const FrameTransform<Enu, Ecef>& scene_from_ecef) {
   constexpr double kEarthRotation_rad_s = 7.292115146706979e-5;  // Vallado et al. 2006
   const auto ecef_from_level = geodesy::ecef_from_enu(geodesy::geodetic_from_ecef(place));
@@ -62,8 +72,7 @@ platform::Stance stance_about_earth(const PlatformAttitude& attitude, EcefPoint 
 
 /// Level axes at each point of a path about the Earth, the angles of its attitude in them, told in the scene; or other axes.
 std::vector<Quaternion> attitudes_about_earth(std::span<const EcefPoint> places,
-                                              std::span<const double> times_s,
-                                              const PlatformAttitude& attitude,
+                                              std::span<const double> times_s, const Attitude& attitude,
                                               const FrameTransform<Enu, Ecef>& scene_from_ecef) {
   const bool level =
       attitude.axes.value_or(PlatformAxes::nadir) == PlatformAxes::nadir && attitude.from != YawFrom::orbit;
@@ -103,11 +112,7 @@ std::vector<Quaternion> attitudes_about_earth(std::span<const EcefPoint> places,
 class Flight {
  public:
   Flight(const PlatformFlight& flight, math::Vec3 offset_m, double from_s, double to_s)
-      : flight_(flight),
-        attitude_(flight.platform.attitude.value_or(PlatformAttitude{})),
-        offset_m_(offset_m),
-        from_s_(from_s),
-        to_s_(to_s) {}
+      : flight_(flight), attitude_(flight.platform), offset_m_(offset_m), from_s_(from_s), to_s_(to_s) {}
 
   Trajectory operator()(const StraightPath& path) const {
     const auto [x, y, z] = path.velocity_m_s;
@@ -115,6 +120,32 @@ class Flight {
     if (const auto turning = pointing(attitude_, offset_m_))
       return Trajectory::straight_pointing(start_m, {x, y, z}, *turning);
     return Trajectory::straight(start_m, {x, y, z}, held(attitude_));
+  }
+
+  Trajectory operator()(const FixedPath& path) const {
+    const math::Point3 at_m = scene_point(path.at, flight_.origin, offset_m_);
+    if (const auto turning = pointing(attitude_, offset_m_))
+      return Trajectory::straight_pointing(at_m, {}, *turning);
+    if (path.at.frame == PathFrame::scene) return Trajectory::straight(at_m, {}, held(attitude_));
+    // Level where it stands.
+    const auto ecef_from_scene = io::ecef_from_scene(flight_.origin);
+    const platform::Stance stance = stance_about_earth(attitude_, ecef_from_scene(geodesy::EnuPoint{at_m}),
+                                                       {}, ecef_from_scene.inverse());
+    return Trajectory::fixed(at_m, platform::quaternion_of(stance));
+  }
+
+  Trajectory operator()(const CirclingPath& path) const {
+    const double right = path.clockwise ? 1.0 : -1.0;
+    const double rate_rad_s =
+        path.period_s ? 2.0 * std::numbers::pi / *path.period_s : *path.speed_m_s / path.radius_m;
+    const platform::Circle circle{scene_point(path.center, flight_.origin, offset_m_), path.radius_m,
+                                  path.start_rad, right * rate_rad_s};
+    Attitude attitude = attitude_;
+    if (path.banked)
+      attitude.angles.roll_rad +=
+          right * std::atan(rate_rad_s * rate_rad_s * path.radius_m / kStandardGravity_m_s2);
+    if (const auto turning = pointing(attitude, offset_m_)) return Trajectory::circling(circle, *turning);
+    return Trajectory::circling(circle, held(attitude));
   }
 
   Trajectory operator()(const WayPointPath& path) const {
@@ -169,7 +200,7 @@ class Flight {
 
   Trajectory about_earth(std::span<const double> times_s, std::span<const EcefPoint> places,
                          const PathRows* table, PathFrame frame) const {
-    const auto scene_from_ecef = geodesy::ecef_from_enu(place_of(flight_.origin)).inverse();
+    const auto scene_from_ecef = ecef_from_scene(flight_.origin).inverse();
     std::vector<PathPoint> points;
     for (std::size_t k = 0; k < places.size(); ++k)
       points.push_back({times_s[k], scene_from_ecef(places[k]).p});
@@ -196,7 +227,7 @@ class Flight {
   }
 
   const PlatformFlight& flight_;
-  const PlatformAttitude attitude_;
+  const Attitude attitude_;
   math::Vec3 offset_m_;
   double from_s_, to_s_;
 };
@@ -204,6 +235,9 @@ class Flight {
 }  // namespace
 
 bool flies_about_earth(const PlatformDocument& platform) {
+  if (const auto* fixed = std::get_if<FixedPath>(&platform.path)) return fixed->at.frame != PathFrame::scene;
+  if (const auto* circling = std::get_if<CirclingPath>(&platform.path))
+    return circling->center.frame != PathFrame::scene;
   if (const auto* table = std::get_if<TablePath>(&platform.path)) return table->frame != PathFrame::scene;
   return std::holds_alternative<OrbitPath>(platform.path);
 }
@@ -217,11 +251,29 @@ std::string path_description(const PlatformDocument& platform, math::Vec3 shift_
     p = p + shift_m;
     return format("{} {:.8g}, {:.8g}, {:.6g} m", axes, p.x, p.y, p.z);
   };
+  const auto framed = [&](const FramedPoint& point) {
+    const auto [x, y, z] = point.place;
+    switch (point.frame) {
+      case PathFrame::geodetic:
+        return format("longitude {:.6f}, latitude {:.6f} deg, height {:.6g} m", x / math::kDegree,
+                      y / math::kDegree, z);
+      case PathFrame::ecef: return format("ECEF {:.9g}, {:.9g}, {:.9g} m", x, y, z);
+      default: return at({x, y, z});
+    }
+  };
   return std::visit(
       Overloaded{[&](const StraightPath& path) {
                    const auto [x, y, z] = path.velocity_m_s;
                    return format("straight from {} at {:.6g} m/s", at(path.position_m),
                                  std::sqrt(x * x + y * y + z * z));
+                 },
+                 [&](const FixedPath& path) { return format("fixed at {}", framed(path.at)); },
+                 [&](const CirclingPath& path) {
+                   return format("circling {} at {:.6g} m from {}, {:.6g} m/s",
+                                 path.clockwise ? "clockwise" : "counterclockwise", path.radius_m,
+                                 framed(path.center),
+                                 path.speed_m_s.value_or(2.0 * std::numbers::pi * path.radius_m /
+                                                         path.period_s.value_or(1.0)));
                  },
                  [&](const WayPointPath& path) {
                    return format("through {} points from {}", path.points.size(),

@@ -15,7 +15,6 @@ class Camera;
 
 namespace ifov::io {
 
-struct OriginDocument;
 struct PlatformDocument;
 struct PlatformFlight;
 
@@ -30,9 +29,9 @@ platform::Trajectory trajectory_of(const PlatformFlight& flight, math::Vec3 offs
 /// Whether the path is given about the Earth and not about the scene.
 bool flies_about_earth(const PlatformDocument& platform);
 
-/// Throws InputError where the platform is below the scene's horizon, looks past the scene, or sees ground so far from the scene's
-/// origin that the Earth's surface lies more than 1 m below the flat scene.
-void check_flatness(const sensor::Camera& camera, const OriginDocument& origin);
+/// Of a path about the Earth: throws InputError where the platform is below the scene's horizon, looks past the scene, or sees ground
+/// so far from the scene's origin that the Earth's surface lies more than 1 m below the flat scene.
+void check_flatness(const sensor::Camera& camera, const PlatformFlight& flight);
 
 /// "straight from x, y, z 0, 0, 1000 m at 70 m/s"; positions are shifted, behind the name of their axes.
 std::string path_description(const PlatformDocument& platform, math::Vec3 shift_m, std::string_view axes);

@@ -135,7 +135,7 @@ std::unique_ptr<sensor::Camera> build_flying(const FrameCamera& camera, const Ca
   const Motions motions = motions_of(*camera.flight, site.offset_m, exposed.from_s, exposed.to_s, beyond_s);
   settings.platform = motions.truth, settings.reported = motions.reported;
   auto built = std::make_unique<sensor::FlyingFrameCamera>(settings);
-  if (flies_about_earth(camera.flight->platform)) check_flatness(*built, camera.flight->origin);
+  check_flatness(*built, *camera.flight);
   return built;
 }
 

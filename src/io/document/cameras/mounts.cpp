@@ -7,8 +7,8 @@
 
 #include "core/format.h"
 #include "core/overloaded.h"
-#include "geodesy/geodetic.h"
 #include "io/document/cameras/flight_path.h"
+#include "io/document/cameras/framed_places.h"
 #include "io/document/cameras/mount_error.h"
 #include "io/document/cameras/path_table.h"
 #include "io/document/mount_document.h"
@@ -19,17 +19,6 @@
 
 namespace ifov::io {
 namespace {
-
-/// In the scene.
-math::Point3 scene_point(const TrackedPoint& point, const OriginDocument& origin, math::Vec3 offset_m) {
-  const auto [x, y, z] = point.place;
-  if (point.frame == PathFrame::scene) return math::Point3{x, y, z} - offset_m;
-  const auto ecef_from_scene = geodesy::ecef_from_enu(
-      {origin.geographic->latitude_rad, origin.geographic->longitude_rad, origin.height_m});
-  const geodesy::EcefPoint place = point.frame == PathFrame::geodetic ? geodesy::ecef_from_geodetic({y, x, z})
-                                                                      : geodesy::EcefPoint{{x, y, z}};
-  return ecef_from_scene.inverse()(place).p;
-}
 
 std::optional<platform::Gimbal::Limits> limits_of(const std::optional<GimbalDocument::Limits>& told) {
   if (!told) return std::nullopt;
@@ -76,7 +65,7 @@ struct BearingMaker {
 
   Made operator()(const GimbalDocument& told) const {
     platform::Gimbal::Settings settings;
-    std::visit(Overloaded{[&](const TrackedPoint& point) {
+    std::visit(Overloaded{[&](const FramedPoint& point) {
                             settings.target = scene_point(point, flight.origin, offset_m);
                             settings.name = "its point";
                           },

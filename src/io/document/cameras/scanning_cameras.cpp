@@ -72,7 +72,7 @@ std::unique_ptr<sensor::Camera> ScanningCamera::build(const CameraSite& site) co
   const Motions motions = motions_of(*flight, site.offset_m, start_s, end_s, beyond_s);
   settings.platform = motions.truth, settings.reported = motions.reported;
   auto camera = std::make_unique<sensor::ScanCamera>(settings);
-  if (flies_about_earth(flight->platform)) check_flatness(*camera, flight->origin);
+  check_flatness(*camera, *flight);
   return camera;
 }
 

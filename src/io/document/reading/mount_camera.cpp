@@ -37,7 +37,7 @@ void find_tracked(const Document& document, PlatformFlight& flight) {
   for (const MountDocument& mount : mounts_in(flight.platform.mounts)) {
     const auto* gimbal = std::get_if<GimbalDocument>(&mount.bearing);
     if (gimbal == nullptr) continue;
-    if (const auto* point = std::get_if<TrackedPoint>(&gimbal->target)) {
+    if (const auto* point = std::get_if<FramedPoint>(&gimbal->target)) {
       if (point->frame != PathFrame::scene && !document.scene.origin.geographic)
         throw document_error(
             document.sources, gimbal->position,

@@ -46,12 +46,11 @@ SchemaType<PlatformAttitude> platform_attitude_type() {
           "what the angles are about: the belly along the local vertical (`nadir`, as without the key), the belly to the Earth's centre, or "
           "the nose along the velocity")
       .one("look_at", &PlatformAttitude::look_at_m, look_at, "instead: the belly to a point, at all times")
-      .with_default(
+      .optional(
           "from", &PlatformAttitude::from,
           choice<YawFrom>({{"track", YawFrom::track}, {"orbit", YawFrom::orbit}, {"north", YawFrom::north}}),
-          "\"track\"",
-          "what yaw is counted from: where the platform flies to over the ground, where it flies to among the stars (as a satellite "
-          "without yaw steering), or north");
+          "what yaw is counted from: where the platform flies to over the ground (`track`, as without the key), where it flies to among "
+          "the stars (as a satellite without yaw steering), or north (as without the key of what is `fixed`)");
   return record.type();
 }
 

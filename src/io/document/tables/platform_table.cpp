@@ -1,6 +1,7 @@
 #include "io/document/mount_document.h"
 #include "io/document/platform_document.h"
 #include "io/document/schema/record.h"
+#include "io/document/tables/framed_place.h"
 #include "io/document/tables/platform_tables.h"
 #include "io/document/tables/tables.h"
 
@@ -16,6 +17,56 @@ SchemaType<StraightPath> straight_type() {
       .required("velocity", &StraightPath::velocity_m_s, tuple<double, 3>(quantity(kSpeed)),
                 "to the east, to the north, up");
   return record.type();
+}
+
+SchemaType<FixedPath> fixed_type() {
+  struct Entry {
+    PlaceEntry place;
+  };
+  Record<Entry> record("fixed place", "It stands still, or hovers.");
+  add_place(record, &Entry::place, "position", "the place");
+  return converted<FixedPath>(
+      record.type(), [](const Entry& entry) { return FixedPath{point_of(entry.place)}; },
+      [](const FixedPath& path) { return Entry{entry_of_point(path.at)}; });
+}
+
+SchemaType<CirclingPath> circling_type() {
+  struct Entry {
+    PlaceEntry center;
+    CirclingPath path;
+  };
+  const auto of = [](auto member) { return path(&Entry::path, member); };
+  Record<Entry> record(
+      "circling path",
+      "Around a point at one speed, level in the scene. The nose is along the track, and the wings are level unless `bank` says otherwise.");
+  add_place(record, &Entry::center, "center", "the circle's middle, at the path's own height");
+  record
+      .required("radius", of(&CirclingPath::radius_m), quantity(kLength, Range::above(0.0, "m")),
+                "of the circle")
+      .exactly_one()
+      .one("speed", of(&CirclingPath::speed_m_s), quantity(kSpeed, Range::above(0.0, "m/s")), "along it")
+      .one("period", of(&CirclingPath::period_s), quantity(kDuration, Range::above(0.0, "s")),
+           "of a whole turn")
+      .with_default(
+          "start", of(&CirclingPath::start_rad), quantity(kAngle), "\"0 deg\"",
+          "where the platform is at 0 s, which is the document's `time`: from the middle, clockwise from north")
+      .with_default("direction", of(&CirclingPath::clockwise),
+                    choice<bool>({{"clockwise", true}, {"counterclockwise", false}}), "\"clockwise\"",
+                    "seen from above")
+      .with_default(
+          "bank", of(&CirclingPath::banked), choice<bool>({{"level", false}, {"coordinated", true}}),
+          "\"level\"",
+          "of the wings: `coordinated` is what an aircraft needs that does not slip, the inner wing down by "
+          "atan(speed² / (9.80665 m/s² · radius)); `attitude`'s `roll` adds to it");
+  return converted<CirclingPath>(
+      record.type(),
+      [](Entry entry) {
+        entry.path.center = point_of(entry.center);
+        return entry.path;
+      },
+      [](const CirclingPath& path) {
+        return Entry{entry_of_point(path.center), path};
+      });
 }
 
 SchemaType<WayPointPath> way_points_type() {
@@ -64,6 +115,7 @@ SchemaType<std::shared_ptr<const PlatformDocument>> motion_type() {
       "up of what follows the path, so that it looks as in its file or table while it heads north.");
   record.exactly_one()
       .one("straight", &PlatformDocument::path, straight_type(), "the same velocity at all times")
+      .one("circling", &PlatformDocument::path, circling_type(), "around a point")
       .one("way_points", &PlatformDocument::path, way_points_type(), "a curve through points")
       .one("table", &PlatformDocument::path, path_table_type(), "a curve through the points of a file")
       .optional("attitude", &PlatformDocument::attitude, platform_attitude_type(),
@@ -82,6 +134,8 @@ SchemaType<PlatformDocument> platform_type() {
       "platform", "What carries a camera that scans: where it is and how it stands over time.");
   record.exactly_one()
       .one("straight", &PlatformDocument::path, straight_type(), "the same velocity at all times")
+      .one("fixed", &PlatformDocument::path, fixed_type(), "it stands still, or hovers")
+      .one("circling", &PlatformDocument::path, circling_type(), "around a point")
       .one("way_points", &PlatformDocument::path, way_points_type(), "a curve through points")
       .one("table", &PlatformDocument::path, path_table_type(), "a curve through the points of a file")
       .one("orbit", &PlatformDocument::path, orbit_type(), "of a satellite")
