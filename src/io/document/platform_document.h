@@ -36,28 +36,38 @@ struct CirclingPath {
 };
 
 struct StraightPath {
-  math::Point3 position_m;  ///< at 0 s
-  std::array<double, 3> velocity_m_s{};
+  FramedPoint at;                        ///< at 0 s
+  std::array<double, 3> velocity_m_s{};  ///< east, north, up of the place; ECEF: along its axes
 };
 
 struct WayPoint {
   double time_s = 0.0;
-  math::Point3 position_m;
+  std::array<double, 3> place{};  ///< as of FramedPoint
   friend bool operator==(const WayPoint&, const WayPoint&) = default;
 };
 struct WayPointPath {
+  PathFrame frame = PathFrame::scene;
+  DocumentName crs;
   std::vector<WayPoint> points;
+};
+
+/// How the Earth is turned among the stars, as the IERS publishes it; none: taken for 0.
+struct EarthTurnDocument {
+  std::optional<double> ut1_minus_utc_s;
+  std::optional<std::array<double, 2>> pole_rad;
 };
 
 struct TablePath {
   PathFrame frame = PathFrame::scene;
+  DocumentName crs;
+  EarthTurnDocument turn;
   DocumentFile file;
 };
 
 /// Of two-line elements, in TEME.
 struct OrbitPath {
   DocumentFile file;
-  double ut1_minus_utc_s = 0.0;
+  EarthTurnDocument turn;
 };
 
 /// Where the belly (nadir: along the local vertical; geocentric: to the Earth's centre) or the nose (velocity) is without angles.
@@ -69,8 +79,8 @@ enum class YawFrom { track, orbit, north };
 /// Of a platform that holds it.
 struct PlatformAttitude {
   geodesy::Attitude angles;          ///< about what follows from the rest
-  std::optional<PlatformAxes> axes;  ///< none: nadir, or with the belly to `look_at_m`
-  std::optional<math::Point3> look_at_m;
+  std::optional<PlatformAxes> axes;  ///< none: nadir, or with the belly to `look_at`
+  std::optional<FramedPoint> look_at;
   std::optional<YawFrom> from;  ///< none: the track, or north of what is fixed
 };
 

@@ -3,9 +3,11 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/overloaded.h"
 #include "geodesy/geodetic.h"
 #include "geodesy/line_of_sight.h"
 #include "io/document/cameras/flight_path.h"
+#include "io/document/cameras/frame_check.h"
 #include "io/document/cameras/framed_places.h"
 #include "io/document/platform_document.h"
 #include "math/angle.h"
@@ -19,7 +21,33 @@ std::string degrees_of(const geodesy::Geodetic& place) {
                 place.longitude_rad / math::kDegree);
 }
 
+DocumentName crs_of(const PlatformDocument& platform) {
+  return std::visit(Overloaded{[](const StraightPath& path) { return path.at.crs; },
+                               [](const FixedPath& path) { return path.at.crs; },
+                               [](const CirclingPath& path) { return path.center.crs; },
+                               [](const WayPointPath& path) { return path.crs; },
+                               [](const TablePath& path) { return path.crs; },
+                               [](const OrbitPath&) { return DocumentName{}; }},
+                    platform.path);
+}
+
 }  // namespace
+
+void check_frame(const FramedPoint& point, const char* what, const OriginDocument& origin) {
+  if (is_about_earth(point.frame) && !origin.geographic)
+    throw InputError(
+        format("{} needs the place of the scene: expected an 'origin' of the scene with 'latitude' and "
+               "'longitude'",
+               what));
+  if (point.frame != PathFrame::map) return;
+  if (point.crs.name.empty() && origin.crs.empty())
+    throw InputError(
+        "the frame is \"map\", and nothing says which: expected a 'crs' beside it, such as \"EPSG:25832\", or one of the scene's "
+        "'origin'");
+  if (origin.crs.empty() && !origin.geographic)
+    throw InputError(
+        "a place on a map needs that of the scene: expected an 'origin' of the scene with 'latitude' and 'longitude', or with a 'crs'");
+}
 
 void check_flight(const PlatformFlight& flight) {
   const bool stands = std::holds_alternative<FixedPath>(flight.platform.path);
@@ -31,7 +59,7 @@ void check_flight(const PlatformFlight& flight) {
       throw InputError(
           "what is fixed flies nowhere, so that its nose cannot be along its track or velocity: expected 'from' \"north\", and other "
           "'axes'");
-    if (circling != nullptr && circling->banked && attitude->look_at_m)
+    if (circling != nullptr && circling->banked && attitude->look_at)
       throw InputError(
           "'bank' is of wings, and 'look_at' turns the belly to a point: expected one of both (a 'mount' with a 'gimbal' looks at a point "
           "from banked wings)");
@@ -43,7 +71,7 @@ void check_flight(const PlatformFlight& flight) {
     if (attitude->axes == PlatformAxes::geocentric && !about_earth)
       throw InputError(
           "'axes' that are \"geocentric\" need a path about the Earth: in the scene's frame the ground is flat, expected \"nadir\"");
-    if (attitude->from == YawFrom::orbit && (!about_earth || circling != nullptr || attitude->look_at_m))
+    if (attitude->from == YawFrom::orbit && (!about_earth || circling != nullptr || attitude->look_at))
       throw InputError(format("'from' \"orbit\" {}, expected \"track\" or \"north\"",
                               about_earth && circling == nullptr ? "is of axes that turn to no point"
                                                                  : "needs a path about the Earth"));
@@ -51,13 +79,14 @@ void check_flight(const PlatformFlight& flight) {
       throw InputError(
           "'axes' along the velocity have their nose there, and 'from' says north; expected one of both");
   }
-  if (!about_earth) return;
-  if (!flight.origin.geographic)
-    throw InputError(
-        "a path about the Earth needs the place of the scene: expected an 'origin' of the scene with 'latitude' and "
-        "'longitude'");
-  if (std::holds_alternative<OrbitPath>(flight.platform.path) && !flight.time)
-    throw InputError("an orbit needs the document's 'time'");
+  if (const std::optional<FramedPoint> at = flight.platform.attitude.value_or(PlatformAttitude{}).look_at)
+    check_frame(*at, "a point about the Earth", flight.origin);
+  const std::optional<PathFrame> frame = frame_of(flight.platform);
+  check_frame({frame.value_or(PathFrame::teme), {}, crs_of(flight.platform)}, "a path about the Earth",
+              flight.origin);
+  if (!frame && !flight.time) throw InputError("an orbit needs the document's 'time'");
+  if (frame && is_among_stars(*frame) && !flight.time)
+    throw InputError("under a path among the stars the Earth turns: expected the document's 'time'");
 }
 
 void check_flatness(const sensor::Camera& camera, const PlatformFlight& flight) {

@@ -56,7 +56,7 @@ class PlacedBearing final : public platform::Bearing {
 /// Of the flight whose platform it is.
 struct BearingMaker {
   const PlatformFlight& flight;
-  math::Vec3 offset_m;
+  const SceneFrame& scene;
   double from_s, to_s;
 
   using Made = std::shared_ptr<const platform::Bearing>;
@@ -66,7 +66,7 @@ struct BearingMaker {
   Made operator()(const GimbalDocument& told) const {
     platform::Gimbal::Settings settings;
     std::visit(Overloaded{[&](const FramedPoint& point) {
-                            settings.target = scene_point(point, flight.origin, offset_m);
+                            settings.target = scene_point(point, flight.origin, scene);
                             settings.name = "its point";
                           },
                           [&](const TrackedObject& object) {
@@ -74,7 +74,7 @@ struct BearingMaker {
                                                      flight.origin, flight.seed};
                             settings.target =
                                 platform::Gimbal::Follow{std::make_shared<const platform::Trajectory>(
-                                                             trajectory_of(way, offset_m, from_s, to_s)),
+                                                             trajectory_of(way, scene, from_s, to_s)),
                                                          object.offset_m};
                             settings.name = format("'{}'", object.name.name);
                           }},
@@ -119,12 +119,12 @@ struct BearingMaker {
 
 }  // namespace
 
-std::vector<platform::Mount> mounts_of(const PlatformFlight& flight, math::Vec3 offset_m, double from_s,
+std::vector<platform::Mount> mounts_of(const PlatformFlight& flight, const SceneFrame& scene, double from_s,
                                        double to_s) {
   std::vector<platform::Mount> mounts;
   for (const MountDocument& mount : mounts_in(flight.platform.mounts))
     mounts.push_back({mount.lever_arm_m, mount.boresight,
-                      std::visit(BearingMaker{flight, offset_m, from_s, to_s}, mount.bearing)});
+                      std::visit(BearingMaker{flight, scene, from_s, to_s}, mount.bearing)});
   return mounts;
 }
 
