@@ -7,15 +7,9 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "geodesy/earth_orientation.h"
 
 namespace ifov::geodesy {
-/// Of the Earth's rotation, precession and nutation (IAU 2006/2000A), without polar motion.
-FrameTransform<Ecef, Gcrs> Observer::ecef_from_gcrs(const Times& times) {
-  double m[3][3];
-  eraC2t06a(times.tt1, times.tt2, times.ut11, times.ut12, 0.0, 0.0, m);
-  return {{{m[0][0], m[1][0], m[2][0]}}, {{m[0][1], m[1][1], m[2][1]}}, {{m[0][2], m[1][2], m[2][2]}}};
-}
-
 Observer::Times Observer::times(UtcTime time, double ut1_minus_utc_s, const char* body) {
   double tai1, tai2;
   Times times;
@@ -29,7 +23,7 @@ Observer::Times Observer::times(UtcTime time, double ut1_minus_utc_s, const char
 
 Observer::Observer(UtcTime time, const Geodetic& place, double ut1_minus_utc_s, const char* body)
     : times_(times(time, ut1_minus_utc_s, body)),
-      ecef_from_gcrs_(ecef_from_gcrs(times_)),
+      ecef_from_gcrs_(geodesy::ecef_from_gcrs(time, {ut1_minus_utc_s})),
       ecef_from_enu_(ecef_from_enu(place)) {
   const math::Point3 at_m = ecef_from_enu_.origin().p;
   position_au_ = {{at_m.x / ERFA_DAU, at_m.y / ERFA_DAU, at_m.z / ERFA_DAU}};

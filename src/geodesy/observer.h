@@ -23,7 +23,6 @@ class Observer {
     double tt1 = 0.0, tt2 = 0.0, ut11 = 0.0, ut12 = 0.0;
   };
   static Times times(UtcTime time, double ut1_minus_utc_s, const char* body);
-  static FrameTransform<Ecef, Gcrs> ecef_from_gcrs(const Times& times);
 
   Times times_;
   FrameTransform<Ecef, Gcrs> ecef_from_gcrs_;

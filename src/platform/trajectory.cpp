@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "core/error.h"
@@ -47,6 +48,11 @@ CubicSpline attitude_spline(std::span<const PathPoint> path, std::span<const Qua
   return {std::move(times), std::move(values)};
 }
 
+CubicSpline straight_spline(math::Point3 at_0_s_m, math::Vec3 velocity_m_s) {
+  const math::Point3 p = at_0_s_m, q = at_0_s_m + velocity_m_s;
+  return {{0.0, 1.0}, {p.x, p.y, p.z, q.x, q.y, q.z}};
+}
+
 double shortest_step(std::span<const PathPoint> path) {
   double step = std::numeric_limits<double>::infinity();
   for (std::size_t k = 1; k < path.size(); ++k) step = std::min(step, path[k].time_s - path[k - 1].time_s);
@@ -63,6 +69,19 @@ bool is_zero(const geodesy::Attitude& a) {
   return a.yaw_rad == 0.0 && a.pitch_rad == 0.0 && a.roll_rad == 0.0;
 }
 
+void at_circle(const Circle& circle, double time_s, std::span<double, 3> place, std::span<double, 3> slope) {
+  const double azimuth = circle.start_rad + circle.rate_rad_s * time_s, east = std::sin(azimuth),
+               north = std::cos(azimuth), speed_m_s = circle.radius_m * circle.rate_rad_s;
+  place[0] = circle.center_m.x + circle.radius_m * east;
+  place[1] = circle.center_m.y + circle.radius_m * north;
+  place[2] = circle.center_m.z;
+  slope[0] = speed_m_s * north, slope[1] = -speed_m_s * east, slope[2] = 0.0;
+}
+
+constexpr int kPartsOfTurn = 16;
+
+double turn_s(const Circle& circle) { return 2.0 * std::numbers::pi / std::abs(circle.rate_rad_s); }
+
 }  // namespace
 
 Trajectory::Trajectory(std::span<const PathPoint> path, const HeldAttitude& attitude)
@@ -71,15 +90,7 @@ Trajectory::Trajectory(std::span<const PathPoint> path, const HeldAttitude& atti
       first_s_(path.front().time_s),
       last_s_(path.back().time_s),
       step_s_(shortest_step(path)) {
-  if (!attitude.from_track) return;
-  for (const PathPoint& point : path) {
-    Vec place{}, slope{};
-    position_.at(point.time_s, place, slope);
-    if (!(std::hypot(slope[0], slope[1]) > 0.0))
-      throw InputError(
-          format("yaw is counted from the track, and at {:g} s the platform does not fly horizontally",
-                 point.time_s));
-  }
+  for (const PathPoint& point : path) check_stance(point.time_s);
 }
 
 Trajectory::Trajectory(std::span<const PathPoint> path, const Pointing& attitude)
@@ -88,26 +99,7 @@ Trajectory::Trajectory(std::span<const PathPoint> path, const Pointing& attitude
       first_s_(path.front().time_s),
       last_s_(path.back().time_s),
       step_s_(shortest_step(path)) {
-  for (const PathPoint& point : path) {
-    const auto refuse = [&](const char* why) {
-      throw InputError(format("at {:g} s the platform {}", point.time_s, why));
-    };
-    Vec place{}, slope{};
-    position_.at(point.time_s, place, slope);
-    const math::Vec3 velocity = vector_of(slope),
-                     ahead = attitude.from_track ? velocity : math::Vec3{0.0, 1.0, 0.0};
-    const math::Vec3 towards =
-        attitude.target_m ? *attitude.target_m - point.position_m : math::Vec3{0.0, 0.0, -1.0};
-    if (!(math::length(towards) > 0.0)) refuse("is at the point that it looks at");
-    if (!(math::length(ahead) > 0.0))
-      refuse("stands still, so that its attitude, which follows its velocity, is none");
-    if (!(math::length(math::cross(towards, ahead)) > 1e-9 * math::length(towards) * math::length(ahead)))
-      refuse(!attitude.target_m
-                 ? "flies straight up or down along its nose, so that its wings have no direction"
-             : attitude.from_track
-                 ? "flies straight towards the point that it looks at, so that its nose has no direction"
-                 : "looks straight to the north or south, so that its nose has no direction");
-  }
+  for (const PathPoint& point : path) check_stance(point.time_s);
 }
 
 Trajectory::Trajectory(std::span<const PathPoint> path, std::span<const Quaternion> scene_from_body)
@@ -117,25 +109,78 @@ Trajectory::Trajectory(std::span<const PathPoint> path, std::span<const Quaterni
       last_s_(path.back().time_s),
       step_s_(shortest_step(path)) {}
 
+Trajectory::Trajectory(std::variant<CubicSpline, Circle> position,
+                       std::variant<HeldAttitude, Pointing, CubicSpline> attitude, double step_s)
+    : position_(std::move(position)),
+      attitude_(std::move(attitude)),
+      first_s_(-std::numeric_limits<double>::infinity()),
+      last_s_(std::numeric_limits<double>::infinity()),
+      step_s_(step_s) {
+  check_stance(0.0);
+}
+
 Trajectory Trajectory::straight(math::Point3 at_0_s_m, math::Vec3 velocity_m_s,
                                 const HeldAttitude& attitude) {
-  const std::array<PathPoint, 2> path{{{0.0, at_0_s_m}, {1.0, at_0_s_m + velocity_m_s}}};
-  Trajectory trajectory(path, attitude);
-  trajectory.last_for_ever();
-  return trajectory;
+  return {straight_spline(at_0_s_m, velocity_m_s), attitude, std::numeric_limits<double>::infinity()};
 }
 
 Trajectory Trajectory::straight_pointing(math::Point3 at_0_s_m, math::Vec3 velocity_m_s,
                                          const Pointing& attitude) {
-  const std::array<PathPoint, 2> path{{{0.0, at_0_s_m}, {1.0, at_0_s_m + velocity_m_s}}};
-  Trajectory trajectory(path, attitude);
-  trajectory.last_for_ever();
+  return {straight_spline(at_0_s_m, velocity_m_s), attitude, std::numeric_limits<double>::infinity()};
+}
+
+Trajectory Trajectory::fixed(math::Point3 at_m, const Quaternion& q) {
+  const CubicSpline attitude({0.0}, {q.w, q.x, q.y, q.z});
+  return {straight_spline(at_m, {}), attitude, std::numeric_limits<double>::infinity()};
+}
+
+Trajectory Trajectory::circling(const Circle& circle, const HeldAttitude& attitude) {
+  return {circle, attitude, turn_s(circle) / kPartsOfTurn};
+}
+
+Trajectory Trajectory::circling(const Circle& circle, const Pointing& attitude) {
+  Trajectory trajectory(circle, attitude, turn_s(circle) / kPartsOfTurn);
+  constexpr int kChecks = 4 * kPartsOfTurn;
+  for (int k = 1; k < kChecks; ++k) trajectory.check_stance(turn_s(circle) * k / kChecks);
   return trajectory;
 }
 
-void Trajectory::last_for_ever() {
-  last_s_ = step_s_ = std::numeric_limits<double>::infinity();
-  first_s_ = -last_s_;
+void Trajectory::place_at(double time_s, std::span<double, 3> place_m,
+                          std::span<double, 3> velocity_m_s) const {
+  if (const auto* circle = std::get_if<Circle>(&position_))
+    at_circle(*circle, time_s, place_m, velocity_m_s);
+  else
+    std::get<CubicSpline>(position_).at(time_s, place_m, velocity_m_s);
+}
+
+void Trajectory::check_stance(double time_s) const {
+  Vec place{}, slope{};
+  place_at(time_s, place, slope);
+  if (const auto* held = std::get_if<HeldAttitude>(&attitude_)) {
+    if (held->from_track && !(std::hypot(slope[0], slope[1]) > 0.0))
+      throw InputError(format(
+          "yaw is counted from the track, and at {:g} s the platform does not fly horizontally", time_s));
+    return;
+  }
+  if (!std::holds_alternative<Pointing>(attitude_)) return;
+  const Pointing& attitude = std::get<Pointing>(attitude_);
+  const auto refuse = [&](const char* why) {
+    throw InputError(format("at {:g} s the platform {}", time_s, why));
+  };
+  const math::Vec3 velocity = vector_of(slope),
+                   ahead = attitude.from_track ? velocity : math::Vec3{0.0, 1.0, 0.0};
+  const math::Vec3 towards = attitude.target_m
+                                 ? *attitude.target_m - math::Point3{place[0], place[1], place[2]}
+                                 : math::Vec3{0.0, 0.0, -1.0};
+  if (!(math::length(towards) > 0.0)) refuse("is at the point that it looks at");
+  if (!(math::length(ahead) > 0.0))
+    refuse("stands still, so that its attitude, which follows its velocity, is none");
+  if (!(math::length(math::cross(towards, ahead)) > 1e-9 * math::length(towards) * math::length(ahead)))
+    refuse(!attitude.target_m
+               ? "flies straight up or down along its nose, so that its wings have no direction"
+           : attitude.from_track
+               ? "flies straight towards the point that it looks at, so that its nose has no direction"
+               : "looks straight to the north or south, so that its nose has no direction");
 }
 
 Trajectory Trajectory::carrying(Deviation deviation) const {
@@ -177,7 +222,7 @@ geodesy::Attitude Trajectory::bearing_angles(double time_s, std::size_t mount, c
 
 Pose Trajectory::carrier(double time_s, std::size_t mount, double jitter_share) const {
   Vec place{}, slope{};
-  position_.at(time_s, place, slope);
+  place_at(time_s, place, slope);
   const math::Vec3 velocity = vector_of(slope);
   const math::Point3 position{place[0], place[1], place[2]};
   Pose pose{position, velocity, stance(time_s, position, velocity)};

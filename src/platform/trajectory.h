@@ -36,6 +36,14 @@ struct Pointing {
   bool from_track = true;
 };
 
+/// Around a vertical axis, at one height and speed.
+struct Circle {
+  math::Point3 center_m;  ///< at the height of the path
+  double radius_m = 0.0;
+  double start_rad = 0.0;   ///< from the center to the platform at 0 s: clockwise from north
+  double rate_rad_s = 0.0;  ///< of this angle: above 0 to the right
+};
+
 class Bearing;
 class Trajectory;
 class Wander;
@@ -82,6 +90,10 @@ class Trajectory {
   static Trajectory straight_pointing(math::Point3 at_0_s_m, math::Vec3 velocity_m_s,
                                       const Pointing& attitude);
 
+  static Trajectory fixed(math::Point3 at_m, const Quaternion& scene_from_body);
+  static Trajectory circling(const Circle& circle, const HeldAttitude& attitude);
+  static Trajectory circling(const Circle& circle, const Pointing& attitude);
+
   /// The same path, of what it carries; once at most. The velocity stays that of the path.
   Trajectory carrying(Deviation deviation) const;
 
@@ -93,15 +105,21 @@ class Trajectory {
   /// What its bearings say of their angles at these times, in the order of the mounts.
   std::vector<std::string> bearings_told(std::span<const double> times_s) const;
 
-  /// The shortest time between the points that it passes smoothly; infinite where one velocity holds.
+  /// The shortest time between the points that it passes smoothly, or in which it turns by 1/16 of a circle; infinite where one velocity
+  /// holds.
   double step_s() const { return step_s_; }
 
-  /// What its points cover; of what flies straight all times.
+  /// What its points cover; of what flies straight or in circles all times.
   double first_s() const { return first_s_; }
   double last_s() const { return last_s_; }
 
  private:
-  void last_for_ever();
+  /// At all times.
+  Trajectory(std::variant<CubicSpline, Circle> position,
+             std::variant<HeldAttitude, Pointing, CubicSpline> attitude, double step_s);
+  void place_at(double time_s, std::span<double, 3> place_m, std::span<double, 3> velocity_m_s) const;
+  /// InputError where the attitude is none at an instant.
+  void check_stance(double time_s) const;
   Stance stance(double time_s, math::Point3 position_m, math::Vec3 velocity_m_s) const;
   /// Of what the mount with this number turns; of all, the whole.
   Pose carrier(double time_s, std::size_t mount, double jitter_share) const;
@@ -109,7 +127,7 @@ class Trajectory {
   geodesy::Attitude bearing_angles(double time_s, std::size_t mount, const Pose& carrier,
                                    double jitter_share) const;
 
-  CubicSpline position_;
+  std::variant<CubicSpline, Circle> position_;
   std::variant<HeldAttitude, Pointing, CubicSpline> attitude_;  // of quaternions
   std::optional<Deviation> deviation_;
   double first_s_ = 0.0, last_s_ = 0.0, step_s_ = 0.0;

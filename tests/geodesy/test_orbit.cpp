@@ -48,7 +48,7 @@ TEST(Sgp4, VerificationOf2006) {
 TEST(Teme, TurnsWithTheEarth) {
   constexpr double kTold_m = 0.012;  // the paper keeps the date in one number: 20 us
   const UtcTime time = parse_utc("2004-04-06T07:51:28.386009Z");
-  const auto ecef = ecef_from_teme(time, -0.4399619);
+  const auto ecef = ecef_from_teme(time, {-0.4399619});
   const TemePoint position{{5094180.16210, 6127644.65950, 6380344.53270}};
   const math::Point3 at = ecef(position).p;
   EXPECT_NEAR(at.x, -1033475.03130, kTold_m);
@@ -61,6 +61,47 @@ TEST(Teme, TurnsWithTheEarth) {
   // 0.44 s of the Earth's rotation at this radius.
   EXPECT_NEAR(length(ecef_from_teme(time)(position) - ecef(position)),
               0.4399619 * 7.292115e-5 * std::hypot(at.x, at.y), 0.01);
+}
+
+constexpr double kArcSecond = math::kDegree / 3600.0;
+
+/// Vallado, Seago and Seidelmann 2006 (AAS 06-134), table of the example: one place in all frames, on 2004 April 6 at 7:51:28.386009 UTC, with
+/// UT1 - UTC and the pole of the day. UT1 is that of the paper, whose date is one number.
+TEST(Celestial, IsThePublishedPlace) {
+  const EarthOrientation day{-0.4399619, -0.140682 * kArcSecond, 0.333309 * kArcSecond};
+  const UtcTime time{2453101.827406783, 0.4399619 / 86400.0};
+  const EcefPoint itrf{{-1033479.3830, 7901295.2754, 6380356.5958}};
+  constexpr double kPrinted_m = 1e-3;  // figures end at 0.1 mm; IAU 2000A and 2006 differ by less
+  const auto ecef_from_celestial = ecef_from_gcrs(time, day);
+  const PointIn<Gcrs> gcrf = ecef_from_celestial.inverse()(itrf);
+  EXPECT_NEAR(gcrf.p.x, 5102508.9592, kPrinted_m);
+  EXPECT_NEAR(gcrf.p.y, 6123011.4033, kPrinted_m);
+  EXPECT_NEAR(gcrf.p.z, 6378136.9247, kPrinted_m);
+  EXPECT_LT(length(ecef_from_celestial(gcrf) - itrf), 1e-8) << "there and back";
+  const TemePoint teme = ecef_from_teme(time, day).inverse()(itrf);
+  EXPECT_NEAR(teme.p.x, 5094180.1621, kPrinted_m);
+  EXPECT_NEAR(teme.p.y, 6127644.6595, kPrinted_m);
+  EXPECT_NEAR(teme.p.z, 6380344.5327, kPrinted_m);
+  // What is left out is found: the pole, UT1, and one frame taken for the other.
+  EXPECT_GT(length(ecef_from_gcrs(time, {-0.4399619})(gcrf) - itrf), 10.0);
+  EXPECT_GT(length(ecef_from_gcrs(time, {0.0, day.pole_x_rad, day.pole_y_rad})(gcrf) - itrf), 200.0);
+  EXPECT_GT(length(gcrf.p - teme.p), 5000.0);
+}
+
+/// SOFA Tools for Earth Attitude (document revision 1.64), section 5.5: 2007 April 5, 12 h UTC, by IAU 2006/2000A angles, there with offsets of the
+/// celestial pole of 0.18 and 0.23 milliarcseconds.
+TEST(Celestial, IsTheMatrixOfSofa) {
+  const auto ecef = ecef_from_gcrs(parse_utc("2007-04-05T12:00:00Z"),
+                                   {-0.072073685, 0.0349282 * kArcSecond, 0.4833163 * kArcSecond});
+  const double told[3][3] = {{0.973104317697535, 0.230363826239128, -0.000703163482198},
+                             {-0.230363800456037, 0.973104570632801, 0.000118545366625},
+                             {0.000711560162668, 0.000046626403995, 0.999999745754024}};
+  const GcrsVector axes[3] = {{{1.0, 0.0, 0.0}}, {{0.0, 1.0, 0.0}}, {{0.0, 0.0, 1.0}}};
+  for (int column = 0; column < 3; ++column) {
+    const math::Vec3 v = ecef(axes[column]).v;
+    const double found[3] = {v.x, v.y, v.z};
+    for (int row = 0; row < 3; ++row) EXPECT_NEAR(found[row], told[row][column], 1.5e-9) << row << column;
+  }
 }
 
 std::string complaint(std::string first, std::string second) {

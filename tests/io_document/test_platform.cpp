@@ -12,6 +12,7 @@
 #include "geodesy/orbit/teme.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/cameras/flight_path.h"
+#include "io/document/cameras/framed_places.h"
 #include "io/document/platform_document.h"
 #include "platform/trajectory.h"
 #include "sensor/camera.h"
@@ -148,6 +149,280 @@ TEST_F(Platforms, FlyTheSamePathInAllFrames) {
   EXPECT_LT(std::abs(back.longitude_rad - 4.41 * kDegree) * 6.4e6, 1e-3);
 }
 
+/// The same flight again: way points about the Earth, and tables among the stars, whose axes turn beneath it; with attitudes.
+TEST_F(Platforms, FlyTheSamePathAmongTheStars) {
+  const geodesy::UtcTime time = geodesy::parse_utc("2026-06-21T11:00:00Z");
+  constexpr double kArcSecond = kDegree / 3600.0;
+  const geodesy::EarthOrientation day{-0.031, 0.12 * kArcSecond, 0.41 * kArcSecond};
+  std::string teme = "time_s,x_m,y_m,z_m,qw,qx,qy,qz\n", gcrs = teme,
+              level = "time_s,x_m,y_m,z_m,yaw_deg,pitch_deg,roll_deg\n", ecef = level, points, geodetic;
+  for (int k = -3; k <= 3; ++k) {
+    const geodesy::Geodetic place{(52.0 - 0.03 * k) * kDegree, (4.4 + 0.01 * k) * kDegree,
+                                  5e5 + 100.0 * k * k};
+    const geodesy::EcefPoint at = geodesy::ecef_from_geodetic(place);
+    const auto ecef_from_body = geodesy::ecef_from_enu(place) * geodesy::enu_from_body({3.3, 0.01, 0.02 * k});
+    const geodesy::UtcTime then{time.jd1, time.jd2 + 0.5 * k / 86400.0};
+    const auto row = [&](const auto& ecef_from_stars) {
+      const auto from_ecef = ecef_from_stars.inverse();
+      const math::Point3 p = from_ecef(at).p;
+      const auto axes = from_ecef * ecef_from_body;
+      const platform::Quaternion q = platform::quaternion_of({{axes.x().v}, {axes.y().v}, {axes.z().v}});
+      return format("{},{:.6f},{:.6f},{:.6f},{:.12f},{:.12f},{:.12f},{:.12f}\n", 0.5 * k, p.x, p.y, p.z, q.w,
+                    q.x, q.y, q.z);
+    };
+    teme += row(geodesy::ecef_from_teme(then, day)), gcrs += row(geodesy::ecef_from_gcrs(then, day));
+    const math::Point3 p = geodesy::ecef_from_gcrs(then, day).inverse()(at).p;
+    const std::string angles =
+        format("{:.12f},{:.12f},{:.12f}\n", 3.3 / kDegree, 0.01 / kDegree, 0.02 * k / kDegree);
+    level += format("{},{:.6f},{:.6f},{:.6f},{}", 0.5 * k, p.x, p.y, p.z, angles);
+    ecef += format("{},{:.6f},{:.6f},{:.6f},{}", 0.5 * k, at.p.x, at.p.y, at.p.z, angles);
+    points += format(R"({}{{"time": "{} s", "position": ["{:.6f} m", "{:.6f} m", "{:.6f} m"]}})",
+                     k > -3 ? ", " : "", 0.5 * k, at.p.x, at.p.y, at.p.z);
+    geodetic += format(
+        R"({}{{"time": "{} s", "latitude": "{:.12f} deg", "longitude": "{:.12f} deg", "height": "{:.6f} m"}})",
+        k > -3 ? ", " : "", 0.5 * k, 52.0 - 0.03 * k, 4.4 + 0.01 * k, place.height_m);
+  }
+  write("teme.csv", teme), write("gcrs.csv", gcrs), write("level.csv", level), write("ecef.csv", ecef);
+  const auto trajectory = [&](const std::string& platform) {
+    const Document d = document(text(platform));
+    return trajectory_of({*d.platform, d.time, d.scene.origin}, {}, 0.0, 1.0);
+  };
+  const std::string turn = R"(, "ut1_minus_utc": "-31 ms", "polar_motion": ["0.12 arcsec", "410 mas"])";
+  const auto table = [&](const std::string& frame, const std::string& file, const std::string& more) {
+    return trajectory("{\"table\": {\"frame\": \"" + frame + "\", \"file\": \"" + file + ".csv\"" + more +
+                      "}}");
+  };
+  const platform::Trajectory expected = table("ecef", "ecef", "");
+  const std::pair<const char*, platform::Trajectory> others[] = {
+      {"teme", table("teme", "teme", turn)},
+      {"gcrs", table("gcrs", "gcrs", turn)},
+      {"level", table("gcrs", "level", turn)},
+      {"points", trajectory("{\"way_points\": {\"frame\": \"ecef\", \"points\": [" + points + "]}}")},
+      {"geodetic",
+       trajectory("{\"way_points\": {\"frame\": \"geodetic\", \"points\": [" + geodetic + "]}}")}};
+  for (const auto& [name, other] : others)
+    for (double t = -1.5; t <= 1.5; t += 0.1) {
+      const platform::Pose a = expected.pose(t), b = other.pose(t);
+      EXPECT_LT(length(a.position_m - b.position_m), 1e-3) << name;
+      if (name[0] == 'p' || name[2] == 'o') continue;  // the nose along the track
+      EXPECT_LT(length(a.enu_from_body.x() - b.enu_from_body.x()), 1e-9) << name;
+      EXPECT_LT(length(a.enu_from_body.z() - b.enu_from_body.z()), 1e-9) << name;
+    }
+  // Frames taken for each other, and UT1 that is not told, are far off: 31 ms of the Earth's turn at this height and latitude are 9.5 m.
+  EXPECT_GT(length(table("gcrs", "teme", turn).pose(0.0).position_m - expected.pose(0.0).position_m), 1e4);
+  const double off_m =
+      length(table("teme", "teme", R"(, "polar_motion": ["0.12 arcsec", "410 mas"])").pose(0.0).position_m -
+             expected.pose(0.0).position_m);
+  EXPECT_NEAR(off_m, 0.031 * 7.2921e-5 * 6.869e6 * std::cos(52.0 * kDegree), 0.2);
+}
+
+/// A straight line in space, level where it is.
+TEST_F(Platforms, FlyStraightAboutTheEarth) {
+  const auto trajectory = [&](const std::string& frame, const std::string& attitude = "") {
+    const Document d = document(text("{\"straight\": {" + frame + "}" + attitude + "}"));
+    return trajectory_of({*d.platform, d.time, d.scene.origin}, {}, -60.0, 60.0);
+  };
+  const geodesy::Geodetic start{52.1 * kDegree, 4.5 * kDegree, 3000.0};
+  const auto ecef_from_start = geodesy::ecef_from_enu(start);
+  const auto scene_from_ecef = geodesy::ecef_from_enu({52.0 * kDegree, 4.4 * kDegree, 0.0}).inverse();
+  const auto path = trajectory(
+      R"("frame": "geodetic", "latitude": "52.1 deg", "longitude": "4.5 deg", "height": "3 km", "velocity": ["100 m/s", "50 m/s", "2 m/s"])");
+  const math::Vec3 v = ecef_from_start(geodesy::EnuVector{{100.0, 50.0, 2.0}}).v;
+  const geodesy::EcefPoint p = geodesy::ecef_from_geodetic(start);
+  const auto other = trajectory(format(
+      R"("frame": "ecef", "position": ["{:.6f} m", "{:.6f} m", "{:.6f} m"], "velocity": ["{:.9f} m/s", "{:.9f} m/s", "{:.9f} m/s"])",
+      p.p.x, p.p.y, p.p.z, v.x, v.y, v.z));
+  for (double t = -60.0; t <= 60.0; t += 7.1) {
+    const math::Point3 at =
+        scene_from_ecef(ecef_from_start(geodesy::EnuPoint{{100.0 * t, 50.0 * t, 2.0 * t}})).p;
+    EXPECT_LT(length(path.pose(t).position_m - at), 1e-6) << t;
+    EXPECT_LT(length(other.pose(t).position_m - at), 1e-5) << t;
+    const auto up = scene_from_ecef(
+        geodesy::ecef_from_enu(geodesy::geodetic_from_ecef(scene_from_ecef.inverse()(geodesy::EnuPoint{at})))
+            .z());
+    EXPECT_LT(length(path.pose(t).enu_from_body.z().v + up.v), 1e-9) << "the belly down, where it then is";
+  }
+  const auto looking = trajectory(
+      R"("frame": "geodetic", "latitude": "52.1 deg", "longitude": "4.5 deg", "height": "3 km", "velocity": ["100 m/s", "50 m/s", "0 m/s"])",
+      R"(, "attitude": {"look_at": {"frame": "geodetic", "latitude": "52 deg", "longitude": "4.4 deg"}})");
+  const platform::Pose pose = looking.pose(3.0);
+  EXPECT_GT(dot(pose.enu_from_body.z().v, math::normalized(math::Point3{} - pose.position_m)), 1.0 - 1e-12);
+}
+
+TEST_F(Platforms, MessagesOfFrames) {
+  write("a.csv", "time_s,x_m,y_m,z_m\n0,0,0,0\n");
+  const auto table = [&](const std::string& frame, const std::string& more = "",
+                         const std::string& origin = "{}", const std::string& time = "") {
+    return message(text("{\"table\": {\"frame\": \"" + frame + "\", \"file\": \"a.csv\"" + more + "}}",
+                        kPushbroom, origin, time));
+  };
+  const std::string place = R"({"latitude": "52 deg", "longitude": "4.4 deg"})";
+  EXPECT_EQ(
+      table("icrf"),
+      "a.json:4:33: 'platform.table.frame' is the text \"icrf\", expected 'scene', 'geodetic', 'map', 'ecef', 'teme' or 'gcrs'");
+  EXPECT_EQ(table("gcrs", "", place),
+            "a.json:4:13: under a path among the stars the Earth turns: expected the document's 'time'");
+  EXPECT_EQ(
+      table("gcrs"),
+      "a.json:4:13: a path about the Earth needs the place of the scene: expected an 'origin' of the scene with 'latitude' and 'longitude'");
+  EXPECT_EQ(
+      table("map", "", place),
+      "a.json:4:13: the frame is \"map\", and nothing says which: expected a 'crs' beside it, such as \"EPSG:25832\", or one of the scene's 'origin'");
+  EXPECT_EQ(
+      table("map", R"(, "crs": "EPSG:28992")"),
+      "a.json:4:13: a place on a map needs that of the scene: expected an 'origin' of the scene with 'latitude' and 'longitude', or with a 'crs'");
+  EXPECT_EQ(
+      table("map", R"(, "crs": "EPSG:28992")", place),
+      "a.csv:1:8: found the heading 'x_m'; expected 'time_s', 'easting_m', 'northing_m', 'height_m', 'yaw_deg', 'pitch_deg', 'roll_deg', 'qw', 'qx', 'qy' or 'qz'");
+  EXPECT_EQ(table("scene", R"(, "crs": "EPSG:28992")"),
+            "a.json:4:59: 'crs' names a map, and 'frame' is none; expected 'frame' \"map\", or no 'crs'");
+  EXPECT_EQ(
+      table("ecef", R"(, "ut1_minus_utc": "0.1 s")"),
+      "a.json:4:58: 'ut1_minus_utc' is of the frames \"teme\" and \"gcrs\", under which the Earth turns");
+  EXPECT_EQ(
+      table("teme", R"(, "polar_motion": ["1 deg", "0 mas"])"),
+      "a.json:4:75: 'platform.table.polar_motion[0]' is the text \"1 deg\": 'deg' is not a unit of angle of the pole. Units: arcsec, mas, rad");
+  EXPECT_EQ(
+      message(text(
+          R"({"way_points": {"frame": "geodetic", "points": [{"time": "0 s", "latitude": "52 deg", "longitude": "4 deg"}, {"time": "1 s", "position": ["0 m", "0 m", "5 m"]}]}})")),
+      "a.json:4:122: a geodetic point is told by 'longitude', 'latitude' and 'height'");
+  EXPECT_EQ(
+      message(text(
+          R"({"way_points": {"frame": "geodetic", "points": [{"time": "1 s", "latitude": "52 deg", "longitude": "4 deg"}, {"time": "0 s", "latitude": "52 deg", "longitude": "4 deg"}]}})")),
+      "a.json:4:131: found the time 0 s after 1 s; expected times that increase");
+  EXPECT_EQ(
+      message(text(
+          R"({"straight": {"frame": "teme", "position": ["0 m", "0 m", "7000 km"], "velocity": ["7 km/s", "0 m/s", "0 m/s"]}})")),
+      "a.json:4:36: 'platform.straight.frame' is the text \"teme\", expected 'scene', 'geodetic', 'map' or 'ecef'");
+  EXPECT_EQ(
+      message(text(
+          R"({"straight": {"frame": "scene", "position": ["0 m", "0 m", "500 m"], "velocity": ["70 m/s", "0 m/s", "0 m/s"]}, "attitude": {"look_at": {"frame": "ecef", "position": ["0 m", "0 m", "500 m"]}}})",
+          kPushbroom, "{}")),
+      "a.json:4:13: a point about the Earth needs the place of the scene: expected an 'origin' of the scene with 'latitude' and 'longitude'");
+}
+
+/// By closed forms: where it is, and which ground the middle of its image shows.
+TEST_F(Platforms, CircleAndStand) {
+  const auto path = [&](const std::string& platform) {
+    const Document d = document(text(platform));
+    return trajectory_of({*d.platform, d.time, d.scene.origin}, {}, 0.0, 1.0);
+  };
+  const std::string circle =
+      R"({"circling": {"frame": "scene", "center": ["10 m", "20 m", "500 m"], "radius": "300 m", "speed": "30 m/s", "start": "90 deg")";
+  // East of the middle and turning to the right: south. A quarter turn takes pi/2 300/30 s.
+  const auto right = path(circle + "}}");
+  EXPECT_LT(length(right.pose(0.0).position_m - math::Point3{310.0, 20.0, 500.0}), 1e-9);
+  EXPECT_LT(length(right.pose(0.0).velocity_m_s - math::Vec3{0.0, -30.0, 0.0}), 1e-9);
+  EXPECT_LT(length(right.pose(5.0 * std::numbers::pi).position_m - math::Point3{10.0, -280.0, 500.0}), 1e-9);
+  EXPECT_LT(length(right.pose(0.0).enu_from_body.z().v - math::Vec3{0.0, 0.0, -1.0}), 1e-12)
+      << "level unless said otherwise";
+  const auto left = path(circle + R"(, "direction": "counterclockwise", "bank": "coordinated"}})");
+  EXPECT_LT(length(left.pose(0.0).velocity_m_s - math::Vec3{0.0, 30.0, 0.0}), 1e-9);
+  // Its left wing, to the west, is down: 30^2 / (9.80665 300) is the tangent.
+  const double bank = std::atan(900.0 / (9.80665 * 300.0));
+  EXPECT_LT(length(left.pose(0.0).enu_from_body.y().v - math::Vec3{std::cos(bank), 0.0, std::sin(bank)}),
+            1e-12);
+  EXPECT_LT(
+      length(
+          path(
+              R"({"circling": {"frame": "scene", "center": ["0 m", "0 m", "1 m"], "radius": "2 m", "period": "8 s"}})")
+              .pose(2.0)
+              .position_m -
+          math::Point3{2.0, 0.0, 1.0}),
+      1e-12);
+  // About a place on Earth.
+  const geodesy::Geodetic there{52.01 * kDegree, 4.38 * kDegree, 700.0};
+  const math::Point3 expected = geodesy::ecef_from_enu({52.0 * kDegree, 4.4 * kDegree, 0.0})
+                                    .inverse()(geodesy::ecef_from_geodetic(there))
+                                    .p;
+  const std::string geodetic =
+      R"("frame": "geodetic", "latitude": "52.01 deg", "longitude": "4.38 deg", "height": "700 m")";
+  const auto around = path("{\"circling\": {" + geodetic + R"(, "radius": "50 m", "period": "10 s"}})");
+  EXPECT_LT(length(around.pose(5.0).position_m - (expected + math::Vec3{0.0, -50.0, 0.0})), 1e-6);
+  const auto fixed = path("{\"fixed\": {" + geodetic + "}}");
+  for (const double t : {-1e6, 0.0, 1e6}) EXPECT_LT(length(fixed.pose(t).position_m - expected), 1e-6);
+  // Level where it stands, 0.0116 degrees from level at the origin.
+  const auto up = geodesy::ecef_from_enu({52.0 * kDegree, 4.4 * kDegree, 0.0})
+                      .inverse()(geodesy::ecef_from_enu(there).z());
+  EXPECT_LT(length(fixed.pose(0.0).enu_from_body.z().v + up.v), 1e-12);
+  EXPECT_GT(length(fixed.pose(0.0).enu_from_body.z().v + math::Vec3{0.0, 0.0, 1.0}), 1e-4);
+  // A camera on a mast, by both of its names.
+  const std::string frame = R"({"frame": {"pixels": [20, 20], "focal_length": "20 mm", "pitch": "10 um")";
+  const Document mast = document(text(
+      R"({"fixed": {"frame": "scene", "position": ["3 m", "4 m", "50 m"]}, "attitude": {"yaw": "30 deg", "pitch": "20 deg"}})",
+      frame + "}}"));
+  EXPECT_EQ(mast.sensor.camera.settings->description({}, "x, y, z"),
+            "frame, 20 x 20 pixels, 0.573 x 0.573 deg, fixed at x, y, z 3, 4, 50 m");
+  const math::Point3 seen = on_ground(camera(mast)->ray({10.0, 10.0}));
+  EXPECT_NEAR(seen.x, 3.0 + 50.0 * std::tan(20.0 * kDegree) * std::sin(30.0 * kDegree), 1e-9);
+  EXPECT_NEAR(seen.y, 4.0 + 50.0 * std::tan(20.0 * kDegree) * std::cos(30.0 * kDegree), 1e-9);
+  EXPECT_EQ(
+      document(text(circle + "}}", frame + "}}")).sensor.camera.settings->description({}, "x, y, z"),
+      "frame, 20 x 20 pixels, 0.573 x 0.573 deg, circling clockwise at 300 m from x, y, z 10, 20, 500 m, 30 m/s");
+}
+
+TEST_F(Platforms, MessagesOfCirclesAndFixedPlaces) {
+  const auto circle = [&](const std::string& more, const std::string& after = "") {
+    return message(
+        text(R"({"circling": {"frame": "scene", "center": ["0 m", "0 m", "500 m"], "radius": "300 m")" +
+             more + "}" + after + "}"));
+  };
+  const std::string speed = R"(, "speed": "30 m/s")";
+  EXPECT_EQ(circle(speed), "taken");
+  EXPECT_EQ(circle(""), "a.json:4:26: 'platform.circling' needs exactly one of 'speed' or 'period'");
+  EXPECT_EQ(
+      circle(speed + R"(, "period": "60 s")"),
+      "a.json:4:118: 'period' cannot stand beside 'speed': 'platform.circling' takes only one of 'speed' or 'period'");
+  EXPECT_EQ(circle(speed + R"(, "latitude": "52 deg")"),
+            "a.json:4:36: a point in this frame is told by its 'center' alone");
+  EXPECT_EQ(
+      circle(R"(, "speed": "0 m/s")"),
+      "a.json:4:108: 'platform.circling.speed' is the text \"0 m/s\", expected a speed above 0 m/s, such as \"3 m/s\" (units: m/s, km/h, kn)");
+  EXPECT_EQ(
+      circle(speed + R"(, "direction": "left")"),
+      "a.json:4:131: 'platform.circling.direction' is the text \"left\", expected 'clockwise' or 'counterclockwise'");
+  EXPECT_EQ(
+      circle(speed + R"(, "bank": "coordinated")", R"(, "attitude": {"from": "north"})"),
+      "a.json:4:13: 'bank' is about a nose along the track, and 'from' says north; expected one of both");
+  EXPECT_EQ(
+      circle(speed + R"(, "bank": "coordinated")",
+             R"(, "attitude": {"look_at": {"frame": "scene", "position": ["0 m", "0 m", "0 m"]}})"),
+      "a.json:4:13: 'bank' is of wings, and 'look_at' turns the belly to a point: expected one of both (a 'mount' with a 'gimbal' looks at a point from banked wings)");
+  EXPECT_EQ(circle(speed, R"(, "attitude": {"from": "orbit"})"),
+            "a.json:4:13: 'from' \"orbit\" needs a path about the Earth, expected \"track\" or \"north\"");
+  EXPECT_EQ(
+      circle(speed, R"(, "attitude": {"axes": "geocentric"})"),
+      "a.json:4:13: a circle is level in the scene, whose ground is flat: expected 'axes' \"nadir\" or \"velocity\"");
+  const std::string fixed = R"({"fixed": {"frame": "scene", "position": ["0 m", "0 m", "50 m"]})";
+  EXPECT_EQ(
+      message(text(fixed + R"(, "attitude": {"from": "track"}})")),
+      "a.json:4:13: what is fixed flies nowhere, so that its nose cannot be along its track or velocity: expected 'from' \"north\", and other 'axes'");
+  EXPECT_EQ(
+      message(text(fixed + R"(, "attitude": {"axes": "velocity"}})")),
+      "a.json:4:13: what is fixed flies nowhere, so that its nose cannot be along its track or velocity: expected 'from' \"north\", and other 'axes'");
+  EXPECT_EQ(message(text(R"({"fixed": {"frame": "geodetic", "position": ["0 m", "0 m", "50 m"]}})")),
+            "a.json:4:33: a geodetic point is told by 'longitude', 'latitude' and 'height'");
+  EXPECT_EQ(
+      message(text(R"({"fixed": {"frame": "ecef", "position": ["4000 km", "0 m", "5000 km"]}})", kPushbroom,
+                   "{}")),
+      "a.json:4:13: a path about the Earth needs the place of the scene: expected an 'origin' of the scene with 'latitude' and 'longitude'");
+  const std::string frame = R"({"frame": {"pixels": [20, 20], "focal_length": "20 mm", "pitch": "10 um"}})";
+  EXPECT_EQ(
+      message(text(
+          R"({"fixed": {"frame": "geodetic", "latitude": "-52 deg", "longitude": "4.4 deg", "height": "50 m"}})",
+          frame)),
+      "the platform is 52.0 degrees below the scene's horizon, over latitude -52.0000, longitude 4.4000 deg");
+  EXPECT_EQ(
+      message(text(
+          R"({"fixed": {"frame": "geodetic", "latitude": "52.001 deg", "longitude": "4.4 deg", "height": "-10 m"}})",
+          frame)),
+      "taken")
+      << "in a valley";
+  EXPECT_EQ(
+      message(text(fixed + "}")),
+      "line 1 of the scanner looks 0 m behind line 0: the platform stands still, flies backwards or turns back faster than it flies, and the same ground would be seen more than once");
+}
+
 // Vallado et al. 2006, verification satellite 6251 ("Near earth normal drag").
 const std::string kSatellite =
     "DELTA 1 DEB\n"
@@ -193,8 +468,9 @@ TEST_F(Platforms, MessagesOfPaths) {
   EXPECT_EQ(
       message(text(kStraight, R"({"orthographic": {"gsd": "1 m", "pixels": [4, 4]}})")),
       "a.json:4:13: a platform carries a camera that scans or has a frame: expected a 'pushbroom', 'whiskbroom', 'conical' or 'frame' camera, or no 'platform'");
-  EXPECT_EQ(message(text(R"({"table": {"file": "a.csv"}})")),
-            "a.json:4:23: 'platform.table' lacks the key 'frame': 'scene', 'geodetic' or 'ecef'");
+  EXPECT_EQ(
+      message(text(R"({"table": {"file": "a.csv"}})")),
+      "a.json:4:23: 'platform.table' lacks the key 'frame': 'scene', 'geodetic', 'map', 'ecef', 'teme' or 'gcrs'");
   EXPECT_EQ(
       message(text(R"({"table": {"frame": "geodetic", "file": "a.csv"}})", kPushbroom, "{}")),
       "a.json:4:13: a path about the Earth needs the place of the scene: expected an 'origin' of the scene with 'latitude' and "

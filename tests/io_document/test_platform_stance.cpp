@@ -11,6 +11,7 @@
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/cameras/flight_motion.h"
 #include "io/document/cameras/flight_path.h"
+#include "io/document/cameras/framed_places.h"
 #include "io/document/cameras/jitter_table.h"
 #include "io/document/platform_document.h"
 #include "platform/trajectory.h"

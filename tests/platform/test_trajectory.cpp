@@ -70,6 +70,47 @@ TEST(Trajectory, GoesSmoothlyThroughPointsAndAttitudes) {
   EXPECT_LT(apart(trajectory.pose(-3.0).enu_from_body, stand(0.0)), 1e-12);
 }
 
+/// Of a circle's textbook form, and what a ball in an aircraft without slip does: it lies in the middle.
+TEST(Trajectory, CirclesAroundAPoint) {
+  const double radius_m = 800.0, rate_rad_s = 0.08;
+  for (const double right : {1.0, -1.0}) {
+    const Circle circle{{10.0, -20.0, 500.0}, radius_m, 40.0 * kDegree, right * rate_rad_s};
+    const double bank_rad = right * std::atan(radius_m * rate_rad_s * rate_rad_s / 9.80665);
+    const auto trajectory = Trajectory::circling(circle, HeldAttitude{{0.0, 0.0, bank_rad}, true});
+    EXPECT_TRUE(std::isinf(trajectory.first_s()) && std::isinf(trajectory.last_s()));
+    for (double t = -1e4; t < 1e4; t += 333.3) {
+      const Pose pose = trajectory.pose(t);
+      const double azimuth = 40.0 * kDegree + right * rate_rad_s * t;
+      const math::Point3 expected{10.0 + radius_m * std::sin(azimuth), -20.0 + radius_m * std::cos(azimuth),
+                                  500.0};
+      EXPECT_LT(length(pose.position_m - expected), 1e-8);
+      constexpr double kStep_s = 1e-3;
+      const auto at = [&](double s) { return trajectory.pose(t + s).position_m; };
+      const math::Vec3 velocity = (at(kStep_s) - at(-kStep_s)) * (0.5 / kStep_s);
+      EXPECT_LT(length(pose.velocity_m_s - velocity), 1e-6);
+      EXPECT_GT(dot(pose.enu_from_body.x().v, velocity), length(velocity) * (1.0 - 1e-12)) << "the nose";
+      // What hangs in the aircraft hangs along gravity less acceleration, which is towards the middle.
+      const math::Vec3 towards = math::Point3{10.0, -20.0, 500.0} - pose.position_m;
+      const math::Vec3 felt = math::Vec3{0.0, 0.0, -9.80665} - towards * (rate_rad_s * rate_rad_s);
+      EXPECT_GT(dot(pose.enu_from_body.z().v, felt), length(felt) * (1.0 - 1e-12)) << "the belly";
+      // The other wing down, or the other way around, is found.
+      const auto slips = Trajectory::circling(circle, HeldAttitude{{0.0, 0.0, -bank_rad}, true});
+      EXPECT_LT(dot(slips.pose(t).enu_from_body.z().v, felt), length(felt) * 0.8);
+    }
+  }
+}
+
+TEST(Trajectory, RefusesCirclesThroughWhatTheyLookAt) {
+  const Circle circle{{}, 100.0, 0.0, 0.1};
+  EXPECT_NO_THROW(Trajectory::circling(circle, Pointing{math::Point3{0.0, 0.0, -500.0}, {}, true}));
+  try {
+    Trajectory::circling(circle, Pointing{math::Point3{0.0, 100.0, 0.0}, {}, true});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "at 0 s the platform is at the point that it looks at");
+  }
+}
+
 TEST(Trajectory, RefusesTimesThatDoNotIncrease) {
   const std::vector<PathPoint> path{{0.0, {}}, {1.0, {}}, {1.0, {}}};
   try {

@@ -43,6 +43,25 @@ def turned(yaw, pitch, roll):
     return (np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]]) @ np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]]) @ np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]]))
 
 
+def transverse_mercator(latitude_deg, longitude_deg, origin_deg, scale=1.0, ellipsoid=(6378137.0, 1 / 298.257223563)):
+    """Easting and northing by Krueger's series (1912) to the fourth order: within 1 mm."""
+    a, f = ellipsoid
+    n, e = f / (2 - f), math.sqrt(f * (2 - f))
+    radius = a / (1 + n) * (1 + n * n / 4 + n ** 4 / 64)
+    terms = (n / 2 - 2 * n ** 2 / 3 + 5 * n ** 3 / 16 + 41 * n ** 4 / 180, 13 * n ** 2 / 48 - 3 * n ** 3 / 5 + 557 * n ** 4 / 1440,
+             61 * n ** 3 / 240 - 103 * n ** 4 / 140, 49561 * n ** 4 / 161280)
+
+    def plane(latitude, away):
+        t = math.sinh(math.atanh(math.sin(latitude)) - e * math.atanh(e * math.sin(latitude)))
+        xi, eta = math.atan2(t, math.cos(away)), math.asinh(math.sin(away) / math.hypot(t, math.cos(away)))
+        return (eta + sum(c * math.cos(2 * k * xi) * math.sinh(2 * k * eta) for k, c in enumerate(terms, 1)),
+                xi + sum(c * math.sin(2 * k * xi) * math.cosh(2 * k * eta) for k, c in enumerate(terms, 1)))
+
+    latitude, longitude, south, west = map(math.radians, (latitude_deg, longitude_deg, *origin_deg))
+    (x, y), (_, zero) = plane(latitude, longitude - west), plane(south, 0.0)
+    return scale * radius * x, scale * radius * (y - zero)
+
+
 def seen(position_m, heading_deg, body_from_camera=np.eye(3), lever_m=(0, 0, 0), rows_m=None):
     """Where the middles of pixels meet level ground, of a body that flies level; `rows_m`: by row, how far it is from there along its nose."""
     h = math.radians(heading_deg)
@@ -123,6 +142,40 @@ class FlownPoses(unittest.TestCase):
         _, places, _, _ = rendered(document({"row_period": "2 ms"}, platform))
         rows = [(row + 0.5 - PIXELS / 2) * 2e-3 * 40 for row in range(PIXELS)]
         self.assertLess(np.abs(places - expected(5, -3, 2, rows=rows)).max(), 1e-9 * 100)
+
+    def test_on_maps(self):
+        """Of zone 31 of UTM, in scenes on that map, on that of the zone beside it, and about a place alone."""
+        # IOGP Guidance Note 7-2, example of the transverse Mercator projection: OSGB 1936, 50 deg 30' N, 0 deg 30' E.
+        east, north = transverse_mercator(50.5, 0.5, (49.0, -2.0), 0.9996012717, (6377563.396, 1 / 299.32496))
+        self.assertAlmostEqual(east + 400000, 577274.99, delta=0.02)
+        self.assertAlmostEqual(north - 100000, 69740.50, delta=0.02)
+
+        utm = lambda zone, latitude, longitude: np.add(transverse_mercator(latitude, longitude, (0, 6 * zone - 183), 0.9996), (500000, 0))
+        place, origin = (52.003, 5.994), (52.0, 6.0)
+        east, north = utm(31, *place)
+        path = lambda **more: {"fixed": {"frame": "map", "position": [f"{east:.4f} m", f"{north:.4f} m", "130 m"], **more}}
+        points = {"way_points": {"frame": "map", "crs": "EPSG:32631", "points": [
+            {"time": f"{t} s", "position": [f"{east:.4f} m", f"{north + 10 * t:.4f} m", "130 m"]} for t in (-1, 1)]}, "attitude": {"from": "north"}}
+        written = {"latitude": f"{origin[0]} deg", "longitude": f"{origin[1]} deg", "height": "30 m"}
+        on_map = {"crs": "EPSG:32631", **dict(zip(("easting", "northing"), (f"{c:.4f} m" for c in utm(31, *origin))))}
+        local = (*transverse_mercator(*place, origin), 100.0)
+        most_m = 2e-3  # a digit of coordinates, and the series
+        for platform, scene, expected in ((path(), {**written, "crs": "EPSG:32631"}, (*utm(31, *place), 100)), (path(), on_map, (*utm(31, *place), 130)),
+                                          (path(crs="EPSG:32631"), {**written, "crs": "EPSG:32632"}, (*utm(32, *place), 100)),
+                                          (path(crs="EPSG:32631"), written, local), (points, written, local)):
+            with self.subTest(scene=scene):
+                _, places, _, _ = rendered(document({}, platform, scene={"origin": scene}))
+                self.assertLess(np.abs(places - seen(expected, 0)).max(), most_m)
+        # Another zone's coordinates are far away.
+        self.assertGreater(np.abs(np.subtract(utm(31, *place), utm(32, *place))).max(), 1e5)
+        with tempfile.TemporaryDirectory() as scratch:
+            for crs, said in (("EPSG:4326", "'WGS 84' is no map projection, whose coordinates are lengths; longitudes and latitudes are of the frame \"geodetic\""),
+                              ("EPSG:1", "'EPSG:1' is no coordinate reference system that PROJ knows")):
+                done = run(document({}, path(crs=crs), scene={"origin": written}), pathlib.Path(scratch), command="check")
+                self.assertEqual(done.returncode, 1)
+                self.assertRegex(done.stderr, rf"^scene\.json:\d+:\d+: {said}")
+                line, column = map(int, done.stderr.split(":")[1:3])
+                self.assertTrue((pathlib.Path(scratch) / "scene.json").read_text().splitlines()[line - 1][column - 1:].startswith(f'"{crs}"'))
 
     def test_places_are_of_the_reported_pose_and_light_of_the_true_one(self):
         platform = {"straight": {"frame": "scene", "position": ["0 m", "0 m", "100 m"], "velocity": ["0 m/s", "40 m/s", "0 m/s"]},

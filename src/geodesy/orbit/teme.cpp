@@ -12,10 +12,11 @@ constexpr double kEarthRotation_rad_s = 7.292115146706979e-5;  // Vallado et al.
 
 }  // namespace
 
-FrameTransform<Ecef, Teme> ecef_from_teme(UtcTime time, double ut1_minus_utc_s) {
-  const double turned = eraGmst82(time.jd1, time.jd2 + ut1_minus_utc_s / kSecondsPerDay);
+FrameTransform<Ecef, Teme> ecef_from_teme(UtcTime time, const EarthOrientation& orientation) {
+  const double turned = eraGmst82(time.jd1, time.jd2 + orientation.ut1_minus_utc_s / kSecondsPerDay);
   const double c = std::cos(turned), s = std::sin(turned);
-  return {{{c, -s, 0.0}}, {{s, c, 0.0}}, {{0.0, 0.0, 1.0}}};
+  const FrameTransform<RotatingEquator, Teme> of_equator({{c, -s, 0.0}}, {{s, c, 0.0}}, {{0.0, 0.0, 1.0}});
+  return ecef_from_rotating_equator(orientation) * of_equator;
 }
 
 EcefVector ecef_velocity(const FrameTransform<Ecef, Teme>& ecef_from_teme, TemePoint position,

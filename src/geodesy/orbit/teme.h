@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geodesy/earth_orientation.h"
 #include "geodesy/frames.h"
 #include "geodesy/utc_time.h"
 
@@ -10,9 +11,8 @@ struct Teme {};
 using TemePoint = PointIn<Teme>;
 using TemeVector = VectorIn<Teme>;
 
-/// A turn about the pole by the Greenwich mean sidereal time of 1982 (Vallado et al. 2006, appendix C); without polar motion, which is
-/// 10 m on the ground. `ut1_minus_utc_s`: left at 0 it turns the Earth by up to 0.9 s, 420 m at the equator.
-FrameTransform<Ecef, Teme> ecef_from_teme(UtcTime time, double ut1_minus_utc_s = 0.0);
+/// A turn about the pole by the Greenwich mean sidereal time of 1982, and polar motion (Vallado et al. 2006, appendix C).
+FrameTransform<Ecef, Teme> ecef_from_teme(UtcTime time, const EarthOrientation& orientation = {});
 
 /// A velocity as seen from the turning Earth, m/s.
 EcefVector ecef_velocity(const FrameTransform<Ecef, Teme>& ecef_from_teme, TemePoint position,

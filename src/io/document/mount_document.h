@@ -9,17 +9,10 @@
 
 #include "geodesy/attitude.h"
 #include "io/document/document_values.h"
+#include "io/document/framed_point.h"
 #include "math/vec3.h"
 
 namespace ifov::io {
-
-enum class PathFrame;
-
-/// A place in a frame: metres; geodetic: longitude and latitude in radians, height.
-struct TrackedPoint {
-  PathFrame frame{};  ///< scene if nothing is said
-  std::array<double, 3> place{};
-};
 
 /// An object that moves, and a point of it to its right, ahead and up.
 struct TrackedObject {
@@ -33,7 +26,7 @@ struct GimbalDocument {
   enum class AtLimits { refuse, stop };
   using Limits = std::array<double, 2>;
 
-  std::variant<TrackedPoint, TrackedObject> target;
+  std::variant<FramedPoint, TrackedObject> target;
   Axes axes = Axes::pitch_roll;
   std::optional<Limits> yaw_rad, pitch_rad, roll_rad;
   AtLimits at_limits = AtLimits::refuse;

@@ -12,40 +12,62 @@
 #include "geodesy/attitude.h"
 #include "geodesy/utc_time.h"
 #include "io/document/document_values.h"
+#include "io/document/framed_point.h"
 #include "io/document/origin_document.h"
 #include "math/vec3.h"
 
 namespace ifov::io {
 
-/// Frames of paths. Of the scene: its east, north, up about its origin, in the document's coordinates. Geodetic: longitude,
-/// latitude, height above the ellipsoid WGS 84. ECEF: Earth-centred, Earth-fixed.
-enum class PathFrame { scene, geodetic, ecef };
-
 struct MountList;
 
+/// Of what stands, or hovers.
+struct FixedPath {
+  FramedPoint at;
+};
+
+/// Around a point of the path's height, level in the scene. One of speed and period.
+struct CirclingPath {
+  FramedPoint center;
+  double radius_m = 0.0;
+  std::optional<double> speed_m_s, period_s;
+  double start_rad = 0.0;  ///< from the center to the platform at 0 s: clockwise from north
+  bool clockwise = true;   ///< seen from above
+  bool banked = false;     ///< as in a coordinated turn
+};
+
 struct StraightPath {
-  math::Point3 position_m;  ///< at 0 s
-  std::array<double, 3> velocity_m_s{};
+  FramedPoint at;                        ///< at 0 s
+  std::array<double, 3> velocity_m_s{};  ///< east, north, up of the place; ECEF: along its axes
 };
 
 struct WayPoint {
   double time_s = 0.0;
-  math::Point3 position_m;
+  std::array<double, 3> place{};  ///< as of FramedPoint
   friend bool operator==(const WayPoint&, const WayPoint&) = default;
 };
 struct WayPointPath {
+  PathFrame frame = PathFrame::scene;
+  DocumentName crs;
   std::vector<WayPoint> points;
+};
+
+/// How the Earth is turned among the stars, as the IERS publishes it; none: taken for 0.
+struct EarthTurnDocument {
+  std::optional<double> ut1_minus_utc_s;
+  std::optional<std::array<double, 2>> pole_rad;
 };
 
 struct TablePath {
   PathFrame frame = PathFrame::scene;
+  DocumentName crs;
+  EarthTurnDocument turn;
   DocumentFile file;
 };
 
 /// Of two-line elements, in TEME.
 struct OrbitPath {
   DocumentFile file;
-  double ut1_minus_utc_s = 0.0;
+  EarthTurnDocument turn;
 };
 
 /// Where the belly (nadir: along the local vertical; geocentric: to the Earth's centre) or the nose (velocity) is without angles.
@@ -57,9 +79,9 @@ enum class YawFrom { track, orbit, north };
 /// Of a platform that holds it.
 struct PlatformAttitude {
   geodesy::Attitude angles;          ///< about what follows from the rest
-  std::optional<PlatformAxes> axes;  ///< none: nadir, or with the belly to `look_at_m`
-  std::optional<math::Point3> look_at_m;
-  YawFrom from = YawFrom::track;
+  std::optional<PlatformAxes> axes;  ///< none: nadir, or with the belly to `look_at`
+  std::optional<FramedPoint> look_at;
+  std::optional<YawFrom> from;  ///< none: the track, or north of what is fixed
 };
 
 /// Power spectra of the body's turns about its own axes, of these standard deviations.
@@ -85,7 +107,7 @@ struct ReportedPose {
 };
 
 struct PlatformDocument {
-  std::variant<StraightPath, WayPointPath, TablePath, OrbitPath> path;
+  std::variant<StraightPath, FixedPath, CirclingPath, WayPointPath, TablePath, OrbitPath> path;
   std::optional<PlatformAttitude> attitude;  ///< none: what the path's table says, or level, the nose ahead
   std::shared_ptr<const MountList> mounts;   ///< null: none
   std::optional<JitterDocument> jitter;

@@ -12,6 +12,7 @@
 #include "io/document/document.h"
 #include "render/tolerance/channel_brightness.h"
 #include "sensor/camera.h"
+#include "session/assembly/shared/scene_maps.h"
 #include "session/loaded/parts.h"
 #include "session/plausibility/motion_lines.h"
 
@@ -121,7 +122,9 @@ std::vector<std::string> mounts_told(const Parts& parts) {
   const io::PlatformFlight* const flight = settings.carrier();
   if (flight == nullptr) return {};
   const io::CameraSettings::Exposed exposed = settings.exposed();
-  return io::bearings_told(*flight, parts.document.scene.origin.offset_m, exposed.from_s, exposed.to_s);
+  const io::OriginDocument& origin = parts.document.scene.origin;
+  const MapsOfScene maps(parts.document.sources, origin);
+  return io::bearings_told(*flight, {origin.offset_m, &maps}, exposed.from_s, exposed.to_s);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "sensor/mtf.h"
 #include "sensor/psf.h"
 #include "sensor/pupil.h"
+#include "session/assembly/shared/scene_maps.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/whole/detector_assembly.h"
 #include "session/assembly/whole/noise_assembly.h"
@@ -116,7 +117,10 @@ SensorDescription survey_sensor(const io::DocumentSources& sources, const io::Se
                sensor.camera.model));
   SensorDescription told;
   const std::unique_ptr<sensor::Camera> camera = with_position(sources, sensor.camera.position, [&] {
-    return io::with_mounts(sources, [&] { return sensor.camera.settings->build({origin.offset_m, 0.0}); });
+    const MapsOfScene maps(sources, origin);
+    io::CameraSite site{origin.offset_m, 0.0};
+    site.maps = &maps;
+    return io::with_mounts(sources, [&] { return sensor.camera.settings->build(site); });
   });
   survey_camera(*camera, told);
   const std::vector<radiometry::Channel> channels = assemble_channels(sources, sensor.channels);

@@ -16,7 +16,7 @@ namespace ifov::studies {
 double frames_there_and_back_m() {
   using namespace geodesy;
   const auto ecef_from_scene = ecef_from_enu({52.0116 * math::kDegree, 4.3571 * math::kDegree, 45.0});
-  const auto ecef_of_date = ecef_from_teme(parse_utc("2024-07-01T10:30:00Z"), -0.02);
+  const auto ecef_of_date = ecef_from_teme(parse_utc("2024-07-01T10:30:00Z"), {-0.02});
   double worst_m = 0.0;
   for (const double height_m : {-400.0, 0.0, 9e3, 250e3, 500e3})
     for (double latitude = -90.0; latitude <= 90.0; latitude += 7.5)

@@ -102,7 +102,8 @@ io::CameraDocument frame_above(int width_px, int height_px, double height_m, dou
 
 void carry(io::ObjectDocument& object, math::Point3 at_m, math::Vec3 velocity_m_s) {
   io::PlatformDocument motion;
-  motion.path = io::StraightPath{at_m, {velocity_m_s.x, velocity_m_s.y, velocity_m_s.z}};
+  motion.path = io::StraightPath{{io::PathFrame::scene, {at_m.x, at_m.y, at_m.z}},
+                                 {velocity_m_s.x, velocity_m_s.y, velocity_m_s.z}};
   motion.attitude.emplace().from = io::YawFrom::north;
   object.motion = std::make_shared<const io::PlatformDocument>(motion);
 }
@@ -136,7 +137,8 @@ std::array<double, 2> ScannerFlight::image_px(math::Point3 point_m) const {
 void fly(const ScannerFlight& flight, io::Document& document, const StudyOptions& options) {
   io::PlatformDocument platform;
   if (flight.roll_rad == 0.0) {
-    platform.path = io::StraightPath{{0.0, 0.0, flight.height_m}, {0.0, flight.speed_m_s, 0.0}};
+    platform.path =
+        io::StraightPath{{io::PathFrame::scene, {0.0, 0.0, flight.height_m}}, {0.0, flight.speed_m_s, 0.0}};
   } else {
     std::string rows = "time_s,x_m,y_m,z_m,yaw_deg,pitch_deg,roll_deg\n";
     const double step_s = ScannerFlight::kRollPeriod_s / 20.0;
@@ -148,7 +150,7 @@ void fly(const ScannerFlight& flight, io::Document& document, const StudyOptions
     }
     const std::string name = format("rolling_{:g}_{:g}.csv", flight.height_m, flight.speed_m_s);
     write_file(options.output_folder / name, rows);
-    platform.path = io::TablePath{io::PathFrame::scene, {name, {}}};
+    platform.path = io::TablePath{io::PathFrame::scene, {}, {}, {name, {}}};
   }
   document.platform = std::make_shared<const io::PlatformDocument>(platform);
   io::PushbroomCamera camera;

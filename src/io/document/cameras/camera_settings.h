@@ -22,12 +22,12 @@ struct PlatformFlight;
 
 /// Where the scene is that a camera looks at.
 struct CameraSite {
-  math::Vec3 offset_m;     ///< of coordinates in the document; to be subtracted
-  double highest_m = 0.0;  ///< z of the highest surface, scene frame
-  double lowest_m = 0.0;   ///< of the lowest
-  std::uint64_t seed = 1;  ///< of what is drawn by chance
-  std::optional<std::array<double, 2>> period_m =
-      std::nullopt;  ///< after which the scene repeats along x and y
+  math::Vec3 offset_m;                                 ///< of coordinates in the document; to be subtracted
+  double highest_m = 0.0;                              ///< z of the highest surface, scene frame
+  double lowest_m = 0.0;                               ///< of the lowest
+  std::uint64_t seed = 1;                              ///< of what is drawn by chance
+  std::optional<std::array<double, 2>> period_m = {};  ///< after which the scene repeats along x and y
+  const class SceneMaps* maps = nullptr;               ///< that paths may lie on; null: none
 };
 
 /// What a document says of a camera, and what is asked of it. Never changed; changes are copies.

@@ -5,6 +5,7 @@
 
 #include "core/overloaded.h"
 #include "io/document/cameras/flight_path.h"
+#include "io/document/cameras/framed_places.h"
 #include "io/document/cameras/jitter_table.h"
 #include "io/document/cameras/mounts.h"
 #include "io/document/mount_document.h"
@@ -77,10 +78,10 @@ std::vector<double> bearing_times_s(double from_s, double to_s) {
 
 }  // namespace
 
-Motions motions_of(const PlatformFlight& flight, math::Vec3 offset_m, double from_s, double to_s,
+Motions motions_of(const PlatformFlight& flight, const SceneFrame& scene, double from_s, double to_s,
                    double beyond_s) {
   const PlatformDocument& of = flight.platform;
-  const platform::Trajectory path = trajectory_of(flight, offset_m, from_s, to_s);
+  const platform::Trajectory path = trajectory_of(flight, scene, from_s, to_s);
   const auto drawn = [&](const Spectra& spectra, Stream stream) {
     return std::make_shared<const Wander>(spectra, flight.seed, static_cast<std::uint64_t>(stream),
                                           from_s - beyond_s, to_s + beyond_s);
@@ -88,7 +89,7 @@ Motions motions_of(const PlatformFlight& flight, math::Vec3 offset_m, double fro
   const auto carrying = [&](platform::Deviation deviation) {
     return std::make_shared<const platform::Trajectory>(path.carrying(std::move(deviation)));
   };
-  const std::vector<platform::Mount> mounts = mounts_of(flight, offset_m, from_s, to_s);
+  const std::vector<platform::Mount> mounts = mounts_of(flight, scene, from_s, to_s);
   Motions motions;
   if (!mounts.empty() || of.jitter) {
     platform::Deviation deviation{.mounts = mounts};
@@ -118,11 +119,11 @@ Motions motions_of(const PlatformFlight& flight, math::Vec3 offset_m, double fro
   return motions;
 }
 
-std::vector<std::string> bearings_told(const PlatformFlight& flight, math::Vec3 offset_m, double from_s,
+std::vector<std::string> bearings_told(const PlatformFlight& flight, const SceneFrame& scene, double from_s,
                                        double to_s) {
   constexpr double kBeyond_s = 0.01;
   if (mounts_in(flight.platform.mounts).empty()) return {};
-  return motions_of(flight, offset_m, from_s, to_s, kBeyond_s)
+  return motions_of(flight, scene, from_s, to_s, kBeyond_s)
       .truth->bearings_told(bearing_times_s(from_s, to_s));
 }
 

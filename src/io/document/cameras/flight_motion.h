@@ -13,6 +13,7 @@ class Trajectory;
 namespace ifov::io {
 
 struct PlatformFlight;
+struct SceneFrame;
 
 /// What a platform's path becomes for what it carries.
 struct Motions {
@@ -22,11 +23,11 @@ struct Motions {
 
 /// Of a platform and what it carries, as trajectory_of; random motion is drawn for so long before and after, too. Opens files of the path,
 /// the jitter and the mounts: InputError with its place there, or where a mount cannot turn as it should; SystemError.
-Motions motions_of(const PlatformFlight& flight, math::Vec3 offset_m, double from_s, double to_s,
+Motions motions_of(const PlatformFlight& flight, const SceneFrame& scene, double from_s, double to_s,
                    double beyond_s);
 
 /// Of mounts that turn, one after the other, from where to where they do so meanwhile, in words.
-std::vector<std::string> bearings_told(const PlatformFlight& flight, math::Vec3 offset_m, double from_s,
+std::vector<std::string> bearings_told(const PlatformFlight& flight, const SceneFrame& scene, double from_s,
                                        double to_s);
 
 }  // namespace ifov::io

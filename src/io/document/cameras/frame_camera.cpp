@@ -132,10 +132,11 @@ std::unique_ptr<sensor::Camera> build_flying(const FrameCamera& camera, const Ca
   settings.exposure_s = camera.exposure_s, settings.row_period_s = camera.row_period_s;
   const CameraSettings::Exposed exposed = camera.exposed();
   const double beyond_s = sensor::FlyingFrameCamera::kBeyond_px * camera.row_period_s;
-  const Motions motions = motions_of(*camera.flight, site.offset_m, exposed.from_s, exposed.to_s, beyond_s);
+  const Motions motions =
+      motions_of(*camera.flight, {site.offset_m, site.maps}, exposed.from_s, exposed.to_s, beyond_s);
   settings.platform = motions.truth, settings.reported = motions.reported;
   auto built = std::make_unique<sensor::FlyingFrameCamera>(settings);
-  if (flies_about_earth(camera.flight->platform)) check_flatness(*built, camera.flight->origin);
+  check_flatness(*built, *camera.flight);
   return built;
 }
 
@@ -168,7 +169,7 @@ std::string FrameCamera::description(math::Vec3 shift_m, std::string_view axes) 
                 2.0 * std::atan(0.5 * size.width_px * pitch_m / focal_length_m) * kDegrees,
                 2.0 * std::atan(0.5 * size.height_px * pitch_m / focal_length_m) * kDegrees,
                 placed   ? format("at {} {:.8g}, {:.8g}, {:.6g} m", axes, p.x, p.y, p.z)
-                : flight ? path_description(flight->platform, shift_m, axes)
+                : flight ? path_description(*flight, shift_m, axes)
                          : "without a platform");
 }
 

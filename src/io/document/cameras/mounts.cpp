@@ -7,8 +7,8 @@
 
 #include "core/format.h"
 #include "core/overloaded.h"
-#include "geodesy/geodetic.h"
 #include "io/document/cameras/flight_path.h"
+#include "io/document/cameras/framed_places.h"
 #include "io/document/cameras/mount_error.h"
 #include "io/document/cameras/path_table.h"
 #include "io/document/mount_document.h"
@@ -19,17 +19,6 @@
 
 namespace ifov::io {
 namespace {
-
-/// In the scene.
-math::Point3 scene_point(const TrackedPoint& point, const OriginDocument& origin, math::Vec3 offset_m) {
-  const auto [x, y, z] = point.place;
-  if (point.frame == PathFrame::scene) return math::Point3{x, y, z} - offset_m;
-  const auto ecef_from_scene = geodesy::ecef_from_enu(
-      {origin.geographic->latitude_rad, origin.geographic->longitude_rad, origin.height_m});
-  const geodesy::EcefPoint place = point.frame == PathFrame::geodetic ? geodesy::ecef_from_geodetic({y, x, z})
-                                                                      : geodesy::EcefPoint{{x, y, z}};
-  return ecef_from_scene.inverse()(place).p;
-}
 
 std::optional<platform::Gimbal::Limits> limits_of(const std::optional<GimbalDocument::Limits>& told) {
   if (!told) return std::nullopt;
@@ -67,7 +56,7 @@ class PlacedBearing final : public platform::Bearing {
 /// Of the flight whose platform it is.
 struct BearingMaker {
   const PlatformFlight& flight;
-  math::Vec3 offset_m;
+  const SceneFrame& scene;
   double from_s, to_s;
 
   using Made = std::shared_ptr<const platform::Bearing>;
@@ -76,8 +65,8 @@ struct BearingMaker {
 
   Made operator()(const GimbalDocument& told) const {
     platform::Gimbal::Settings settings;
-    std::visit(Overloaded{[&](const TrackedPoint& point) {
-                            settings.target = scene_point(point, flight.origin, offset_m);
+    std::visit(Overloaded{[&](const FramedPoint& point) {
+                            settings.target = scene_point(point, flight.origin, scene);
                             settings.name = "its point";
                           },
                           [&](const TrackedObject& object) {
@@ -85,7 +74,7 @@ struct BearingMaker {
                                                      flight.origin, flight.seed};
                             settings.target =
                                 platform::Gimbal::Follow{std::make_shared<const platform::Trajectory>(
-                                                             trajectory_of(way, offset_m, from_s, to_s)),
+                                                             trajectory_of(way, scene, from_s, to_s)),
                                                          object.offset_m};
                             settings.name = format("'{}'", object.name.name);
                           }},
@@ -130,12 +119,12 @@ struct BearingMaker {
 
 }  // namespace
 
-std::vector<platform::Mount> mounts_of(const PlatformFlight& flight, math::Vec3 offset_m, double from_s,
+std::vector<platform::Mount> mounts_of(const PlatformFlight& flight, const SceneFrame& scene, double from_s,
                                        double to_s) {
   std::vector<platform::Mount> mounts;
   for (const MountDocument& mount : mounts_in(flight.platform.mounts))
     mounts.push_back({mount.lever_arm_m, mount.boresight,
-                      std::visit(BearingMaker{flight, offset_m, from_s, to_s}, mount.bearing)});
+                      std::visit(BearingMaker{flight, scene, from_s, to_s}, mount.bearing)});
   return mounts;
 }
 

@@ -11,10 +11,11 @@ struct Mount;
 namespace ifov::io {
 
 struct PlatformFlight;
+struct SceneFrame;
 
 /// What lies between a platform and its camera. Opens the files of mounts and of what they track: InputError with the place there,
-/// SystemError. `offset_m` is subtracted from coordinates of the scene.
-std::vector<platform::Mount> mounts_of(const PlatformFlight& flight, math::Vec3 offset_m, double from_s,
+/// SystemError.
+std::vector<platform::Mount> mounts_of(const PlatformFlight& flight, const SceneFrame& scene, double from_s,
                                        double to_s);
 
 }  // namespace ifov::io

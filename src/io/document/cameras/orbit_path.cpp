@@ -8,6 +8,7 @@
 #include "core/format.h"
 #include "geodesy/orbit/sgp4.h"
 #include "geodesy/orbit/teme.h"
+#include "io/document/cameras/framed_places.h"
 #include "io/document/platform_document.h"
 #include "io/tables/text_table.h"
 
@@ -68,7 +69,7 @@ OrbitPoints orbit_points(const OrbitPath& path, geodesy::UtcTime time, double fr
                               minutes / 1440.0, words_of(state.fault)));
     const geodesy::UtcTime then{time.jd1, time.jd2 + t_s / kDay_s};
     points.times_s.push_back(t_s);
-    points.places.push_back(geodesy::ecef_from_teme(then, path.ut1_minus_utc_s)(state.position));
+    points.places.push_back(geodesy::ecef_from_teme(then, orientation_of(path.turn))(state.position));
   }
   return points;
 }

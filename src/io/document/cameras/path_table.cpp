@@ -32,6 +32,9 @@ const std::array<Column, 3> kGeodetic{
     {{"longitude_deg", [](PathRow& r) { return &r.place[0]; }, math::kDegree, -360.0, 360.0},
      {"latitude_deg", [](PathRow& r) { return &r.place[1]; }, math::kDegree, -90.0, 90.0},
      {"height_m", [](PathRow& r) { return &r.place[2]; }, 1.0, -1e5, 1e9}}};
+const std::array<Column, 3> kMap{{{"easting_m", [](PathRow& r) { return &r.place[0]; }},
+                                  {"northing_m", [](PathRow& r) { return &r.place[1]; }},
+                                  {"height_m", [](PathRow& r) { return &r.place[2]; }, 1.0, -1e5, 1e9}}};
 const std::array<Column, 3> kAngles{
     {{"yaw_deg", [](PathRow& r) { return &r.angles.yaw_rad; }, math::kDegree, -kRound, kRound},
      {"pitch_deg", [](PathRow& r) { return &r.angles.pitch_rad; }, math::kDegree, -90.0, 90.0},
@@ -129,7 +132,11 @@ PathRows read_rows(const std::filesystem::path& path, std::span<const Column> pl
 }  // namespace
 
 PathRows read_path_table(const std::filesystem::path& path, PathFrame frame) {
-  return read_rows(path, frame == PathFrame::geodetic ? kGeodetic : kMetres, "a path");
+  return read_rows(path,
+                   frame == PathFrame::geodetic ? kGeodetic
+                   : frame == PathFrame::map    ? kMap
+                                                : kMetres,
+                   "a path");
 }
 
 PathRows read_turn_table(const std::filesystem::path& path) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <vector>
 
@@ -13,7 +14,7 @@ enum class PathFrame;
 /// A row of a table of a path, as it stands there.
 struct PathRow {
   double time_s = 0.0;
-  double place[3] = {};           ///< metres; geodetic: longitude and latitude in radians, height
+  std::array<double, 3> place{};  ///< metres; geodetic: longitude and latitude in radians, height
   geodesy::Attitude angles;       ///< where the table has them
   platform::Quaternion rotation;  ///< likewise; takes the body to the table's frame
 };

@@ -80,10 +80,10 @@ std::unique_ptr<sensor::Camera> PushbroomCamera::build(const CameraSite& site) c
   settings.lowest_m = site.lowest_m, settings.highest_m = site.highest_m;
   const double end_s = start_s + size.height_px * line_period_s;
   const double beyond_s = (sensor::PushbroomCamera::kBeyond_px + stages) * line_period_s;
-  const Motions motions = motions_of(*flight, site.offset_m, start_s, end_s, beyond_s);
+  const Motions motions = motions_of(*flight, {site.offset_m, site.maps}, start_s, end_s, beyond_s);
   settings.platform = motions.truth, settings.reported = motions.reported;
   auto camera = std::make_unique<sensor::PushbroomCamera>(settings);
-  if (flies_about_earth(flight->platform)) check_flatness(*camera, flight->origin);
+  check_flatness(*camera, *flight);
   return camera;
 }
 
@@ -94,7 +94,7 @@ sensor::ReadOut PushbroomCamera::read_out() const {
 std::string PushbroomCamera::description(math::Vec3 shift_m, std::string_view axes) const {
   return format("pushbroom, {} x {} pixels, {:.4g} deg across, a line every {:.6g} ms, {}", size.width_px,
                 size.height_px, 2.0 * std::atan(0.5 * size.width_px * step()) * kDegrees, 1e3 * line_period_s,
-                flight ? path_description(flight->platform, shift_m, axes) : "without a platform");
+                flight ? path_description(*flight, shift_m, axes) : "without a platform");
 }
 
 std::shared_ptr<const CameraSettings> PushbroomCamera::shrunk(int longest_px) const {

@@ -69,10 +69,10 @@ std::unique_ptr<sensor::Camera> ScanningCamera::build(const CameraSite& site) co
   const sensor::SweepPattern& p = settings.pattern;
   const double end_s = start_s + (p.sweeps - 1) * p.period_s + p.sweep_s;
   const double beyond_s = (sensor::SweepCamera::kBeyond_px + 1.0) * p.longest_sample_s();
-  const Motions motions = motions_of(*flight, site.offset_m, start_s, end_s, beyond_s);
+  const Motions motions = motions_of(*flight, {site.offset_m, site.maps}, start_s, end_s, beyond_s);
   settings.platform = motions.truth, settings.reported = motions.reported;
   auto camera = std::make_unique<sensor::ScanCamera>(settings);
-  if (flies_about_earth(flight->platform)) check_flatness(*camera, flight->origin);
+  check_flatness(*camera, *flight);
   return camera;
 }
 
@@ -86,7 +86,7 @@ std::string ScanningCamera::description(math::Vec3 shift_m, std::string_view axe
   return format("{}, {} sweeps of {} samples by {} element{} over {:.4g} deg, in {:.6g} of {:.6g} ms, {}",
                 name(), p.sweeps, p.samples, p.elements, p.elements == 1 ? "" : "s",
                 sweep_angle_rad / math::kDegree, 1e3 * p.sweep_s, 1e3 * p.period_s,
-                flight ? path_description(flight->platform, shift_m, axes) : "without a platform");
+                flight ? path_description(*flight, shift_m, axes) : "without a platform");
 }
 
 std::shared_ptr<const CameraSettings> ScanningCamera::shrunk(int longest_px) const {

@@ -1,15 +1,11 @@
 #include "io/document/reading/mount_camera.h"
 
-#include <algorithm>
-#include <string>
-#include <vector>
-
 #include "core/format.h"
-#include "core/names.h"
 #include "io/document/cameras/view_settings.h"
 #include "io/document/document.h"
 #include "io/document/mount_document.h"
 #include "io/document/platform_document.h"
+#include "io/document/reading/tracked_objects.h"
 #include "io/document/samplers/accuracy_sampling.h"
 
 namespace ifov::io {
@@ -30,46 +26,6 @@ void settle_views(Document& document) {
   if (accuracy != nullptr && accuracy->of_image())
     refuse("\"of\": \"image\" is of the pixels of a picture together");
   if (document.sampling.method->audited_pixels()) refuse("an audit is of the pixels of a picture");
-}
-
-/// Paths of what gimbals track.
-void find_tracked(const Document& document, PlatformFlight& flight) {
-  for (const MountDocument& mount : mounts_in(flight.platform.mounts)) {
-    const auto* gimbal = std::get_if<GimbalDocument>(&mount.bearing);
-    if (gimbal == nullptr) continue;
-    if (const auto* point = std::get_if<TrackedPoint>(&gimbal->target)) {
-      if (point->frame != PathFrame::scene && !document.scene.origin.geographic)
-        throw document_error(
-            document.sources, gimbal->position,
-            "a point about the Earth needs the place of the scene: expected an 'origin' of the scene with 'latitude' and "
-            "'longitude'");
-      continue;
-    }
-    const DocumentName& wanted = std::get<TrackedObject>(gimbal->target).name;
-    std::vector<std::string> moving;
-    for (const ObjectDocument& object : document.scene.objects)
-      if (object.motion && !object.name.empty()) {
-        moving.push_back(object.name);
-        if (object.name == wanted.name) flight.tracked[object.name] = object.motion;
-      }
-    if (flight.tracked.contains(wanted.name)) continue;
-    const bool exists = std::any_of(document.scene.objects.begin(), document.scene.objects.end(),
-                                    [&](const ObjectDocument& object) { return object.name == wanted.name; });
-    throw document_error(document.sources, wanted.position,
-                         format("{}{}; expected {}, or a 'point'",
-                                exists ? format("'{}' does not move", wanted.name)
-                                       : format("there is no object '{}'", wanted.name),
-                                did_you_mean(wanted.name, moving),
-                                moving.empty() ? std::string("the name of an object that has a 'motion'")
-                                               : format("an object that moves ({})", list_names(moving))));
-  }
-  const std::size_t mounts = mounts_in(flight.platform.mounts).size();
-  const auto& reported = flight.platform.reported;
-  if (const std::size_t told = reported ? mounts_in(reported->mounts).size() : 0;
-      told > std::max<std::size_t>(mounts, 1))
-    throw document_error(document.sources, flight.platform.position,
-                         format("'reported' tells of {} mounts, and there {}", told,
-                                mounts == 1 ? std::string("is one") : format("are {}", mounts)));
 }
 
 /// Those of a platform and of one of its sensors.

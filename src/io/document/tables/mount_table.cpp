@@ -5,6 +5,7 @@
 #include "io/document/mount_document.h"
 #include "io/document/schema/shared_target.h"
 #include "io/document/sensor_document.h"
+#include "io/document/tables/framed_place.h"
 #include "io/document/tables/own_mounts.h"
 #include "io/document/tables/platform_angles.h"
 #include "io/document/tables/platform_tables.h"
@@ -12,51 +13,15 @@
 namespace ifov::io {
 namespace {
 
-struct PointEntry {
-  PathFrame frame = PathFrame::scene;
-  std::optional<math::Point3> position_m;
-  std::optional<double> longitude_rad, latitude_rad;
-  double height_m = 0.0;
-};
-
-TrackedPoint point_of(const PointEntry& entry) {
-  if (entry.frame == PathFrame::geodetic)
-    return {entry.frame, {*entry.longitude_rad, *entry.latitude_rad, entry.height_m}};
-  return {entry.frame, {entry.position_m->x, entry.position_m->y, entry.position_m->z}};
-}
-
-PointEntry entry_of_point(const TrackedPoint& point) {
-  const auto [x, y, z] = point.place;
-  if (point.frame == PathFrame::geodetic) return {point.frame, {}, x, y, z};
-  return {point.frame, math::Point3{x, y, z}, {}, {}, 0.0};
-}
-
-SchemaType<TrackedPoint> tracked_point_type() {
-  Record<PointEntry> record("tracked point", "Where a gimbal looks at all times.");
-  record
-      .required(
-          "frame", &PointEntry::frame,
-          choice<PathFrame>(
-              {{"scene", PathFrame::scene}, {"geodetic", PathFrame::geodetic}, {"ecef", PathFrame::ecef}}),
-          "of the place; others than the scene's need `latitude` and `longitude` of the `origin`")
-      .optional(
-          "position", &PointEntry::position_m, point(),
-          "where it is: of the scene east, north, up about its origin; of ECEF Earth-centred, Earth-fixed")
-      .optional("longitude", &PointEntry::longitude_rad,
-                quantity(kAngle, Range::between(-360.0, 360.0, "deg")), "geodetic, in place of `position`")
-      .optional("latitude", &PointEntry::latitude_rad, quantity(kAngle, Range::between(-90.0, 90.0, "deg")),
-                "geodetic")
-      .with_default("height", &PointEntry::height_m, quantity(kLength), "\"0 m\"",
-                    "above the ellipsoid WGS 84")
-      .needs("height", "latitude")
-      .check([](const PointEntry& entry, const DocumentNode& node) {
-        const bool geodetic = entry.frame == PathFrame::geodetic;
-        if (geodetic && (!entry.longitude_rad || !entry.latitude_rad || entry.position_m))
-          node.given("frame").fail("a geodetic point is told by 'longitude', 'latitude' and 'height'");
-        if (!geodetic && (!entry.position_m || entry.longitude_rad || entry.latitude_rad))
-          node.given("frame").fail("a point in this frame is told by its 'position' alone");
-      });
-  return converted<TrackedPoint>(record.type(), point_of, entry_of_point);
+SchemaType<FramedPoint> tracked_point_type() {
+  struct Entry {
+    PlaceEntry place;
+  };
+  Record<Entry> record("tracked point", "Where a gimbal looks at all times.");
+  add_place(record, &Entry::place, "position", "the place");
+  return converted<FramedPoint>(
+      record.type(), [](const Entry& entry) { return point_of(entry.place); },
+      [](const FramedPoint& point) { return Entry{entry_of_point(point)}; });
 }
 
 struct GimbalEntry {
@@ -88,7 +53,7 @@ SchemaType<GimbalDocument> gimbal_type() {
       "gimbal",
       "Two axes that keep the camera's axis towards a point or an object, whatever carries it does.");
   record.exactly_one()
-      .one("point", whole(TrackedPoint{}), tracked_point_type(), "what it looks at: a place")
+      .one("point", whole(FramedPoint{}), tracked_point_type(), "what it looks at: a place")
       .one("object", name, name_of("an object"),
            "or one of the scene's objects, with a `motion`: what its path leads through")
       .optional("offset", &GimbalEntry::offset_m, displacement(),

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "io/document/mount_document.h"
+#include "io/document/tables/framed_place.h"
 #include "io/document/tables/platform_angles.h"
 #include "io/document/tables/platform_tables.h"
 
@@ -24,13 +25,13 @@ void add_deviations(Record<T>& record, geodesy::Attitude T::*angles) {
 
 SchemaType<PlatformAttitude> platform_attitude_type() {
   struct Target {
-    math::Point3 position_m;
+    PlaceEntry place;
   };
   Record<Target> target("point looked at", "What the belly, and with it the camera, is turned to.");
-  add_only_frame(target, "scene", "of the position: east, north, up about the scene's origin");
-  target.required("position", &Target::position_m, point(), "where it is");
-  const auto look_at = converted<math::Point3>(
-      target.type(), [](const Target& t) { return t.position_m; }, [](math::Point3 p) { return Target{p}; });
+  add_place(target, &Target::place, "position", "where it is");
+  const auto look_at = converted<FramedPoint>(
+      target.type(), [](const Target& t) { return point_of(t.place); },
+      [](const FramedPoint& p) { return Target{entry_of_point(p)}; });
   Record<PlatformAttitude> record(
       "platform attitude",
       "How the body stands, and held angles (the 3-2-1 sequence) from there. Without more the body is level at the platform's place, its nose "
@@ -45,13 +46,12 @@ SchemaType<PlatformAttitude> platform_attitude_type() {
                                 {"velocity", PlatformAxes::velocity}}),
           "what the angles are about: the belly along the local vertical (`nadir`, as without the key), the belly to the Earth's centre, or "
           "the nose along the velocity")
-      .one("look_at", &PlatformAttitude::look_at_m, look_at, "instead: the belly to a point, at all times")
-      .with_default(
+      .one("look_at", &PlatformAttitude::look_at, look_at, "instead: the belly to a point, at all times")
+      .optional(
           "from", &PlatformAttitude::from,
           choice<YawFrom>({{"track", YawFrom::track}, {"orbit", YawFrom::orbit}, {"north", YawFrom::north}}),
-          "\"track\"",
-          "what yaw is counted from: where the platform flies to over the ground, where it flies to among the stars (as a satellite "
-          "without yaw steering), or north");
+          "what yaw is counted from: where the platform flies to over the ground (`track`, as without the key), where it flies to among "
+          "the stars (as a satellite without yaw steering), or north (as without the key of what is `fixed`)");
   return record.type();
 }
 

@@ -11,6 +11,7 @@
 #include "io/document/scene_document.h"
 #include "platform/trajectory.h"
 #include "session/assembly/geometry/geometry_assembly.h"
+#include "session/assembly/shared/scene_maps.h"
 #include "session/assembly/shared/with_position.h"
 
 namespace ifov::session {
@@ -50,8 +51,9 @@ std::shared_ptr<const geometry::Motion> assemble_motion(const GeometrySubject& o
                                                         const io::ObjectDocument& object,
                                                         math::Vec3 offset_m) {
   return with_position(of.sources, object.motion->position, [&] {
+    const MapsOfScene maps(of.sources, of.origin);
     platform::Trajectory path =
-        io::trajectory_of({*object.motion, of.time, of.origin, 1}, offset_m, of.from_s, of.to_s);
+        io::trajectory_of({*object.motion, of.time, of.origin, 1}, {offset_m, &maps}, of.from_s, of.to_s);
     check_covered(path, of);
     return std::make_shared<const PathMotion>(std::move(path));
   });

@@ -25,6 +25,7 @@
 #include "sensor/view_list.h"
 #include "sensor/view_list_camera.h"
 #include "session/assembly/shared/map_frame.h"
+#include "session/assembly/shared/scene_maps.h"
 #include "session/assembly/shared/with_position.h"
 
 namespace ifov::session {
@@ -80,6 +81,8 @@ std::unique_ptr<sensor::Camera> assemble_camera(const io::DocumentSources& sourc
                                                 const geometry::World& world, std::uint64_t seed) {
   return with_position(sources, camera.position, [&] {
     io::CameraSite site{origin.offset_m, world.heights().high_m, world.heights().low_m, seed};
+    const MapsOfScene maps(sources, origin);
+    site.maps = &maps;
     if (const auto period = world.period()) site.period_m = {period->x_m, period->y_m};
     return io::with_mounts(sources, [&] { return camera.settings->build(site); });
   });
