@@ -51,16 +51,14 @@ struct Ifov {
 
 /// Where light that falls on a point of the focal plane comes from, and what follows from that: whoever needs height,
 /// direction or scale of an image asks here. Frames: scene (ENU metres) for rays, image (pixels, x right, y down) for
-/// points. A line is a y of the image frame, so that the middle of pixels' row j is j + 0.5; of a camera that stands
-/// still all lines are alike.
+/// points. A line is a y of the image frame, so that the middle of pixels' row j is j + 0.5; of a camera that stands still all lines are alike.
 class Camera {
  public:
   virtual ~Camera() = default;
   virtual int width_px() const = 0;
   virtual int height_px() const = 0;
 
-  /// Rays through focal-plane points, from the camera towards the scene. A ray's time is that of its line (pose) and
-  /// the point's own together.
+  /// Rays through focal-plane points, from the camera towards the scene. A ray's time is that of its line (pose) and the point's own together.
   virtual void rays(std::span<const sampling::FocalPoint> points, std::span<math::Ray> rays) const = 0;
 
   /// Image of a scene point; false where it is behind the camera.
@@ -101,8 +99,7 @@ class Camera {
   /// Of a pixel in the middle of a line.
   virtual Ifov ifov(double line_px) const;
 
-  /// Ground sample distance where the middle of a line meets level ground at a height (z); none where it does not look
-  /// down at it.
+  /// Ground sample distance where the middle of a line meets level ground at a height (z); none where it does not look down at it.
   std::optional<double> line_gsd_m(double line_px, double ground_m = 0.0) const;
 };
 
@@ -112,8 +109,7 @@ std::vector<sampling::FocalPoint> grid_over(const Camera& camera, int columns, i
 
 /// What the Stokes vector of light that reaches a point of the focal plane along a ray is about: x is the image's
 /// x (`right`, made perpendicular to the optical axis), carried from the axis to the ray's direction as a rotationally
-/// symmetric lens carries it, so that fields along the radius and across it stay such. y = k cross x is the image's
-/// upward direction on the axis.
+/// symmetric lens carries it, so that fields along the radius and across it stay such. y = k cross x is the image's upward direction on the axis.
 radiometry::PolarizationFrame focal_frame(const Camera& camera, const sampling::FocalPoint& point,
                                           const math::Ray& ray);
 

@@ -11,8 +11,7 @@ namespace ifov::io {
 
 class DocumentSource;
 
-/// The texts that a document was read from: itself, what it includes, what the command line replaced. Positions of its values
-/// lie in them.
+/// The texts that a document was read from: itself, what it includes, what the command line replaced. Positions of its values lie in them.
 struct DocumentSources {
   std::string file_name;  ///< of the document, as the user gave it
   std::vector<std::shared_ptr<const DocumentSource>> texts;

@@ -7,8 +7,7 @@
 namespace ifov::io {
 
 /// Of the scene: its east, north, up about its origin, in the document's coordinates. Geodetic: longitude, latitude, height above
-/// the ellipsoid WGS 84. Of a map: easting, northing, height. ECEF: Earth-centred, Earth-fixed. TEME and GCRS: Earth-centred, fixed among
-/// the stars.
+/// the ellipsoid WGS 84. Of a map: easting, northing, height. ECEF: Earth-centred, Earth-fixed. TEME and GCRS: Earth-centred, fixed among the stars.
 enum class PathFrame { scene, geodetic, map, ecef, teme, gcrs };
 
 /// Whether places in it are about the Earth, and not on the flat scene or its map.

@@ -47,8 +47,7 @@ struct TurnTableDocument {
   DocumentFile file;
 };
 
-/// How something is carried: where it is along the body's nose, right wing and belly, how it is turned against them, and what turns it
-/// from there.
+/// How something is carried: where it is along the body's nose, right wing and belly, how it is turned against them, and what turns it from there.
 struct MountDocument {
   math::Vec3 lever_arm_m;
   geodesy::Attitude boresight;

@@ -8,8 +8,7 @@
 
 namespace ifov::io {
 
-/// Numbers of detector columns by channel: a line for each column of the image, a field for each channel in the order of the
-/// document.
+/// Numbers of detector columns by channel: a line for each column of the image, a field for each channel in the order of the document.
 struct ColumnTable {
   DocumentFile file;
 };

@@ -82,8 +82,7 @@ struct JoinedSpectrum {
   std::vector<SpectrumDocument> parts;  ///< two, in either order
 };
 
-/// A spectrum. Reflectance, emissivity and transmittance are fractions; radiance is in W m-2 sr-1 um-1,
-/// irradiance in W m-2 um-1.
+/// A spectrum. Reflectance, emissivity and transmittance are fractions; radiance is in W m-2 sr-1 um-1, irradiance in W m-2 um-1.
 struct SpectrumDocument {
   std::variant<ConstantSpectrum, CsvSpectrum, EcostressSpectrum, UsgsSpectrum, AsdSpectrum, SliSpectrum,
                EmsSpectrum, LibrarySource, JoinedSpectrum, TableSpectrum>
