@@ -53,10 +53,10 @@ void print_temperatures() {
   for (std::size_t row = 0; row <= a_day; row += every)
     std::printf("air %.4f %.3f\n", hour(row), series.rows[shown + row].air.temperature_k);
   // Solids of data/thermal/materials.txt, with the same skin.
-  const thermal::Skin skin{.solar_absorptance = 0.7,
-                           .emissivity = 0.93,
-                           .roughness = thermal::Roughness::medium_rough,
-                           .wetness = {}};
+  thermal::Skin skin;
+  skin.solar_absorptance = 0.7;
+  skin.emissivity = 0.93;
+  skin.roughness = thermal::Roughness::medium_rough;
   const auto print = [&](const char* name, const thermal::SolidLayer& layer) {
     for (const double visible : {1.0, 0.0}) {
       const thermal::SurfaceSolution solution =
