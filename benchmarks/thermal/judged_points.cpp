@@ -101,7 +101,7 @@ std::vector<JudgedPoint> judge_points(const std::string& text, const std::string
       const thermal::Pose pose(normal, exposure.height_m);
       classes.worth(pose, in_shade, of_sun);
       const double sun = surface.sun_share(at, exposure),
-                   view = 1.0 - exposure.free_sky * 0.5 * (1.0 + normal.z);
+                   view = classes.skin().faces() - exposure.free_sky * classes.open_share(normal);
       double sum_k = 0.0;
       for (std::size_t bin = 0; bin < classes.bins(); ++bin) {
         const auto rows = classes.rows_of_bin(bin);
@@ -126,7 +126,8 @@ std::vector<JudgedPoint> judge_points(const std::string& text, const std::string
     for (int part = 0; part < kParts; ++part) {
       const std::uint64_t own = sampling::hash(key, part);
       exposure = surface.exposure(at, own, effort.sky_pairs, effort.sun_rays);
-      const auto beside = session::beside_of(all, at, exposure, own, effort.rays_beside, effort.depth);
+      const auto beside = session::beside_of(all, at, exposure, own, effort.rays_beside, effort.depth,
+                                             surface.classes().two_faces());
       point.linear_k += linear_k(beside) / kParts;
       const double part_k = full_k(beside), alone_k = full_k({});
       point.class_off_k += (surface.temperature_k(at, exposure) - alone_k) / kParts;

@@ -190,7 +190,8 @@ void SurfacesOfTimes::ask_beside(std::size_t number, const ExposedPoint& exposed
                                  Beside& beside) const {
   static thread_local std::vector<math::Vec3> downward;
   static thread_local std::vector<Neighbours::Change> of_group;
-  const double above = 0.5 * (1.0 + pose.normal.z), below = 1.0 - above;
+  const thermal::SurfaceClasses& first = classes_[number]->of_time(0);
+  const double above = first.open_share(pose.normal), below = first.skin().faces() - above;
   downward.clear();
   if (below >= kLeastBelowHorizon) exposed.ground_directions(sampling::hash(key, Asked::below), 1, downward);
   beside.above = directions.size();
@@ -230,7 +231,7 @@ std::unique_ptr<const SurfacesOfTimes> SurfacesOfTimes::of(std::span<const scene
     for (std::size_t number = 0; number < scene->solved.size(); ++number) {
       const auto* surface = dynamic_cast<const SolvedSurface*>(scene->solved[number].get());
       if (surface == nullptr) continue;
-      if (surface->scene().changes() || surface->classes().two_faces()) return nullptr;
+      if (surface->scene().changes()) return nullptr;
       by_number[number].push_back(surface->shared_classes());
       if (any == nullptr) any = surface;
       if (neighbours.size() < static_cast<std::size_t>(&scene - by_time.data()) + 1)
@@ -272,7 +273,8 @@ void SurfacesOfTimes::estimate(std::size_t number, const geometry::SurfacePoint&
   static thread_local std::vector<geometry::SurfacePoint> met;
   const ClassesOfTimes& classes = *classes_[number];
   const std::size_t lanes = classes.lanes(), bins = classes.bins();
-  const ExposedPoint exposed(scene_, point);
+  const bool two_faces = classes_[number]->of_time(0).two_faces();
+  const ExposedPoint exposed(scene_, point, two_faces);
   const thermal::Pose pose = exposed.pose();
   const thermal::SurfaceClasses::AtStake stake = at_stake(classes, pose);
   PointRays rays(stake, share);
@@ -310,7 +312,7 @@ void SurfacesOfTimes::estimate(std::size_t number, const geometry::SurfacePoint&
     for (const PastSuns::Set& set : pairs.suns) pairs.directions.push_back(set[b].direction());
   pairs.is_free.resize(2 * bins);
   if (bins > 0) exposed.free(pairs.directions, {}, pairs.is_free);
-  see_behind(pairs, exposed.normal());
+  if (!two_faces) see_behind(pairs, exposed.normal());
   pairs.kelvin = pairs.at.shaded_k;
   pairs.variance.resize(lanes);
   const bool has_beside = !groups_.empty();

@@ -34,7 +34,7 @@ class SurfacesOfTimes final : public scene::TemperaturesOfTimes {
   SurfacesOfTimes(const std::map<std::size_t, ByTime>& by_number, PastScene scene, double sun_radius_rad,
                   std::vector<std::shared_ptr<const Neighbours>> neighbours = {});
   ~SurfacesOfTimes() override;
-  /// Of scenes of one world, by time; null where their pasts have no rows in common, something came or went, a sheet has two faces, or nothing is solved.
+  /// Of scenes of one world, by time; null where their pasts have no rows in common, something came or went, or nothing is solved.
   static std::unique_ptr<const SurfacesOfTimes> of(std::span<const scene::Scene* const> by_time);
 
   std::size_t times() const override { return times_; }

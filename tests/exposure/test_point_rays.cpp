@@ -126,7 +126,7 @@ TEST(PointRays, SmallSharesAreAsWarmInTheMeanAndTellTheirSpread) {
   EXPECT_GT(spent_off, 6.0);
 }
 
-// Leaves that are turned every way differ within pixels by more than rays scatter, a level court between walls by less.
+// Clumps of leaves that are turned every way differ within pixels by more than rays scatter, a level court between walls by less.
 TEST(PointRays, ImagesSpendRaysWhereTheyAreWorthMoreThanPaths) {
   const ClearDays weather("spending", 2.5);
   std::string leaves;

@@ -24,10 +24,13 @@ std::string text_of(const DaysOfJune& weather, const std::string& time) {
           "scene": {{"origin": {{"latitude": "52 deg", "longitude": "5 deg"}},
             "materials": {{"road": {{"reflectance": {{"library": "asphalt, road, weathered"}}, "temperature": "solved"}},
               "metal": {{"emissivity": 0.9, "temperature": "solved",
-                "thermal": {{"layers": [{{"thickness": "1 mm", "library": "steel"}}], "solar_absorptance": 0.7}}}}}},
+                "thermal": {{"layers": [{{"thickness": "1 mm", "library": "steel"}}], "solar_absorptance": 0.7}}}},
+              "sheet": {{"emissivity": 0.9, "temperature": "solved",
+                "thermal": {{"layers": [{{"thickness": "1 mm", "library": "steel"}}], "solar_absorptance": 0.7, "back": {{"other_side": {{}}}}}}}}}},
             "objects": [{{"plane": {{}}, "material": "road"}},
               {{"box": {{"low": ["-2 m", "-1 m", "0 m"], "high": ["2 m", "1 m", "4 m"]}}, "material": "road"}},
-              {{"box": {{"low": ["-2 m", "3 m", "0.4 m"], "high": ["2 m", "5 m", "0.5 m"]}}, "material": "metal"}}]}},
+              {{"box": {{"low": ["-2 m", "3 m", "0.4 m"], "high": ["2 m", "5 m", "0.5 m"]}}, "material": "metal"}},
+              {{"disk": {{"center": ["4 m", "1 m", "1.5 m"], "normal": [1, -0.2, 0.3], "radius": "0.5 m"}}, "material": "sheet"}}]}},
           "light": {{"sky": {{"none": {{}}}}}},
           "sensor": {{"camera": {{"orthographic": {{"gsd": "0.5 m", "pixels": [24, 16]}}}},
             "channels": [{{"name": "thermal", "top_hat": {{"from": "10 um", "to": "11 um"}}}}]}},
@@ -86,7 +89,8 @@ TEST(SurfacesOfTimes, MeansAreThoseOfExactSums) {
         Place{"east", 0, 0, {2.6, 0.2, 9.0}, down}, Place{"roof", 0, 1, {0.3, 0.2, 9.0}, down},
         Place{"wall", 0, 0, {0.4, -9.0, 1.3}, {0.0, 1.0, 0.0}},
         Place{"west wall", 0, 1, {-9.0, 0.1, 1.3}, {1.0, 0.0, 0.0}},
-        Place{"metal", 1, 0, {0.2, 3.6, 9.0}, down}}) {
+        Place{"metal", 1, 0, {0.2, 3.6, 9.0}, down},
+        Place{"sheet, away from the Sun", 2, 1, {9.0, 1.1, 1.5}, {-1.0, 0.0, 0.0}}}) {
     const geometry::SurfacePoint point = times.hit(place.from, place.along);
     ASSERT_TRUE(point.hit()) << place.name;
     std::vector<double> mean_k(12, 0.0), squares_k2(12, 0.0), told_k2(12, 0.0);

@@ -13,6 +13,7 @@
 #include "session/session.h"
 #include "session/solved/document_outdoors.h"
 #include "session/solved/second_pass.h"
+#include "thermal/surface_exchange.h"
 
 namespace ifov::session::test_two_faces {
 namespace {
@@ -127,6 +128,59 @@ TEST(TwoFaces, OfAClosedBoxAreNotOutdoors) {
       R"(, {"box": {"low": ["-1 m", "-1 m", "0.4 m"], "high": ["-0.6 m", "1 m", "2.6 m"]}, "material": "sign"})"));
   const TemperatureErrors& errors = *session.parts().temperature_errors;
   EXPECT_EQ(errors.free_standing, 0) << errors.statement();
+}
+
+// Three millimetres of plastic in the Sun, by explicit steps through eight slices with a balance on either face: by what a face is off the one
+// temperature, that is stated.
+TEST(TwoFaces, DifferByWhatIsStated) {
+  const ClearDays weather("sign", 2.5);
+  const Session session = load(text_of(
+      weather,
+      R"("reflectance": 0.1, "thermal": {"layers": [{"thickness": "3 mm", "library": "polyethylene"}], "roughness": "smooth", "back": {"other_side": {}}})"));
+  const Parts& parts = session.parts();
+  const DocumentOutdoors outdoors = outdoors_of_document(parts.document, *parts.weather);
+  const ByMaterial by_material = solved_materials(parts.document, parts.scene, outdoors.mean_air_k);
+  const SolvedMaterial& sign = by_material.at(kSign);
+  const thermal::OutdoorsSeries& series = outdoors.outdoors.series;
+  thermal::Stand stand;
+  stand.terrain = outdoors.terrain;
+  thermal::Skin one = sign.thermal.skin;
+  one.two_faces = false;
+  const exposure::SolvedSurface faces = sign.surface->exposed_on(false);
+  const auto balance_on = [&](double x) {
+    const geometry::SurfacePoint point = seen_from(session, x);
+    return face_balance(sign, one, series, stand, faces.normal_at(point), faces.exposure(point, 1, 64, 1),
+                        {});
+  };
+  const thermal::SurfaceBalance lit = balance_on(3.0), dark = balance_on(-3.0);
+  constexpr int kSlices = 8;
+  constexpr double kThick_m = 3e-3 / kSlices, kConducts = 0.50, kHolds = 980.0 * 1800.0, kStep_s = 0.2;
+  const double end_s = sign.classes->end_s();
+  std::vector<double> slices(kSlices, 295.0);
+  double lit_k = 295.0, dark_k = 295.0;
+  const double half = 2.0 * kConducts / kThick_m;
+  for (double time_s = end_s - 7200.0; time_s < end_s; time_s += kStep_s) {
+    lit_k = thermal::balanced_temperature_k(lit, time_s, half, slices.front(), lit_k);
+    dark_k = thermal::balanced_temperature_k(dark, time_s, half, slices.back(), dark_k);
+    std::vector<double> next = slices;
+    for (int k = 0; k < kSlices; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      double in = 0.0;
+      in += k > 0 ? 0.5 * half * (slices[i - 1] - slices[i]) : half * (lit_k - slices[i]);
+      in += k + 1 < kSlices ? 0.5 * half * (slices[i + 1] - slices[i]) : half * (dark_k - slices[i]);
+      next[i] += kStep_s * in / (kThick_m * kHolds);
+    }
+    slices = next;
+  }
+  const double both_k = full_k(session, seen_from(session, 3.0), false);
+  const double off_k = std::max(std::abs(lit_k - both_k), std::abs(dark_k - both_k));
+  const double stated_k = session.parts().temperature_errors->by_material.at(kSign).other_side_k;
+  EXPECT_GT(off_k, 0.3);
+  EXPECT_NEAR(stated_k, off_k, 0.25 * off_k);
+  EXPECT_NEAR(0.5 * (lit_k + dark_k), both_k, 0.25 * off_k);
+  const std::string statement = session.parts().temperature_errors->statement();
+  EXPECT_NE(statement.find("K off the temperature that both are taken to have"), std::string::npos)
+      << statement;
 }
 
 // By night between a hot wall and a cold one, which fill most of what each face sees. Where they are hotter the second order is not enough, and

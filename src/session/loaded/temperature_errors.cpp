@@ -45,7 +45,7 @@ double TemperatureErrors::half_width_k() const {
 std::string TemperatureErrors::statement() const {
   return format(
       "solved temperatures: at {} points that the camera sees, each solved in full by itself{}, off by {:.2f} K "
-      "(root mean square, of '{}', the material that is off most), {:.2f} K at worst, {:+.3f} K on average{}; steps of time {:.3f} K{}{}{}; what is "
+      "(root mean square, of '{}', the material that is off most), {:.2f} K at worst, {:+.3f} K on average{}; steps of time {:.3f} K{}{}{}{}; what is "
       "about them, lit and shaded as it was, {:.2f} K against the same solved in full",
       points, made_up > 0 ? format(", and {} more of materials that it hardly sees", made_up) : "", rms_k,
       material, worst_k, bias_k,
@@ -65,6 +65,11 @@ std::string TemperatureErrors::statement() const {
                 "; {} of them are of thin sheets whose other side is outdoors, which is left out: up to {:.2f} K, of '{}' "
                 "(\"back\": {{\"other_side\": {{}}}} has it count)",
                 free_standing, other_side_k, free_material)
+          : "",
+      across_k >= 0.005
+          ? format(
+                "; faces of thin sheets are up to {:.2f} K off the temperature that both are taken to have",
+                across_k)
           : "",
       beside_k);
 }

@@ -38,6 +38,7 @@ struct TemperatureErrors {
   double ground_k = 0.0;                   ///< the largest
   int free_standing = 0;                   ///< points of `other_side_k`
   double other_side_k = 0.0;               ///< the largest
+  double across_k = 0.0;                   ///< largest, by which a face of a sheet of two is off
   std::string free_material;               ///< of which that is
   std::string weather;  ///< by which they are solved, and what stood in for what it does not tell
 

@@ -331,6 +331,7 @@ void measure(TemperatureErrors& errors, const io::Document& document, const Neig
       ++errors.by_material[material].seen;
       errors.lowest_m = errors.points == 1 ? point.height_m : std::min(errors.lowest_m, point.height_m);
       errors.highest_m = std::max(errors.highest_m, point.height_m);
+      errors.across_k = std::max(errors.across_k, point.across_k);
       double& of_sheet_k = errors.by_material[material].other_side_k;
       of_sheet_k = std::max({of_sheet_k, point.across_k, point.other_side_k.value_or(0.0)});
       if (point.other_side_k) {

@@ -65,10 +65,10 @@ void ClassesOfTimes::At::weigh(const Moment& moment, std::span<float> kelvin) co
   const Span& span = of_->spans_[moment.span];
   const double after = static_cast<double>(moment.within);
   std::fill(kelvin.begin(), kelvin.end(), 0.0f);
-  add_row(span.left, math::dot(normal_, of_->sun_[span.left]), false, (1.0 - after) / span.density,
+  add_row(span.left, of_->of_time(0).facing(normal_, of_->sun_[span.left]), false,
+          (1.0 - after) / span.density, span.first_lane, kelvin.data());
+  add_row(span.right, of_->of_time(0).facing(normal_, of_->sun_[span.right]), true, after / span.density,
           span.first_lane, kelvin.data());
-  add_row(span.right, math::dot(normal_, of_->sun_[span.right]), true, after / span.density, span.first_lane,
-          kelvin.data());
 }
 
 void ClassesOfTimes::At::bends(std::span<const float> weight_k, std::span<float> per_pair) const {

@@ -73,6 +73,7 @@ void ClassesOfTimes::combine(DirectionOfTimes& direction, math::Vec3 normal) con
   std::vector<float> along(2 * lanes);
   const std::array<float, 3> n{static_cast<float>(normal.x), static_cast<float>(normal.y),
                                static_cast<float>(normal.z)};
+  const bool two_faces = of_time(0).two_faces();
   for (std::size_t b = 0; b < bins(); ++b) {
     float* const weight = direction.weight.data() + 3 * b * lanes;
     const Bin& bin = bins_[b];
@@ -80,16 +81,17 @@ void ClassesOfTimes::combine(DirectionOfTimes& direction, math::Vec3 normal) con
         static_cast<std::size_t>(std::count_if(bin.suns.begin(), bin.suns.end(), [&](const math::Vec3& sun) {
           return math::dot(normal, sun) > 0.0;
         }));
-    if (above == 0) continue;
-    if (above == bin.suns.size()) {
+    if (above == 0 && !two_faces) continue;
+    if (above == bin.suns.size() || above == 0) {
       for (std::size_t k = 0; k < count; ++k) {
         const NodeOfTimes& node = *direction.corners[k].node;
         for (std::size_t sky = 0; sky < 2; ++sky) {
           const float* __restrict moment = node.moment[sky].data() + 3 * b * lanes;
           float* __restrict to = along.data() + sky * lanes;
+          const float side = above == 0 ? -1.0f : 1.0f;  // of a sheet, the face that looks to the Sun
           for (std::size_t t = 0; t < lanes; ++t)
-            to[t] =
-                std::max(0.0f, n[0] * moment[t] + n[1] * moment[lanes + t] + n[2] * moment[2 * lanes + t]);
+            to[t] = std::max(
+                0.0f, side * (n[0] * moment[t] + n[1] * moment[lanes + t] + n[2] * moment[2 * lanes + t]));
         }
         add_products(direction.corners[k], lanes, along.data(), along.data() + lanes, 1.0f, weight);
       }
@@ -97,7 +99,7 @@ void ClassesOfTimes::combine(DirectionOfTimes& direction, math::Vec3 normal) con
       for (std::uint32_t e = bin.first; e < bin.end; ++e)
         for (const bool right : {false, true}) {
           const std::size_t row = right ? spans_[e].right : spans_[e].left;
-          const double cosine = math::dot(normal, sun_[row]);
+          const double cosine = of_time(0).facing(normal, sun_[row]);
           if (!(cosine > 0.0)) continue;
           const float* __restrict one = combined_row(direction, row, right);
           const auto scale = static_cast<float>(0.5 * cosine);
