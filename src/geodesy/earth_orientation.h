@@ -5,6 +5,9 @@
 
 namespace ifov::geodesy {
 
+/// Of the Earth among the stars.
+inline constexpr double kEarthRotation_rad_s = 7.292115146706979e-5;  // Vallado et al. 2006
+
 /// What the IERS publishes of the Earth's turn. Left at 0: up to 0.9 s, which is 420 m on the equator, and up to 20 m for the pole.
 struct EarthOrientation {
   double ut1_minus_utc_s = 0.0;

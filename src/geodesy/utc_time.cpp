@@ -114,6 +114,18 @@ std::string format_utc(UtcTime time) {
                 hms[3]);
 }
 
+double tai_seconds_after(UtcTime time, UtcTime other) {
+  UtcTime tai[2];
+  int which = 0;
+  for (const UtcTime utc : {time, other}) {
+    // 1 is a warning: leap seconds for that year are not known.
+    if (eraUtctai(utc.jd1, utc.jd2, &tai[which].jd1, &tai[which].jd2) < 0)
+      throw InputError(format("leap seconds are not known at {}", format_utc(utc)));
+    ++which;
+  }
+  return 86400.0 * ((tai[0].jd1 - tai[1].jd1) + (tai[0].jd2 - tai[1].jd2));
+}
+
 double seconds_after(UtcTime time, UtcTime other) {
   // Days hold an instant to some 1e-11 s, and not the same of it in every zone.
   constexpr double kDay_s = 86400.0, kPerSecond = 1e6;

@@ -154,6 +154,11 @@ TEST(Weather, ErrorsShowThePlace) {
             "a.txt:1: found no weather that is known here; expected EPW (LOCATION,...), TMY3, SURFRAD, or a "
             "table whose "
             "first heading is 'time' or 'hour_utc'");
+  EXPECT_EQ(
+      error_of("193 0.25\n  0.00  15.0\n"),
+      "a.txt:1: found '193 0.25', rows and hours between them, as weather histories of DIRSIG begin: their columns are not read here, "
+      "and tell neither date nor zone; expected a table whose first heading is 'time' or 'hour_utc'");
+  EXPECT_EQ(error_of("193 0.25 1\n").substr(0, 43), "a.txt:1: found no weather that is known her");
   EXPECT_EQ(error_of(epw(epw_row("1995,1,1,1", "5.0,1.8,79,100100,0,1415,288,x,0,0"))),
             "a.txt:4:46: found 'x'; expected a number (global_irradiance)");
   EXPECT_EQ(error_of(epw(epw_row("1995,1,1,1", "95.0,1.8,79,100100,0,1415,288,0,0,0"))),

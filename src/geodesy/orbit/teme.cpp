@@ -8,7 +8,6 @@ namespace ifov::geodesy {
 namespace {
 
 constexpr double kSecondsPerDay = 86400.0;
-constexpr double kEarthRotation_rad_s = 7.292115146706979e-5;  // Vallado et al. 2006, with respect to TEME
 
 }  // namespace
 

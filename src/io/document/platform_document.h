@@ -64,9 +64,16 @@ struct TablePath {
   DocumentFile file;
 };
 
-/// Of two-line elements, in TEME.
+/// Where a satellite was and how fast, Earth-centred (m, m/s): in GCRS, TEME or ECEF.
+struct OrbitState {
+  PathFrame frame = PathFrame::gcrs;
+  math::Point3 position_m;
+  std::array<double, 3> velocity_m_s{};
+  geodesy::UtcTime epoch;
+};
+
 struct OrbitPath {
-  DocumentFile file;
+  std::variant<DocumentFile, OrbitState> source;  ///< two-line elements, in TEME; or a state
   EarthTurnDocument turn;
 };
 

@@ -57,11 +57,10 @@ std::optional<platform::Pointing> pointing(const Attitude& attitude, const Origi
 /// How a body stands at a place (ECEF, m) with a velocity over the ground.
 platform::Stance stance_about_earth(const Attitude& attitude, EcefPoint place, math::Vec3 velocity_m_s,
                                     const FrameTransform<Enu, Ecef>& scene_from_ecef) {
-  constexpr double kEarthRotation_rad_s = 7.292115146706979e-5;  // Vallado et al. 2006
   const auto ecef_from_level = geodesy::ecef_from_enu(geodesy::geodetic_from_ecef(place));
   math::Vec3 ahead = velocity_m_s;
   if (attitude.from == YawFrom::orbit)
-    ahead = ahead + kEarthRotation_rad_s * math::Vec3{-place.p.y, place.p.x, 0.0};
+    ahead = ahead + geodesy::kEarthRotation_rad_s * math::Vec3{-place.p.y, place.p.x, 0.0};
   if (attitude.from == YawFrom::north) ahead = ecef_from_level.y().v;
   const bool to_centre = attitude.axes == PlatformAxes::geocentric;
   const auto told = [&](math::Vec3 v) { return scene_from_ecef(geodesy::EcefVector{v}).v; };
@@ -346,24 +345,45 @@ std::string path_description(const PlatformFlight& flight, math::Vec3 shift_m, s
                                  is_among_stars(path.frame) ? turn_remark(path.turn, latitude_rad) : "");
                  },
                  [&](const OrbitPath& path) {
-                   return format("on the orbit of '{}'{}", path.file.path,
+                   const auto* file = std::get_if<DocumentFile>(&path.source);
+                   return format("on the orbit {}{}",
+                                 file != nullptr
+                                     ? format("of '{}'", file->path)
+                                     : format("from its state at {}",
+                                              geodesy::format_utc(std::get<OrbitState>(path.source).epoch)),
                                  turn_remark(path.turn, latitude_rad));
                  }},
       flight.platform.path);
 }
 
+namespace {
+
+/// What a free orbit leaves out: measured with and without (docs/theory/orbits.md).
+std::vector<std::string> state_remarks(double age_d) {
+  constexpr double kMost_h = 1.0, kOff_km_h = 0.35, kAir_km_h2 = 0.035;
+  const double age_h = 24.0 * std::abs(age_d);
+  if (age_h <= kMost_h) return {};
+  return {format(
+      "the state of the orbit is {:.3g} hours {} than the image: what it leaves out moves low satellites by some {:.2g} km until "
+      "then (gravity by longitude, Sun and Moon), and by {:.2g} km more at 400 km (air); expected at most {:g} hour",
+      age_h, age_d > 0.0 ? "older" : "younger", kOff_km_h * age_h, kAir_km_h2 * age_h * age_h, kMost_h)};
+}
+
+}  // namespace
+
 std::vector<std::string> flight_remarks(const PlatformFlight& flight) {
   const auto* orbit = std::get_if<OrbitPath>(&flight.platform.path);
   if (orbit == nullptr || !flight.time) return {};
-  constexpr double kOld_d = 30.0;
   const double age_d = orbit_age_days(*orbit, *flight.time);
+  if (std::holds_alternative<OrbitState>(orbit->source)) return state_remarks(age_d);
+  constexpr double kOld_d = 30.0;
   if (std::abs(age_d) <= kOld_d) return {};
   // What two-line elements are commonly said to be worth: a kilometre at the epoch, 1 to 3 km a day from there.
   return {format(
       "the elements of '{}' are {:.0f} days {} than the image: SGP4 leaves them by some 1 to 3 km a day, here {:.0f} to {:.0f} km; "
       "expected at most {:g} days",
-      orbit->file.path, std::abs(age_d), age_d > 0.0 ? "older" : "younger", std::abs(age_d),
-      3.0 * std::abs(age_d), kOld_d)};
+      std::get<DocumentFile>(orbit->source).path, std::abs(age_d), age_d > 0.0 ? "older" : "younger",
+      std::abs(age_d), 3.0 * std::abs(age_d), kOld_d)};
 }
 
 }  // namespace ifov::io

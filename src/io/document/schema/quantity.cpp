@@ -52,8 +52,11 @@ constexpr Unit kTurnRateUnits[] = {{"rad/s"},
                                    {"deg/s", math::kDegree},
                                    {"rad s-1", 1.0, 0.0, kAlias},
                                    {"deg s-1", math::kDegree, 0.0, kAlias}};
-constexpr Unit kSpeedUnits[] = {
-    {"m/s"}, {"m s-1", 1.0, 0.0, kAlias}, {"km/h", 1.0 / 3.6}, {"kn", 1852.0 / 3600.0}};
+constexpr Unit kSpeedUnits[] = {{"m/s"},
+                                {"m s-1", 1.0, 0.0, kAlias},
+                                {"km/s", 1e3, 0.0, kAlias},
+                                {"km/h", 1.0 / 3.6},
+                                {"kn", 1852.0 / 3600.0}};
 constexpr Unit kReflectanceUnits[] = {{"reflectance"}};
 constexpr Unit kNoiseUnits[] = {{"noise"}};
 constexpr Unit kDegreeOfPolarizationUnits[] = {{"% DoLP", 1e-2}};

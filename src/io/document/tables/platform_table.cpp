@@ -173,13 +173,45 @@ SchemaType<TablePath> path_table_type() {
   return record.type();
 }
 
+SchemaType<OrbitState> orbit_state_type() {
+  Record<OrbitState> record(
+      "orbit state",
+      "Where the satellite was at an instant and how fast. From there it falls freely about the Earth, whose gravity is that of its mass and its "
+      "zonal harmonics to the fourth: without air, Moon and Sun.");
+  record
+      .required("frame", &OrbitState::frame,
+                choice<PathFrame>(
+                    {{"gcrs", PathFrame::gcrs}, {"teme", PathFrame::teme}, {"ecef", PathFrame::ecef}}),
+                "of both, Earth-centred: among the stars, or turning with the Earth")
+      .required("position", &OrbitState::position_m, point(), "at the epoch")
+      .required("velocity", &OrbitState::velocity_m_s, tuple<double, 3>(quantity(kSpeed)),
+                "then, in m/s or km/s; of ECEF as seen from the turning Earth")
+      .required("epoch", &OrbitState::epoch, time_type(), "when: at most 30 days from the document's `time`");
+  return record.type();
+}
+
 SchemaType<OrbitPath> orbit_type() {
   Record<OrbitPath> record(
       "orbit",
-      "Of an Earth satellite, by SGP4 from two-line elements. It needs the document's `time`, and "
-      "`latitude` and `longitude` of the `origin`.");
-  add_only_frame(record, "teme", "of the elements: that of two-line elements");
-  record.required("file", &OrbitPath::file, file(), "text with the two lines, a name before them or not");
+      "Of an Earth satellite, by SGP4 from two-line elements, or from where it was and how fast. It needs the "
+      "document's `time`, and `latitude` and `longitude` of the `origin`.");
+  record
+      .optional("frame",
+                via([](OrbitPath&, int) {},
+                    [](const OrbitPath& path) {
+                      return std::holds_alternative<DocumentFile>(path.source) ? std::optional(0)
+                                                                               : std::nullopt;
+                    }),
+                choice<int>({{"teme", 0}}),
+                "of the file's elements, with which it must be given: that of two-line elements")
+      .exactly_one()
+      .one("file", &OrbitPath::source, file(), "text with the two lines, a name before them or not")
+      .one("state", &OrbitPath::source, orbit_state_type(), "where it was, and how fast")
+      .needs("frame", "file")
+      .check([](const OrbitPath&, const DocumentNode& node) {
+        if (node.find("file") != nullptr && node.find("frame") == nullptr)
+          node.fail(format("{} lacks the key 'frame': 'teme'", node.title()));
+      });
   add_turn(record, &OrbitPath::turn);
   return record.type();
 }
