@@ -14,6 +14,11 @@ struct OpticsDocument {
   std::optional<SpectrumDocument> throughput;  ///< share of light that is let through; 1 if not given
   std::optional<double> temperature_k;         ///< of the optics; none: they emit nothing
   std::optional<SpectrumDocument> emissivity;  ///< what the throughput leaves of 1 if not given
+  struct StrayLight {
+    double share = 0.0;      ///< of all light that passes
+    double radius_px = 0.0;  ///< that half of it falls within
+  };
+  std::optional<StrayLight> stray_light;
   SourcePosition position;
 };
 

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "core/overloaded.h"
 #include "ifov/sensor.h"
 #include "io/document/cameras/mount_error.h"
 #include "io/document/cameras/view_settings.h"
@@ -10,17 +9,15 @@
 #include "io/document/origin_document.h"
 #include "io/document/sensor_document.h"
 #include "render/image_info.h"
-#include "sensor/airy_aperture.h"
 #include "sensor/along_track.h"
 #include "sensor/camera.h"
 #include "sensor/detector/memory.h"
 #include "sensor/flying/image_way.h"
 #include "sensor/mtf.h"
-#include "sensor/psf.h"
-#include "sensor/pupil.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/whole/detector_assembly.h"
 #include "session/assembly/whole/noise_assembly.h"
+#include "session/assembly/whole/psf_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
 #include "session/surveys/sensor_columns.h"
 
@@ -46,28 +43,6 @@ void survey_camera(const sensor::Camera& camera, SensorDescription& told) {
     if (camera.exposure_s() > 0.0) told.smear_px = motion->exposure_px;
     if (camera.row_period_s() > 0.0) told.row_shift_px = motion->row_px;
   }
-}
-
-/// `cycles_px`: of the focal plane.
-std::optional<double> psf_mtf(const io::SensorDocument& sensor, double wavelength_um, double cycles_px) {
-  return std::visit(
-      Overloaded{[](const io::NoPsf&) -> std::optional<double> { return 1.0; },
-                 [&](const io::GaussianPsf& psf) -> std::optional<double> {
-                   return sensor::gaussian_mtf(psf.sigma_px, cycles_px);
-                 },
-                 [&](const io::AiryPsf&) -> std::optional<double> {
-                   const sensor::AiryAperture airy = airy_aperture(sensor);
-                   const double um = airy.wavelength_um > 0.0 ? airy.wavelength_um : wavelength_um;
-                   const double q_px = 1e-6 * um * airy.focal_length_m / (airy.diameter_m * airy.pitch_m);
-                   return sensor::diffraction_mtf(q_px, airy.obscuration, cycles_px);
-                 },
-                 [&](const std::shared_ptr<const io::PupilDocument>&) -> std::optional<double> {
-                   const sensor::Pupil pupil = assemble_pupil(sensor, wavelength_um);
-                   sensor::check_pupil(pupil);
-                   return sensor::pupil_mtf(pupil, cycles_px);
-                 },
-                 [](const io::KernelPsf&) -> std::optional<double> { return std::nullopt; }},
-      sensor.psf);
 }
 
 /// NEdT where the channel sees what is warm.
@@ -130,7 +105,7 @@ SensorDescription survey_sensor(const io::DocumentSources& sources, const io::Se
         swept.plain() ? sensor::square_mtf(std::sqrt(sensor.fill_factor), kNyquist) : swept.mtf(kNyquist);
     const double cycles_px = kNyquist * swept.pitch_px;
     one.psf_mtf = with_position(sources, sensor.psf_position,
-                                [&] { return psf_mtf(sensor, channels[c].centre_um, cycles_px); });
+                                [&] { return psf_mtf(sources, sensor, channels[c].centre_um, cycles_px); });
     one.nedl = noise[c];
     tell_memory(detectors[c], one);
     if (!detectors[c].figures.exists()) {

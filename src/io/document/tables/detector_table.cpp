@@ -119,6 +119,27 @@ void add_patterns(Record<Detector>& record) {
 
 }  // namespace
 
+namespace {
+
+SchemaType<OpticsDocument::StrayLight> stray_light_type() {
+  using Stray = OpticsDocument::StrayLight;
+  constexpr double kNarrowest_px = 2.0, kWidest_px = 10000.0;
+  Record<Stray> record(
+      "stray light",
+      "Light that mirrors, lenses and mounts scatter: a wide halo about whatever shines, a / (2 pi (r^2 + a^2)^1.5) with a = radius / sqrt 3. "
+      "It takes a sampler that knows its errors; what is further away than 128 px is taken to be as bright as what lies there, and how far "
+      "that may be off stands in the intervals.");
+  record
+      .required("share", &Stray::share, fraction({0.0, 0.5, false, false, {}}),
+                "of the light that passes the optics")
+      .required("radius", &Stray::radius_px,
+                quantity(kPixels, Range::between(kNarrowest_px, kWidest_px, "px")),
+                "that half of it falls within, in pixels of the focal plane");
+  return record.type();
+}
+
+}  // namespace
+
 SchemaType<OpticsDocument> optics_type() {
   Record<OpticsDocument> record(
       "optics",
@@ -139,6 +160,8 @@ SchemaType<OpticsDocument> optics_type() {
       .optional("emissivity", &OpticsDocument::emissivity, spectrum_type(SpectrumOf::fraction),
                 "of the optics; what `throughput` leaves of 1 if not given")
       .needs("emissivity", "temperature")
+      .optional("stray_light", &OpticsDocument::stray_light, stray_light_type(),
+                "light that falls far from where it belongs; none if not given")
       .check([](const OpticsDocument& optics, const DocumentNode& node) {
         if (!optics.aperture_m || !optics.focal_length_m || !optics.f_number) return;
         constexpr double kAlike = 0.01;
