@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "io/document/spectrum_document.h"
 
@@ -19,6 +20,12 @@ struct OpticsDocument {
     double radius_px = 0.0;  ///< that half of it falls within
   };
   std::optional<StrayLight> stray_light;
+  struct Vignetting {
+    bool cos4 = false;
+    std::vector<double>
+        polynomial;  ///< of even powers of the image height, from the second on; at most three
+  };
+  std::optional<Vignetting> vignetting;
   SourcePosition position;
 };
 

@@ -11,7 +11,9 @@
 #include "render/image_info.h"
 #include "sensor/along_track.h"
 #include "sensor/camera.h"
+#include "sensor/detector/illumination.h"
 #include "sensor/detector/memory.h"
+#include "sensor/detector/read_out.h"
 #include "sensor/flying/image_way.h"
 #include "sensor/mtf.h"
 #include "session/assembly/shared/with_position.h"
@@ -51,6 +53,20 @@ void tell_nedt(const radiometry::Channel& channel, double at_k, SensorDescriptio
   if (!(told.nedl > 0.0) || !(at_k > 0.0) || channel.centre_um < kThermal_um) return;
   told.nedt = told.nedl / radiometry::channel_planck_slope_w_m2_sr_um_k(channel, at_k);
   told.nedt_at_k = at_k;
+}
+
+/// Noise is the same of less light, and a larger share of it.
+void tell_corner(const ChannelDetector& detector, const sensor::ReadOut& read_out,
+                 const radiometry::Channel& channel, const SensorDescription& image,
+                 SensorDescription::Channel& told) {
+  if (!detector.figures.exists() || !detector.figures.is_vignetted()) return;
+  const double light =
+      sensor::Illumination(detector.figures, image.width_px, image.height_px, read_out).at(0.0, 0.0);
+  told.corner_light = light;
+  SensorDescription::Channel there;
+  there.nedl = detector.figures.lit_by(light).noise_w_m2_sr_um(told.radiance);
+  if (told.radiance > 0.0) told.corner_snr = told.radiance / there.nedl;
+  if (told.nedt_at_k) tell_nedt(channel, *told.nedt_at_k, there), told.corner_nedt = there.nedt;
 }
 
 void tell_memory(const ChannelDetector& detector, SensorDescription::Channel& told) {
@@ -118,6 +134,8 @@ SensorDescription survey_sensor(const io::DocumentSources& sources, const io::Se
               radiometry::channel_brightness_temperature_k(channels[c], detectors[c].reference_w_m2_sr_um),
               one);
   }
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    tell_corner(detectors[c], sensor.camera.settings->read_out(), channels[c], told, told.channels[c]);
   tell_columns(sources, sensor, channels, told);
   return told;
 }
