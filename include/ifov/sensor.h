@@ -44,6 +44,8 @@ struct SensorDescription {
     // Of a detector with a lag or a time constant:
     std::optional<double> step_share;  ///< of a step of the light that the first exposure shows
     std::optional<double> memory_mtf;  ///< modulation of what swings by half a cycle an exposure
+    /// Of optics with vignetting: the light of the middle that falls on the image's corners, and SNR and NEdT there.
+    std::optional<double> corner_light, corner_snr, corner_nedt;
     /// Of a detector that is corrected, what is left from element to element at its reference, W m-2 sr-1 um-1.
     std::optional<double> correction_left;
   };

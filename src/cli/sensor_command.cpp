@@ -52,6 +52,12 @@ void say_channel(const SensorDescription::Channel& channel) {
   }
   if (channel.nedl > 0.0) line("NEdL", format("{:.4g} W m-2 sr-1 um-1", channel.nedl));
   if (channel.nedt) line("NEdT", format("{:.4g} K at {:.4g} K", *channel.nedt, *channel.nedt_at_k));
+  if (channel.corner_light) {
+    std::string corner = format("{:.3g} % of the light", 100.0 * *channel.corner_light);
+    if (channel.corner_snr) corner += format(", SNR {:.4g}", *channel.corner_snr);
+    if (channel.corner_nedt) corner += format(", NEdT {:.4g} K", *channel.corner_nedt);
+    line("at corners", corner);
+  }
   if (channel.correction_left)
     line("correction", format("leaves {:.4g} W m-2 sr-1 um-1 from element to element, {:.3g} of the noise",
                               *channel.correction_left, *channel.correction_left / channel.nedl));

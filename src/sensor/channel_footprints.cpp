@@ -82,8 +82,8 @@ Point2 farthest_from(const ChannelResponse& one, const ChannelResponse& other) {
 
 class Grouping {
  public:
-  Grouping(std::vector<Distinct> all, double fill_factor, const PsfAt& psf_at)
-      : all_(std::move(all)), fill_factor_(fill_factor), psf_at_(psf_at) {}
+  Grouping(std::vector<Distinct> all, double fill_factor, const PsfAt& psf_at, bool ordered)
+      : all_(std::move(all)), fill_factor_(fill_factor), psf_at_(psf_at), ordered_(ordered) {}
 
   std::vector<ChannelGroup> groups() {
     std::vector<ChannelGroup> groups;
@@ -91,7 +91,7 @@ class Grouping {
       const std::size_t last = last_like(first);
       ChannelGroup& group = groups.emplace_back();
       // Of one shift, widths rise with the wavelength, and the middle is nearest to all.
-      const std::size_t like = same_shift(first, last) ? first + (last - first) / 2 : first;
+      const std::size_t like = ordered_ && same_shift(first, last) ? first + (last - first) / 2 : first;
       group.like = all_[like].channels.front();
       group.psf = psf_at_(all_[like].response.wavelength_um);
       for (std::size_t k = first; k <= last; ++k)
@@ -132,7 +132,7 @@ class Grouping {
     const auto goes = [&](std::size_t k) {
       return k < all_.size() && same_shift(first, k) && alike(first, k);
     };
-    for (; goes(last + step); step *= 2) last += step;
+    for (; goes(last + step); step *= ordered_ ? 2 : 1) last += step;
     for (; step > 0; step /= 2)
       if (goes(last + step)) last += step;
     while (last + 1 < all_.size() && !same_shift(first, last + 1) && alike(first, last + 1)) ++last;
@@ -142,6 +142,7 @@ class Grouping {
   std::vector<Distinct> all_;
   double fill_factor_;
   const PsfAt& psf_at_;
+  bool ordered_;
   std::shared_ptr<const Psf> first_;
   double first_um_ = 0.0;
 };
@@ -168,8 +169,8 @@ double energy_apart(const Psf* one, Point2 shift_px, const Psf* other, Point2 ot
 }
 
 std::vector<ChannelGroup> group_channels(std::span<const ChannelResponse> channels, double fill_factor,
-                                         const PsfAt& psf_at) {
-  return Grouping(distinct(channels), fill_factor, psf_at).groups();
+                                         const PsfAt& psf_at, bool ordered) {
+  return Grouping(distinct(channels), fill_factor, psf_at, ordered).groups();
 }
 
 }  // namespace ifov::sensor

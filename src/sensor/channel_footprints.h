@@ -45,8 +45,9 @@ using PsfAt = std::function<std::shared_ptr<const Psf>(double wavelength_um)>;
 double energy_apart(const Psf* one, sampling::Point2 shift_px, const Psf* other,
                     sampling::Point2 other_shift_px, double fill_factor);
 
-/// Channels by their footprints, no two of a group kOneFootprint apart or more; the first channel's group is the first.
+/// Channels by their footprints, no two of a group kOneFootprint apart or more; the first channel's group is the first. `ordered`: PSFs differ
+/// the more, the further apart wavelengths are; else all of a group are compared with its first.
 std::vector<ChannelGroup> group_channels(std::span<const ChannelResponse> channels, double fill_factor,
-                                         const PsfAt& psf_at);
+                                         const PsfAt& psf_at, bool ordered = true);
 
 }  // namespace ifov::sensor

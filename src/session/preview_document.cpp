@@ -42,7 +42,7 @@ io::Document for_preview(io::Document document, int longest_px) {
     document.left_out.emplace_back("keystone");
   if (document.sensor.mosaic) document.left_out.emplace_back("mosaic");
   document.sensor.channels = shown_channels(document);
-  document.sensor.psf = io::NoPsf{};
+  document.sensor.psf.reset();
   document.sensor.optics.reset(), document.sensor.detector.reset();
   document.sensor.smile.reset(), document.sensor.keystone.reset(), document.sensor.mosaic.reset();
   for (io::ChannelDocument& channel : document.sensor.channels)

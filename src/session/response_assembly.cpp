@@ -19,6 +19,7 @@
 #include "sensor/spectrometer/column_responses.h"
 #include "session/assembly/whole/across_track.h"
 #include "session/assembly/whole/noise_assembly.h"
+#include "session/assembly/whole/psf_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
 #include "session/loaded/parts.h"
 #include "session/loaded/single_views.h"
@@ -35,8 +36,7 @@ constexpr double kLongest_px = 4.0;
 std::vector<sensor::ChannelResponse> responses(const Parts& parts, double along_x, double along_y) {
   const io::SensorDocument& sensor = *parts.sensor;
   const std::vector<radiometry::Channel>& channels = parts.channels;
-  const std::optional<io::AiryPsf> diffraction = diffraction_of(sensor);
-  const bool by_channel = diffraction && !diffraction->wavelength_um;
+  const bool by_channel = psf_depends_on_wavelength(sensor);
   std::vector<sensor::ChannelResponse> responses;
   for (std::size_t c = 0; c < channels.size(); ++c) {
     sensor::ChannelResponse& response = responses.emplace_back();
@@ -61,6 +61,7 @@ double apart_from(const sensor::ChannelGroup& group, std::span<const sensor::Cha
 double wings_apart(const sensor::Psf& psf, const std::vector<double>& across_px) {
   double farthest = 0.0;
   for (const double step : across_px) farthest = std::max(farthest, std::abs(step));
+  if (!(farthest > 0.0)) return 0.0;
   return (1.0 - psf.kept()) * std::min(1.0, 1.5 * farthest / psf.half_width_px());
 }
 
@@ -106,11 +107,13 @@ void assemble_response(Parts& parts, double contrast) {
   // Optics and shifts are told on the focal plane.
   const double along_x = swept.pitch_px, along_y = along.pitch_px;
   const std::vector<sensor::ChannelResponse> channels = responses(parts, along_x, along_y);
-  const std::vector<sensor::ChannelGroup> found =
-      sensor::group_channels(channels, fill_factor, [&](double wavelength_um) {
+  const std::vector<sensor::ChannelGroup> found = sensor::group_channels(
+      channels, fill_factor,
+      [&](double wavelength_um) {
         return std::shared_ptr<const sensor::Psf>(sensor::stretched_psf(
             assemble_psf(parts.document.sources, document, wavelength_um, contrast), along_x, along_y));
-      });
+      },
+      psf_grows_with_wavelength(document));
   const bool has_wings =
       parts.plan.knows_errors && std::max(along.reach_px(), swept.reach_px()) < kLongest_px;
   parts.wings.clear();
@@ -126,8 +129,10 @@ void assemble_response(Parts& parts, double contrast) {
       throw InputError(format("the PSF of channel '{}' reaches {:.3g} px to each side; expected {} at most",
                               parts.channels[static_cast<std::size_t>(group.like)].name, psf->half_width_px(),
                               kWidest_px));
-    groups.push_back({swept.plain() ? sensor::make_footprint(psf, fill_factor, along)
-                                    : sensor::make_swept_footprint(psf, fill_factor, swept),
+    // Wings alone leave what is traced as sharp as without.
+    const sensor::Psf* const traced = psf != nullptr && psf->half_width_px() > 0.0 ? psf : nullptr;
+    groups.push_back({swept.plain() ? sensor::make_footprint(traced, fill_factor, along)
+                                    : sensor::make_swept_footprint(traced, fill_factor, swept),
                       shift, channels[static_cast<std::size_t>(group.like)].across_px});
     // Along the track of a longer element, or its sweep, the cut stands in the interval.
     const bool wings = psf != nullptr && psf->has_wings() && has_wings;
@@ -153,7 +158,7 @@ void assemble_response(Parts& parts, double contrast) {
 void assemble_response(Parts& parts) { assemble_response(parts, 1.0); }
 
 void keep_more_of_psf(Parts& parts) {
-  if (!std::holds_alternative<io::GaussianPsf>(parts.sensor->psf)) return;
+  if (!psf_has_tails(*parts.sensor)) return;
   // Others have wings, or end where they are measured.
   render::Outshining found = render::outshining(*parts.spectral_scene);
   if (!(found.contrast > 1.0)) return;

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <variant>
 
 #include "core/format.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/detector_document.h"
 #include "io/document/document.h"
-#include "io/document/pupil_document.h"
+#include "io/document/psf_document.h"
 #include "sensor/spectrometer/column_responses.h"
-#include "session/assembly/whole/sensor_assembly.h"
+#include "session/assembly/whole/psf_assembly.h"
 #include "session/loaded/parts.h"
 
 namespace ifov::session {
@@ -63,6 +64,23 @@ void note_keystone(const Parts& parts, std::vector<std::string>& lines) {
       shifts.text(1.0, "px"), apart));
 }
 
+void note_stray_light(const Parts& parts, std::vector<std::string>& lines) {
+  const io::SensorDocument& sensor = parts.document.sensor;
+  if (!sensor.optics || !sensor.optics->stray_light) return;
+  const io::OpticsDocument::StrayLight& stray = *sensor.optics->stray_light;
+  const std::string told =
+      format("stray light: {:.3g} % of the light falls in a halo, half of it within {:.4g} px",
+             100.0 * stray.share, stray.radius_px);
+  constexpr double kTraced_px = 128.0;
+  const double a = stray.radius_px / std::numbers::sqrt3;
+  lines.push_back(
+      parts.wings.empty()
+          ? told + "; this sampler, or elements as long as these, leave it out"
+          : told + format("; {:.3g} % come from more than {:g} px away, which is taken to be as bright as "
+                          "what lies there",
+                          100.0 * stray.share * a / std::hypot(kTraced_px, a), kTraced_px));
+}
+
 /// Without a detector optics tell diffraction alone, and that only to a PSF that asks.
 void note_optics(const Parts& parts, std::vector<std::string>& lines) {
   const io::SensorDocument& sensor = parts.document.sensor;
@@ -70,6 +88,12 @@ void note_optics(const Parts& parts, std::vector<std::string>& lines) {
       std::any_of(sensor.channels.begin(), sensor.channels.end(),
                   [](const io::ChannelDocument& channel) { return channel.detector != nullptr; }))
     return;
+  if (sensor.optics->stray_light) {
+    lines.push_back(
+        "optics: without a 'detector' they tell of stray light, and a 'psf' of 'airy' or 'pupil' its aperture and focal ratio: what they "
+        "let through, and emit, counts for electrons, which take a detector");
+    return;
+  }
   const std::optional<io::AiryPsf> diffraction = diffraction_of(sensor);
   const bool asked = diffraction && (!diffraction->aperture_m || !sensor.camera.settings->optics());
   lines.push_back(
@@ -84,6 +108,7 @@ void note_optics(const Parts& parts, std::vector<std::string>& lines) {
 
 std::vector<std::string> sensor_notes(const Parts& parts) {
   std::vector<std::string> lines;
+  note_stray_light(parts, lines);
   note_smile(parts, lines);
   note_keystone(parts, lines);
   note_optics(parts, lines);

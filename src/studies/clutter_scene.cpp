@@ -8,6 +8,7 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
+#include "io/document/psf_document.h"
 #include "io/document/shapes/flat_primitives.h"
 #include "radiometry/planck.h"
 #include "sampling/random.h"
@@ -77,7 +78,9 @@ io::Document ClutterScene::document(io::SamplingDocument sampling, double psf_si
                                     std::uint64_t seed) const {
   io::Document document = nadir_document(nadir_camera(width_, width_, 0.0, 0.0), "thermal",
                                          kThermalWavelength_um, std::move(sampling), seed);
-  if (psf_sigma_px > 0.0) document.sensor.psf = io::GaussianPsf{psf_sigma_px};
+  if (psf_sigma_px > 0.0)
+    document.sensor.psf =
+        std::make_shared<const io::PsfDocument>(io::PsfDocument{{io::GaussianPsf{psf_sigma_px}}});
   for (int m = 0; m < kMaterials; ++m)
     document.scene.materials.push_back(black(format("m{}", m), {temperature_k(m), {}}));
   io::PlanePrimitive ground;

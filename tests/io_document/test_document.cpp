@@ -8,6 +8,7 @@
 #include "io/document/cameras/frame_camera.h"
 #include "io/document/cameras/orthographic_camera.h"
 #include "io/document/document.h"
+#include "io/document/psf_document.h"
 #include "io/document/samplers/accuracy_sampling.h"
 #include "io/document/samplers/plain_sampling.h"
 #include "io/document/shapes/box_primitive.h"
@@ -220,7 +221,8 @@ TEST(Document, Sensor) {
   EXPECT_EQ(sensor.channels[4].name, "8.5 um");
   EXPECT_NEAR(std::get<GaussianChannel>(sensor.channels[2].response).centre_um, 0.45, 1e-15);
   EXPECT_NEAR(std::get<GaussianChannel>(sensor.channels[2].response).fwhm_um, 0.01, 1e-15);
-  EXPECT_EQ(std::get<GaussianPsf>(sensor.psf).sigma_px, 0.6);
+  ASSERT_NE(sensor.psf, nullptr);
+  EXPECT_EQ(std::get<GaussianPsf>(sensor.psf->parts.front()).sigma_px, 0.6);
   EXPECT_EQ(sensor.fill_factor, 1.0);
 }
 
@@ -294,7 +296,7 @@ TEST(Document, DefaultsWhereSectionsAreMissing) {
   EXPECT_FALSE(document.light.sun);
   EXPECT_TRUE(std::holds_alternative<NoSky>(document.light.sky));
   EXPECT_FALSE(document.atmosphere.tabulated);
-  EXPECT_TRUE(std::holds_alternative<NoPsf>(document.sensor.psf));
+  EXPECT_EQ(document.sensor.psf, nullptr);
   const auto accuracy = *sampler_as<AccuracySampling>(document.sampling);
   EXPECT_EQ(accuracy.error.value, 0.01);
   EXPECT_EQ(accuracy.error.unit, ErrorSize::Unit::fraction);

@@ -46,15 +46,17 @@ TEST(SensorStudy, ASlantedEdgeShowsTheModulationThatBlurredIt) {
 
 TEST(SensorStudy, RenderedEdgesAreTheProductOfTheirParts) {
   const StudyOptions options = in_a_folder("ifov_test_sensor_edges");
-  const EdgeOptics gaussian{0.5, 0.0}, covered{0.0, 0.5, 0.4};
+  const EdgeOptics gaussian{0.5, 0.0}, all{0.3, 0.5, 0.4, 0.2, 0.02};
   EXPECT_LT(edge_difference(still_edge({}, options, 96), [](double v) { return still_modulation({}, v); }),
             0.005);
   const EdgeResponse blurred = still_edge(gaussian, options, 96);
   EXPECT_LT(edge_difference(blurred, [&](double v) { return still_modulation(gaussian, v); }), 0.003);
   EXPECT_GT(edge_difference(blurred, [](double v) { return still_modulation({0.52, 0.0}, v); }), 0.01);
-  const EdgeResponse ring = still_edge(covered, options, 96);
-  EXPECT_LT(edge_difference(ring, [&](double v) { return still_modulation(covered, v); }), 0.01);
-  EXPECT_GT(edge_difference(ring, [](double v) { return still_modulation({0.0, 0.5, 0.0}, v); }), 0.02);
+  const EdgeResponse product = still_edge(all, options, 96);
+  EXPECT_LT(edge_difference(product, [&](double v) { return still_modulation(all, v); }), 0.01);
+  for (const EdgeOptics& other : {EdgeOptics{0.0, 0.5, 0.4, 0.2, 0.02}, EdgeOptics{0.3, 0.5, 0.0, 0.2, 0.02},
+                                  EdgeOptics{0.3, 0.5, 0.4, 0.0, 0.02}, EdgeOptics{0.3, 0.5, 0.4, 0.2, 0.0}})
+    EXPECT_GT(edge_difference(product, [&](double v) { return still_modulation(other, v); }), 0.02);
   const EdgeResponse stages = scanned_edge(1.0, 16, 0.02, options, 96);
   EXPECT_LT(edge_difference(stages, [](double v) { return scanned_modulation(1.0, 16, 0.02, v); }), 0.005);
   EXPECT_GT(edge_difference(stages, [](double v) { return scanned_modulation(1.0, 16, 0.04, v); }), 0.02);

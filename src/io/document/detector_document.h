@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "io/document/spectrum_document.h"
 
@@ -14,6 +15,17 @@ struct OpticsDocument {
   std::optional<SpectrumDocument> throughput;  ///< share of light that is let through; 1 if not given
   std::optional<double> temperature_k;         ///< of the optics; none: they emit nothing
   std::optional<SpectrumDocument> emissivity;  ///< what the throughput leaves of 1 if not given
+  struct StrayLight {
+    double share = 0.0;      ///< of all light that passes
+    double radius_px = 0.0;  ///< that half of it falls within
+  };
+  std::optional<StrayLight> stray_light;
+  struct Vignetting {
+    bool cos4 = false;
+    std::vector<double>
+        polynomial;  ///< of even powers of the image height, from the second on; at most three
+  };
+  std::optional<Vignetting> vignetting;
   SourcePosition position;
 
   /// What `other` says, and this where it says nothing; of aperture, focal length and f-number other's or this one's all.

@@ -14,7 +14,6 @@ namespace ifov::io {
 
 class CameraSettings;
 struct OpticsDocument;
-struct PupilDocument;
 
 struct CameraDocument {
   std::string model;                               ///< its key
@@ -65,28 +64,14 @@ struct ChannelDocument {
   std::shared_ptr<const struct KeystoneDocument> keystone = {};
 };
 
-struct NoPsf {};
-struct GaussianPsf {
-  double sigma_px = 0.0;
-};
-/// Diffraction of a circular aperture. Its size in pixels takes focal length and pitch: of the camera, or of optics and detector.
-struct AiryPsf {
-  std::optional<double> aperture_m, wavelength_um;  ///< that of the optics, each channel's own if not given
-  std::optional<double> obscuration;  ///< that of the optics where the aperture is theirs, else 0
-};
-struct KernelPsf {
-  DocumentFile file;               ///< an image, its centre at the pixel's centre
-  double samples_per_pixel = 1.0;  ///< kernel samples along one pixel side
-};
-
 struct SensorDocument {
   CameraDocument camera;
   std::shared_ptr<const struct MountList> mounts;  ///< of its own, on the platform's; null: none
   std::vector<ChannelDocument> channels;           ///< at least one; names are unique
-  std::variant<NoPsf, GaussianPsf, AiryPsf, KernelPsf, std::shared_ptr<const PupilDocument>> psf;
-  bool stokes = false;                           ///< Q, U and V are told beside I
-  double fill_factor = 1.0;                      ///< sensitive share of an element's area, a centred square
-  std::shared_ptr<const OpticsDocument> optics;  ///< null: none is told; likewise
+  std::shared_ptr<const struct PsfDocument> psf;   ///< (psf_document.h); null: no blur
+  bool stokes = false;                             ///< Q, U and V are told beside I
+  double fill_factor = 1.0;                        ///< sensitive share of an element's area, a centred square
+  std::shared_ptr<const OpticsDocument> optics;    ///< null: none is told; likewise
   std::shared_ptr<const DetectorDocument> detector;     ///< (detector_document.h)
   std::shared_ptr<const SmileDocument> smile;           ///< null: responses are alike in all columns
   std::shared_ptr<const KeystoneDocument> keystone;     ///< (spectrometer_document.h)

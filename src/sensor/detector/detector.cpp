@@ -33,6 +33,10 @@ constexpr DetectorFigure kFigures[] = {
     {"row_gain", &Detector::row_gain},
     {"row_offset", &Detector::row_offset},
     {"specimen", &Detector::specimen},
+    {"vignette_2", &Detector::vignette_2},
+    {"vignette_4", &Detector::vignette_4},
+    {"vignette_6", &Detector::vignette_6},
+    {"vignette_px", &Detector::vignette_px},
 };
 
 }  // namespace
@@ -42,6 +46,12 @@ std::span<const DetectorFigure> detector_figures() { return kFigures; }
 bool Detector::has_pattern() const {
   return prnu > 0.0 || dsnu > 0.0 || row_gain > 0.0 || row_offset > 0.0 || column_gain > 0.0 ||
          column_offset > 0.0 || dead_share > 0.0 || hot_share > 0.0;
+}
+
+Detector Detector::lit_by(double share) const {
+  Detector there = *this;
+  there.electrons_per_radiance *= share;
+  return there;
 }
 
 double Detector::largest_count() const { return std::exp2(bits) - 1.0; }

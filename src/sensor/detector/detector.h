@@ -32,13 +32,22 @@ struct Detector {
   double nuc_low =
       0.0;  ///< radiances that response and offset of each element were measured at, W m-2 sr-1 um-1
   double nuc_high = 0.0;
-  double nuc_frames = 0.0;  ///< exposures of each; 0: they were not measured, and nothing is corrected
+  double nuc_frames = 0.0;   ///< exposures of each; 0: they were not measured, and nothing is corrected
+  double vignette_px = 0.0;  ///< focal length, pixels, by which light falls as cos^4 (12); 0: it does not
+  double vignette_2 = 0.0;   ///< and terms of the second, fourth and sixth power of the image height
+  double vignette_4 = 0.0;
+  double vignette_6 = 0.0;
   double specimen =
       1.0;  ///< which of all detectors made alike: fixed patterns follow from it (a whole number)
 
   bool exists() const { return electrons_per_radiance > 0.0; }
   bool digitises() const { return bits > 0.0; }
   bool has_pattern() const;
+  bool is_vignetted() const {
+    return vignette_px > 0.0 || vignette_2 != 0.0 || vignette_4 != 0.0 || vignette_6 != 0.0;
+  }
+  /// The same where so large a share of the light of the middle falls.
+  Detector lit_by(double share) const;
   bool is_corrected() const { return nuc_frames > 0.0; }
   /// The largest count.
   double largest_count() const;

@@ -38,13 +38,14 @@ std::vector<double> column_pattern(const Detector& detector, Purpose purpose, in
   return values;
 }
 
-/// Mean electrons of `of` by the elements from `first` on.
+/// Mean electrons of `of` by the elements from `first` on, on which the shares `light` of it fall (empty: all).
 template <class Pattern>
 void mean_electrons(const Detector& detector, const Pattern& pattern, std::size_t first,
-                    std::span<const float> of, std::span<double> electrons) {
+                    std::span<const double> light, std::span<const float> of, std::span<double> electrons) {
   for (std::size_t k = 0; k < of.size(); ++k)
-    electrons[k] =
-        detector.background + detector.electrons_per_radiance * std::max(static_cast<double>(of[k]), 0.0);
+    electrons[k] = detector.background + (light.empty() ? 1.0 : light[first + k]) *
+                                             detector.electrons_per_radiance *
+                                             std::max(static_cast<double>(of[k]), 0.0);
   if (detector.has_pattern())
     pattern.electrons(first, electrons);
   else
@@ -122,11 +123,12 @@ class DetectorSignal::Pattern {
 };
 
 DetectorSignal::DetectorSignal(const Detector& detector, std::uint64_t seed, int channel, int columns,
-                               const ReadOut& read_out)
+                               const ReadOut& read_out, const Illumination& illumination)
     : detector_(detector),
       seed_(seed),
       channel_(channel),
       read_out_(read_out),
+      illumination_(illumination),
       column_gain_(column_pattern(detector, Purpose::column_gain, channel, columns, detector.column_gain)),
       column_offset_(
           column_pattern(detector, Purpose::column_offset, channel, columns, detector.column_offset)) {}
@@ -178,11 +180,12 @@ void DetectorSignal::draw(int line, std::span<const float> radiance, std::span<c
   const std::uint64_t key = sampling::hash(Purpose::electrons, seed_, channel_, line);
   const bool has_pattern = detector_.has_pattern();
   const Pattern pattern(*this, line);
+  const std::vector<double> light = illumination_.of_line(line);
   for (std::size_t first = 0; first < signal.size(); first += kAtOnce) {
     const std::size_t count = std::min(kAtOnce, signal.size() - first);
     const std::span<double> part = signal.subspan(first, count);
     const std::span<const float> of = radiance.subspan(first, count);
-    mean_electrons(detector_, pattern, first, of, part);
+    mean_electrons(detector_, pattern, first, light, of, part);
     collect_and_read(key, first, part);
     if (has_pattern) pattern.add_offsets(first, part);
     if (!drift.empty())
@@ -195,11 +198,12 @@ void DetectorSignal::draw(int line, std::span<const float> radiance, std::span<c
 void DetectorSignal::collect(int line, std::span<const float> radiance, std::span<double> electrons) const {
   const std::uint64_t key = sampling::hash(Purpose::electrons, seed_, channel_, line);
   const Pattern pattern(*this, line);
+  const std::vector<double> light = illumination_.of_line(line);
   Values uniforms, normals;
   for (std::size_t first = 0; first < electrons.size(); first += kAtOnce) {
     const std::size_t count = std::min(kAtOnce, electrons.size() - first);
     const std::span<double> part = electrons.subspan(first, count);
-    mean_electrons(detector_, pattern, first, radiance.subspan(first, count), part);
+    mean_electrons(detector_, pattern, first, light, radiance.subspan(first, count), part);
     const std::span uniform = std::span(uniforms).first(count), normal = std::span(normals).first(count);
     keyed_uniforms(key, first, uniform);
     std::copy(uniform.begin(), uniform.end(), normal.begin());
@@ -236,6 +240,7 @@ void DetectorSignal::correct(int line, std::span<double> signal) const {
   constexpr double kAnswers =
       0.1;  // of the response of an element without faults, or it is none to be corrected
   const Pattern pattern(*this, line);
+  const std::vector<double> shares = illumination_.of_line(line);
   std::array<float, kAtOnce> light;
   Values low, high, normals;
   const double low_ideal = detector_.mean_electrons(detector_.nuc_low),
@@ -243,7 +248,7 @@ void DetectorSignal::correct(int line, std::span<double> signal) const {
   // What each element tells of a light on average, and what is left of noise in the mean of so many exposures.
   const auto measured = [&](std::size_t first, double radiance, std::uint64_t which, std::span<double> told) {
     light.fill(static_cast<float>(radiance));
-    mean_electrons(detector_, pattern, first, std::span(light).first(told.size()), told);
+    mean_electrons(detector_, pattern, first, shares, std::span(light).first(told.size()), told);
     const std::span normal = std::span(normals).first(told.size());
     pattern.element_normals(Purpose::correction, first + (which << 32), normal);
     for (std::size_t k = 0; k < told.size(); ++k) {
@@ -261,7 +266,8 @@ void DetectorSignal::correct(int line, std::span<double> signal) const {
     measured(first, detector_.nuc_high, 2, std::span(high).first(part.size()));
     for (std::size_t k = 0; k < part.size(); ++k) {
       const double answer = (high[k] - low[k]) / (high_ideal - low_ideal);
-      if (answer > kAnswers) part[k] = low_ideal + (part[k] - low[k]) / answer;
+      if (answer > kAnswers * (shares.empty() ? 1.0 : shares[first + k]))
+        part[k] = low_ideal + (part[k] - low[k]) / answer;
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sensor/detector/detector.h"
+#include "sensor/detector/illumination.h"
 #include "sensor/detector/read_out.h"
 
 namespace ifov::sensor {
@@ -15,7 +16,7 @@ class DetectorSignal {
  public:
   /// Of the sensor's channel with this number, and images of so many columns.
   DetectorSignal(const Detector& detector, std::uint64_t seed, int channel, int columns,
-                 const ReadOut& read_out = {});
+                 const ReadOut& read_out = {}, const Illumination& illumination = {});
 
   /// The signal of a line in electrons, of its mean radiance, W m-2 sr-1 um-1, and `drift`, what one_over_f_noise() has for it (empty:
   /// none). Where radiance is not a number the signal is not, either; below 0 it counts as 0. Wells run over along the line alone, of
@@ -41,6 +42,7 @@ class DetectorSignal {
   std::uint64_t seed_;
   int channel_;
   ReadOut read_out_;
+  Illumination illumination_;
   std::vector<double> column_gain_, column_offset_;  // empty: none
 };
 

@@ -80,15 +80,17 @@ io::EnviHeader detected_header(io::EnviHeader header, DetectedQuantity quantity,
 }
 
 void append_detected(const sensor::Detector& detector, DetectedQuantity quantity, io::EnviType type,
-                     std::span<const double> signal, const RadianceAs& as, std::vector<std::byte>& values) {
+                     std::span<const double> signal, std::span<const double> light, const RadianceAs& as,
+                     std::vector<std::byte>& values) {
   const auto count = [&](std::size_t k) { return detector.count(signal[k]); };
-  const auto radiance = [&](std::size_t k) {
+  const auto radiance_of = [&](std::size_t k) {
     const bool rounds = detector.digitises() && !std::isnan(signal[k]);
-    return detector.radiance_w_m2_sr_um(rounds ? detector.signal_of_count(detector.count(signal[k]))
-                                               : signal[k]);
+    const double radiance = detector.radiance_w_m2_sr_um(
+        rounds ? detector.signal_of_count(detector.count(signal[k])) : signal[k]);
+    return light.empty() ? radiance : radiance / light[k];
   };
   switch (quantity) {
-    case DetectedQuantity::radiance: append<float>(signal.size(), radiance, values); break;
+    case DetectedQuantity::radiance: append<float>(signal.size(), radiance_of, values); break;
     case DetectedQuantity::electrons:
       append<float>(
           signal.size(), [&](std::size_t k) { return signal[k]; }, values);
@@ -101,11 +103,11 @@ void append_detected(const sensor::Detector& detector, DetectedQuantity quantity
       break;
     case DetectedQuantity::kelvins:
       append<float>(
-          signal.size(), [&](std::size_t k) { return as(k, radiance(k)); }, values);
+          signal.size(), [&](std::size_t k) { return as(k, radiance_of(k)); }, values);
       break;
     case DetectedQuantity::toa_reflectance:
       append<float>(
-          signal.size(), [&](std::size_t k) { return as(k, radiance(k)); }, values);
+          signal.size(), [&](std::size_t k) { return as(k, radiance_of(k)); }, values);
       break;
   }
 }

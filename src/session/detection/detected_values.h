@@ -28,9 +28,11 @@ io::EnviHeader detected_header(io::EnviHeader header, DetectedQuantity quantity,
 /// What a radiance is told as, in a column of the image.
 using RadianceAs = std::function<double(std::size_t column, double radiance)>;
 
-/// Appends signals of a line, in electrons, as the quantity of a cube of such a type.
+/// Appends signals of a line, in electrons, as the quantity of a cube of such a type; radiance for the shares `light` of it that fell on
+/// their elements (empty: all).
 void append_detected(const sensor::Detector& detector, DetectedQuantity quantity, io::EnviType type,
-                     std::span<const double> signal, const RadianceAs& as, std::vector<std::byte>& values);
+                     std::span<const double> signal, std::span<const double> light, const RadianceAs& as,
+                     std::vector<std::byte>& values);
 /// Appends a line of radiance.
 void append_values(std::span<const float> radiance, const RadianceAs& as, std::vector<std::byte>& values);
 

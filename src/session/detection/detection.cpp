@@ -47,8 +47,11 @@ class Drawing {
         cubes_(cubes) {
     const io::EnviHeader& header = radiance_.header();
     lines_ = header.lines, width_ = header.samples;
-    for (std::size_t c = 0; c < channels_.size(); ++c)
-      signals_.emplace_back(detector(c), seed, static_cast<int>(c), width_, source.read_out);
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      illumination_.emplace_back(detector(c), width_, lines_, source.read_out);
+      signals_.emplace_back(detector(c), seed, static_cast<int>(c), width_, source.read_out,
+                            illumination_.back());
+    }
     for (const render::ChannelInfo& channel : channels_) memories_.emplace_back(channel.lag, channel.inertia);
     saturated.assign(channels_.size(), 0);
   }
@@ -179,8 +182,11 @@ class Drawing {
     const double most = of.largest_signal() - 0.5 * of.gain - 4.0 * of.read_noise;
     const auto full = std::count_if(signal.begin(), signal.end(), [&](double one) { return one >= most; });
     signals_[c].correct(line, signal);
+    // What was corrected is as of elements in the middle; else who makes radiance of it knows how much light falls where.
+    const std::vector<double> light =
+        of.is_corrected() ? std::vector<double>() : illumination_[c].of_line(line);
     for (std::size_t k = 0; k < cubes_.size(); ++k)
-      append_detected(of, told_[k].quantity, cubes_[k]->header().data_type, signal, radiance_as(k, c),
+      append_detected(of, told_[k].quantity, cubes_[k]->header().data_type, signal, light, radiance_as(k, c),
                       values[k]);
     return static_cast<std::uint64_t>(full);
   }
@@ -194,6 +200,7 @@ class Drawing {
   std::span<const DetectedCube> told_;
   const std::vector<std::unique_ptr<LineCube>>& cubes_;
   int lines_ = 0, width_ = 0;
+  std::vector<sensor::Illumination> illumination_;
   std::vector<sensor::DetectorSignal> signals_;
   std::vector<sensor::SignalMemory> memories_;
   std::vector<std::vector<float>> drifts_;  // of the channels that are drawn

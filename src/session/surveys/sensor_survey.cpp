@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "core/overloaded.h"
 #include "ifov/sensor.h"
 #include "io/document/cameras/mount_error.h"
 #include "io/document/cameras/view_settings.h"
@@ -10,18 +9,18 @@
 #include "io/document/origin_document.h"
 #include "io/document/sensor_document.h"
 #include "render/image_info.h"
-#include "sensor/airy_aperture.h"
 #include "sensor/along_track.h"
 #include "sensor/camera.h"
+#include "sensor/detector/illumination.h"
 #include "sensor/detector/memory.h"
+#include "sensor/detector/read_out.h"
 #include "sensor/flying/image_way.h"
 #include "sensor/mtf.h"
-#include "sensor/psf.h"
-#include "sensor/pupil.h"
 #include "session/assembly/shared/scene_maps.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/whole/detector_assembly.h"
 #include "session/assembly/whole/noise_assembly.h"
+#include "session/assembly/whole/psf_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
 #include "session/surveys/sensor_columns.h"
 
@@ -49,34 +48,26 @@ void survey_camera(const sensor::Camera& camera, SensorDescription& told) {
   }
 }
 
-/// `cycles_px`: of the focal plane.
-std::optional<double> psf_mtf(const io::SensorDocument& sensor, double wavelength_um, double cycles_px) {
-  return std::visit(
-      Overloaded{[](const io::NoPsf&) -> std::optional<double> { return 1.0; },
-                 [&](const io::GaussianPsf& psf) -> std::optional<double> {
-                   return sensor::gaussian_mtf(psf.sigma_px, cycles_px);
-                 },
-                 [&](const io::AiryPsf&) -> std::optional<double> {
-                   const sensor::AiryAperture airy = airy_aperture(sensor);
-                   const double um = airy.wavelength_um > 0.0 ? airy.wavelength_um : wavelength_um;
-                   const double q_px = 1e-6 * um * airy.focal_length_m / (airy.diameter_m * airy.pitch_m);
-                   return sensor::diffraction_mtf(q_px, airy.obscuration, cycles_px);
-                 },
-                 [&](const std::shared_ptr<const io::PupilDocument>&) -> std::optional<double> {
-                   const sensor::Pupil pupil = assemble_pupil(sensor, wavelength_um);
-                   sensor::check_pupil(pupil);
-                   return sensor::pupil_mtf(pupil, cycles_px);
-                 },
-                 [](const io::KernelPsf&) -> std::optional<double> { return std::nullopt; }},
-      sensor.psf);
-}
-
 /// NEdT where the channel sees what is warm.
 void tell_nedt(const radiometry::Channel& channel, double at_k, SensorDescription::Channel& told) {
   constexpr double kThermal_um = 2.5;
   if (!(told.nedl > 0.0) || !(at_k > 0.0) || channel.centre_um < kThermal_um) return;
   told.nedt = told.nedl / radiometry::channel_planck_slope_w_m2_sr_um_k(channel, at_k);
   told.nedt_at_k = at_k;
+}
+
+/// Noise is the same of less light, and a larger share of it.
+void tell_corner(const ChannelDetector& detector, const sensor::ReadOut& read_out,
+                 const radiometry::Channel& channel, const SensorDescription& image,
+                 SensorDescription::Channel& told) {
+  if (!detector.figures.exists() || !detector.figures.is_vignetted()) return;
+  const double light =
+      sensor::Illumination(detector.figures, image.width_px, image.height_px, read_out).at(0.0, 0.0);
+  told.corner_light = light;
+  SensorDescription::Channel there;
+  there.nedl = detector.figures.lit_by(light).noise_w_m2_sr_um(told.radiance);
+  if (told.radiance > 0.0) told.corner_snr = told.radiance / there.nedl;
+  if (told.nedt_at_k) tell_nedt(channel, *told.nedt_at_k, there), told.corner_nedt = there.nedt;
 }
 
 void tell_memory(const ChannelDetector& detector, SensorDescription::Channel& told) {
@@ -134,7 +125,7 @@ SensorDescription survey_sensor(const io::DocumentSources& sources, const io::Se
         swept.plain() ? sensor::square_mtf(std::sqrt(sensor.fill_factor), kNyquist) : swept.mtf(kNyquist);
     const double cycles_px = kNyquist * swept.pitch_px;
     one.psf_mtf = with_position(sources, sensor.psf_position,
-                                [&] { return psf_mtf(sensor, channels[c].centre_um, cycles_px); });
+                                [&] { return psf_mtf(sources, sensor, channels[c].centre_um, cycles_px); });
     one.nedl = noise[c];
     tell_memory(detectors[c], one);
     if (!detectors[c].figures.exists()) {
@@ -147,6 +138,8 @@ SensorDescription survey_sensor(const io::DocumentSources& sources, const io::Se
               radiometry::channel_brightness_temperature_k(channels[c], detectors[c].reference_w_m2_sr_um),
               one);
   }
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    tell_corner(detectors[c], sensor.camera.settings->read_out(), channels[c], told, told.channels[c]);
   tell_columns(sources, sensor, channels, told);
   return told;
 }

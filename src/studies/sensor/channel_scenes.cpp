@@ -6,6 +6,7 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
+#include "io/document/psf_document.h"
 #include "io/document/samplers/error_size.h"
 #include "io/document/shapes/flat_primitives.h"
 #include "math/angle.h"
@@ -39,7 +40,7 @@ io::Document channels_document(int width_px, int height_px, io::ObjectDocument t
   io::AiryPsf airy;
   airy.aperture_m = 1e-6 * kLens_m / (optics.q_px_um * kElement_m);
   if (optics.one_footprint) airy.wavelength_um = wavelength_um.front();
-  document.sensor.psf = airy;
+  document.sensor.psf = std::make_shared<const io::PsfDocument>(io::PsfDocument{{airy}});
   document.sensor.fill_factor = optics.fill_factor;
   document.scene.materials = {black("cold", {kDark_k, {}}), black("hot", {hot_k, {}})};
   document.scene.objects = {object_of(io::PlanePrimitive(), "cold"), std::move(thing)};

@@ -6,6 +6,7 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
+#include "io/document/psf_document.h"
 #include "io/document/samplers/error_size.h"
 #include "io/files/input_file.h"
 #include "session/session.h"
@@ -98,7 +99,7 @@ void add_truth(const SectionOptions& options, ReportSection& section) {
 io::Document blurred_suburb(const StudyOptions& options, bool by_wavelength, bool groups) {
   io::Document document = timed_suburb(options, 6, false);
   if (!by_wavelength) {
-    document.sensor.psf = io::GaussianPsf{0.4};
+    document.sensor.psf = std::make_shared<const io::PsfDocument>(io::PsfDocument{{io::GaussianPsf{0.4}}});
     for (std::size_t k = 0; groups && k < document.sensor.channels.size(); ++k)
       document.sensor.channels[k].shift_px = {{0.15 * static_cast<double>(k), -0.1 * static_cast<double>(k)}};
     return document;
@@ -109,7 +110,7 @@ io::Document blurred_suburb(const StudyOptions& options, bool by_wavelength, boo
   io::AiryPsf airy;
   airy.aperture_m = 1e-6 / (0.5 * kPitchOverFocal);  // half a pixel in a micrometre
   if (!groups) airy.wavelength_um = 1.2;
-  document.sensor.psf = airy;
+  document.sensor.psf = std::make_shared<const io::PsfDocument>(io::PsfDocument{{airy}});
   return document;
 }
 

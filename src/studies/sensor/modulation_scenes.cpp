@@ -5,7 +5,9 @@
 #include <numbers>
 
 #include "core/format.h"
+#include "io/document/carriers_document.h"
 #include "io/document/document.h"
+#include "io/document/psf_document.h"
 #include "io/document/samplers/error_size.h"
 #include "math/angle.h"
 #include "radiometry/planck.h"
@@ -80,10 +82,20 @@ double airy_energy(double q_px, double x_px, double y_px) {
 }
 
 void set_optics(const EdgeOptics& optics, io::SensorDocument& sensor) {
-  if (optics.gaussian_px > 0.0) sensor.psf = io::GaussianPsf{optics.gaussian_px};
+  std::vector<io::PsfPart> parts;
   if (optics.airy_q_px > 0.0)
-    sensor.psf =
-        io::AiryPsf{kEdge_um * 1e-6 * kFocal_m / (optics.airy_q_px * kPitch_m), kEdge_um, optics.obscuration};
+    parts.emplace_back(io::AiryPsf{kEdge_um * 1e-6 * kFocal_m / (optics.airy_q_px * kPitch_m), kEdge_um,
+                                   optics.obscuration});
+  if (optics.gaussian_px > 0.0) parts.emplace_back(io::GaussianPsf{optics.gaussian_px});
+  if (optics.field_free_px > 0.0) {
+    io::DiffusionDocument diffusion;
+    diffusion.field_free_m = optics.field_free_px * kPitch_m;
+    parts.emplace_back(std::make_shared<const io::DiffusionDocument>(std::move(diffusion)));
+  }
+  if (optics.crosstalk > 0.0)
+    parts.emplace_back(
+        std::make_shared<const io::CrosstalkDocument>(io::CrosstalkDocument{optics.crosstalk, {}, {}}));
+  if (!parts.empty()) sensor.psf = std::make_shared<const io::PsfDocument>(io::PsfDocument{std::move(parts)});
 }
 
 EdgeResponse still_edge(const EdgeOptics& optics, const StudyOptions& options, int pixels) {
@@ -99,7 +111,12 @@ double still_modulation(const EdgeOptics& optics, double cycles_px) {
          sensor::square_mtf(1.0, cycles_px * std::sin(angle)) *
          (optics.gaussian_px > 0.0 ? sensor::gaussian_mtf(optics.gaussian_px, cycles_px) : 1.0) *
          (optics.airy_q_px > 0.0 ? sensor::diffraction_mtf(optics.airy_q_px, optics.obscuration, cycles_px)
-                                 : 1.0);
+                                 : 1.0) /
+         std::cosh(2.0 * kPi * optics.field_free_px * cycles_px) *
+         (1.0 - 4.0 * optics.crosstalk +
+          2.0 * optics.crosstalk *
+              (std::cos(2.0 * kPi * cycles_px * std::cos(angle)) +
+               std::cos(2.0 * kPi * cycles_px * std::sin(angle))));
 }
 
 EdgeResponse scanned_edge(double element_length_px, int stages, double mismatch, const StudyOptions& options,

@@ -11,10 +11,12 @@ namespace ifov::studies {
 
 inline constexpr double kEdgeAngle_deg = 5.0;
 
-/// Optics of a frame camera: without PSF, of a Gaussian, or of an aperture whose diffraction is q = wavelength times f-number over pitch.
+/// Optics of a frame camera: what of a Gaussian, an aperture whose diffraction is q = wavelength times f-number over pitch, diffusion through
+/// a layer without a field and crosstalk to each neighbour is not 0, convolved.
 struct EdgeOptics {
   double gaussian_px = 0.0, airy_q_px = 0.0;
   double obscuration = 0.0;  ///< of the aperture's middle, diameter over diameter
+  double field_free_px = 0.0, crosstalk = 0.0;
 };
 /// A black edge of 300 K against cold ground, 5 degrees from upright, rendered.
 EdgeResponse still_edge(const EdgeOptics& optics, const StudyOptions& options, int pixels = 64);

@@ -51,6 +51,20 @@ struct Axes {
   }
 };
 
+SchemaType<sensor::Distortion::Terms> distortion_type() {
+  using Terms = sensor::Distortion::Terms;
+  Record<Terms> record(
+      "lens distortion",
+      "How far beside their places directions appear (Brown 1966), with the terms and signs of OpenCV's camera model: x (1 + k1 r^2 + k2 r^4 + k3 "
+      "r^6) + 2 p1 x y + p2 (r^2 + 2 x^2), and y likewise with p1 and p2 exchanged; x right and y down, in focal lengths.");
+  record.with_default("k1", &Terms::k1, number(), "0", "along the radius; below 0 the image is a barrel")
+      .with_default("k2", &Terms::k2, number(), "0", "likewise, of the fourth power")
+      .with_default("k3", &Terms::k3, number(), "0", "likewise, of the sixth")
+      .with_default("p1", &Terms::p1, number(), "0", "of lenses that are not centred, downwards")
+      .with_default("p2", &Terms::p2, number(), "0", "likewise, to the right");
+  return record.type();
+}
+
 struct FrameEntry {
   FrameCamera camera;
   std::optional<math::Point3> position_m, look_at_m;
@@ -113,7 +127,13 @@ SchemaType<std::shared_ptr<const CameraSettings>> frame_type() {
           quantity(kDuration, Range::at_least(0.0, "s")), "\"0 s\"",
           "of a rolling shutter: by how much later each row is exposed than that above it, the middle of the image at the "
           "document's `time`; 0 s: all rows at once")
+      .with_default("distortion", path(&FrameEntry::camera, &FrameCamera::distortion), distortion_type(),
+                    "{}", "of the lens, of a camera with a `position`; none if not given")
       .check([](const FrameEntry& entry, const DocumentNode& node) {
+        if (!entry.position_m && !entry.camera.distortion.none())
+          node.given("distortion")
+              .fail_at_key(
+                  "'distortion' is of a frame camera that stands at a 'position', and a platform carries this one: leave it out");
         if (entry.position_m && entry.look_at_m.has_value() == entry.attitude.has_value())
           (entry.look_at_m ? node.given("attitude") : node.given("position"))
               .fail("a frame camera with a 'position' needs exactly one of 'look_at' or 'attitude'");
@@ -153,6 +173,7 @@ std::unique_ptr<sensor::Camera> FrameCamera::build(const CameraSite& site) const
   settings.pitch_m = pitch_m;
   settings.position_m = position_m - site.offset_m;
   settings.exposure_s = exposure_s, settings.row_period_s = row_period_s;
+  settings.distortion = distortion;
   settings.axes = std::visit(Axes{settings.position_m, site.offset_m}, orientation);
   return std::make_unique<sensor::FrameCamera>(settings);
 }
@@ -162,12 +183,32 @@ CameraSettings::Exposed FrameCamera::exposed() const {
   return {-half_s, half_s};
 }
 
+namespace {
+
+/// How much further out than without distortion the direction of a corner appears.
+double moved_px_of(const sensor::Distortion& lens, double right, double down, double pixels) {
+  const sensor::Distortion::Place at = lens.image_of({right, down});
+  return pixels * (std::hypot(at.x, at.y) - std::hypot(right, down));
+}
+
+}  // namespace
+
 std::string FrameCamera::description(math::Vec3 shift_m, std::string_view axes) const {
   constexpr double kDegrees = 180.0 / std::numbers::pi;
   const math::Point3 p = position_m + shift_m;
-  return format("frame, {} x {} pixels, {:.4g} x {:.4g} deg, {}", size.width_px, size.height_px,
-                2.0 * std::atan(0.5 * size.width_px * pitch_m / focal_length_m) * kDegrees,
-                2.0 * std::atan(0.5 * size.height_px * pitch_m / focal_length_m) * kDegrees,
+  const double right = 0.5 * size.width_px * pitch_m / focal_length_m,
+               down = 0.5 * size.height_px * pitch_m / focal_length_m;
+  const sensor::Distortion lens(distortion, std::hypot(right, down));
+  const auto side = [&](double x, double y) {
+    const sensor::Distortion::Place at = lens.direction_of({x, y});
+    return std::atan(std::hypot(at.x, at.y));
+  };
+  return format("frame, {} x {} pixels, {:.4g} x {:.4g} deg{}, {}", size.width_px, size.height_px,
+                (side(-right, 0.0) + side(right, 0.0)) * kDegrees,
+                (side(0.0, -down) + side(0.0, down)) * kDegrees,
+                lens.none() ? std::string()
+                            : format(", lens distortion by {:.3g} px at the lower right corner",
+                                     moved_px_of(lens, right, down, focal_length_m / pitch_m)),
                 placed   ? format("at {} {:.8g}, {:.8g}, {:.6g} m", axes, p.x, p.y, p.z)
                 : flight ? path_description(*flight, shift_m, axes)
                          : "without a platform");

@@ -5,6 +5,7 @@
 #include "geodesy/attitude.h"
 #include "io/document/cameras/camera_model.h"
 #include "io/document/cameras/image_size.h"
+#include "sensor/lens/distortion.h"
 
 namespace ifov::io {
 
@@ -28,6 +29,7 @@ struct FrameCamera final : CameraSettings {
   bool placed = true;         ///< whether these say where it is; otherwise a platform carries it
   double exposure_s = 0.0;    ///< of each row
   double row_period_s = 0.0;  ///< from row to row, of a rolling shutter; 0: all rows at once
+  sensor::Distortion::Terms distortion = {};     ///< of one that is placed
   std::shared_ptr<const PlatformFlight> flight;  ///< of one that is not placed; null before carried_by()
 
   std::unique_ptr<sensor::Camera> build(const CameraSite& site) const override;

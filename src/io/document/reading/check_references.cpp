@@ -14,6 +14,7 @@
 #include "io/document/document.h"
 #include "io/document/file_materials_document.h"
 #include "io/document/presence_document.h"
+#include "io/document/psf_document.h"
 #include "io/document/pupil_document.h"
 #include "io/document/reading/check_motions.h"
 #include "io/document/samplers/accuracy_sampling.h"
@@ -360,8 +361,20 @@ class ReferenceCheck {
 
   void check_psf() const {
     const SensorDocument& sensor = document_.sensor;
-    const auto* airy = std::get_if<AiryPsf>(&sensor.psf);
-    const auto* pupil = std::get_if<std::shared_ptr<const PupilDocument>>(&sensor.psf);
+    const AiryPsf* airy = nullptr;
+    const std::shared_ptr<const PupilDocument>* pupil = nullptr;
+    bool diffuses = false;
+    const std::vector<PsfPart> parts = sensor.psf ? sensor.psf->parts : std::vector<PsfPart>();
+    for (const PsfPart& part : parts) {
+      if (const auto* found = std::get_if<AiryPsf>(&part)) airy = found;
+      if (const auto* found = std::get_if<std::shared_ptr<const PupilDocument>>(&part)) pupil = found;
+      diffuses = diffuses || std::holds_alternative<std::shared_ptr<const DiffusionDocument>>(part);
+    }
+    if (diffuses && !sensor.camera.settings->optics() && (!sensor.detector || !sensor.detector->pitch_m))
+      throw document_error(
+          document_.sources, sensor.psf_position,
+          "carrier diffusion needs a 'frame' camera, whose pitch gives its size in pixels, or "
+          "'detector.pitch'");
     if (airy == nullptr && pupil == nullptr) return;
     const bool own_aperture =
         airy != nullptr ? airy->aperture_m.has_value() : (*pupil)->aperture_m.has_value();

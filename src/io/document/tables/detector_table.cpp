@@ -119,6 +119,67 @@ void add_patterns(Record<Detector>& record) {
 
 }  // namespace
 
+namespace {
+
+SchemaType<OpticsDocument::StrayLight> stray_light_type() {
+  using Stray = OpticsDocument::StrayLight;
+  constexpr double kNarrowest_px = 2.0, kWidest_px = 10000.0;
+  Record<Stray> record(
+      "stray light",
+      "Light that mirrors, lenses and mounts scatter: a wide halo about whatever shines, a / (2 pi (r^2 + a^2)^1.5) with a = radius / sqrt 3. "
+      "It takes a sampler that knows its errors; what is further away than 128 px is taken to be as bright as what lies there, and how far "
+      "that may be off stands in the intervals.");
+  record
+      .required("share", &Stray::share, fraction({0.0, 0.5, false, false, {}}),
+                "of the light that passes the optics")
+      .required("radius", &Stray::radius_px,
+                quantity(kPixels, Range::between(kNarrowest_px, kWidest_px, "px")),
+                "that half of it falls within, in pixels of the focal plane");
+  return record.type();
+}
+
+/// Of the polynomial, the least in the image.
+double least_light(const std::vector<double>& terms) {
+  constexpr int kSteps = 1000;
+  double least = 1.0;
+  for (int k = 0; k <= kSteps; ++k) {
+    const double s = static_cast<double>(k) / kSteps;
+    double power = 1.0, light = 1.0;
+    for (const double term : terms) power *= s, light += term * power;
+    least = std::min(least, light);
+  }
+  return least;
+}
+
+SchemaType<OpticsDocument::Vignetting> vignetting_type() {
+  using Vignetting = OpticsDocument::Vignetting;
+  static constexpr double kDarkest = 0.01;
+  Record<Vignetting> record(
+      "vignetting",
+      "How light falls towards the corners of the field, over that of its middle. Electrons, counts and noise of `ifov detect` know it; radiance "
+      "is made of them by who knows it too.");
+  record
+      .with_default(
+          "cos4", &Vignetting::cos4, boolean(), "false",
+          "by the fourth power of the cosine of the field angle, which the focal length and the pitch say")
+      .optional(
+          "polynomial", &Vignetting::polynomial, list(number(Range::between(-10.0, 10.0)), 1, 3),
+          "times 1 + a r^2 + b r^4 + c r^6, r being the distance from the middle over that of the image's corners (of a line scanner, of "
+          "its ends)")
+      .check([](const Vignetting& read, const DocumentNode& node) {
+        if (!read.cos4 && read.polynomial.empty())
+          node.fail("vignetting of neither 'cos4' nor a 'polynomial' darkens nothing: give one of them");
+        if (const double least = least_light(read.polynomial); least < kDarkest)
+          node.given("polynomial")
+              .fail(format(
+                  "the polynomial leaves {:.3g} of the light somewhere in the field; expected {:g} at least",
+                  least, kDarkest));
+      });
+  return record.type();
+}
+
+}  // namespace
+
 SchemaType<OpticsDocument> optics_type() {
   Record<OpticsDocument> record(
       "optics",
@@ -139,6 +200,10 @@ SchemaType<OpticsDocument> optics_type() {
       .optional("emissivity", &OpticsDocument::emissivity, spectrum_type(SpectrumOf::fraction),
                 "of the optics; what `throughput` leaves of 1 if not given")
       .needs("emissivity", "temperature")
+      .optional("stray_light", &OpticsDocument::stray_light, stray_light_type(),
+                "light that falls far from where it belongs; none if not given")
+      .optional("vignetting", &OpticsDocument::vignetting, vignetting_type(),
+                "how much less light falls off the middle of the field, for a `detector`; none if not given")
       .check([](const OpticsDocument& optics, const DocumentNode& node) {
         if (!optics.aperture_m || !optics.focal_length_m || !optics.f_number) return;
         constexpr double kAlike = 0.01;

@@ -83,6 +83,8 @@ OpticsDocument OpticsDocument::under(const OpticsDocument& other) const {
   if (!both.throughput) both.throughput = throughput;
   if (!both.temperature_k) both.temperature_k = temperature_k;
   if (!both.emissivity) both.emissivity = emissivity;
+  if (!both.stray_light) both.stray_light = stray_light;
+  if (!both.vignetting) both.vignetting = vignetting;
   return both;
 }
 

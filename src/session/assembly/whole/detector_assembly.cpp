@@ -198,9 +198,29 @@ class Assembly {
     }
     figures.specimen = document_.specimen.value_or(1);
     figures.blooming = document_.blooming.value_or(0.0);
+    add_vignetting(figures);
     add_counts(figures);
     add_correction(figures);
     return figures;
+  }
+
+  void add_vignetting(sensor::Detector& figures) const {
+    if (!sensor_.optics->vignetting) return;
+    const io::OpticsDocument::Vignetting& told = *sensor_.optics->vignetting;
+    if (sensor_.camera.settings->read_out().kind == sensor::ReadOut::Kind::sweeps)
+      fail_optics(
+          "'vignetting' is of elements with places of their own in the field, and those of a sweep pass through the same one: leave it out");
+    if (told.cos4) {
+      const auto camera = sensor_.camera.settings->optics();
+      const std::optional<double> focal_length_m =
+          camera ? std::optional(camera->focal_length_m) : sensor_.optics->focal_length_m;
+      if (!focal_length_m)
+        fail_optics(
+            "'cos4' takes the field angle, and nothing says the focal length: give 'focal_length', or a 'polynomial'");
+      figures.vignette_px = *focal_length_m / pitch_m();
+    }
+    const auto term = [&](std::size_t k) { return k < told.polynomial.size() ? told.polynomial[k] : 0.0; };
+    figures.vignette_2 = term(0), figures.vignette_4 = term(1), figures.vignette_6 = term(2);
   }
 
   void add_correction(sensor::Detector& figures) const {
