@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "io/document/cameras/camera_settings.h"
+#include "io/document/psf_document.h"
 
 namespace ifov::benchmarks {
 
@@ -39,7 +40,11 @@ double airy_radius(double energy) {
 
 PlainFootprint::PlainFootprint(const io::SensorDocument& sensor) : side_px_(std::sqrt(sensor.fill_factor)) {
   reach_px_ = 0.5 * side_px_;
-  if (const auto* gaussian = std::get_if<io::GaussianPsf>(&sensor.psf)) {
+  if (sensor.psf == nullptr) return;
+  if (sensor.psf->parts.size() != 1)
+    throw std::runtime_error("the plain tracer knows no PSF of several parts");
+  const io::PsfPart& psf = sensor.psf->parts.front();
+  if (const auto* gaussian = std::get_if<io::GaussianPsf>(&psf)) {
     sigma_px_ = gaussian->sigma_px;
     reach_px_ += kTail_sigmas * sigma_px_;
     for (int k = 0; k <= kQuantiles; ++k) {
@@ -50,14 +55,14 @@ PlainFootprint::PlainFootprint(const io::SensorDocument& sensor) : side_px_(std:
       }
       quantiles_.push_back(0.5 * (low + high));
     }
-  } else if (const auto* airy = std::get_if<io::AiryPsf>(&sensor.psf)) {
+  } else if (const auto* airy = std::get_if<io::AiryPsf>(&psf)) {
     const auto camera = sensor.camera.settings->optics();
     if (!camera) throw std::runtime_error("an Airy pattern without a frame camera");
     airy_q_px_ = airy->wavelength_um.value() * 1e-6 * camera->focal_length_m /
                  (airy->aperture_m.value() * camera->pitch_m);
     reach_px_ = std::numeric_limits<double>::infinity();
-  } else if (std::holds_alternative<io::KernelPsf>(sensor.psf)) {
-    throw std::runtime_error("the plain tracer knows no PSF from an image");
+  } else {
+    throw std::runtime_error("the plain tracer knows no PSF but a Gaussian and an Airy pattern");
   }
 }
 

@@ -12,6 +12,7 @@
 #include "core/parallel.h"
 #include "honesty/single_tile.h"
 #include "io/document/document.h"
+#include "io/document/psf_document.h"
 #include "render/field/scene_field.h"
 #include "render/image_renderer.h"
 #include "render/polarized/stokes_columns.h"
@@ -41,7 +42,9 @@ constexpr double kPsfSigma_px = 0.6;
 
 session::Session load(const HonestyCase& which, const std::filesystem::path& work) {
   io::Document document = read_scene(which.scene, work);
-  if (which.psf || which.groups) document.sensor.psf = io::GaussianPsf{kPsfSigma_px};
+  if (which.psf || which.groups)
+    document.sensor.psf =
+        std::make_shared<const io::PsfDocument>(io::PsfDocument{{io::GaussianPsf{kPsfSigma_px}}});
   for (std::size_t c = 0; which.groups && c < document.sensor.channels.size(); ++c) {
     const double k = static_cast<double>(c);
     document.sensor.channels[c].shift_px = {{0.3 - 0.45 * k, 0.2 * k}};
