@@ -37,6 +37,16 @@ SchemaType<DocumentName> map_name();
 inline constexpr const char* kMapDoc =
     "of the frame `map`: its coordinate reference system, as PROJ knows it: \"EPSG:25832\"; if not given that of the `origin`";
 
+/// The target of a map's name, which is empty where none is given: `of` takes the record to it.
+template <class T, class Of>
+auto map_of(Of of) {
+  return via([of](T& record, DocumentName name) { of(record) = std::move(name); },
+             [of](const T& record) {
+               const DocumentName& name = of(record);
+               return name.name.empty() ? nullptr : &name;
+             });
+}
+
 /// The keys of a place beside its frame.
 template <class T>
 void add_coordinates(Record<T>& record, PlaceEntry T::*place, const char* key, const std::string& what) {
@@ -64,7 +74,8 @@ void add_place(Record<T>& record, PlaceEntry T::*place, const char* key, const s
       .required("frame", path(place, &PlaceEntry::frame), earth_frame(),
                 "of " + what +
                     "; others than the scene's need `latitude` and `longitude` of the `origin`, or a `crs`")
-      .optional("crs", path(place, &PlaceEntry::crs), map_name(), kMapDoc);
+      .optional("crs", map_of<T>([place](auto& entry) -> auto& { return (entry.*place).crs; }), map_name(),
+                kMapDoc);
   add_coordinates(record, place, key, what);
   record.check([place, key](const T& entry, const DocumentNode& node) {
     check_crs((entry.*place).frame, node);

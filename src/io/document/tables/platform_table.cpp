@@ -103,7 +103,8 @@ SchemaType<WayPointPath> way_points_type() {
       .required(
           "frame", path(&Entry::path, &WayPointPath::frame), earth_frame(),
           "of positions; others than the scene's need `latitude` and `longitude` of the `origin`, or a `crs`")
-      .optional("crs", path(&Entry::path, &WayPointPath::crs), map_name(), kMapDoc)
+      .optional("crs", map_of<Entry>([](auto& entry) -> auto& { return entry.path.crs; }), map_name(),
+                kMapDoc)
       .required("points", &Entry::points, list(one.type(), 1, 100000), "in the order of their times")
       .check([](const Entry& entry, const DocumentNode& node) {
         check_crs(entry.path.frame, node);
@@ -160,7 +161,7 @@ SchemaType<TablePath> path_table_type() {
           "frame", &TablePath::frame, any_frame(),
           "of its positions and attitudes; others than the scene's need `latitude` and `longitude` of the `origin`, or a `crs`; `teme` "
           "and `gcrs` the document's `time`")
-      .optional("crs", &TablePath::crs, map_name(), kMapDoc)
+      .optional("crs", map_of<TablePath>([](auto& table) -> auto& { return table.crs; }), map_name(), kMapDoc)
       .required("file", &TablePath::file, file(), "the table, CSV");
   add_turn(record, &TablePath::turn);
   record.check([](const TablePath& table, const DocumentNode& node) {
