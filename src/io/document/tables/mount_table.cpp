@@ -6,9 +6,8 @@
 #include "io/document/schema/shared_target.h"
 #include "io/document/sensor_document.h"
 #include "io/document/tables/framed_place.h"
-#include "io/document/tables/own_mounts.h"
-#include "io/document/tables/platform_angles.h"
 #include "io/document/tables/platform_tables.h"
+#include "io/document/tables/sensor_tables.h"
 
 namespace ifov::io {
 namespace {

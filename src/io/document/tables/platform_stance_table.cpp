@@ -3,7 +3,6 @@
 
 #include "io/document/mount_document.h"
 #include "io/document/tables/framed_place.h"
-#include "io/document/tables/platform_angles.h"
 #include "io/document/tables/platform_tables.h"
 
 namespace ifov::io {

@@ -5,7 +5,7 @@
 #include "io/document/carriers_document.h"
 #include "io/document/pupil_document.h"
 #include "io/document/schema/record.h"
-#include "io/document/tables/psf_tables.h"
+#include "io/document/tables/sensor_tables.h"
 #include "io/document/tables/tables.h"
 
 namespace ifov::io {

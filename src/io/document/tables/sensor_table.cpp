@@ -5,8 +5,7 @@
 #include "io/document/schema/shared_target.h"
 #include "io/document/sensor_document.h"
 #include "io/document/spectrometer_document.h"
-#include "io/document/tables/own_mounts.h"
-#include "io/document/tables/psf_tables.h"
+#include "io/document/tables/sensor_tables.h"
 #include "io/document/tables/spectrometer_tables.h"
 #include "io/document/tables/tables.h"
 

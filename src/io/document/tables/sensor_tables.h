@@ -7,6 +7,10 @@
 
 namespace ifov::io {
 
+template <class T>
+class Record;
+struct SensorDocument;
+
 /// And where they stand.
 struct PlacedPsf {
   std::vector<PsfPart> parts;
@@ -14,5 +18,8 @@ struct PlacedPsf {
 };
 
 SchemaType<PlacedPsf> psf_type();
+
+/// The row of a sensor's own mounts.
+void add_own_mounts(Record<SensorDocument>& record);
 
 }  // namespace ifov::io
