@@ -184,7 +184,7 @@ TEST(ProductWriter, RunRecordHoldsFiguresAndChecksums) {
   EXPECT_LT(by_reason["unseen light"].natural(), by_reason["samples"].natural());
   EXPECT_EQ(by_reason["air"].natural(), 0u);
   const std::size_t pictures = why_not_built("png").empty() ? 1 : 0;
-  ASSERT_EQ(root["files"].items().size(), 16u + pictures);  // eleven cubes, GeoTIFF, style, picture, report
+  ASSERT_EQ(root["files"].items().size(), 22u + pictures);  // 17 cubes, GeoTIFF, style, picture, report
   for (const JsonView& file : root["files"].items()) {
     const std::string bytes = test::read_all(folder.path() / file["name"].text());
     Sha256 whole;

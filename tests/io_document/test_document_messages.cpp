@@ -206,10 +206,11 @@ TEST(DocumentMessages, ProductsHavePlainNames) {
   EXPECT_EQ(
       first_line_with(given, "\"products\": [\"half_width\", \"radiances\"]"),
       "folder/a.json:42:41: 'output.products[1]' is the text \"radiances\", expected 'radiance', "
-      "'standard_error', 'half_width', 'air_half_width', 'air_model_error', 'toa_reflectance', 'toa_reflectance_half_width', "
-      "'brightness_temperature', 'brightness_temperature_half_width', 'mosaic', 'mosaic_half_width', 'mosaic_channels', 'samples', "
-      "'quality', 'reasons', 'quality_class', 'abundance', 'abundance_half_width', 'location', 'true_location', 'view_angles', "
-      "'temperature', 'range', 'normal' and 33 more; did you mean 'radiance'?");
+      "'standard_error', 'half_width', 'air_half_width', 'air_model_error', 'thermal_half_width', 'radiance_per_nm', "
+      "'radiance_per_nm_half_width', 'band_radiance', 'band_radiance_half_width', 'photon_radiance', 'photon_radiance_half_width', "
+      "'toa_reflectance', 'toa_reflectance_half_width', 'brightness_temperature', 'brightness_temperature_half_width', 'mosaic', "
+      "'mosaic_half_width', 'mosaic_channels', 'samples', 'quality', 'reasons', 'quality_class', 'abundance' and 42 more; did you mean "
+      "'radiance'?");
 }
 
 TEST(DocumentMessages, NamesThatAreNotDeclared) {

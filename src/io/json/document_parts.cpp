@@ -5,6 +5,7 @@
 
 #include "core/format.h"
 #include "core/names.h"
+#include "core/printable.h"
 #include "io/files/input_file.h"
 #include "io/json/json_writer.h"
 
@@ -12,7 +13,8 @@ namespace ifov::io {
 
 namespace {
 constexpr const char *kInstruments = "instruments", *kInstrument = "instrument";
-}
+constexpr std::size_t kShown = 200;  // of a name
+}  // namespace
 
 /// Copies nodes of several trees into one.
 class NodeMerger {
@@ -266,8 +268,8 @@ class Gathered {
           "the document has {} instruments, {}: choose one, as --set {}={} does; ifov render, check and sensor take all of them",
           names_.size(), list_names(names_, "and"), kInstrument, names_.front()));
     if (one == nullptr)
-      chosen_->fail(format("{} is '{}'; expected {}{}", chosen_->title(), chosen_->text(), list_names(names_),
-                           did_you_mean(chosen_->text(), names_)));
+      chosen_->fail(format("{} is '{}'; expected {}{}", chosen_->title(), printable(chosen_->text(), kShown),
+                           list_names(names_), did_you_mean(chosen_->text(), names_)));
     parts_.instrument = one->key();
     parts_.is_one_text = false;
     parts_.root = NodeMerger::with_sensor(*parts_.root, *one, of_sensor_);
@@ -282,8 +284,8 @@ class Gathered {
       chosen_->fail_expected("the name of one of the 'instruments'");
     if (instruments_ == nullptr) {
       if (chosen_ != nullptr)
-        chosen_->fail(
-            format("an instrument '{}' is chosen, and there are no 'instruments'", chosen_->text()));
+        chosen_->fail(format("an instrument '{}' is chosen, and there are no 'instruments'",
+                             printable(chosen_->text(), kShown)));
       return;
     }
     if (instruments_->type() != DocumentNode::Type::object || instruments_->members().empty())
@@ -292,7 +294,7 @@ class Gathered {
       if (!is_plain_name(one.key()))
         one.fail_at_key(format(
             "an instrument is called '{}'; expected letters, digits, '-' and '_', at most 100, as it names a folder",
-            one.key()));
+            printable(one.key(), kShown)));
       names_.push_back(one.key());
     }
     if (const DocumentNode* const sensor = parts_.root->find("sensor"))

@@ -165,8 +165,8 @@ constinit const Quantity kBandRadianceHalfWidth{
 
 constinit const Quantity kPhotonRadiance{
     .name = "photon_radiance",
-    .what = "photons s-1 m-2 sr-1 um-1, of radiance that is even over the channel",
-    .unit = "photons s-1 m-2 sr-1 um-1",
+    .what = "photons, of radiance that is even over the channel",
+    .unit = "s-1 m-2 sr-1 um-1",
     .role = Quantity::Role::radiance,
     .statistic = Quantity::Statistic::mean,
     .type = EnviType::float32,
@@ -179,8 +179,8 @@ constinit const Quantity kPhotonRadiance{
 
 constinit const Quantity kPhotonRadianceHalfWidth{
     .name = "photon_radiance_half_width",
-    .what = "half-width of the interval of the photons s-1 m-2 sr-1 um-1",
-    .unit = "photons s-1 m-2 sr-1 um-1",
+    .what = "half-width of the interval of the photons",
+    .unit = "s-1 m-2 sr-1 um-1",
     .role = Quantity::Role::error,
     .statistic = Quantity::Statistic::half_width,
     .type = EnviType::float32,
