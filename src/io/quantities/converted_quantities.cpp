@@ -109,134 +109,81 @@ void tell_sunlight(EnviHeader& header, const render::ImageInfo& image) {
   header.other["toa irradiance (W m-2 um-1)"] = list;
 }
 
+/// By channel, of the radiance of pixels.
+constexpr Quantity converted(std::string_view name, std::string_view what, std::string_view unit,
+                             Quantity::Needs needs, void (*values)(const FinishedTile&, ValueSink&)) {
+  needs.radiance = true;
+  return {.name = name,
+          .what = what,
+          .unit = unit,
+          .role = Quantity::Role::radiance,
+          .statistic = Quantity::Statistic::mean,
+          .type = EnviType::float32,
+          .bands = Quantity::Bands::channels,
+          .band_names = {},
+          .needs = needs,
+          .values = values};
+}
+
+/// And of its half-width.
+constexpr Quantity half_width(std::string_view name, std::string_view what, std::string_view unit,
+                              Quantity::Needs needs, void (*values)(const FinishedTile&, ValueSink&)) {
+  Quantity quantity = converted(name, what, unit, needs, values);
+  quantity.role = Quantity::Role::error;
+  quantity.statistic = Quantity::Statistic::half_width;
+  quantity.needs.errors = true;
+  return quantity;
+}
+
+constexpr Quantity over_sunlight(Quantity quantity) {
+  quantity.needs.sunlight = true;
+  quantity.complete_header = tell_sunlight;
+  return quantity;
+}
+
+constexpr Quantity::Needs kResponses{.responses = true};
+constexpr std::string_view kPerNmUnit = "uW cm-2 sr-1 nm-1", kPhotonUnit = "s-1 m-2 sr-1 um-1";
+
 }  // namespace
 
-constinit const Quantity kRadiancePerNm{
-    .name = "radiance_per_nm",
-    .what = "radiance in uW cm-2 sr-1 nm-1",
-    .unit = "uW cm-2 sr-1 nm-1",
-    .role = Quantity::Role::radiance,
-    .statistic = Quantity::Statistic::mean,
-    .type = EnviType::float32,
-    .bands = Quantity::Bands::channels,
-    .band_names = {},
-    .needs = {.radiance = true},
-    .values = [](const FinishedTile& of, ValueSink& sink) { put_per_nm(of.tile.mean, sink); }};
+constinit const Quantity kRadiancePerNm =
+    converted("radiance_per_nm", "radiance in uW cm-2 sr-1 nm-1", kPerNmUnit, {},
+              [](const FinishedTile& of, ValueSink& sink) { put_per_nm(of.tile.mean, sink); });
+constinit const Quantity kRadiancePerNmHalfWidth = half_width(
+    "radiance_per_nm_half_width", "half-width of the interval of the radiance in uW cm-2 sr-1 nm-1",
+    kPerNmUnit, {}, [](const FinishedTile& of, ValueSink& sink) { put_per_nm(of.tile.half_width, sink); });
 
-constinit const Quantity kRadiancePerNmHalfWidth{
-    .name = "radiance_per_nm_half_width",
-    .what = "half-width of the interval of the radiance in uW cm-2 sr-1 nm-1",
-    .unit = "uW cm-2 sr-1 nm-1",
-    .role = Quantity::Role::error,
-    .statistic = Quantity::Statistic::half_width,
-    .type = EnviType::float32,
-    .bands = Quantity::Bands::channels,
-    .band_names = {},
-    .needs = {.errors = true, .radiance = true},
-    .values = [](const FinishedTile& of, ValueSink& sink) { put_per_nm(of.tile.half_width, sink); }};
+constinit const Quantity kBandRadiance =
+    converted("band_radiance", "radiance within the channel, of the response with a maximum of 1",
+              "W m-2 sr-1", kResponses, [](const FinishedTile& of, ValueSink& sink) {
+                put_times(of, of.tile.mean, render::band_width_um, sink);
+              });
+constinit const Quantity kBandRadianceHalfWidth =
+    half_width("band_radiance_half_width", "half-width of the interval of the radiance within the channel",
+               "W m-2 sr-1", kResponses, [](const FinishedTile& of, ValueSink& sink) {
+                 put_times(of, of.tile.half_width, render::band_width_um, sink);
+               });
 
-constinit const Quantity kBandRadiance{
-    .name = "band_radiance",
-    .what = "radiance within the channel, of the response with a maximum of 1",
-    .unit = "W m-2 sr-1",
-    .role = Quantity::Role::radiance,
-    .statistic = Quantity::Statistic::mean,
-    .type = EnviType::float32,
-    .bands = Quantity::Bands::channels,
-    .band_names = {},
-    .needs = {.radiance = true, .responses = true},
-    .values = [](const FinishedTile& of, ValueSink& sink) {
-      put_times(of, of.tile.mean, render::band_width_um, sink);
-    }};
+constinit const Quantity kPhotonRadiance = converted(
+    "photon_radiance", "photons, of radiance that is even over the channel", kPhotonUnit, kResponses,
+    [](const FinishedTile& of, ValueSink& sink) { put_times(of, of.tile.mean, photons_of_joule, sink); });
+constinit const Quantity kPhotonRadianceHalfWidth =
+    half_width("photon_radiance_half_width", "half-width of the interval of the photons", kPhotonUnit,
+               kResponses, [](const FinishedTile& of, ValueSink& sink) {
+                 put_times(of, of.tile.half_width, photons_of_joule, sink);
+               });
 
-constinit const Quantity kBandRadianceHalfWidth{
-    .name = "band_radiance_half_width",
-    .what = "half-width of the interval of the radiance within the channel",
-    .unit = "W m-2 sr-1",
-    .role = Quantity::Role::error,
-    .statistic = Quantity::Statistic::half_width,
-    .type = EnviType::float32,
-    .bands = Quantity::Bands::channels,
-    .band_names = {},
-    .needs = {.errors = true, .radiance = true, .responses = true},
-    .values = [](const FinishedTile& of, ValueSink& sink) {
-      put_times(of, of.tile.half_width, render::band_width_um, sink);
-    }};
+constinit const Quantity kToaReflectance =
+    over_sunlight(converted("toa_reflectance", "reflectance at the sensor", "1", {}, put_toa_reflectance));
+constinit const Quantity kToaReflectanceHalfWidth = over_sunlight(
+    half_width("toa_reflectance_half_width", "half-width of the interval of the reflectance at the sensor",
+               "1", {}, put_toa_half_width));
 
-constinit const Quantity kPhotonRadiance{
-    .name = "photon_radiance",
-    .what = "photons, of radiance that is even over the channel",
-    .unit = "s-1 m-2 sr-1 um-1",
-    .role = Quantity::Role::radiance,
-    .statistic = Quantity::Statistic::mean,
-    .type = EnviType::float32,
-    .bands = Quantity::Bands::channels,
-    .band_names = {},
-    .needs = {.radiance = true, .responses = true},
-    .values = [](const FinishedTile& of, ValueSink& sink) {
-      put_times(of, of.tile.mean, photons_of_joule, sink);
-    }};
-
-constinit const Quantity kPhotonRadianceHalfWidth{
-    .name = "photon_radiance_half_width",
-    .what = "half-width of the interval of the photons",
-    .unit = "s-1 m-2 sr-1 um-1",
-    .role = Quantity::Role::error,
-    .statistic = Quantity::Statistic::half_width,
-    .type = EnviType::float32,
-    .bands = Quantity::Bands::channels,
-    .band_names = {},
-    .needs = {.errors = true, .radiance = true, .responses = true},
-    .values = [](const FinishedTile& of, ValueSink& sink) {
-      put_times(of, of.tile.half_width, photons_of_joule, sink);
-    }};
-
-constinit const Quantity kToaReflectance{.name = "toa_reflectance",
-                                         .what = "reflectance at the sensor",
-                                         .unit = "1",
-                                         .role = Quantity::Role::radiance,
-                                         .statistic = Quantity::Statistic::mean,
-                                         .type = EnviType::float32,
-                                         .bands = Quantity::Bands::channels,
-                                         .band_names = {},
-                                         .needs = {.radiance = true, .sunlight = true},
-                                         .values = put_toa_reflectance,
-                                         .complete_header = tell_sunlight};
-
-constinit const Quantity kToaReflectanceHalfWidth{
-    .name = "toa_reflectance_half_width",
-    .what = "half-width of the interval of the reflectance at the sensor",
-    .unit = "1",
-    .role = Quantity::Role::error,
-    .statistic = Quantity::Statistic::half_width,
-    .type = EnviType::float32,
-    .bands = Quantity::Bands::channels,
-    .band_names = {},
-    .needs = {.errors = true, .radiance = true, .sunlight = true},
-    .values = put_toa_half_width,
-    .complete_header = tell_sunlight};
-
-constinit const Quantity kBrightnessTemperature{.name = "brightness_temperature",
-                                                .what = "brightness temperature by the channel's response",
-                                                .unit = "K",
-                                                .role = Quantity::Role::radiance,
-                                                .statistic = Quantity::Statistic::mean,
-                                                .type = EnviType::float32,
-                                                .bands = Quantity::Bands::channels,
-                                                .band_names = {},
-                                                .needs = {.radiance = true, .responses = true},
-                                                .values = put_brightness};
-
-constinit const Quantity kBrightnessTemperatureHalfWidth{
-    .name = "brightness_temperature_half_width",
-    .what = "half-width of the interval of the brightness temperature",
-    .unit = "K",
-    .role = Quantity::Role::error,
-    .statistic = Quantity::Statistic::half_width,
-    .type = EnviType::float32,
-    .bands = Quantity::Bands::channels,
-    .band_names = {},
-    .needs = {.errors = true, .radiance = true, .responses = true},
-    .values = put_brightness_half_width};
+constinit const Quantity kBrightnessTemperature =
+    converted("brightness_temperature", "brightness temperature by the channel's response", "K", kResponses,
+              put_brightness);
+constinit const Quantity kBrightnessTemperatureHalfWidth = half_width(
+    "brightness_temperature_half_width", "half-width of the interval of the brightness temperature", "K",
+    kResponses, put_brightness_half_width);
 
 }  // namespace ifov::io::quantities
