@@ -135,6 +135,7 @@ class Presets(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertIn("there is no preset 'Landsat 8 TIR'; did you mean 'Landsat 8 TIRS'? (", done.stderr)
         self.assertIn("did you mean 'Sentinel-2 MSI', 'Sentinel-3 OLCI' or 'Sentinel-3 SLSTR'?", run("sensors", "sentinel").stderr)
+        self.assertIn("did you mean 'Sentinel-2 MSI', 'Sentinel-3 OLCI' or 'Sentinel-3 SLSTR'?", run("sensors", "sentinle").stderr)
         self.assertIn("did you mean 'EMIT'?", run("sensors", "EMTI").stderr)
         self.assertIn("'HyTES'", run("sensors", "nothing of the kind").stderr)
         plain = changed(sensor__optics=None, sensor__detector=None)

@@ -28,7 +28,8 @@ inline ProductOptions options_in(const std::filesystem::path& folder) {
   options.name = "demo";
   options.cubes = QuantitySet::all();
   for (const Quantity* quantity : all_quantities())  // the synthetic image has no scene, nor light in parts
-    if (quantity->collector != nullptr || quantity->needs.parts || quantity->needs.emissivity) options.cubes.remove(*quantity);
+    if (quantity->collector != nullptr || quantity->needs.parts || quantity->needs.emissivity)
+      options.cubes.remove(*quantity);
   return options;
 }
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
+#include <sstream>
 
 #include "core/error.h"
 #include "core/names.h"
@@ -210,6 +212,12 @@ std::string channels_json(const SensorPreset& preset) {
   return format("[\n      {}\n    ]", text);
 }
 
+std::vector<std::string> words_of(std::string name) {
+  std::replace(name.begin(), name.end(), '-', ' ');
+  std::istringstream words(name);
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
 }  // namespace
 
 double PresetBand::nedl_w_m2_sr_um() const {
@@ -293,6 +301,9 @@ const SensorPreset& sensor_preset(std::string_view name) {
     names.push_back(preset.name);
     if (holds && !asked.empty()) holding.push_back(preset.name);
   }
+  if (holding.empty() && nearest_name(name, every).empty())
+    for (const SensorPreset& preset : sensor_presets())
+      if (!nearest_name(asked, words_of(preset.name)).empty()) holding.push_back(preset.name);
   const std::string meant =
       holding.empty() ? did_you_mean(name, every) : format("; did you mean {}?", list_names(holding, "or"));
   throw InputError(
