@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "render/emissivity_layer.h"
 #include "render/parts/part_columns.h"
 #include "render/polarized/stokes_columns.h"
 #include "render/tolerance/node_budget.h"
+#include "render/truth_layers.h"
 #include "sampling/tile.h"
 #include "sensor/spectrometer/column_responses.h"
 

@@ -4,6 +4,8 @@ import json
 import os
 import pathlib
 import subprocess
+import tempfile
+import unittest
 
 try:
     import numpy as np
@@ -30,3 +32,24 @@ def image_of(document, folder, sampling, seed=1, *more):
         raise RuntimeError(done.stderr)
     read = [np.fromfile(folder / f"out/image_{what}.img", "f4").astype(float) for what in wanted]
     return read if len(read) > 1 else read[0]
+
+
+class RenderedCase(unittest.TestCase):
+    """A test that renders documents in a folder of its own."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def run_ifov(self, command, described, *options):
+        source = pathlib.Path(self.folder.name) / "doc.json"
+        source.write_text(json.dumps(described))
+        return subprocess.run([PROGRAM, command, str(source), *options], capture_output=True, text=True, check=False)
+
+    def rendered(self, described, *shape):
+        """Radiance, and half-widths where there are any, of this shape or one after the other: [line][channel][column]."""
+        out = pathlib.Path(self.folder.name) / f"run{len(list(pathlib.Path(self.folder.name).iterdir()))}"
+        done = self.run_ifov("render", described, "--output", str(out))
+        self.assertIn(done.returncode, (0, 5, 6), done.stderr)
+        files = {product: out / f"image_{product}.img" for product in ("radiance", "half_width")}
+        return {product: np.fromfile(file, "<f4").astype(float).reshape(shape or -1) for product, file in files.items() if file.exists()}

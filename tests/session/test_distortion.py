@@ -1,16 +1,13 @@
 """Lens distortion in images: places of small things against OpenCV's equations, intervals against grids, and what is said of it."""
 
-import array
 import json
-import os
-import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 
 import numpy
 
-PROGRAM = os.environ["IFOV_PROGRAM"]
+from images import RenderedCase
+
 WIDTH, HEIGHT, F = 96, 72, 100.0  # focal length in pixels
 TERMS = {"k1": -0.3, "k2": 0.12, "p1": 0.01, "p2": -0.006}
 
@@ -38,24 +35,9 @@ def image_of(x, y, k1=0.0, k2=0.0, k3=0.0, p1=0.0, p2=0.0):
             F * (y * radial + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y) + HEIGHT / 2)
 
 
-class LensDistortion(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-
-    def run_ifov(self, command, described, *options):
-        source = Path(self.folder.name) / "doc.json"
-        source.write_text(json.dumps(described))
-        return subprocess.run([PROGRAM, command, str(source), *options], capture_output=True, text=True, check=False)
-
+class LensDistortion(RenderedCase):
     def render(self, described):
-        out = Path(self.folder.name) / f"run{len(list(Path(self.folder.name).iterdir()))}"
-        done = self.run_ifov("render", described, "--output", str(out))
-        self.assertIn(done.returncode, (0, 5, 6), done.stderr)
-        width, height = described["sensor"]["camera"]["frame"]["pixels"]
-        files = {product: out / f"image_{product}.img" for product in ("radiance", "half_width")}
-        return {product: numpy.array(array.array("f", file.read_bytes())).astype(float).reshape(height, width)
-                for product, file in files.items() if file.exists()}
+        return self.rendered(described, *reversed(described["sensor"]["camera"]["frame"]["pixels"]))
 
     def test_points_appear_where_opencv_has_them(self):
         places = [(x, y) for x in (-0.42, -0.21, 0.0, 0.21, 0.42) for y in (-0.3, -0.15, 0.0, 0.15, 0.3)]

@@ -1,18 +1,15 @@
 """PSFs of several parts: diffraction, Gaussians, carrier diffusion and crosstalk, convolved; against closed forms of their modulations."""
 
-import array
 import json
 import math
-import os
 import re
-import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 
 import numpy
 
-PROGRAM = os.environ["IFOV_PROGRAM"]
+from images import RenderedCase
+
 DIFFUSION = {"diffusion": {"field_free": "3 um"}}
 CROSSTALK = {"crosstalk": {"share": "2 %", "corner": "0.5 %"}}
 
@@ -58,27 +55,7 @@ def expected(sigma, field_free):
     return image[first_y : first_y + 12 * fine : fine, first_x : first_x + 16 * fine : fine]
 
 
-class PsfProducts(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-
-    def run_ifov(self, command, described, *options):
-        source = Path(self.folder.name) / "doc.json"
-        source.write_text(json.dumps(described))
-        return subprocess.run([PROGRAM, command, str(source), *options], capture_output=True, text=True, check=False)
-
-    def render(self, described):
-        out = Path(self.folder.name) / f"run{len(list(Path(self.folder.name).iterdir()))}"
-        done = self.run_ifov("render", described, "--output", str(out))
-        self.assertIn(done.returncode, (0, 5, 6), done.stderr)
-        read = {}
-        for product in ("radiance", "half_width"):
-            file = out / f"image_{product}.img"
-            if file.exists():
-                read[product] = numpy.array(array.array("f", file.read_bytes())).astype(float)
-        return read
-
+class PsfProducts(RenderedCase):
     def refused(self, psf, *texts, **sensor):
         done = self.run_ifov("check", document(psf, **sensor))
         self.assertNotEqual(done.returncode, 0)
@@ -106,15 +83,15 @@ class PsfProducts(unittest.TestCase):
         self.assertGreater(self.mtf([front])[0] - self.mtf([front])[1], 0.05)
 
     def test_gaussians_in_a_row_are_one(self):
-        one = self.render(document({"gaussian": {"sigma": "0.5 px"}}))
-        two = self.render(document([{"gaussian": {"sigma": "0.3 px"}}, {"none": {}}, {"gaussian": {"sigma": "0.4 px"}}]))
+        one = self.rendered(document({"gaussian": {"sigma": "0.5 px"}}))
+        two = self.rendered(document([{"gaussian": {"sigma": "0.3 px"}}, {"none": {}}, {"gaussian": {"sigma": "0.4 px"}}]))
         self.assertTrue(numpy.allclose(one["radiance"], two["radiance"], rtol=1e-5))
 
     def test_intervals_hold_the_convolution_of_the_parts(self):
         psf = [{"gaussian": {"sigma": "0.3 px"}}, DIFFUSION, CROSSTALK]
         truth, other = expected(0.3, 0.3), expected(0.3, 0.0)
         for seed in (1, 2):
-            found = self.render(document(psf, {"accuracy": {"error": "1 %"}}, seed))
+            found = self.rendered(document(psf, {"accuracy": {"error": "1 %"}}, seed))
             radiance, half_width = (found[product].reshape(12, 2, 16) for product in ("radiance", "half_width"))
             for channel, um in enumerate((0.6, 0.9)):
                 cold, warm = planck(um, 2000), planck(um, 3000)
@@ -126,7 +103,7 @@ class PsfProducts(unittest.TestCase):
     def test_an_even_scene_stays_as_it_is(self):
         described = document([{"airy": {"aperture": "20 mm"}}, {"gaussian": {"sigma": "0.3 px"}}, DIFFUSION, CROSSTALK])
         described["scene"]["objects"] = described["scene"]["objects"][:1]
-        radiance = self.render(described)["radiance"]
+        radiance = self.rendered(described)["radiance"]
         for band in radiance.reshape(12, 2, 16).transpose(1, 0, 2):
             self.assertLess(band.max() / band.min() - 1.0, 1e-6)
 

@@ -1,18 +1,14 @@
 """Stray light: a halo about all that shines, against its closed form across an edge and as a modulation."""
 
-import array
-import json
 import math
-import os
 import re
-import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 
 import numpy
 
-PROGRAM = os.environ["IFOV_PROGRAM"]
+from images import RenderedCase
+
 WIDTH, HEIGHT = 32, 6
 
 
@@ -34,22 +30,9 @@ def planck(kelvin):
     return 1.191042972e8 / math.expm1(14387.76877 / kelvin)
 
 
-class StrayLight(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-
-    def run_ifov(self, command, described, *options):
-        source = Path(self.folder.name) / "doc.json"
-        source.write_text(json.dumps(described))
-        return subprocess.run([PROGRAM, command, str(source), *options], capture_output=True, text=True, check=False)
-
+class StrayLight(RenderedCase):
     def render(self, described):
-        out = Path(self.folder.name) / f"run{len(list(Path(self.folder.name).iterdir()))}"
-        done = self.run_ifov("render", described, "--output", str(out))
-        self.assertIn(done.returncode, (0, 5, 6), done.stderr)
-        return [numpy.array(array.array("f", (out / f"image_{product}.img").read_bytes())).astype(float).reshape(HEIGHT, WIDTH)
-                for product in ("radiance", "half_width")]
+        return self.rendered(described, HEIGHT, WIDTH).values()
 
     def test_beside_an_edge_light_falls_as_the_halo_says(self):
         share, radius = 0.04, 20.0

@@ -111,6 +111,20 @@ double by_hand_k(const Outdoors& now, const Skin& skin, double conductance, doub
                            kLatent * of_vapour * slope / now.air.pressure_pa);
 }
 
+// Vapour by 2.45 MJ/kg and 18.015 g/mol through a boundary layer and stomata in series, summed here.
+TEST(Leaf, LatentHeatOfVapourThroughBoth) {
+  const MoistAir air{293.15, 1200.0, 101325.0};
+  const double deficit_pa = atmosphere::saturation_pressure_pa(301.15) - air.vapour_pa, stomata = 0.25;
+  const auto through = [&](double h_w_m2_k) {
+    const double layer = h_w_m2_k / 29.3 * 1.0889;  // mol m-2 s-1: 0.147 / 0.135 of that of heat
+    return 2.45e6 * 0.018015 * deficit_pa / air.pressure_pa / (1.0 / layer + 1.0 / stomata);
+  };
+  const Coefficient wet{18.0, 0.0}, other{12.0, 0.0};
+  const double both = leaf_latent_heat({0.05, stomata, 2}, 301.15, air, wet, other).w_m2;
+  EXPECT_NEAR(both, through(18.0) + through(12.0), 2e-3 * both);
+  EXPECT_NEAR(leaf_latent_heat({0.05, stomata, 1}, 301.15, air, wet, other).w_m2, 0.5 * both, 1e-9 * both);
+}
+
 TEST(Leaf, InEquilibriumAsCampbellAndNormanHaveIt) {
   Outdoors now = noon();
   now.air.vapour_pa = 0.6 * atmosphere::saturation_pressure_pa(now.air.temperature_k);

@@ -70,6 +70,19 @@ TEST(AirGap, AsIsoHasIt) {
   EXPECT_NEAR(resistance(25, HeatFlow::horizontal, 0.03), 1.0 / 1.25, 0.06);
 }
 
+// Two digits would not tell 1 % from nothing: ISO's coefficients by hand, with h_r0 = 5.149 W m-2 K-1 of black faces at 10 degrees Celsius
+// (Stefan-Boltzmann) and 0.8182 of it between faces of 0.9.
+TEST(AirGap, AsIsosCoefficientsMakeIt) {
+  constexpr double kRadiation = 0.8182 * 5.149;
+  const auto resistance = [](double metres, HeatFlow flow) {
+    return resistance_m2_k_w({metres, 0.9, 0.9, flow});
+  };
+  EXPECT_NEAR(resistance(0.005, HeatFlow::up), 1.0 / (5.0 + kRadiation), 2e-5);
+  EXPECT_NEAR(resistance(0.05, HeatFlow::up), 1.0 / (1.95 + kRadiation), 2e-5);
+  EXPECT_NEAR(resistance(0.05, HeatFlow::horizontal), 1.0 / (1.25 + kRadiation), 2e-5);
+  EXPECT_NEAR(resistance(0.3, HeatFlow::down), 1.0 / (0.2038 + kRadiation), 2e-5);
+}
+
 TEST(Solid, DepthAndInertiaOfConcrete) {
   EXPECT_NEAR(daily_depth_m(test::concrete(1.0)), 0.138, 5e-4);
   EXPECT_NEAR(thermal_inertia(test::concrete(1.0)), 1683.33, 0.01);

@@ -4,9 +4,9 @@
 #include <limits>
 #include <vector>
 
-#include "render/emissivity_layer.h"
 #include "render/parts/part_columns.h"
 #include "render/tile_sink.h"
+#include "render/truth_layers.h"
 
 namespace ifov::io::quantities {
 namespace {

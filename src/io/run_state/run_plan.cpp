@@ -9,7 +9,6 @@
 #include "core/format.h"
 #include "io/products/product_writer.h"
 #include "io/quantities/radiance_quantities.h"
-#include "render/emissivity_layer.h"
 #include "render/parts/part_columns.h"
 #include "render/tolerance/node_budget.h"
 #include "render/truth_layers.h"
@@ -59,6 +58,10 @@ void compare_files(const std::vector<FileStamp>& was, const std::vector<FileStam
     if (find(was, file.path) == was.end()) lines.push_back(format("the scene's file '{}' is new", file.path));
 }
 
+bool any_needs(const QuantitySet& made, bool Quantity::Needs::*what) {
+  return std::any_of(made.begin(), made.end(), [&](const Quantity* q) { return q->needs.*what; });
+}
+
 }  // namespace
 
 std::vector<sampling::PixelRect> RunPlan::grid() const {
@@ -67,25 +70,11 @@ std::vector<sampling::PixelRect> RunPlan::grid() const {
 
 QuantitySet RunPlan::made_cubes() const { return possible_quantities(cubes, image, knows_errors); }
 
-bool RunPlan::tells_parts() const {
-  const QuantitySet made = made_cubes();
-  return std::any_of(made.begin(), made.end(), [](const Quantity* q) { return q->needs.parts; });
-}
-
-bool RunPlan::tells_emissivity() const {
-  const QuantitySet made = made_cubes();
-  return std::any_of(made.begin(), made.end(), [](const Quantity* q) { return q->needs.emissivity; });
-}
-
-bool RunPlan::tells_thermal_errors() const {
-  const QuantitySet made = made_cubes();
-  return std::any_of(made.begin(), made.end(), [](const Quantity* q) { return q->needs.solved; });
-}
-
+bool RunPlan::tells_parts() const { return any_needs(made_cubes(), &Quantity::Needs::parts); }
+bool RunPlan::tells_emissivity() const { return any_needs(made_cubes(), &Quantity::Needs::emissivity); }
+bool RunPlan::tells_thermal_errors() const { return any_needs(made_cubes(), &Quantity::Needs::solved); }
 bool RunPlan::keeps_variances() const {
-  const QuantitySet made = made_cubes();
-  return keeps_memory ||
-         std::any_of(made.begin(), made.end(), [](const Quantity* q) { return q->needs.variances; });
+  return keeps_memory || any_needs(made_cubes(), &Quantity::Needs::variances);
 }
 
 bool RunPlan::leaves_values_to_cubes() const {

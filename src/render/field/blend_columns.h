@@ -36,8 +36,7 @@ class BlendColumns {
   void write_shares(const geometry::SurfacePoint& hit, float* columns, bool all = false) const;
 
   /// Turns the columns of a tile, their bounds joined by `joint`, into abundances, beside those of labels, and leaves the channels alone: whatever
-  /// stands behind the columns goes. Where a
-  /// material stands in a pixel both by label and in a mixture, the half-widths add as independent ones do.
+  /// stands behind the columns goes. Where a material stands in a pixel both by label and in a mixture, the half-widths add as independent ones do.
   void settle(const sampling::BoundedError& joint, sampling::TileResult& tile) const;
 
  private:

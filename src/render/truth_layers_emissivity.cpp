@@ -1,5 +1,3 @@
-#include "render/emissivity_layer.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
