@@ -98,6 +98,9 @@ class Field {
   /// Whether values of a label differ by their nature, however alike those are that were met: a penumbra's.
   virtual bool uneven(Label) const { return false; }
 
+  /// Whether few values of a label that agree say little of others: of what the Sun or a lamp lights, which may be round.
+  virtual bool may_be_shaded(Label) const { return false; }
+
   /// Number of the object that a label belongs to, as TileProblem::pilot_objects counts them.
   static constexpr std::uint32_t kNoObject = ~std::uint32_t{0};
   virtual std::uint32_t object_of(Label) const { return kNoObject; }

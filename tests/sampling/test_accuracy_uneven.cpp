@@ -237,6 +237,65 @@ TEST(AccuracyUneven, PlantedFaultVerticesInLineTellOfAWire) {
   EXPECT_GT(sum.far_off, 0.2 * sum.converged);
 }
 
+class LitField final : public ShapeField {
+ public:
+  using ShapeField::ShapeField;
+  bool may_be_shaded(Label) const override { return true; }
+};
+
+/// A ball of 0.1 px in each pixel, of a label of its own, which the Sun lights from one side; pilot rays meet their middles, which are
+/// dark. Each of them adds nearly as much as may be wrong.
+Judged balls_lit_from_one_side(const PixelSampler& sampler) {
+  constexpr int kSide = 8;
+  constexpr double kGround = 100.0, kRadius = 0.055, kBrightest = 450.0;
+  Judged sum;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    std::vector<FocalPoint> middles;
+    for (int p = 0; p < kSide * kSide; ++p)
+      middles.push_back({p % kSide + 0.1 + 0.8 * unit_double(hash(seed, p, 1)),
+                         p / kSide + 0.1 + 0.8 * unit_double(hash(seed, p, 2))});
+    const auto ball_at = [&](double x, double y) {
+      const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y)), p = kSide * j + i;
+      if (i < 0 || j < 0 || i >= kSide || j >= kSide) return -1;
+      const FocalPoint at = middles[static_cast<std::size_t>(p)];
+      return std::hypot(x - at.x_px, y - at.y_px) < kRadius ? p : -1;
+    };
+    LitField field([&](double x, double y) { return Label{static_cast<std::uint32_t>(2 + ball_at(x, y))}; },
+                   [&](Label label, double x, double, int) {
+                     if (label < 2) return static_cast<float>(kGround);
+                     const double across = (x - middles[label - 2].x_px) / kRadius,
+                                  lit = std::max(0.0, across);
+                     return static_cast<float>(kBrightest * lit);
+                   });
+    const std::vector<std::uint32_t> objects(middles.size(), Field::kNoObject);
+    const TileResult result = sampled_at_a_percent(field, kSide, seed, sampler, middles, objects);
+    // Over a disc the mean of a coordinate, where it is above 0, is 2 / (3 pi) radii.
+    const double truth = kGround + M_PI * kRadius * kRadius * (kBrightest * 2.0 / (3.0 * M_PI) - kGround);
+    for (std::size_t p = 0; p < middles.size(); ++p) {
+      const double error = std::abs(static_cast<double>(result.mean[p]) - truth),
+                   half = static_cast<double>(result.half_width[p]);
+      ++sum.pixels;
+      if (!result.converged(p)) continue;
+      ++sum.converged;
+      sum.off += error > half;
+      sum.far_off += error > 2.0 * half;
+    }
+  }
+  return sum;
+}
+
+TEST(AccuracyUneven, SmallBallsOfManyShadesAreRight) {
+  const Judged sum = balls_lit_from_one_side(AccuracySampler());
+  EXPECT_GT(sum.converged, 0.95 * sum.pixels);
+  EXPECT_LE(sum.off, 0.05 * sum.converged);
+  EXPECT_LE(sum.far_off, 0.01 * sum.converged);
+}
+
+TEST(AccuracyUneven, PlantedFaultOneShadeTellsOfABall) {
+  const Judged sum = balls_lit_from_one_side(SamplerOf<FewVerticesTell>());
+  EXPECT_GT(sum.far_off, 0.2 * sum.converged);
+}
+
 /// A strip of penumbra in which some paths meet what no label of a point tells of; it remembers how far from a tile's middle it was
 /// asked.
 class MetByPathsAlone final : public Field {

@@ -75,6 +75,7 @@ class SceneField final : public sampling::Field {
   bool uneven(sampling::Label label) const override {
     return SurfaceLabel::is_uneven(label, mirror_light_ != nullptr || through_.any_mirror());
   }
+  bool may_be_shaded(sampling::Label label) const override;
   /// The instance, where labels hold its whole number.
   std::uint32_t object_of(sampling::Label label) const override;
   bool may_have_corners(sampling::Label a, sampling::Label b) const override;

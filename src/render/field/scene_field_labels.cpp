@@ -47,6 +47,10 @@ bool SceneField::may_have_corners(sampling::Label a, sampling::Label b) const {
   return has_corners(a) || has_corners(b);
 }
 
+bool SceneField::may_be_shaded(sampling::Label label) const {
+  return SurfaceLabel::sun_of(label) != SunState::none || !scene_.scene().lamps.empty();
+}
+
 void SceneField::meet(std::span<const sampling::FocalPoint> points) {
   rays_.resize(points.size());
   hits_.resize(points.size());

@@ -12,6 +12,13 @@
 
 namespace ifov::sampling {
 
+namespace {
+
+/// So many values of a label that may be shaded tell, where all agree, that all do.
+constexpr std::uint32_t kFewAgree = 4;
+
+}  // namespace
+
 void ask_vertices(const Lattice& lattice, RayLedger& ledger, std::uint64_t seed, LatticeValues& at) {
   struct Column {
     double x_px;
@@ -60,13 +67,17 @@ void merge_twins(RayLedger& ledger, LabelTable& table, LatticeValues& at) {
   const auto same = [&](std::size_t v, std::size_t w) {
     return std::equal(at.value(v), at.value(v) + at.columns, at.value(w));
   };
+  std::vector<std::uint32_t> met(table.size(), 0);
   for (std::size_t v = 0; v < at.labels.size(); ++v) {
     const std::uint32_t label = at.labels[v];
+    ++met[label];
     if (first[label] == kNone)
       first[label] = v;
     else if (at.constant[label] && !same(v, first[label]))
       at.constant[label] = 0;
   }
+  for (std::uint32_t label = 0; label < table.size(); ++label)
+    if (met[label] < kFewAgree && ledger.field().may_be_shaded(table.label(label))) at.constant[label] = 0;
   std::multimap<std::pair<std::uint32_t, float>, std::uint32_t> kept;  // by material and first column
   bool any = false;
   for (std::uint32_t label = 0; label < table.size(); ++label) {

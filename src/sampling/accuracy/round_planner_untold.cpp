@@ -20,6 +20,8 @@ namespace {
 constexpr double kMostUntold = 12.0;
 /// Grids on which those of a sliver are sought.
 constexpr std::uint32_t kSought = 3;
+/// A label of which nothing is known but a value or two is looked at where it would matter so many limits were it wrong by all that it is.
+constexpr double kLooked = 0.15;
 }  // namespace
 
 /// Calls visit(pixel, stratum, what it and its output differ by at most in limits, the same of all that either is) for the strata of
@@ -79,7 +81,7 @@ bool RoundPlanner::begin_untold(Radiance& radiance) {
   std::map<std::uint32_t, Scout> scouts;
   visit_untold(radiance, [&](std::size_t p, std::size_t s, double, double whole) {
     const std::uint32_t label = radiance.pixels().others()[p].strata[s].label;
-    if (whole <= 1.0 || told_.contains(label)) return;
+    if (whole <= kLooked || told_.contains(label)) return;
     const auto [at, fresh] = scouts.try_emplace(label, Scout{p, s, whole});
     if (!fresh && whole > at->second.weight) at->second = {p, s, whole};
   });
@@ -87,9 +89,13 @@ bool RoundPlanner::begin_untold(Radiance& radiance) {
   if (any) return true;
   StratumMoments moments;
   for (const auto& [label, scout] : scouts) {
-    radiance.estimates().moments(radiance.pixels().others()[scout.pixel], scout.stratum, steering_, moments);
+    const SourcePixel& pixel = radiance.pixels().others()[scout.pixel];
+    const StratumEstimates& estimates = radiance.estimates();
+    estimates.moments(pixel, scout.stratum, steering_, moments);
     for (double& variance : moments.variance) variance = std::sqrt(variance);
     told_[label] = {moments.mean, moments.variance};
+    estimates.moments(pixel, scout.stratum, all_columns_, moments);
+    if (moments.sampled) radiance.estimates().learn(label, moments.variance);
   }
   visit_untold(radiance, [&](std::size_t p, std::size_t s, double apart, double) {
     if (apart > 1.0) plan(p, s, apart);

@@ -94,6 +94,7 @@ void TileWork::estimate() {
   // are in memory at a time. A wider footprint ties them together.
   const int group =
       integrator.unit_box() ? std::max<int>(64, 81920 / tracing_.ledger().field().stride()) : sources_;
+  estimates_->doubt();
   RoundPlanner planner(options_, tracing_.ledger(), tracing_.clutter(), intervals_);
   for (int first = 0; first < sources_; first += group) {
     const bool ready = group >= sources_ && radiance_ != nullptr;  // by tighten_borders, of all pixels

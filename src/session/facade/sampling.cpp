@@ -60,6 +60,7 @@ class ProgramField final : public sampling::Field {
   }
 
   std::uint32_t material_of(sampling::Label) const override { return 0; }
+  bool may_be_shaded(sampling::Label) const override { return true; }
   sampling::RayCounts counts() const override { return counts_; }
 
  private:

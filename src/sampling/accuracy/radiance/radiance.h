@@ -38,7 +38,7 @@ class Radiance {
   struct Judges {
     const LabelSpread& spread;
     const NearbySpread& nearby;
-    const StratumEstimates& estimates;
+    StratumEstimates& estimates;
     const UnseenValues& unseen;
     const ControlVariates& controls;
   };
@@ -63,6 +63,7 @@ class Radiance {
   void trace();
 
   const StratumEstimates& estimates() const { return judges_.estimates; }
+  StratumEstimates& estimates() { return judges_.estimates; }
   const UnseenValues& unseen() const { return judges_.unseen; }
   /// Moments of a stratum as the footprint weighs its values, in the columns at these positions (weigh_by_footprint).
   void weigh(const Stratum& stratum, const PixelFootprint& footprint, Point2 centre,

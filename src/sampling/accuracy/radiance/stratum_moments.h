@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ifov::sampling {
@@ -26,8 +28,7 @@ struct StratumMoments {
 class StratumEstimates {
  public:
   StratumEstimates(const Lattice& lattice, const LatticeValues& values, const LabelTable& table,
-                   const LabelSpread& spread)
-      : lattice_(lattice), values_(values), table_(table), spread_(spread) {}
+                   const LabelSpread& spread);
 
   virtual ~StratumEstimates() = default;
 
@@ -38,6 +39,12 @@ class StratumEstimates {
   /// How much the lattice tells of how values of a stratum's label differ, 0 to 1. A label narrower than the lattice's spacing
   /// has no block of it: vertices in line with it all stand at one place across it, and where none is, one value stands for all.
   virtual double told(const Stratum& stratum) const;
+
+  /// How single values of a label differ of which the lattice tells too little, by column, as values of one of its strata have
+  /// shown. Until then they may differ by all that the label, or the tile, is, once borders are traced (doubt()), which take no more
+  /// rays for it.
+  void learn(std::uint32_t label, std::vector<double> variances) { learnt_[label] = std::move(variances); }
+  void doubt() { doubts_ = true; }
 
   /// Whether values that stand in no block of a round tell how values differ.
   virtual bool alone_tell() const { return true; }
@@ -55,11 +62,15 @@ class StratumEstimates {
   void of_values(const Stratum& stratum, std::span<const int> columns, StratumMoments& out) const;
   void of_lattice(const SourcePixel& pixel, const Stratum& stratum, std::span<const int> columns,
                   StratumMoments& out) const;
+  double untold_variance(const Stratum& stratum, int column, double told) const;
 
   const Lattice& lattice_;
   const LatticeValues& values_;
   const LabelTable& table_;
   const LabelSpread& spread_;
+  std::vector<double> level_;  // mean of all values of the tile, by column
+  std::map<std::uint32_t, std::vector<double>> learnt_;
+  bool doubts_ = false;
 };
 
 }  // namespace ifov::sampling
