@@ -48,6 +48,8 @@ class SolvedSurface final : public scene::SolvedTemperature {
   using scene::SolvedTemperature::at;
   scene::EstimatedTemperature at(const geometry::SurfacePoint& point, std::uint64_t draw,
                                  double share) const override;
+  std::optional<scene::HeatFluxes> fluxes(const geometry::SurfacePoint& point,
+                                          std::uint64_t draw) const override;
   double coldest_k() const override { return classes_->coldest_k(); }
   double hottest_k() const override { return classes_->hottest_k(); }
 

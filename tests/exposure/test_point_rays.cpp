@@ -172,7 +172,7 @@ TEST(PointRays, ImagesSpendRaysWhereTheyAreWorthMoreThanPaths) {
           "temperatures": {{"spin_up": "1 d", "step": "20 min", "repeat_first_day": true}},
           "scene": {{"origin": {{"latitude": "52 deg", "longitude": "5 deg"}}, "materials": {{
               "lawn": {{"reflectance": {{"library": "grass, lawn"}}, "temperature": "solved"}},
-              "wall": {{"reflectance": 0.3, "temperature": "20 degC"}},
+              "wall": {{"reflectance": {{"library": "brick, red"}}, "temperature": "solved"}},
               "leaf": {{"reflectance": {{"library": "leaves, stacked"}}, "temperature": "solved"}}}},
             "objects": [{{"plane": {{}}, "material": "lawn"}},
               {{"box": {{"low": ["-6 m", "-6 m", "0 m"], "high": ["0 m", "-3 m", "4 m"]}}, "material": "wall"}},
