@@ -151,6 +151,7 @@ TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
                                    &quantities::kViewAngles,
                                    &quantities::kTemperature,
                                    &quantities::kPixelTemperature,
+                                   &quantities::kFluxes,
                                    &quantities::kRange,
                                    &quantities::kNormal,
                                    &quantities::kSlope,

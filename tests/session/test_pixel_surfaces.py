@@ -44,9 +44,9 @@ class PixelSurfaces(unittest.TestCase):
         (self.folder / "june.csv").write_text("\n".join(rows) + "\n")
         solved = lambda name: {"reflectance": {"library": name}, "temperature": "solved"}
         box = {"box": {"low": ["2 m", "-6 m", "0 m"], "high": ["3 m", "6 m", "4 m"]}, "material": "wall"}
-        weather = {"time": "2026-06-21T15:00:00Z", "weather": {"file": "june.csv"}, "temperatures": {"spin_up": "1 d", "step": "15 min", "repeat_first_day": True}}
+        weather = {"time": "2026-06-21T15:00:00Z", "weather": {"file": "june.csv"}, "temperatures": {"spin_up": "1 d", "step": "30 min", "repeat_first_day": True}}
         described = document({"lawn": solved("grass, lawn"), "wall": solved("brick, red")}, [{"plane": {}, "material": "lawn"}, box], ["fluxes"],
-                             {"orthographic": {"gsd": "1 m", "pixels": [COLUMNS, 4]}}, **weather)
+                             {"pixels": [COLUMNS, 4]}, **weather)
         described["scene"]["origin"] = {"latitude": "52 deg", "longitude": "5 deg"}
         described["sensor"]["channels"] = CHANNELS[:1]
         done = run(described, self.folder)
@@ -61,10 +61,10 @@ class PixelSurfaces(unittest.TestCase):
         for column in (4, 14, 16):  # in the Sun, on the wall, in its shadow
             done = run(described, self.folder, "--at", str(column + 0.5 - COLUMNS / 2), "0", "50", "--csv", "point.csv", command="temperature")
             self.assertEqual(done.returncode, 0, done.stderr)
-            with (self.folder / "point.csv").open() as file:
-                last = [row for row in csv.DictReader(line for line in file if line[0] != "#") if row["light"] == "here"][-1]
+            told = (self.folder / "point.csv").read_text()
+            last = [row for row in csv.DictReader(line for line in told.splitlines() if line[0] != "#") if row["light"] == "here"][-1]
             points[column] = np.array([float(last[name]) for name in fluxes])
-            half_width_k = float(re.search(r"state \+-([0-9.]+) K", done.stdout)[1])
+            half_width_k = float(re.search(r"state \+-([0-9.]+) K", told)[1])
             # W m-2 by kelvin; what is about a point is also the mean of the 64 rays of the full solution.
             slope = np.array([0, 0, 0, 0, 0, 6.5, 25, 30, 0, 60])
             beside = np.array([0, 1, 1, 1, 1, 0, 0, 0, 0, 1]) * 0.15 * (points[column][2] + points[column][4])
@@ -77,7 +77,7 @@ class PixelSurfaces(unittest.TestCase):
         # A temperature that is given tells nothing of what comes and goes.
         given = dict(described, scene={"materials": {"lawn": {"emissivity": 1, "temperature": "290 K"}}, "objects": [{"plane": {}, "material": "lawn"}]})
         (self.folder / "out/image_fluxes.img").unlink()
-        self.assertEqual(run(given, self.folder, "--restart").returncode, 0)
+        self.assertIn(run(given, self.folder).returncode, (0, 6))
         self.assertFalse((self.folder / "out/image_fluxes.img").exists())
 
     def test_temperatures_over_the_pixel(self):
