@@ -65,14 +65,16 @@ class Neighbours {
                       const geometry::SurfacePoint& met, std::uint64_t key, Behind behind,
                       std::span<Change> changes);
 
+  /// What a surface that was met sends at a row of the series, W m-2.
+  thermal::FromBeside sent(const geometry::SurfacePoint& met, std::size_t row, Behind behind,
+                           std::uint64_t key) const;
+  /// Whether a point saw a place of the Sun's disc about a row's time.
+  bool sees_sun(const ExposedPoint& point, std::size_t row, std::uint64_t key) const;
+
   const ByNumber& classes() const { return classes_; }
   const scene::Scene& scene() const { return scene_; }
 
  private:
-  /// What a surface that was met sends at a row of the series, W m-2.
-  thermal::FromBeside sent(const geometry::SurfacePoint& met, std::size_t row, Behind behind,
-                           std::uint64_t key) const;
-  bool sees_sun(const ExposedPoint& point, std::size_t row, std::uint64_t key) const;
   /// By one direction; of both faces of a sheet together.
   bool sees_sky(const ExposedPoint& point, std::uint64_t key) const;
   /// A row at which the Sun warmed the surface until another.

@@ -22,7 +22,7 @@ constexpr double kLeastBelow = 0.002;  // of the view, that is below the horizon
 struct Directions {
   std::vector<math::Vec3> directions;
   std::vector<geometry::SurfacePoint> met;
-  std::vector<std::uint8_t> is_free;
+  std::vector<std::uint8_t> is_free, meets;
   std::vector<double> weight_k, per_pair, times_s;
   std::array<std::size_t, 2 * SolvedSurface::kSunPairs> rows;
 };
@@ -123,11 +123,17 @@ scene::EstimatedTemperature SolvedSurface::estimate(const geometry::SurfacePoint
   sums_k.resize(classes_->sunlit_rows() - first_row);
   const auto [shaded_k, of_sky_k] = classes_->shaded(at, pose.normal, sky.mean, sums_k);
   double variance_k2 = sky.variance * of_sky_k * of_sky_k;
-  Beside beside;
-  if (asks_about) beside = this->beside(exposed, pose, at, key, directions, scratch.met, rays);
-  std::array<std::uint8_t, 2 * kSkyPairs> sky_free{};
-  std::copy_n(scratch.is_free.begin(), directions.size(), sky_free.begin());
   const std::size_t sky_rays = directions.size();
+  Beside beside, guessed;
+  if (asks_about) beside = this->beside(exposed, pose, at, key, directions, scratch.met, rays, spent);
+  if (chance < 1.0) {
+    scratch.meets.resize(sky_rays);
+    for (std::size_t k = 0; k < sky_rays; ++k)
+      scratch.meets[k] = scratch.is_free[k] == 0 && exposed.leaves(directions[k]) ? 1 : 0;
+    guessed = this->guessed(exposed, scratch.meets, spent);
+  }
+  std::array<std::uint8_t, 2 * kSkyPairs> sky_free{};
+  std::copy_n(scratch.is_free.begin(), sky_rays, sky_free.begin());
   PastSky past;
   if (!changed_rows_.empty() && !directions.empty()) {
     past = past_sky(exposed, pose, key, directions, scratch.is_free, of_sky_k);
@@ -136,21 +142,25 @@ scene::EstimatedTemperature SolvedSurface::estimate(const geometry::SurfacePoint
   std::partial_sum(sums_k.begin(), sums_k.end(), sums_k.begin());
   const double rise_k = sums_k.empty() ? 0.0 : sums_k.back();
   // What the pairs of rays to what hides the sky tell goes with what they tell of the sky itself.
-  const auto with_beside = [&](double kelvin, double sun_share) {
-    const scene::EstimatedTemperature alone{kelvin + (chance < 1.0 ? spent.beside_k : 0.0),
-                                            std::sqrt(variance_k2)};
-    if (!asks_about) return alone;
+  const auto with = [&](const Beside& what, double kelvin, double sun_share) {
     const bool of_sky_too = sky_rays > 0 && past.variance_k2 == 0.0;
-    if (of_sky_too) variance_k2 -= sky.variance * of_sky_k * of_sky_k;
-    for (std::size_t k = 0; k < beside.in_shade_k.size(); k += 2) {
-      double apart_k = beside.kelvin(k, sun_share) - beside.kelvin(k + 1, sun_share);
+    double scatter_k2 = variance_k2;
+    if (of_sky_too) scatter_k2 -= sky.variance * of_sky_k * of_sky_k;
+    for (std::size_t k = 0; k < what.in_shade_k.size(); k += 2) {
+      double apart_k = what.kelvin(k, sun_share) - what.kelvin(k + 1, sun_share);
       if (of_sky_too && k < sky_rays)
         apart_k += of_sky_k * (sky_free[k] - sky_free[k + 1]) / static_cast<double>(sky_rays);
-      variance_k2 += apart_k * apart_k;
+      scatter_k2 += apart_k * apart_k;
     }
-    scene::EstimatedTemperature found{kelvin + beside.warms_k(*classes_, at, sun_share),
-                                      std::sqrt(std::max(0.0, variance_k2))};
+    return scene::EstimatedTemperature{kelvin + what.warms_k(*classes_, at, sun_share),
+                                       std::sqrt(std::max(0.0, scatter_k2))};
+  };
+  const auto with_beside = [&](double kelvin, double sun_share) {
+    if (neighbours_ == nullptr) return scene::EstimatedTemperature{kelvin, std::sqrt(variance_k2)};
+    if (!asks_about) return with(guessed, kelvin, sun_share);
+    scene::EstimatedTemperature found = with(beside, kelvin, sun_share);
     if (chance < 1.0) {
+      const scene::EstimatedTemperature alone = with(guessed, kelvin, sun_share);
       found.else_k = alone.kelvin;
       found.else_deviation_k = alone.deviation_k;
       found.times = 1.0 / chance;
@@ -210,22 +220,25 @@ SolvedSurface::Beside SolvedSurface::beside(const ExposedPoint& exposed, const t
                                             const thermal::SurfaceClasses::Corners& at, std::uint64_t key,
                                             std::span<const math::Vec3> directions,
                                             std::span<const geometry::SurfacePoint> met,
-                                            const PointRays& rays) const {
+                                            const PointRays& rays, const Spent& spent) const {
   Beside found;
   const double above = classes_->open_share(pose.normal), below = classes_->skin().faces() - above;
   const double worth_k = classes_->worth_of_all_k(at);
   const Neighbours::Behind behind{rays.depth, rays.chance_behind, exposed.position_m().z - pose.height_m};
-  // A ray of little worth goes on by chance, and counts the more.
+  // A ray of little worth goes on by chance, and what it tells beyond what it is taken for counts the more.
   const auto add = [&](std::size_t number, Draw of, std::size_t k, double view, math::Vec3 direction,
                        const geometry::SurfacePoint* hit) {
+    const Warmth& taken = of == Draw::beside ? spent.above : spent.below;
+    found.in_shade_k[number] = view * taken.in_shade_k;
+    found.of_sun_k[number] = view * taken.of_sun_k;
     const double chance = rays.chance_beside(view, worth_k);
     if (chance < 1.0 && sampling::unit_double(sampling::hash(key, of, k, Draw::asked)) >= chance) return;
     const std::uint64_t own = sampling::hash(key, of, k);
     const auto change = hit != nullptr
                             ? neighbours_->change(exposed, *classes_, at, direction, *hit, own, behind)
                             : neighbours_->change(exposed, *classes_, at, direction, own, behind);
-    found.in_shade_k[number] = view / chance * change.in_shade_k;
-    found.of_sun_k[number] = view / chance * change.of_sun_k;
+    found.in_shade_k[number] += view / chance * (change.in_shade_k - taken.in_shade_k);
+    found.of_sun_k[number] += view / chance * (change.of_sun_k - taken.of_sun_k);
   };
   for (std::size_t k = 0; k < directions.size(); ++k)
     if (met[k].hit())
@@ -236,6 +249,45 @@ SolvedSurface::Beside SolvedSurface::beside(const ExposedPoint& exposed, const t
   for (std::size_t k = 0; k < downward.size(); ++k)
     add(2 * kSkyPairs + k, Draw::below, k, 0.5 * below, downward[k], nullptr);
   return found;
+}
+
+SolvedSurface::Beside SolvedSurface::guessed(const ExposedPoint& exposed, std::span<const std::uint8_t> meets,
+                                             const Spent& spent) const {
+  Beside found;
+  const double above = classes_->open_share(exposed.normal()), below = classes_->skin().faces() - above;
+  const auto take = [&](std::size_t number, double view, const Warmth& taken) {
+    found.in_shade_k[number] = view * taken.in_shade_k;
+    found.of_sun_k[number] = view * taken.of_sun_k;
+  };
+  for (std::size_t k = 0; k < meets.size(); ++k)
+    if (meets[k] != 0) take(k, above / static_cast<double>(meets.size()), spent.above);
+  if (below >= kLeastBelow)
+    for (const std::size_t k : {0, 1}) take(2 * kSkyPairs + k, 0.5 * below, spent.below);
+  return found;
+}
+
+SolvedSurface::AskedAbout SolvedSurface::asked_about(const geometry::SurfacePoint& point,
+                                                     std::uint64_t key) const {
+  AskedAbout asked;
+  if (neighbours_ == nullptr) return asked;
+  const ExposedPoint exposed(scene_, point, two_faces_);
+  const thermal::Pose pose = exposed.pose();
+  const thermal::SurfaceClasses::Corners at = classes_->corners(pose);
+  const Neighbours::Behind behind{Neighbours::kDepth, PointRays::kChanceBehind,
+                                  exposed.position_m().z - pose.height_m};
+  std::vector<math::Vec3> directions;
+  const auto tells = [&](Draw of) {
+    const auto change =
+        neighbours_->change(exposed, *classes_, at, directions[0], sampling::hash(key, of), behind);
+    return Warmth{change.in_shade_k, change.of_sun_k};
+  };
+  exposed.sky_directions(sampling::hash(key, Draw::sky), 1, directions);
+  if (!directions.empty() && neighbours_->met(exposed, directions[0]).hit())
+    asked.above = tells(Draw::beside);
+  if (classes_->skin().faces() - classes_->open_share(pose.normal) < kLeastBelow) return asked;
+  exposed.ground_directions(sampling::hash(key, Draw::below), 1, directions);
+  asked.below = tells(Draw::below);
+  return asked;
 }
 
 double SolvedSurface::sun_share(const geometry::SurfacePoint& point, const Exposure& exposure) const {
@@ -265,7 +317,7 @@ double SolvedSurface::beside_k(const geometry::SurfacePoint& point, const Exposu
     const std::uint64_t own = sampling::hash(key, draw);
     exposed.sky_directions(sampling::hash(own, Draw::sky), kSkyPairs, directions);
     look(exposed, directions, met, is_free);
-    sum_k += beside(exposed, pose, at, own, directions, met, all).warms_k(*classes_, at, sun);
+    sum_k += beside(exposed, pose, at, own, directions, met, all, {}).warms_k(*classes_, at, sun);
   }
   return sum_k / draws;
 }

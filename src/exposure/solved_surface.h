@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,11 +24,16 @@ class SolvedSurface final : public scene::SolvedTemperature {
  public:
   static constexpr int kSunPairs = 5, kSkyPairs = 2;  ///< at most
 
-  /// What an image spends on the temperature of a point that it sees: pairs of rays to the Sun at most, and the chance by which is asked what is about it, else taken to warm it by `beside_k`.
-  /// Without bias whatever they are, as long as they do not depend on what rays say.
+  /// By what surfaces warm a point in place of level ground, if they were all it sees: in shade, and by what always Sun adds to that.
+  struct Warmth {
+    double in_shade_k = 0.0, of_sun_k = 0.0;
+  };
+  /// What an image spends on the temperature of a point that it sees: pairs of rays to the Sun at most, and the chance by which is asked what is about it. What is not asked is taken for
+  /// `above` where a ray to the sky meets something, and for `below` below the horizon. Without bias whatever they are, as long as they do not depend on what rays say.
   struct Spent {
     int sun_pairs = kSunPairs;
-    double chance_beside = 1.0, beside_k = 0.0;
+    double chance_beside = 1.0;
+    Warmth above{}, below{};
   };
 
   /// Keeps the references to the scene. `sun_radius_rad`: of the Sun's disc. Where things come and go, the classes have a `past_sky`.
@@ -42,6 +48,8 @@ class SolvedSurface final : public scene::SolvedTemperature {
   using scene::SolvedTemperature::at;
   scene::EstimatedTemperature at(const geometry::SurfacePoint& point, std::uint64_t draw,
                                  double share) const override;
+  std::optional<scene::HeatFluxes> fluxes(const geometry::SurfacePoint& point,
+                                          std::uint64_t draw) const override;
   double coldest_k() const override { return classes_->coldest_k(); }
   double hottest_k() const override { return classes_->hottest_k(); }
 
@@ -69,6 +77,12 @@ class SolvedSurface final : public scene::SolvedTemperature {
   /// By how much what is about a point warms it, beyond level ground: mean of what at() takes for it over some draws, with so many surfaces further behind. 0 without neighbours.
   double beside_k(const geometry::SurfacePoint& point, const Exposure& exposure, std::uint64_t key, int draws,
                   int further = 0) const;
+  /// What one ray to the sky and one below the horizon tell of what is about a point, of which `above` and `below` of an image are to be the means; nothing where the first meets nothing, or where
+  /// nothing lies that way.
+  struct AskedAbout {
+    std::optional<Warmth> above, below;
+  };
+  AskedAbout asked_about(const geometry::SurfacePoint& point, std::uint64_t key) const;
   /// What the Sun was worth to a point of what it is worth where it is always seen.
   double sun_share(const geometry::SurfacePoint& point, const Exposure& exposure) const;
   /// Whether a few rays, which `key` draws, meet anything.
@@ -119,7 +133,9 @@ class SolvedSurface final : public scene::SolvedTemperature {
   Beside beside(const ExposedPoint& exposed, const thermal::Pose& pose,
                 const thermal::SurfaceClasses::Corners& at, std::uint64_t key,
                 std::span<const math::Vec3> directions, std::span<const geometry::SurfacePoint> met,
-                const PointRays& rays) const;
+                const PointRays& rays, const Spent& spent) const;
+  /// What is taken for that where it is not asked: `meets` tells which rays to the sky meet something.
+  Beside guessed(const ExposedPoint& exposed, std::span<const std::uint8_t> meets, const Spent& spent) const;
 
   std::shared_ptr<const thermal::SurfaceClasses> classes_;
   PastScene scene_;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "materials/draped_map.h"
+#include "scene/heat_fluxes.h"
 #include "scene/scene.h"
 #include "scene/solved_temperature.h"
 
@@ -17,6 +18,10 @@ void include(std::optional<TemperatureRange>& range, double coldest_k, double ho
 }
 
 }  // namespace
+
+std::optional<HeatFluxes> SolvedTemperature::fluxes(const geometry::SurfacePoint&, std::uint64_t) const {
+  return std::nullopt;
+}
 
 std::optional<TemperatureRange> Scene::mapped_temperatures() const {
   std::optional<TemperatureRange> range;

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 namespace ifov::geometry {
 struct SurfacePoint;
 }
 
 namespace ifov::scene {
+
+struct HeatFluxes;
 
 /// A temperature that is estimated by chance, and its standard deviation. Light is that of `else_k` and `times` what is more than that.
 struct EstimatedTemperature {
@@ -31,6 +34,9 @@ class SolvedTemperature {
   EstimatedTemperature at(const geometry::SurfacePoint& point, std::uint64_t draw) const {
     return at(point, draw, kItself);
   }
+
+  /// What a point gains now, estimated by rays that depend on the point and on `draw` alone; nothing where that is not known.
+  virtual std::optional<HeatFluxes> fluxes(const geometry::SurfacePoint& point, std::uint64_t draw) const;
 
   /// Between which temperatures lie; estimates of them may stray beyond by their deviations.
   virtual double coldest_k() const = 0;

@@ -171,6 +171,9 @@ class SurfaceClasses {
   double open_share(math::Vec3 normal) const { return two_faces() ? 1.0 : 0.5 * (1.0 + normal.z); }
   bool two_faces() const { return surface_.skin.two_faces; }
   double ground_reflectance() const { return surface_.stand.ground_reflectance; }
+  /// What such a surface gains at the end of the series at some temperature: with the Sun's share that it sees then, the free share of its sky, and what comes from all that is not sky.
+  Fluxes last_fluxes(const Pose& pose, double visibility, double free_sky, const FromBeside& beside,
+                     double surface_k) const;
   FromBeside from_ground(std::size_t row) const { return of_level_ground(outdoors(row), surface_.stand); }
   const Skin& skin() const { return surface_.skin; }
   /// What the surface gains more by what comes from some of its view, W m-2 of that, than by the ground it is taken for.

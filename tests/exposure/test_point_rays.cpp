@@ -1,6 +1,7 @@
 // Few rays where little light is at stake: the same temperatures in the mean, and told by how much they scatter.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/format.h"
@@ -64,6 +65,26 @@ Spread spread_of(const exposure::SolvedSurface& surface, const geometry::Surface
 
 double error_of(double variance, double other) { return std::sqrt((variance + other) / kDraws); }
 
+/// What single rays tell of what is about a point, in the mean, times a sign: above and below its horizon.
+std::pair<exposure::SolvedSurface::Warmth, exposure::SolvedSurface::Warmth> means_about(
+    const exposure::SolvedSurface& surface, const geometry::SurfacePoint& point, double sign) {
+  constexpr int kRays = 1000;
+  std::pair<exposure::SolvedSurface::Warmth, exposure::SolvedSurface::Warmth> means;
+  double above = 0.0, below = 0.0;
+  const auto add = [&](auto& mean, double& count, const auto& one) {
+    if (!one) return;
+    count += 1.0;
+    mean.in_shade_k += (sign * one->in_shade_k - mean.in_shade_k) / count;
+    mean.of_sun_k += (sign * one->of_sun_k - mean.of_sun_k) / count;
+  };
+  for (int k = 0; k < kRays; ++k) {
+    const auto asked = surface.asked_about(point, sampling::hash(k, 77));
+    add(means.first, above, asked.above);
+    add(means.second, below, asked.below);
+  }
+  return means;
+}
+
 // At a wall, in its shadow and under a sheet. The planted fault: kelvins that are asked for by chance are made up for, not their light.
 TEST(PointRays, SmallSharesAreAsWarmInTheMeanAndTellTheirSpread) {
   const ClearDays weather("shares", 2.5);
@@ -91,7 +112,7 @@ TEST(PointRays, SmallSharesAreAsWarmInTheMeanAndTellTheirSpread) {
     std::size_t number;
   };
   bool by_chance = false;
-  double off = 0.0, spent_off = 0.0;
+  double off = 0.0, spent_off = 0.0, least_spread = 1.0;
   for (const Place& place :
        {Place{{0.3, 0.6, 0.5}, {0.0, 0.0, -1.0}, 0}, Place{{0.2, 0.9, 0.6}, {0.0, -1.0, 0.0}, 1},
         Place{{0.1, 1.5, 0.4}, {0.0, 0.0, 1.0}, 1}, Place{{-0.4, 1.3, 0.5}, {0.0, 0.0, -1.0}, 0}}) {
@@ -109,7 +130,8 @@ TEST(PointRays, SmallSharesAreAsWarmInTheMeanAndTellTheirSpread) {
     EXPECT_LT(whole.told_k2, 1.25 * whole.variance_k2 + 1e-3) << place.number;
     // What is about a point asked by chance, and one pair of rays to the Sun: the same light, of whatever stands in.
     for (const double beside_k : {-2.0, 3.0}) {
-      const Spread spent = spread_of(surface.spending({1, 0.15, beside_k}), point, 1.0);
+      const Spread spent =
+          spread_of(surface.spending({1, 0.15, {beside_k, 0.5 * beside_k}, {-beside_k, 0.0}}), point, 1.0);
       EXPECT_NEAR(spent.mean_k, whole.mean_k, 4.0 * error_of(spent.variance_k2, whole.variance_k2))
           << place.number << " " << beside_k;
       EXPECT_NEAR(spent.light, whole.light, 4.0 * error_of(spent.variance, whole.variance))
@@ -117,11 +139,21 @@ TEST(PointRays, SmallSharesAreAsWarmInTheMeanAndTellTheirSpread) {
       spent_off = std::max(
           spent_off, std::abs(spent.faulty - whole.light) / error_of(spent.faulty_variance, whole.variance));
     }
+    // What is not asked scatters least where what rays that meet something tell in the mean stands in; turned about it scatters more.
+    const auto spread_with = [&](double sign) {
+      const auto [above, below] = means_about(surface, point, sign);
+      return spread_of(surface.spending({1, 0.15, above, below}), point, 1.0).variance_k2;
+    };
+    const double none_k2 = spread_with(0.0);
+    EXPECT_LT(spread_with(1.0), 1.02 * none_k2) << place.number;
+    EXPECT_GT(spread_with(-1.0), 0.98 * none_k2) << place.number;
+    least_spread = std::min(least_spread, spread_with(1.0) / none_k2);
     if (exposure::AskedByChance(surface.classes(), 0.05).chance() < 1.0) by_chance = true;
     off = std::max(off,
                    std::abs(little.faulty - whole.light) / error_of(little.faulty_variance, whole.variance));
   }
   EXPECT_TRUE(by_chance);
+  EXPECT_LT(least_spread, 0.7);
   EXPECT_GT(off, 6.0);
   EXPECT_GT(spent_off, 6.0);
 }
@@ -140,7 +172,7 @@ TEST(PointRays, ImagesSpendRaysWhereTheyAreWorthMoreThanPaths) {
           "temperatures": {{"spin_up": "1 d", "step": "20 min", "repeat_first_day": true}},
           "scene": {{"origin": {{"latitude": "52 deg", "longitude": "5 deg"}}, "materials": {{
               "lawn": {{"reflectance": {{"library": "grass, lawn"}}, "temperature": "solved"}},
-              "wall": {{"reflectance": 0.3, "temperature": "20 degC"}},
+              "wall": {{"reflectance": {{"library": "brick, red"}}, "temperature": "solved"}},
               "leaf": {{"reflectance": {{"library": "leaves, stacked"}}, "temperature": "solved"}}}},
             "objects": [{{"plane": {{}}, "material": "lawn"}},
               {{"box": {{"low": ["-6 m", "-6 m", "0 m"], "high": ["0 m", "-3 m", "4 m"]}}, "material": "wall"}},

@@ -26,6 +26,7 @@
 #include "truth/identity.h"
 #include "truth/location.h"
 #include "truth/orientation.h"
+#include "truth/pixel_fluxes.h"
 #include "truth/pixel_temperature.h"
 #include "truth/range.h"
 #include "truth/sky_view.h"
@@ -150,6 +151,7 @@ TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
                                    &quantities::kViewAngles,
                                    &quantities::kTemperature,
                                    &quantities::kPixelTemperature,
+                                   &quantities::kFluxes,
                                    &quantities::kRange,
                                    &quantities::kNormal,
                                    &quantities::kSlope,
@@ -173,9 +175,9 @@ TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
 TEST(QuantitySet, WhatTheyNeedIsNoted) {
   EXPECT_EQ(collectors_of(QuantitySet::all()),
             (std::vector{&truth::kLocation, &truth::kTrueLocation, &truth::kViewAngles, &truth::kTemperature,
-                         &truth::kPixelTemperature, &truth::kRange, &truth::kNormal, &truth::kSlope,
-                         &truth::kGsd, &truth::kTime, &truth::kSunAngles, &truth::kShadow, &truth::kSkyView,
-                         &truth::kMaterial, &truth::kInstance}))
+                         &truth::kPixelTemperature, &truth::kPixelFluxes, &truth::kRange, &truth::kNormal,
+                         &truth::kSlope, &truth::kGsd, &truth::kTime, &truth::kSunAngles, &truth::kShadow,
+                         &truth::kSkyView, &truth::kMaterial, &truth::kInstance}))
       << "objects and instances come of one";
   EXPECT_TRUE(collectors_of({&quantities::kRadiance}).empty());
 }

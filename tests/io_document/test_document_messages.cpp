@@ -209,7 +209,7 @@ TEST(DocumentMessages, ProductsHavePlainNames) {
       "'standard_error', 'half_width', 'air_half_width', 'air_model_error', 'thermal_half_width', 'radiance_per_nm', "
       "'radiance_per_nm_half_width', 'band_radiance', 'band_radiance_half_width', 'photon_radiance', 'photon_radiance_half_width', "
       "'toa_reflectance', 'toa_reflectance_half_width', 'brightness_temperature', 'brightness_temperature_half_width', 'mosaic', "
-      "'mosaic_half_width', 'mosaic_channels', 'samples', 'quality', 'reasons', 'quality_class', 'abundance' and 42 more; did you mean "
+      "'mosaic_half_width', 'mosaic_channels', 'samples', 'quality', 'reasons', 'quality_class', 'abundance' and 43 more; did you mean "
       "'radiance'?");
 }
 

@@ -1,8 +1,10 @@
 """What pixels hold, and in which units: temperatures over their squares, emissivity towards the sensor, radiance by nanometre and within
 the channel; against closed forms."""
 
+import csv
 import math
 import pathlib
+import re
 import tempfile
 import unittest
 
@@ -31,6 +33,52 @@ class PixelSurfaces(unittest.TestCase):
         done = run(described, self.folder)
         self.assertIn(done.returncode, codes, done.stderr)
         return [np.fromfile(self.folder / f"out/image_{name}.img", "<f4").reshape(LINES, -1, COLUMNS).astype(float) for name in names]
+
+    def test_fluxes_of_solved_temperatures(self):
+        """A lawn west and east of a wall in the afternoon, and the wall's top, against the points that `ifov temperature` solves in full."""
+        rows = ["time,air_temperature_c,relative_humidity_pct,wind_speed_m_s,cloud_fraction,global_irradiance_w_m2"]
+        for hour in range(25):
+            height = 0.313 + 0.565 * math.cos(math.pi / 12 * (hour + 0.3 - 12))
+            air = 18 - 5 * math.cos(math.pi / 12 * (hour - 3))
+            rows.append(f"2026-06-{21 + hour // 24}T{hour % 24:02d}:00:00Z,{air:.2f},60,2.5,0,{max(0, 1000 * height - 30):.1f}")
+        (self.folder / "june.csv").write_text("\n".join(rows) + "\n")
+        solved = lambda name: {"reflectance": {"library": name}, "temperature": "solved"}
+        box = {"box": {"low": ["2 m", "-6 m", "0 m"], "high": ["3 m", "6 m", "4 m"]}, "material": "wall"}
+        weather = {"time": "2026-06-21T15:00:00Z", "weather": {"file": "june.csv"}, "temperatures": {"spin_up": "1 d", "step": "30 min", "repeat_first_day": True}}
+        described = document({"lawn": solved("grass, lawn"), "wall": solved("brick, red")}, [{"plane": {}, "material": "lawn"}, box], ["fluxes"],
+                             {"pixels": [COLUMNS, 4]}, **weather)
+        described["scene"]["origin"] = {"latitude": "52 deg", "longitude": "5 deg"}
+        described["sensor"]["channels"] = CHANNELS[:1]
+        done = run(described, self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = np.fromfile(self.folder / "out/image_fluxes.img", "<f4").reshape(4, 21, COLUMNS).astype(float)
+        np.testing.assert_array_equal(found[:, 20], 1.0)
+        np.testing.assert_allclose(found[:, :10].sum(axis=1), 0.0, atol=2e-3)
+        # Over four lines, along which all is alike: as far off as both say, and by the half-width of the temperature.
+        mean, error = found[:, :10].mean(axis=0), np.sqrt((found[:, 10:20] ** 2).mean(axis=0) / 4)
+        fluxes = [f"{name}_w_m2" for name in ("sun", "sky", "reflected", "sky_longwave", "ground_longwave", "emitted", "convection", "latent", "power", "conduction")]
+        points, allowed = {}, {}
+        for column in (4, 14, 16):  # in the Sun, on the wall, in its shadow
+            done = run(described, self.folder, "--at", str(column + 0.5 - COLUMNS / 2), "0", "50", "--csv", "point.csv", command="temperature")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            told = (self.folder / "point.csv").read_text()
+            last = [row for row in csv.DictReader(line for line in told.splitlines() if line[0] != "#") if row["light"] == "here"][-1]
+            points[column] = np.array([float(last[name]) for name in fluxes])
+            half_width_k = float(re.search(r"state \+-([0-9.]+) K", told)[1])
+            # W m-2 by kelvin; what is about a point is also the mean of the 64 rays of the full solution.
+            slope = np.array([0, 0, 0, 0, 0, 6.5, 25, 30, 0, 60])
+            beside = np.array([0, 1, 1, 1, 1, 0, 0, 0, 0, 1]) * 0.15 * (points[column][2] + points[column][4])
+            allowed[column] = 3 * error[:, column] + half_width_k * slope + beside + 0.5
+            self.assertTrue((np.abs(mean[:, column] - points[column]) <= allowed[column]).all(), (column, mean[:, column], points[column], allowed[column]))
+        self.assertGreater(mean[0, 4], 400.0)
+        self.assertLess(mean[0, 16], 1.0)
+        # The place beside it is not that point: in the shadow there is less of nearly all.
+        self.assertGreater((np.abs(mean[:, 16] - points[4]) > allowed[4]).sum(), 4)
+        # A temperature that is given tells nothing of what comes and goes.
+        given = dict(described, scene={"materials": {"lawn": {"emissivity": 1, "temperature": "290 K"}}, "objects": [{"plane": {}, "material": "lawn"}]})
+        (self.folder / "out/image_fluxes.img").unlink()
+        self.assertIn(run(given, self.folder).returncode, (0, 6))
+        self.assertFalse((self.folder / "out/image_fluxes.img").exists())
 
     def test_temperatures_over_the_pixel(self):
         """A roof whose lower edge crosses pixels at 10 degrees: the warm share of each is an integral."""

@@ -8,5 +8,7 @@ namespace ifov::io::quantities {
 extern const Quantity kTemperature;
 /// How warm the surfaces in the pixel are (truth::kPixelTemperature).
 extern const Quantity kPixelTemperature;
+/// What the surfaces in the pixel gain (truth::kPixelFluxes).
+extern const Quantity kFluxes;
 
 }  // namespace ifov::io::quantities
