@@ -5,11 +5,11 @@
 #include <numbers>
 #include <utility>
 
+#include "atmosphere/beam_integral.h"
 #include "atmosphere/linear_source.h"
-#include "atmosphere/scattering/beam_integral.h"
-#include "atmosphere/scattering/ground/shell_means.h"
 #include "atmosphere/scattering/many_orders.h"
 #include "atmosphere/scattering/phase/spherical_functions.h"
+#include "atmosphere/scattering/shell_means.h"
 #include "atmosphere/spherical_shells.h"
 
 namespace ifov::atmosphere {

@@ -1,4 +1,4 @@
-#include "atmosphere/scattering/ground/shell_means.h"
+#include "atmosphere/scattering/shell_means.h"
 
 #include <algorithm>
 #include <cmath>
