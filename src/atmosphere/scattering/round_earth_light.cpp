@@ -159,7 +159,7 @@ void cut(ScatteringColumn& column, double lowest_sun_rad, bool finely) {
       for (int k = 1; k < again; ++k) ends.push_back(from + (to - from) * k / again);
       ends.push_back(to);
     }
-    if (scatters && is_lower_edge(whole, i))
+    if (scatters && !finely && is_lower_edge(whole, i))
       for (const double above : kAboveEdge)
         if (2.0 * above < whole.layer_depth[i]) ends.push_back(1.0 - above / whole.layer_depth[i]);
     std::sort(ends.begin(), ends.end());

@@ -11,14 +11,14 @@
 namespace ifov::atmosphere {
 namespace {
 
-constexpr int kNodes = 8;                           // in each hemisphere, closer towards the horizontal
-constexpr double kStep_depth = 0.1, kSteps = 30.0;  // of scattering, between altitudes; of all of it
-constexpr double kSkin_depth = 0.02;  // from edges on, where light from beyond their horizon arrives
-constexpr double kStep_km = 0.75;
-constexpr int kMostOrders = 60;
-constexpr double kTolerance = 1e-3;
+constexpr int kDirections = 8;  // in each hemisphere, closer towards the horizontal
+constexpr double kMeansApart = 0.1, kStepsOfMeans = 30.0;  // of scattering, between altitudes; of all of it
+constexpr double kMeansAtEdge = 0.02;  // from edges on, where light from beyond their horizon arrives
+constexpr double kMeansApart_km = 0.75;
+constexpr int kMostOrdersOfMeans = 60;
+constexpr double kLeastOrder = 1e-3;
 
-double linear(const std::vector<double>& falling, const std::vector<double>& values, double at) {
+double between_falling(const std::vector<double>& falling, const std::vector<double>& values, double at) {
   const auto below = std::lower_bound(falling.begin() + 1, falling.end() - 1, at, std::greater<>());
   const std::size_t k = static_cast<std::size_t>(below - falling.begin()) - 1;
   const double share = std::clamp((falling[k] - at) / (falling[k] - falling[k + 1]), 0.0, 1.0);
@@ -41,7 +41,7 @@ ShellMeans::ShellMeans(const ScatteringColumn& column) : boundary_km_(column.alt
     left[s] = shares[s] + (ends ? 0.0 : left[s + 1]);
     all += shares[s];
   }
-  const double most = std::max(kStep_depth, all / kSteps);
+  const double most = std::max(kMeansApart, all / kStepsOfMeans);
   altitude_km_.push_back(boundary_km_.front());
   double depth = 0.0, scattered = 0.0;
   for (std::size_t s = 0; s < sublayers; ++s) {
@@ -49,7 +49,8 @@ ShellMeans::ShellMeans(const ScatteringColumn& column) : boundary_km_(column.alt
     scattered += shares[s];
     const bool ends = s + 1 == sublayers || column.mixture_of[s + 1] != column.mixture_of[s];
     const double thick = altitude_km_.back() - boundary_km_[s + 1];
-    if (!ends && scattered < std::clamp(0.5 * left[s + 1], kSkin_depth, most) && thick < kStep_km) continue;
+    if (!ends && scattered < std::clamp(0.5 * left[s + 1], kMeansAtEdge, most) && thick < kMeansApart_km)
+      continue;
     altitude_km_.push_back(boundary_km_[s + 1]);
     extinction_km_.push_back(depth / thick);
     albedo_.push_back(depth > 0.0 ? scattered / depth : 0.0);
@@ -59,7 +60,7 @@ ShellMeans::ShellMeans(const ScatteringColumn& column) : boundary_km_(column.alt
 }
 
 ShellMeans::Kernel ShellMeans::kernel(Geometry geometry) const {
-  static const GaussNodes nodes = gauss_nodes(kNodes);
+  static const GaussNodes nodes = gauss_nodes(kDirections);
   const std::size_t count = altitude_km_.size();
   Kernel kernel(count, std::vector<double>(count, 0.0));
   for (std::size_t at = 0; at < count; ++at)
@@ -119,7 +120,7 @@ std::vector<double> ShellMeans::arriving(const std::vector<double>& source, cons
 std::vector<double> ShellMeans::at_altitudes(std::span<const double> values) const {
   const std::vector<double> given(values.begin(), values.end());
   std::vector<double> result;
-  for (const double altitude : altitude_km_) result.push_back(linear(boundary_km_, given, altitude));
+  for (const double altitude : altitude_km_) result.push_back(between_falling(boundary_km_, given, altitude));
   return result;
 }
 
@@ -128,7 +129,7 @@ std::vector<double> ShellMeans::ratio(const std::vector<double>& round,
   std::vector<double> ratio(altitude_km_.size(), 1.0), result;
   for (std::size_t k = 0; k < ratio.size(); ++k)
     if (flat[k] > 0.0) ratio[k] = round[k] / flat[k];
-  for (const double altitude : boundary_km_) result.push_back(linear(altitude_km_, ratio, altitude));
+  for (const double altitude : boundary_km_) result.push_back(between_falling(altitude_km_, ratio, altitude));
   return result;
 }
 
@@ -139,11 +140,11 @@ std::vector<double> ShellMeans::ratio_of_scattered(std::span<const double> unsca
     std::vector<double>& sum = all[geometry];
     sum.assign(light.size(), 0.0);
     double before = 0.0;
-    for (int order = 1; order <= kMostOrders; ++order) {
+    for (int order = 1; order <= kMostOrdersOfMeans; ++order) {
       light = arriving(light, kernel_[geometry]);
       const double most = *std::max_element(light.begin(), light.end()),
                    most_of_sum = *std::max_element(sum.begin(), sum.end());
-      const bool last = order == kMostOrders || most <= kTolerance * most_of_sum;
+      const bool last = order == kMostOrdersOfMeans || most <= kLeastOrder * most_of_sum;
       const double further = last && before > 0.0 ? 1.0 / (1.0 - std::min(0.99, most / before)) : 1.0;
       for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += further * light[k];
       if (last) break;

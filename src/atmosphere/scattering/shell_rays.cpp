@@ -83,7 +83,8 @@ void ShellOrders::choose_altitudes(bool finely) {
     const bool haze_ends =
         b > 0 && on_ground && scattered > kThinnestHaze && density(b - 1) < kEdge * density(b);
     const bool starts = b > 0 && differ(b) && density(b) < density(b - 1);
-    const bool edge = haze_ends || (b > 0 && differ(b)) || (above_edge < kSkin && aerosol(b) > 0.0);
+    const bool edge =
+        haze_ends || (b > 0 && differ(b)) || (!finely && above_edge < kSkin && aerosol(b) > 0.0);
     above_edge = starts ? 0.0 : above_edge + aerosol(b);
     on_ground = on_ground && !haze_ends && b > 0 && kEdge * density(b - 1) <= density(b);
     if (b == 0 || scattered > thickest || edge ||
