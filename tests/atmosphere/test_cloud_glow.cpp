@@ -127,4 +127,28 @@ TEST(CloudGlow, FitsWhatTheCloudReflects) {
   }
 }
 
+// Photons, in shells with this very column: over cirrus of depth 1 from 9 to 11 km the path is 1.7 % brighter at 78 degrees at 4 um,
+// and 0.7 % at 11 um.
+TEST(CloudGlow, SlantedPathsOverCirrusAreAsFarOffAsStated) {
+  const AtmosphereColumn column(with_cloud(1.0, 9.0, 11.0, std::make_shared<IceCrystals>(30.0, 0.1)));
+  const std::vector<radiometry::Channel> channels = {radiometry::Channel::top_hat("", 3.99, 4.01),
+                                                     radiometry::Channel::top_hat("", 10.95, 11.05)};
+  SensorAtmosphere::Inputs inputs;
+  inputs.channels = channels;
+  inputs.solar_irradiance = radiometry::solar_irradiance_1au();
+  inputs.geometry.view_zenith_rad = 78.0 * std::numbers::pi / 180.0;
+  inputs.scattering.nodes_per_hemisphere = 4;
+  inputs.scattering.polarized = false;
+  inputs.with_errors = true;
+  const SensorAtmosphere air(column, inputs);
+  const auto stated = [&](std::size_t c) {
+    double path = 0.0;
+    for (const ChannelLight& light : channel_nodes(air, c)) path += light.weight * light.path;
+    return air.errors()[c].scattering.path / path;
+  };
+  EXPECT_GT(stated(0), 0.017);
+  EXPECT_GT(stated(1), 0.007);
+  EXPECT_LT(stated(0), 0.05);
+}
+
 }  // namespace ifov::atmosphere::test_cloud_glow

@@ -243,4 +243,46 @@ TEST(RoundEarth, ThinAirSendsBackLightOfTheGroundThatItSees) {
   EXPECT_NEAR(solved(column, 30.0, false).spherical_albedo() / kDepth, 1.0, 0.01);
 }
 
+// What air has scattered comes from no farther than its horizon: with light of flat layers that goes on beyond it, a plateau above
+// haze had 2 to 3 % too much of what the air scatters of a bright plain's light.
+TEST(RoundEarth, LightOfTheGroundIsScatteredAgainAsOfPhotons) {
+  struct Case {
+    double molecules, haze, zenith_deg, surface_km;
+  };
+  for (const Case& at : {Case{0.1, 0.4, 60.0, 4.0}, {0.1, 0.4, 0.0, 0.0}, {0.36, 0.0, 75.0, 0.0}}) {
+    Air air;
+    air.rayleigh = at.molecules, air.aerosol = at.haze, air.aerosol_absorption = 0.0;
+    Column column = air.column();
+    column.optics.depolarization = 0.0;
+    ifov::test::SphericalMonteCarlo photons(column.levels.altitude_km, column.optics.rayleigh_scattering,
+                                            30.0 * kDegree);
+    photons.add_haze(column.optics.aerosol_scattering, air.asymmetry);
+    const double zenith = at.zenith_deg * kDegree;
+    const auto right = photons.above(zenith, 0.0, 100000, 11, 1e4, at.surface_km);
+    EXPECT_LT(right.of_ground_error, 3e-3 * right.of_ground);
+    const double found = solved(column, 30.0).diffuse_transmittance(std::cos(zenith), 1e4, at.surface_km).i;
+    EXPECT_NEAR(found / right.of_ground, 1.0, 0.003 + 2.5 * right.of_ground_error / right.of_ground)
+        << at.molecules << " " << at.haze << " " << at.zenith_deg << " " << at.surface_km;
+  }
+}
+
+// Haze aloft is lit from below the horizontal by its own far parts, as deep as such slanted light gets: half of that, told of the whole
+// layer, made paths within it 2 % too bright.
+TEST(RoundEarth, PathsThatEndWithinHazeAloftAreThoseOfPhotons) {
+  constexpr double kSun_deg = 70.0, kZenith_deg = 78.0, kSensor_km = 10.0, kAsymmetry = 0.75;
+  Column column;
+  for (const double top_km : {3.0, 6.0, 9.0, 10.0, 11.0, 30.0})
+    column.add_layer(top_km, 1e-4, top_km > 9.0 && top_km < 12.0 ? 0.15 : 0.0, kAsymmetry, 0.0);
+  column.optics.depolarization = 0.0;
+  ifov::test::SphericalMonteCarlo photons(column.levels.altitude_km, column.optics.rayleigh_scattering,
+                                          kSun_deg * kDegree);
+  photons.add_haze(column.optics.aerosol_scattering, kAsymmetry);
+  const double zenith = kZenith_deg * kDegree;
+  const auto right = photons.above(zenith, 0.0, 200000, 5, kSensor_km);
+  const double found =
+      solved(column, kSun_deg).sunlit().line_of_sight({std::cos(zenith), 0.0}, kSensor_km, 0.0).radiance().i;
+  EXPECT_LT(right.error, 3.5e-3 * right.all);
+  EXPECT_NEAR(found / right.all, 1.0, 4e-3 + 2.5 * right.error / right.all);
+}
+
 }  // namespace test_round_earth

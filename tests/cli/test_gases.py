@@ -51,6 +51,7 @@ class Errors(unittest.TestCase):
         self.refused('"o3": "of"', "is the text \"of\", expected 'off'; did you mean 'off'?")
         self.refused('"no2": {}', "nothing is said of this gas: expected 'mixing_ratio', 'column' or 'levels', or \"off\" in place of all")
         self.refused('"no2": {"column": "1 DU", "mixing_ratio": "1 ppb"}', "mixing_ratio", "column")
+        self.refused('"co2": {"mixing_ratio": "1500000 ppm"}', "1500000 ppm", "between 0 and 1000000 ppm")
 
     def test_heights(self):
         level = '{"altitude": "%s", "mixing_ratio": "1 ppm"}'

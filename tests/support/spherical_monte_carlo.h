@@ -54,22 +54,27 @@ class SphericalMonteCarlo {
     }
   }
 
-  /// Means and their standard errors, of all light and of light scattered once; for sunlight of irradiance 1 across the beam.
+  /// Means and their standard errors, of all light and of light scattered once; for sunlight of irradiance 1 across the beam. And
+  /// of what the air scatters of light of ground whose radiance is 1 in every direction.
   struct Light {
     double all, error, once;
+    double of_ground, of_ground_error;
   };
   /// Radiance that comes down to the ground, in light that propagates to this azimuth (0: as sunlight does).
   Light sky(double zenith_rad, double azimuth_rad, std::uint64_t paths, unsigned seed) const {
     const Vector look = away(zenith_rad, azimuth_rad + std::numbers::pi);
     return mean(ground(), look, paths, seed);
   }
-  /// Radiance that leaves the air, or meets a sensor in it, along a line from the ground, which the line leaves at this zenith angle.
+  /// Radiance that leaves the air, or meets a sensor in it, along a line from the ground, which the line leaves at this zenith angle;
+  /// or from something black and small above the ground.
   Light above(double zenith_rad, double azimuth_rad, std::uint64_t paths, unsigned seed,
-              double sensor_km = std::numeric_limits<double>::infinity()) const {
-    const Vector up = away(zenith_rad, azimuth_rad);
-    const double along = radius_.front() * up[2], top = std::min(radius_.back(), radius_.front() + sensor_km);
-    const double length = -along + std::sqrt(along * along + top * top - radius_.front() * radius_.front());
-    return mean(moved(ground(), up, length * (1.0 - 1e-12)), Vector{-up[0], -up[1], -up[2]}, paths, seed);
+              double sensor_km = std::numeric_limits<double>::infinity(), double surface_km = 0.0) const {
+    const Vector up = away(zenith_rad, azimuth_rad), surface{0.0, 0.0, radius_.front() + surface_km};
+    const double along = surface[2] * up[2], top = std::min(radius_.back(), radius_.front() + sensor_km);
+    const double length =
+        (1.0 - 1e-12) * (-along + std::sqrt(along * along + top * top - surface[2] * surface[2]));
+    return mean(moved(surface, up, length), Vector{-up[0], -up[1], -up[2]}, paths, seed, 1.0,
+                surface_km > 0.0 ? length : std::numeric_limits<double>::infinity());
   }
   /// Irradiance on level ground.
   Light flux(std::uint64_t paths, unsigned seed) const { return mean(ground(), std::nullopt, paths, seed); }
@@ -100,8 +105,9 @@ class SphericalMonteCarlo {
             std::cos(zenith_rad)};
   }
 
-  /// What a ray crosses until it leaves the air or meets the ground.
-  void trace(const Vector& from, const Vector& along, Line& line) const {
+  /// What a ray crosses until it leaves the air, meets the ground or has gone so far.
+  void trace(const Vector& from, const Vector& along, Line& line,
+             double most_km = std::numeric_limits<double>::infinity()) const {
     line.pieces.clear();
     line.ground = false;
     line.depth = 0.0;
@@ -122,10 +128,12 @@ class SphericalMonteCarlo {
                    outer = b * b - start + radius_[k + 1] * radius_[k + 1];
       double down = inner > 0.0 ? -b - std::sqrt(inner) : kNone;
       if (!(down > walked + 1e-9)) down = kNone;
-      const double up = std::max(walked, -b + std::sqrt(std::max(0.0, outer))), next = std::min(down, up);
+      const double up = std::max(walked, -b + std::sqrt(std::max(0.0, outer))),
+                   next = std::min({down, up, most_km});
       line.pieces.push_back({k, next - walked});
       line.depth += extinction_[k] * (next - walked);
       walked = next;
+      if (walked >= most_km) return;
       if (down < up) {
         line.ground = k == 0;
         if (line.ground) return;
@@ -171,7 +179,7 @@ class SphericalMonteCarlo {
 
   /// `look`: none for an irradiance. Scattering along the first ray is forced, and its place is stratified.
   Light mean(const Vector& from, const std::optional<Vector>& look, std::uint64_t paths, unsigned seed,
-             double upwards = 1.0) const {
+             double upwards = 1.0, double first_km = std::numeric_limits<double>::infinity()) const {
     constexpr std::uint64_t kBatch = 1000;
     constexpr int kMostEvents = 100;
     constexpr double kWeak = 1e-3;
@@ -179,9 +187,9 @@ class SphericalMonteCarlo {
     Draw draw(0.0, 1.0);
     Line line, sunbeam;
     const std::uint64_t batches = std::max<std::uint64_t>(2, paths / kBatch);
-    double sum = 0.0, squares = 0.0, first = 0.0;
+    double sum = 0.0, squares = 0.0, first = 0.0, ground_sum = 0.0, ground_squares = 0.0;
     for (std::uint64_t batch = 0; batch < batches; ++batch) {
-      double light = 0.0;
+      double light = 0.0, of_ground = 0.0;
       for (std::uint64_t path = 0; path < kBatch; ++path) {
         Vector at = from, along = look ? *look : Vector{};
         double weight = 1.0;
@@ -190,7 +198,8 @@ class SphericalMonteCarlo {
           weight = std::numbers::pi;
         }
         for (int event = 0; event < kMostEvents; ++event) {
-          trace(at, along, line);
+          trace(at, along, line, event == 0 ? first_km : std::numeric_limits<double>::infinity());
+          if (event > 0 && line.ground) of_ground += weight * std::exp(-line.depth);
           const double scattered = -std::expm1(-line.depth);
           if (!(scattered > 0.0)) break;
           weight *= scattered;
@@ -232,10 +241,16 @@ class SphericalMonteCarlo {
       light /= static_cast<double>(kBatch);
       sum += light;
       squares += light * light;
+      of_ground /= static_cast<double>(kBatch);
+      ground_sum += of_ground;
+      ground_squares += of_ground * of_ground;
     }
-    const double count = static_cast<double>(batches), average = sum / count;
-    const double variance = std::max(0.0, squares / count - average * average) / (count - 1.0);
-    return {average, std::sqrt(variance), first / (count * static_cast<double>(kBatch))};
+    const double count = static_cast<double>(batches);
+    const auto error = [&](double all, double all_squares) {
+      return std::sqrt(std::max(0.0, all_squares / count - all / count * all / count) / (count - 1.0));
+    };
+    return {sum / count, error(sum, squares), first / (count * static_cast<double>(kBatch)),
+            ground_sum / count, error(ground_sum, ground_squares)};
   }
 
   std::vector<double> radius_, extinction_, haze_share_,

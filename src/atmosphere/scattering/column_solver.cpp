@@ -152,7 +152,7 @@ ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& opti
   if (options.spherical_earth && groundlit_fluxes.diffuse_down.back() > 0.0) {
     const ScatteredField field(solved, ground_modes, groundlit_fluxes, false, ground.orders);
     back = flux_of_sky(field, groundlit_fluxes.altitude_km.back(), 1) / groundlit_fluxes.diffuse_down.back();
-    for (double& flux : groundlit_fluxes.diffuse_down) flux *= back;
+    send_back(groundlit_fluxes, back);
   }
   if (solved->round_earth && solved->column.sun_mu < kLowSun)
     take_flux_of_sky(ScatteredField(solved, modes, sunlit_fluxes, true, sunlit_orders), sunlit_fluxes);

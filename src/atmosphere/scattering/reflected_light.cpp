@@ -52,6 +52,14 @@ FluxProfile diffuse_fluxes(const ScatteringColumn& column, const GaussNodes& nod
   return fluxes;
 }
 
+void send_back(FluxProfile& fluxes, double share) {
+  const double all = fluxes.diffuse_down.empty() ? 0.0 : fluxes.diffuse_down.back();
+  for (std::size_t level = 0; level < fluxes.up.size(); ++level) {
+    fluxes.up[level] += (1.0 - share) * (all - fluxes.diffuse_down[level]);
+    fluxes.diffuse_down[level] *= share;
+  }
+}
+
 std::optional<ReflectedLight> reflected_light(const std::shared_ptr<const SolvedColumn>& solved,
                                               const SuccessiveOrders& orders, const GaussNodes& nodes,
                                               const GroundModes& ground, std::span<const GroundLight> down,
@@ -94,8 +102,9 @@ std::optional<ReflectedLight> reflected_light(const std::shared_ptr<const Solved
       if (m == 0) {
         if (k == 0) reference = found.moments.peak();
         most_orders = std::max(most_orders, found.orders);
-        const FluxProfile part = diffuse_fluxes(column, nodes, found.radiance);
-        add_to(fluxes.diffuse_down, factor * back, part.diffuse_down);
+        FluxProfile part = diffuse_fluxes(column, nodes, found.radiance);
+        send_back(part, back);
+        add_to(fluxes.diffuse_down, factor, part.diffuse_down);
         add_to(fluxes.up, factor, part.up);
       }
       add_to(of.light, factor, of.now);

@@ -28,6 +28,9 @@ std::optional<ReflectedLight> reflected_light(const std::shared_ptr<const Solved
                                               const GroundModes& ground, std::span<const GroundLight> down,
                                               double back, double tolerance);
 
+/// Of the ground's light only a share comes back about a round Earth of what does in flat layers; what does not goes up.
+void send_back(FluxProfile& fluxes, double share);
+
 /// Irradiances of level surfaces from the radiances of mode 0 at nodes; no direct ones.
 FluxProfile diffuse_fluxes(const ScatteringColumn& column, const GaussNodes& nodes,
                            const NodeRadiance& radiance);

@@ -104,6 +104,19 @@ double by_molecules(const ScatteringColumn& column) {
 /// Below this share light at dusk is what grazes haze and clouds.
 constexpr double kDarkMolecules = 0.3;
 
+/// At the lower edge of haze or a cloud aloft comes light from beyond its horizon, where the round Earth turns it to where one looks
+/// below the horizontal: it gets no farther than this into the layer.
+constexpr double kAboveEdge[] = {0.16, 0.06, 0.02};
+bool is_lower_edge(const ScatteringColumn& column, std::size_t layer) {
+  constexpr double kEdge = 0.25;
+  const auto density = [&](std::size_t i) {
+    const ScatteringColumn::Mixture& mixture = column.mixtures[i];
+    return column.layer_depth[i] * mixture.aerosol * (1.0 - mixture.peak) /
+           (column.layer_altitude_km[i] - column.layer_altitude_km[i + 1]);
+  };
+  return layer + 1 < column.layer_depth.size() && density(layer + 1) < kEdge * density(layer);
+}
+
 /// Layers of haze and cloud that a low Sun does not get through are cut: sunlight that is scattered once is straight between
 /// boundaries, and all of it is scattered where the beam comes in.
 void cut(ScatteringColumn& column, double lowest_sun_rad, bool finely) {
@@ -136,15 +149,24 @@ void cut(ScatteringColumn& column, double lowest_sun_rad, bool finely) {
       column.layer_depth.push_back(whole.layer_depth[i] * (to - from));
       column.mixtures.push_back(mixture);
     };
+    std::vector<double> ends;  // shares of the layer
     for (int part = 1; part <= parts; ++part) {
       const double from = place_of_cut(part - 1, parts, bend), to = place_of_cut(part, parts, bend);
       const int again =
           finely && parts > 1
               ? std::max(1, static_cast<int>(std::ceil(whole.layer_depth[i] * (to - from) / kFinePart)))
               : 1;
-      for (int k = 1; k < again; ++k)
-        add(from + (to - from) * (k - 1) / again, from + (to - from) * k / again);
-      add(from + (to - from) * (again - 1) / again, to);
+      for (int k = 1; k < again; ++k) ends.push_back(from + (to - from) * k / again);
+      ends.push_back(to);
+    }
+    if (scatters && !finely && is_lower_edge(whole, i))
+      for (const double above : kAboveEdge)
+        if (2.0 * above < whole.layer_depth[i]) ends.push_back(1.0 - above / whole.layer_depth[i]);
+    std::sort(ends.begin(), ends.end());
+    double from = 0.0;
+    for (const double to : ends) {
+      add(from, to);
+      from = to;
     }
   }
 }

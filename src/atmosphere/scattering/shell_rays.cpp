@@ -20,8 +20,10 @@ constexpr double kThickestStep = 0.5, kThinnestStep = 0.12, kSteps = 4.0;
 /// Finely: a sixth of all of it, and not more nor less than this.
 constexpr double kFinestStep = 0.03, kCoarsestFineStep = 0.15, kFineSteps = 6.0;
 /// Nor does the upper edge of haze on the ground lie between two, where light changes fast: it scatters so much more below than above.
-/// Finely: nor does any edge of haze and clouds that scatter more than so little by layer.
-constexpr double kThinnestHaze = 0.02, kEdge = 0.25, kThinnestLayer = 1e-4;
+/// Nor does any edge of haze and clouds aloft that scatter more than so little by layer, finely much less; nor a boundary so near
+/// above a lower edge.
+constexpr double kThinnestHaze = 0.02, kEdge = 0.25, kThinnestAloft = 0.002, kThinnestLayer = 1e-4,
+                 kSkin = 0.2;
 /// Distance between altitudes at which the light is kept.
 double spacing_of_altitudes_km(double height_km) {
   return height_km < 6.0    ? 1.4
@@ -70,16 +72,20 @@ void ShellOrders::choose_altitudes(bool finely) {
                                  : std::clamp(all / kSteps, kThinnestStep, kThickestStep);
   const auto differ = [&](std::size_t b) {
     const double above = density(b - 1), below = density(b);
-    return std::max(aerosol(b - 1), aerosol(b)) > kThinnestLayer &&
+    return std::max(aerosol(b - 1), aerosol(b)) > (finely ? kThinnestLayer : kThinnestAloft) &&
            std::min(above, below) < kEdge * std::max(above, below);
   };
   double scattered = 0.0;  // since the last altitude
+  double above_edge = kSkin;
   bool on_ground = true;
   for (std::size_t b = boundary.size() - 1; b-- > 0;) {
     scattered += aerosol(b);
     const bool haze_ends =
         b > 0 && on_ground && scattered > kThinnestHaze && density(b - 1) < kEdge * density(b);
-    const bool edge = haze_ends || (finely && b > 0 && differ(b));
+    const bool starts = b > 0 && differ(b) && density(b) < density(b - 1);
+    const bool edge =
+        haze_ends || (b > 0 && differ(b)) || (!finely && above_edge < kSkin && aerosol(b) > 0.0);
+    above_edge = starts ? 0.0 : above_edge + aerosol(b);
     on_ground = on_ground && !haze_ends && b > 0 && kEdge * density(b - 1) <= density(b);
     if (b == 0 || scattered > thickest || edge ||
         boundary[b] >= altitude_km_.back() + spacing_of_altitudes_km(altitude_km_.back() - boundary.back())) {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "atmosphere/scattering/beam_integral.h"
+#include "atmosphere/beam_integral.h"
 #include "atmosphere/scattering/phase/phase_function.h"
 #include "atmosphere/scattering/phase/scattering_matrix.h"
 #include "atmosphere/scattering/shell_line_of_sight.h"

@@ -5,10 +5,11 @@
 #include <numbers>
 #include <utility>
 
+#include "atmosphere/beam_integral.h"
 #include "atmosphere/linear_source.h"
-#include "atmosphere/scattering/beam_integral.h"
 #include "atmosphere/scattering/many_orders.h"
 #include "atmosphere/scattering/phase/spherical_functions.h"
+#include "atmosphere/scattering/shell_means.h"
 #include "atmosphere/spherical_shells.h"
 
 namespace ifov::atmosphere {
@@ -96,7 +97,18 @@ SuccessiveOrders::Mode SuccessiveOrders::groundlit(int mode, const GaussNodes& o
     }
   }
   ModeField field = step.next(moments);
-  return add_orders(step, std::move(field), std::move(moments), reference);
+  const ModeMoments straight = moments;
+  Mode result = add_orders(step, std::move(field), std::move(moments), reference);
+  // What the air has scattered comes from within its horizon, but goes on for ever in flat layers.
+  if (mode == 0 && column_.spherical && options_.most_orders > 1) {
+    const std::vector<double> ratio =
+        ShellMeans(column_).ratio_of_scattered({straight.at(0, 0), straight.levels});
+    for (std::size_t at = 0; at < straight.values.size(); ++at) {
+      double& value = result.moments.values[at];
+      value = straight.values[at] + ratio[at % straight.levels] * (value - straight.values[at]);
+    }
+  }
+  return result;
 }
 
 SuccessiveOrders::Mode SuccessiveOrders::emitted(std::span<const double> planck) const {

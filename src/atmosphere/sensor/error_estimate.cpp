@@ -60,6 +60,22 @@ RoundEarthAir round_earth_air(const ChannelPoints& points) {
   return air;
 }
 
+/// What clouds high above the ground scatter, of all that clouds take.
+double scattered_high(const ChannelPoints& points, const Levels& levels) {
+  constexpr double kHigh_km = 5.0;
+  double high = 0.0, all = 0.0;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const LayerOptics& layers = points.points[p].layers();
+    for (std::size_t k = 0; k < layers.cloud_scattering.size(); ++k) {
+      const double share = points.share[p];
+      all += share * (layers.cloud_scattering[k] + layers.cloud_absorption[k]);
+      if (levels.altitude_km[k] - levels.altitude_km.front() >= kHigh_km)
+        high += share * layers.cloud_scattering[k];
+    }
+  }
+  return all > 0.0 ? high / all : 0.0;
+}
+
 /// What is known at every point without a solution: means over the channel.
 struct ExactLight {
   double surface = 0.0;   ///< of the grey surface, in the direct beam and its own light and the air's
@@ -206,6 +222,14 @@ class Estimate {
       errors.sky_irradiance += round.sky;
     }
     const ChannelPoints& points = given.points;
+    if (question_.scattering.spherical_earth && given.emitted) {
+      double slanted = question_.geometry.view_zenith_rad;
+      for (const LineOfSight& line : question_.geometry.lines_of_sight)
+        slanted = std::max(slanted, line.zenith_rad);
+      const RoundEarthError glow = glow_error(slanted, scattered_high(points, question_.column.levels()));
+      errors.emitted_path += glow.path;
+      errors.emitted_sky += glow.sky;
+    }
     const double sine = question_.geometry.sun_sine();
     std::vector<double> reflectance, glow;
     for (const ChannelPoints::Point& point : points.points)

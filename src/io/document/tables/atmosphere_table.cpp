@@ -152,13 +152,13 @@ SchemaType<AtmosphereDocument> atmosphere_type() {
       .optional("ozone", profile(&ProfileDescription::ozone_DU),
                 quantity(kOzoneColumn, Range::at_least(0.0, "DU")), "column above the ground")
       .with_default("co2", profile(&ProfileDescription::co2_ppm),
-                    quantity(kMixingRatioByVolume, Range::at_least(0.0, "ppm")), "\"420 ppm\"",
+                    quantity(kMixingRatioByVolume, Range::between(0.0, 1e6, "ppm")), "\"420 ppm\"",
                     "carbon dioxide at the ground")
       .with_default("ch4", profile(&ProfileDescription::ch4_ppm),
-                    quantity(kMixingRatioByVolume, Range::at_least(0.0, "ppm")), "\"1.9 ppm\"",
+                    quantity(kMixingRatioByVolume, Range::between(0.0, 1e6, "ppm")), "\"1.9 ppm\"",
                     "methane at the ground")
       .with_default("n2o", profile(&ProfileDescription::n2o_ppm),
-                    quantity(kMixingRatioByVolume, Range::at_least(0.0, "ppm")), "\"0.335 ppm\"",
+                    quantity(kMixingRatioByVolume, Range::between(0.0, 1e6, "ppm")), "\"0.335 ppm\"",
                     "nitrous oxide at the ground")
       .optional(
           "gases",

@@ -21,7 +21,7 @@ SchemaType<GasRequest::Level> gas_level_type() {
       .required("altitude", &GasRequest::Level::altitude_km, quantity(kLength, {}, 1e-3),
                 "above mean sea level")
       .required("mixing_ratio", &GasRequest::Level::ppmv,
-                quantity(kMixingRatioByVolume, Range::at_least(0.0, "ppm")), "by volume");
+                quantity(kMixingRatioByVolume, Range::between(0.0, 1e6, "ppm")), "by volume");
   return record.type();
 }
 
@@ -50,7 +50,7 @@ SchemaType<GasRequest> request_type(Gas gas) {
   const bool water = gas == Gas::h2o;
   record.at_most_one()
       .one("mixing_ratio", &GasRequest::ground_ppmv,
-           quantity(kMixingRatioByVolume, Range::at_least(0.0, "ppm")),
+           quantity(kMixingRatioByVolume, Range::between(0.0, 1e6, "ppm")),
            "at the ground, by volume: the model's profile is scaled alike at all heights")
       .one("column", &GasRequest::column_atm_cm,
            water ? quantity(kWaterColumn, Range::at_least(0.0, "g/cm2"), atmosphere::kVapourAtmCmPerGram)
