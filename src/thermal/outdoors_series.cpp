@@ -79,11 +79,8 @@ class Sampler {
   double needed(WeatherQuantity quantity, double time_s) const {
     if (const std::optional<double> value = mean(quantity, time_s)) return *value;
     if (!has(quantity))
-      throw InputError(format(
-          "'{}' does not tell {}, which surface temperatures need{}", weather_.site().name, name_of(quantity),
-          quantity == WeatherQuantity::global_irradiance
-              ? "; without any sunlight in it an \"atmosphere\" with a \"profile\" would do"
-              : ""));
+      throw InputError(format("'{}' does not tell {}, which surface temperatures need", weather_.site().name,
+                              name_of(quantity)));
     const double back_s = end_s() - kShownDay_s - first_s_;
     std::string hint;
     if (bounded_ && time_s < first_s_ && span_.repeat_first_day)
@@ -98,11 +95,6 @@ class Sampler {
     throw InputError(format("'{}' does not tell {} at {}, which is needed from {} to {}{}",
                             weather_.site().name, name_of(quantity), clock_text(time_s),
                             clock_text(begin_s()), clock_text(end_s()), hint));
-  }
-
-  bool has_no_sunlight() const {
-    return !has(WeatherQuantity::direct_irradiance) && !has(WeatherQuantity::diffuse_irradiance) &&
-           !has(WeatherQuantity::global_irradiance);
   }
 
   double end_s() const { return atmosphere::seconds_of(span_.end); }
@@ -146,10 +138,7 @@ class Sampler {
     const bool direct = has(WeatherQuantity::direct_irradiance),
                diffuse = has(WeatherQuantity::diffuse_irradiance);
     SunAndSky split;
-    if (has_no_sunlight() && air_ != nullptr && air_->sunlight) {
-      split = under_cloud(air_->sunlight->at(sun.elevation_rad, sun.distance_au), sun.elevation_rad,
-                          cloud_fraction(time_s));
-    } else if (direct && diffuse) {
+    if (direct && diffuse) {
       split = {needed(WeatherQuantity::direct_irradiance, time_s),
                needed(WeatherQuantity::diffuse_irradiance, time_s)};
     } else {
@@ -225,11 +214,7 @@ std::vector<std::string> notes_of(const Sampler& weather, const WeatherSeries& s
   const std::string clear = air == nullptr || air->clouds.empty()
                                 ? "; no cloud is told, so the sky is taken to be clear"
                                 : format("; no cloud is told but {}", air->clouds);
-  if (weather.has_no_sunlight())
-    notes.push_back(
-        format("direct and diffuse sunlight: by the document's atmosphere at 8 heights of the Sun{}",
-               cloud ? ", cloud by Kasten and Czeplak (1980)" : clear));
-  else if (!direct && !diffuse)
+  if (!direct && !diffuse)
     notes.push_back("direct and diffuse sunlight: from the global, by Erbs et al. (1982)");
   if (weather.has(WeatherQuantity::longwave_irradiance))
     notes.push_back("long-wave of the sky: measured");

@@ -1,7 +1,5 @@
 #include "session/solved/document_air.h"
 
-#include <cmath>
-
 #include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/profile/profile.h"
 #include "atmosphere/survey/broadband_fluxes.h"
@@ -9,7 +7,6 @@
 #include "core/format.h"
 #include "io/document/atmosphere_document.h"
 #include "io/document/document.h"
-#include "math/angle.h"
 #include "session/assembly/atmosphere/atmosphere_assembly.h"
 #include "thermal/faces/sky_longwave.h"
 
@@ -18,22 +15,14 @@ namespace {
 
 using atmosphere::WeatherQuantity;
 
+constexpr double kStep_cm1 = 20.0;
+
 double longwave_over_prata(const atmosphere::AtmosphereColumn& column) {
   const atmosphere::Profile& profile = column.profile();
   const double air_k = profile.temperature_K.front(),
                vapour_pa = 1e-4 * profile.of(atmosphere::Gas::h2o).front() * profile.pressure_hPa.front();
-  return atmosphere::longwave_down_w_m2(column) / thermal::sky_longwave_w_m2(air_k, vapour_pa, 0.0);
-}
-
-thermal::ClearSunlight sunlight_of(const atmosphere::AtmosphereColumn& column) {
-  thermal::ClearSunlight clear;
-  for (const double zenith_deg : thermal::kSunZeniths_deg) {
-    const atmosphere::BroadbandSunlight light = atmosphere::sunlight_down(column, zenith_deg * math::kDegree);
-    clear.elevation_rad.push_back((90.0 - zenith_deg) * math::kDegree);
-    clear.direct.push_back(std::max(1e-12, light.direct / light.above));
-    clear.diffuse.push_back(std::max(1e-12, light.diffuse / light.above));
-  }
-  return clear;
+  return atmosphere::longwave_down_w_m2(column, kStep_cm1, 0) /
+         thermal::sky_longwave_w_m2(air_k, vapour_pa, 0.0);
 }
 
 }  // namespace
@@ -41,19 +30,15 @@ thermal::ClearSunlight sunlight_of(const atmosphere::AtmosphereColumn& column) {
 thermal::AirOfDocument air_of_document(const io::Document& document,
                                        const atmosphere::WeatherSeries& weather) {
   const auto told = [&](WeatherQuantity quantity) { return !weather.knots(quantity).empty(); };
-  const bool longwave = told(WeatherQuantity::longwave_irradiance),
-             sunlight = told(WeatherQuantity::direct_irradiance) ||
-                        told(WeatherQuantity::diffuse_irradiance) || told(WeatherQuantity::global_irradiance);
   thermal::AirOfDocument air;
-  if ((longwave && sunlight) || !document.atmosphere.modelled) return air;
+  if (told(WeatherQuantity::longwave_irradiance) || !document.atmosphere.modelled) return air;
   io::ModelledAtmosphere modelled = *document.atmosphere.modelled;
   if (told(WeatherQuantity::cloud_fraction)) modelled.clouds.clear();
   if (!modelled.clouds.empty())
     air.clouds = format("there are the atmosphere's own {} layers", modelled.clouds.size());
   const atmosphere::AtmosphereColumn column =
       assemble_column(document.sources, modelled, document.scene.origin);
-  if (!longwave) air.longwave_over_prata = longwave_over_prata(column);
-  if (!sunlight) air.sunlight = sunlight_of(column);
+  air.longwave_over_prata = longwave_over_prata(column);
   return air;
 }
 
