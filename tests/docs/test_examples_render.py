@@ -70,7 +70,7 @@ class ExamplesOfTemperatures(unittest.TestCase):
         for line in done.stdout.splitlines():
             if re.match(r"[a-z]", line):
                 material = line
-            elif match := re.match(r"  (\d\d:\d\d) +(\S+) +(\S+) .* (\S+)$", line):
+            elif match := re.match(r"  (\d\d:\d\d) +(\S+) +(\S+) .*\|.* (\S+)$", line):
                 hour, *numbers = match.groups()
                 rows[material, hour] = [float(number) for number in numbers]  # air, sunlit, into the solid
         return rows
@@ -88,8 +88,8 @@ class ExamplesOfTemperatures(unittest.TestCase):
         self.assertLess(abs(crown - 273.15 - 22.1), 4.0, kelvins[4])
         self.assertLess(lawn, asphalt - 10.0)
         rows = self.materials("street_of_trees", "--only", "leaf", "--height", "5")
-        air, leaf, _ = rows["leaf", "12:00"]
-        self.assertLess(abs(leaf - air), 3.0, rows)
+        air, level, _ = rows["leaf", "12:00"]  # in full Sun
+        self.assertTrue(2.0 < level - air < 4.5, rows)
 
     def test_insulation_keeps_heat_in(self):
         if not (EXAMPLES / "../../shared/truth/weather").is_dir():

@@ -6,7 +6,6 @@
 #include "atmosphere/weather_series.h"
 #include "core/format.h"
 #include "core/names.h"
-#include "geodesy/utc_time.h"
 #include "io/tables/text_table.h"
 
 namespace ifov::io {
