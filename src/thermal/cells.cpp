@@ -62,19 +62,22 @@ Cells cut_into_cells(const Solid& solid, const CellSizes& sizes) {
     layer_depths += layer.thickness_m / daily_m;
     layer_m += layer.thickness_m;
   }
-  const auto held = [&](double temperature_k, double conductance) {
+  const auto held = [&](double temperature_k, double conductance,
+                        const std::shared_ptr<const TimeTable>& over_time = {}) {
     cells.back_temperature_k = temperature_k;
+    cells.back_over_time = over_time;
     cells.back_conductance_w_m2_k = conductance;
   };
-  std::visit(Overloaded{[](const Insulated&) {}, [](const OtherFace&) {},
-                        [&](const HeldBack& back) { held(back.temperature_k, half_above); },
-                        [&](const RoomAir& room) {
-                          held(room.temperature_k, room.conductance_w_m2_k > 0.0
-                                                       ? in_series(half_above, room.conductance_w_m2_k)
-                                                       : 0.0);
-                        },
-                        [&](const DeepGround& ground) { held(ground.temperature_k, half_above); }},
-             solid.back);
+  std::visit(
+      Overloaded{[](const Insulated&) {}, [](const OtherFace&) {},
+                 [&](const HeldBack& back) { held(back.temperature_k, half_above, back.over_time); },
+                 [&](const RoomAir& room) {
+                   held(room.temperature_k,
+                        room.conductance_w_m2_k > 0.0 ? in_series(half_above, room.conductance_w_m2_k) : 0.0,
+                        room.over_time);
+                 },
+                 [&](const DeepGround& ground) { held(ground.temperature_k, half_above); }},
+      solid.back);
   return cells;
 }
 

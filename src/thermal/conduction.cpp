@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "thermal/faces/time_table.h"
 #include "thermal/surface_exchange.h"
 #include "thermal/tridiagonal.h"
 
@@ -47,20 +48,23 @@ class Marcher {
   }
 
  private:
-  double back_flux() const {
-    return cells_.back_conductance_w_m2_k * (cells_k_.back() - cells_.back_temperature_k);
+  /// What lies behind, now.
+  double behind_k() const {
+    return cells_.back_over_time ? cells_.back_over_time->at(time_s_) : cells_.back_temperature_k;
   }
+
+  double back_flux() const { return cells_.back_conductance_w_m2_k * (cells_k_.back() - behind_k()); }
 
   /// Of what the cells hold, by rates of that time over implicit_s().
   void backward(double time_s) {
     const double implicit_s = elimination_->implicit_s();
     for (std::size_t i = 0; i < cells_k_.size(); ++i) right_[i] = cells_.capacity_j_m2_k[i] * cells_k_[i];
-    right_.back() += implicit_s * cells_.back_conductance_w_m2_k * cells_.back_temperature_k;
+    time_s_ = time_s;
+    right_.back() += implicit_s * cells_.back_conductance_w_m2_k * behind_k();
     elimination_->eliminate(right_, p_);
     const double first = elimination_->first_factor();
     const double conductance = cells_.conductance_w_m2_k[0] * (1.0 - first);
     const double inner_k = first < 1.0 ? p_[0] / (1.0 - first) : surface_k_;
-    time_s_ = time_s;
     surface_k_ = balanced_temperature_k(exchange_, time_s, conductance, inner_k, surface_k_);
     elimination_->substitute(p_, surface_k_, cells_k_);
   }

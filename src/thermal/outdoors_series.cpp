@@ -8,6 +8,7 @@
 
 #include "atmosphere/weather_series.h"
 #include "core/error.h"
+#include "thermal/air_of_document.h"
 #include "thermal/faces/sky_longwave.h"
 #include "thermal/sun_path.h"
 #include "thermal/sun_split.h"
@@ -34,8 +35,10 @@ double standard_pressure_pa(double height_m) {
 
 class Sampler {
  public:
-  Sampler(const WeatherSeries& weather, const geodesy::Geodetic& place, const Span& span)
+  Sampler(const WeatherSeries& weather, const geodesy::Geodetic& place, const Span& span,
+          const AirOfDocument* air)
       : weather_(weather),
+        air_(air),
         place_(place),
         span_(span),
         // Days before the weather are like its first 24 hours, which may end later.
@@ -181,12 +184,19 @@ class Sampler {
       return;
     }
     const double humidity = needed(WeatherQuantity::relative_humidity, time_s);
-    now.longwave_w_m2 = sky_longwave_w_m2(
-        now.air.temperature_k, humidity * atmosphere::saturation_pressure_pa(now.air.temperature_k),
-        std::clamp(mean(WeatherQuantity::cloud_fraction, time_s).value_or(0.0), 0.0, 1.0));
+    const double air_k = now.air.temperature_k;
+    const double by_prata = clear_sky_emissivity(air_k, humidity * atmosphere::saturation_pressure_pa(air_k));
+    const double over_prata = air_ != nullptr ? air_->longwave_over_prata.value_or(1.0) : 1.0;
+    now.longwave_w_m2 = sky_emissivity(std::min(1.0, over_prata * by_prata), cloud_fraction(time_s)) *
+                        kStefanBoltzmann_w_m2_k4 * air_k * air_k * air_k * air_k;
+  }
+
+  double cloud_fraction(double time_s) const {
+    return std::clamp(mean(WeatherQuantity::cloud_fraction, time_s).value_or(0.0), 0.0, 1.0);
   }
 
   const WeatherSeries& weather_;
+  const AirOfDocument* air_;
   const geodesy::Geodetic& place_;
   const Span& span_;
   SunPath sun_;
@@ -195,19 +205,27 @@ class Sampler {
   double first_s_ = 0.0, last_s_ = 0.0;  // of what stands for the days before
 };
 
-std::vector<std::string> notes_of(const Sampler& weather, const WeatherSeries& series, const Span& span) {
+std::vector<std::string> notes_of(const Sampler& weather, const WeatherSeries& series, const Span& span,
+                                  const AirOfDocument* air) {
   std::vector<std::string> notes;
   const bool direct = weather.has(WeatherQuantity::direct_irradiance),
              diffuse = weather.has(WeatherQuantity::diffuse_irradiance);
+  const bool cloud = weather.has(WeatherQuantity::cloud_fraction);
+  const std::string clear = air == nullptr || air->clouds.empty()
+                                ? "; no cloud is told, so the sky is taken to be clear"
+                                : format("; no cloud is told but {}", air->clouds);
   if (!direct && !diffuse)
     notes.push_back("direct and diffuse sunlight: from the global, by Erbs et al. (1982)");
   if (weather.has(WeatherQuantity::longwave_irradiance))
     notes.push_back("long-wave of the sky: measured");
+  else if (air != nullptr && air->longwave_over_prata)
+    notes.push_back(format(
+        "long-wave of the sky: by the document's atmosphere, {:.3f} of Prata (1996) at its own ground, as it "
+        "changes with the air by Prata{}",
+        *air->longwave_over_prata, cloud ? ", cloud by Crawford and Duchon (1999)" : clear));
   else
     notes.push_back(format("long-wave of the sky: by Prata (1996){}",
-                           weather.has(WeatherQuantity::cloud_fraction)
-                               ? ", cloud by Crawford and Duchon (1999)"
-                               : "; no cloud is told, so the sky is taken to be clear"));
+                           cloud ? ", cloud by Crawford and Duchon (1999)" : clear));
   if (!weather.has(WeatherQuantity::pressure_pa))
     notes.push_back("air pressure: of the standard atmosphere at the place's height");
   if (!weather.has(WeatherQuantity::relative_humidity))
@@ -223,9 +241,9 @@ std::vector<std::string> notes_of(const Sampler& weather, const WeatherSeries& s
 
 }  // namespace
 
-OutdoorsOfWeather outdoors_of(const WeatherSeries& weather, const geodesy::Geodetic& place,
-                              const Span& span) {
-  const Sampler sampler(weather, place, span);
+OutdoorsOfWeather outdoors_of(const WeatherSeries& weather, const geodesy::Geodetic& place, const Span& span,
+                              const AirOfDocument* air) {
+  const Sampler sampler(weather, place, span, air);
   check_clock(weather, place);
   OutdoorsOfWeather result;
   result.series.begin_s = sampler.begin_s();
@@ -234,7 +252,7 @@ OutdoorsOfWeather outdoors_of(const WeatherSeries& weather, const geodesy::Geode
   result.series.rows.reserve(steps + 1);
   for (std::size_t i = 0; i <= steps; ++i)
     result.series.rows.push_back(sampler.at(result.series.begin_s + static_cast<double>(i) * span.step_s));
-  result.notes = notes_of(sampler, weather, span);
+  result.notes = notes_of(sampler, weather, span, air);
   return result;
 }
 

@@ -13,6 +13,8 @@ class WeatherSeries;
 
 namespace ifov::thermal {
 
+struct AirOfDocument;
+
 /// Which times are asked for: `spin_up_s` before the day of 24 hours that ends at `end`, one row every `step_s`.
 struct Span {
   geodesy::UtcTime end;
@@ -33,9 +35,9 @@ struct OutdoorsOfWeather {
 /// Rows are means over a step about their time: air temperature, humidity (needed where long-wave is not measured; else
 /// dry), wind speed and direction, pressure (else the standard atmosphere's at the place's height), sunlight, of which two of
 /// direct, diffuse and global or the global alone are needed, and long-wave of the sky, or else humidity and cloud (else
-/// none). Throws InputError: what is missing at which time, how far the weather reaches back and what would do; that the
+/// none). Where long-wave is not told, `air` stands in before that where it does (null: it does not). Throws InputError: what is missing at which time, how far the weather reaches back and what would do; that the
 /// clock is not UTC (weather_clock.h); radiation by night.
 OutdoorsOfWeather outdoors_of(const atmosphere::WeatherSeries& weather, const geodesy::Geodetic& place,
-                              const Span& span);
+                              const Span& span, const AirOfDocument* air = nullptr);
 
 }  // namespace ifov::thermal

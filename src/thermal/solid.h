@@ -1,9 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <variant>
 #include <vector>
 
 namespace ifov::thermal {
+
+struct TimeTable;
 
 /// A sheet of one solid. Values above 0.
 struct SolidLayer {
@@ -26,17 +29,19 @@ double thermal_inertia(const SolidLayer& layer);
 
 /// What lies behind the last layer: no heat passes; a temperature that is held; air of a room, with the conductance
 /// between it and the last layer's back; the last layer's solid, going on to kGroundDepths daily depths, where the
-/// temperature is held.
+/// temperature is held. What is held or of a room may go over time: then that is in place of the temperature.
 struct Insulated {
   bool operator==(const Insulated&) const = default;
 };
 struct HeldBack {
   double temperature_k = 0.0;
+  std::shared_ptr<const TimeTable> over_time{};
   bool operator==(const HeldBack&) const = default;
 };
 struct RoomAir {
   double temperature_k = 0.0;
   double conductance_w_m2_k = 0.0;
+  std::shared_ptr<const TimeTable> over_time{};
   bool operator==(const RoomAir&) const = default;
 };
 struct DeepGround {

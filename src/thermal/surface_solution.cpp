@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "thermal/faces/time_table.h"
 #include "thermal/linear_kernel.h"
 #include "thermal/solid.h"
 
@@ -77,6 +78,9 @@ SurfaceSolution solve_surface(const Solid& solid, const Skin& skin, const Stand&
   double start_k_per_w_m2 = 0.0;
   if (start == Start::steady) {
     const MeanExchange mean(balance, series);
+    if (cells.back_over_time)
+      cells.back_temperature_k = cells.back_over_time->mean(
+          series.begin_s, series.begin_s + static_cast<double>(mean.rows()) * series.step_s);
     const double conductance = whole_conductance_w_m2_k(cells);
     const double surface_k = balanced_temperature_k(mean, 0.0, conductance, cells.back_temperature_k, air_k);
     start_k = steady_cells_k(cells, surface_k);

@@ -31,6 +31,30 @@ def soil(weather):
 AFTERNOON = re.search(r"`afternoon.json`.*?```json\n(.*?)```", GUIDE, re.DOTALL).group(1)
 
 
+class LongwaveOfTheDocumentsAir(unittest.TestCase):
+    """Where nothing measured it, long-wave of the sky is that of the document's atmosphere, and that is said."""
+
+    def test_stands_in_before_prata(self):
+        told = {}
+        air = ' "atmosphere": {"profile": "mid-latitude summer"},\n "weather"'
+        with Folder(prata=DAY, air=DAY.replace(' "weather"', air), dry=DAY.replace(
+                ' "weather"', air.replace('summer"', 'summer", "water_vapour": "0.3 g/cm2"'))) as folder:
+            (pathlib.Path(folder) / "june.csv").write_text(JUNE)
+            for name in ("prata", "air", "dry"):
+                told[name] = run("temperature", f"{name}.json", "--only", "road", cwd=folder).stdout
+                done = run("temperature", f"{name}.json", "--only", "road", "--csv", f"{name}.csv", cwd=folder)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                found = [row for row in rows_of(pathlib.Path(folder) / f"{name}.csv") if row["light"] == "sunlit"]
+                told[name, "sky"] = sum(float(row["sky_longwave_w_m2"]) for row in found) / len(found)
+        self.assertIn("long-wave of the sky: by Prata (1996), cloud by Crawford and Duchon (1999)", told["prata"])
+        self.assertRegex(told["air"], r"long-wave of the sky: by the document's atmosphere, \d\.\d+ of Prata \(1996\) at its own "
+                                      r"ground, as it changes with the air by Prata, cloud by Crawford and Duchon \(1999\)")
+        # A summer's air is within a few percent of Prata, which was made of such; ten times less water above the same ground is not.
+        self.assertAlmostEqual(told["air", "sky"] / told["prata", "sky"], 1.0, delta=0.06)
+        self.assertNotAlmostEqual(told["air", "sky"], told["prata", "sky"], delta=0.1)
+        self.assertNotEqual(told["dry", "sky"], told["air", "sky"])
+
+
 def rows_of(path):
     lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
     return list(csv.DictReader(lines))

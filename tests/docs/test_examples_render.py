@@ -61,5 +61,46 @@ class ExamplesOfSurfaces(unittest.TestCase):
         self.assertLess(coated, 0.97 * bare)
 
 
+class ExamplesOfTemperatures(unittest.TestCase):
+    def materials(self, name, *more):
+        done = subprocess.run([PROGRAM, "temperature", str(EXAMPLES / f"{name}.json"), "--materials", *more],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows, material = {}, None
+        for line in done.stdout.splitlines():
+            if re.match(r"[a-z]", line):
+                material = line
+            elif match := re.match(r"  (\d\d:\d\d) +(\S+) +(\S+) .*\|.* (\S+)$", line):
+                hour, *numbers = match.groups()
+                rows[material, hour] = [float(number) for number in numbers]  # air, sunlit, into the solid
+        return rows
+
+    def test_leaves_are_as_the_air_and_the_lawn_is_cooler_than_asphalt(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run(
+                [PROGRAM, "render", str(EXAMPLES / "street_of_trees.json"), "-o", folder, "--set",
+                 "sensor.camera.orthographic.gsd=0.8 m", "--set", "sensor.camera.orthographic.pixels=[20, 15]", "--set",
+                 "sampling.accuracy=null", "--set", 'sampling.grid={"elements": [1, 1]}', "--set", 'output.formats=["envi"]',
+                 "--set", "temperatures.step=15 min"], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            kelvins = [row[:] for row in band(pathlib.Path(folder) / "image_temperature.img", 0, 2)]
+        asphalt, crown, lawn = kelvins[11][10], sorted(kelvins[4][8:12])[1], kelvins[14][10]
+        self.assertLess(abs(crown - 273.15 - 22.1), 4.0, kelvins[4])
+        self.assertLess(lawn, asphalt - 10.0)
+        rows = self.materials("street_of_trees", "--only", "leaf", "--height", "5")
+        air, level, _ = rows["leaf", "12:00"]  # in full Sun
+        self.assertTrue(2.0 < level - air < 4.5, rows)
+
+    def test_insulation_keeps_heat_in(self):
+        if not (EXAMPLES / "../../shared/truth/weather").is_dir():
+            self.skipTest("reference data not found")
+        rows = self.materials("delft/february")
+        lost = [-rows[f"roof, {cm}", "06:00"][2] for cm in ("none", "4 cm", "8 cm", "16 cm")]
+        outside = [rows[f"roof, {cm}", "06:00"][1] for cm in ("none", "4 cm", "8 cm", "16 cm")]
+        self.assertEqual(lost, sorted(lost, reverse=True))
+        self.assertEqual(outside, sorted(outside, reverse=True))
+        self.assertGreater(lost[0], 3.0 * lost[1])
+
+
 if __name__ == "__main__":
     unittest.main()

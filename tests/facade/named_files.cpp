@@ -96,6 +96,24 @@ std::string uvspec_input(const std::string& albedo) {
 const std::string kCsv = R"({"csv": "FILEa.csv", "wavelength_unit": "um")";
 
 Parts reflectance(const std::string& value) { return {.material = "\"reflectance\": " + value}; }
+/// Of a surface whose temperature follows from its weather, FILEw.csv.
+Parts solved(const std::string& thermal) {
+  return {.material = R"("reflectance": 0.3, "temperature": "solved", "thermal": {)" + thermal + "}",
+          .scene = R"("origin": {"latitude": "52 deg", "longitude": "4 deg"}, )",
+          .more = R"(, "time": "2026-06-22T00:00Z", "weather": {"file": "FILEw.csv"},
+                     "temperatures": {"spin_up": "0 d", "step": "60 min", "repeat_first_day": true})"};
+}
+std::string weather() {
+  std::string text = "time,air_temperature_c,wind_speed_m_s,global_irradiance_w_m2,longwave_down_w_m2\n";
+  for (int hour = 0; hour < 25; ++hour)
+    text += (hour < 24 ? "2026-06-21T" : "2026-06-22T") + std::string(hour % 24 < 10 ? "0" : "") +
+            std::to_string(hour % 24) + ":00Z,15,2," + std::to_string(hour > 4 && hour < 19 ? 400 : 0) +
+            ",320\n";
+  return text;
+}
+const std::string kWall =
+    R"("layers": [{"thickness": "1 mm", "library": "steel"}], "solar_absorptance": 0.7, "emissivity": 0.9)";
+
 Parts object(const std::string& value) { return {.object = value}; }
 Parts imported(const std::string& files) {
   return {.sky = R"("surroundings": {"reflectance": 0.2})",
@@ -311,6 +329,19 @@ std::vector<Named> named_elsewhere() {
        "file",
        views(R"("rays": {"file": "FILEa.csv"})"),
        {{"a.csv", "x_m,y_m,z_m,dx,dy,dz\n0,0,5,0,0,-1\n"}}},
+      {"power over time",
+       "file",
+       solved(kWall + R"(, "power": {"file": "FILEa.csv"})"),
+       {{"a.csv", "time,power_w_m2\n2026-06-21T10:00Z,0\n2026-06-21T11:00Z,60\n"}, {"w.csv", weather()}}},
+      {"temperature over time",
+       "file",
+       solved(kWall + R"(, "back": {"room": {"temperature": {"file": "FILEa.csv"}}})"),
+       {{"a.csv", "time,temperature_c\n2026-06-21T10:00Z,10\n2026-06-21T11:00Z,20\n"}, {"w.csv", weather()}}},
+      {"temperatures in a file",
+       "file",
+       solved(R"("table": {"file": "FILEa.csv"}, "solar_absorptance": 0.7, "emissivity": 0.9)"),
+       {{"a.csv", "time,temperature_k\n2026-06-21T10:00Z,290\n2026-06-21T11:00Z,300\n"},
+        {"w.csv", weather()}}},
       {"weather",
        "file",
        {.more = R"(, "weather": {"file": "FILEa.csv"})"},

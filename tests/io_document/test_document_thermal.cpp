@@ -44,11 +44,11 @@ TEST(DocumentThermal, LayersAndBacks) {
   EXPECT_EQ(road.roughness, "medium rough");
   EXPECT_DOUBLE_EQ(road.wetness, 0.2);
   EXPECT_DOUBLE_EQ(road.resistance_s_m, 70.0);
-  EXPECT_DOUBLE_EQ(road.power.constant_w_m2, 60.0);
+  EXPECT_DOUBLE_EQ(road.power_w_m2.constant, 60.0);
   const ThermalDocument wall =
       read(R"({"layers": [{"thickness": "20 cm", "library": "brick"}], "back": {"room": {}}})");
   ASSERT_TRUE(wall.back.room.has_value());
-  EXPECT_DOUBLE_EQ(wall.back.room->temperature_k, 293.15);
+  EXPECT_DOUBLE_EQ(wall.back.room->temperature_k.constant, 293.15);
   EXPECT_DOUBLE_EQ(wall.back.room->conductance_w_m2_k, 7.7);
 }
 
@@ -179,9 +179,10 @@ TEST(DocumentThermal, PowerOverTime) {
   };
   const ThermalDocument hood = read(of_power(
       R"({"time": "2026-06-21T08:00+02:00", "power": "0 W m-2"}, {"time": "2026-06-21T06:30Z", "power": "0.3 kW m-2"})"));
-  ASSERT_EQ(hood.power.table.size(), 2u);
-  EXPECT_DOUBLE_EQ(hood.power.table[1].power_w_m2, 300.0);
-  EXPECT_NEAR(geodesy::seconds_after(hood.power.table[1].time, hood.power.table[0].time), 1800.0, 1e-6);
+  ASSERT_EQ(hood.power_w_m2.table.size(), 2u);
+  EXPECT_DOUBLE_EQ(hood.power_w_m2.table[1].value, 300.0);
+  EXPECT_NEAR(geodesy::seconds_after(hood.power_w_m2.table[1].time, hood.power_w_m2.table[0].time), 1800.0,
+              1e-6);
   EXPECT_EQ(
       message(of_power(
           R"({"time": "2026-06-21T08:00Z", "power": "0 W m-2"}, {"time": "2026-06-21T07:00Z", "power": "1 W m-2"})")),
@@ -195,13 +196,43 @@ TEST(DocumentThermal, PowerOverTime) {
       << message(of_power(""));
 }
 
+/// What goes over time is a table of the document or a file, wherever a temperature or heat from inside is told.
+TEST(DocumentThermal, WhatGoesOverTimeMayBeAFile) {
+  const auto wall = [](const std::string& rest) {
+    return R"({"layers": [{"thickness": "20 cm", "library": "brick"}], )" + rest + "}";
+  };
+  const ThermalDocument hall = read(
+      wall(R"("back": {"room": {"temperature": {"file": "hall.csv"}}}, "power": {"file": "lamps.csv"})"));
+  ASSERT_TRUE(hall.back.room && hall.back.room->temperature_k.file && hall.power_w_m2.file);
+  EXPECT_EQ(hall.back.room->temperature_k.file->path, "folder/hall.csv");
+  EXPECT_EQ(hall.power_w_m2.file->path, "folder/lamps.csv");
+  EXPECT_TRUE(hall.power_w_m2.is_over_time());
+  const ThermalDocument heated = read(wall(
+      R"("back": {"temperature": {"table": [{"time": "2026-06-21T06:00Z", "temperature": "10 degC"}, {"time": "2026-06-21T07:00Z", "temperature": "21 degC"}]}})"));
+  ASSERT_TRUE(heated.back.held_k && heated.back.held_k->table.size() == 2);
+  EXPECT_DOUBLE_EQ(heated.back.held_k->table[1].value, 294.15);
+  const ThermalDocument told = read(R"({"table": {"file": "skin.csv"}})");
+  ASSERT_TRUE(told.held && told.held->file && told.held->table.empty());
+  EXPECT_EQ(told.held->file->path, "folder/skin.csv");
+  const std::string both = test::message_with(
+      kSoil,
+      with_thermal(wall(
+          R"("power": {"file": "a.csv", "table": [{"time": "2026-06-21T06:00Z", "power": "1 W m-2"}]})")));
+  EXPECT_NE(both.find("'file'"), std::string::npos) << both;
+  EXPECT_NE(both.find("'table'"), std::string::npos) << both;
+  EXPECT_NE(message(wall(R"("back": {"room": {"temperature": "hot"}})"))
+                .find("back.room.temperature' is the text \"hot\", expected a temperature"),
+            std::string::npos)
+      << message(wall(R"("back": {"room": {"temperature": "hot"}})"));
+}
+
 TEST(DocumentThermal, TemperaturesThatAreKnown) {
   const ThermalDocument air = read(R"({"air": {}})");
-  ASSERT_TRUE(air.held && air.held->table.empty() && air.layers.empty());
+  ASSERT_TRUE(air.held && !air.held->is_over_time() && air.layers.empty());
   const ThermalDocument told = read(
       R"({"table": [{"time": "2026-06-21T06:00Z", "temperature": "20 degC"}, {"time": "2026-06-21T12:00Z", "temperature": "308.15 K"}]})");
   ASSERT_TRUE(told.held && told.held->table.size() == 2);
-  EXPECT_DOUBLE_EQ(told.held->table[0].temperature_k, 293.15);
+  EXPECT_DOUBLE_EQ(told.held->table[0].value, 293.15);
   EXPECT_EQ(
       message(
           R"({"table": [{"time": "2026-06-21T06:00Z", "temperature": "20 degC"}, {"time": "2026-06-21T06:00Z", "temperature": "21 degC"}]})"),

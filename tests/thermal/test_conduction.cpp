@@ -10,6 +10,7 @@
 #include "support/truth_data.h"
 #include "thermal/cells.h"
 #include "thermal/conduction.h"
+#include "thermal/faces/time_table.h"
 #include "thermal/solid.h"
 
 namespace ifov::thermal::test_conduction {
@@ -259,6 +260,40 @@ TEST(Conduction, BacksHoldWhatTheySay) {
   EXPECT_NEAR(settled(RoomAir{280.0, 0.0}), 305.0, 1e-6);
   EXPECT_NEAR(settled(DeepGround{280.0}), expected(280.0, kGroundDepths * daily_depth_m(concrete(1)) / 1.4),
               1e-3);
+}
+
+/// A day's wave behind a slab that is insulated in front: its front has 1 / cosh((1 + i) L / d) of it (Carslaw and Jaeger, section 2.6 with
+/// the image of the slab). Ten daily waves let the start fade.
+TEST(Conduction, AWaveBehindComesThrough) {
+  TimeTable wave;
+  for (int i = 0; i <= 2880; ++i) {
+    wave.time_s.push_back(300.0 * i);
+    wave.value.push_back(kBase_k + 10.0 * std::cos(kOmega * wave.time_s.back()));
+  }
+  const auto over_time = std::make_shared<const TimeTable>(wave);
+  const auto worst_k = [&](const Back& back, double thickness_m) {
+    const Cells cells = cut_into_cells({{concrete(0.2)}, back});
+    const LinearExchange still([](double) { return 0.0; });
+    const History history = conduct(cells, uniform(cells), still, {0.0, 300.0, 2880});
+    EXPECT_NEAR(history.into_surface_j_m2 - history.out_of_back_j_m2 - history.stored_j_m2, 0.0, 1.0);
+    const std::complex<double> depths(thickness_m / daily_depth_m(concrete(1.0)),
+                                      thickness_m / daily_depth_m(concrete(1.0)));
+    const std::complex<double> conductance =
+        std::holds_alternative<RoomAir>(back) ? std::get<RoomAir>(back).conductance_w_m2_k : 1e12;
+    // Of the slab's admittance Y = k q tanh(q L) and the conductance in series.
+    const std::complex<double> q = depths / thickness_m, admittance = 1.4 * q * std::tanh(depths);
+    const std::complex<double> share = conductance / (conductance + admittance) / std::cosh(depths);
+    double worst = 0.0;
+    for (std::size_t i = history.nodes.size() - 289; i < history.nodes.size(); ++i)
+      worst = std::max(worst,
+                       std::abs(history.nodes[i].surface_k - kBase_k -
+                                10.0 * std::real(share * std::polar(1.0, kOmega * history.nodes[i].time_s))));
+    return worst;
+  };
+  EXPECT_LT(worst_k(HeldBack{0.0, over_time}, 0.2), 0.02);
+  EXPECT_LT(worst_k(RoomAir{0.0, 7.7, over_time}, 0.2), 0.02);
+  // A fault: a slab of another thickness shows.
+  EXPECT_GT(worst_k(RoomAir{0.0, 7.7, over_time}, 0.21), 0.05);
 }
 
 }  // namespace

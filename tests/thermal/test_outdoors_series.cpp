@@ -6,6 +6,7 @@
 #include "atmosphere/weather_series.h"
 #include "core/error.h"
 #include "geodesy/sun_position.h"
+#include "thermal/air_of_document.h"
 #include "thermal/faces/sky_longwave.h"
 #include "thermal/outdoors_series.h"
 #include "thermal/sun_path.h"
@@ -108,6 +109,33 @@ TEST(OutdoorsSeries, SkyByPrataWhereItIsNotMeasured) {
   EXPECT_GT(kStefanBoltzmann_w_m2_k4 * std::pow(280.0, 4) - expected, 80.0);
   EXPECT_EQ(found.notes[1],
             "long-wave of the sky: by Prata (1996); no cloud is told, so the sky is taken to be clear");
+}
+
+/// The document's atmosphere stands in for long-wave that nobody measured, before Prata.
+TEST(OutdoorsSeries, AirOfTheDocumentStandsIn) {
+  AirOfDocument air;
+  air.longwave_over_prata = 1.04;
+  Made how;
+  how.longwave = false;
+  const OutdoorsOfWeather found = outdoors_of(made(how), kPlace, second_day(), &air);
+  const double prata = sky_longwave_w_m2(280.0, 0.5 * atmosphere::saturation_pressure_pa(280.0), 0.0);
+  EXPECT_NEAR(found.series.rows[5].longwave_w_m2, 1.04 * prata, 1e-6);
+  EXPECT_EQ(
+      found.notes[1],
+      "long-wave of the sky: by the document's atmosphere, 1.040 of Prata (1996) at its own ground, as it changes "
+      "with the air by Prata; no cloud is told, so the sky is taken to be clear");
+  // What is measured comes first.
+  EXPECT_EQ(outdoors_of(made({}), kPlace, second_day(), &air).series.rows[5].longwave_w_m2, 180.0);
+  EXPECT_EQ(outdoors_of(made({}), kPlace, second_day(), &air).notes[1], "long-wave of the sky: measured");
+  // No sky sends more than a black one.
+  air.longwave_over_prata = 2.0;
+  EXPECT_NEAR(outdoors_of(made(how), kPlace, second_day(), &air).series.rows[5].longwave_w_m2,
+              kStefanBoltzmann_w_m2_k4 * std::pow(280.0, 4), 1e-6);
+
+  air.clouds = "there are the atmosphere's own 1 layers";
+  EXPECT_TRUE(outdoors_of(made(how), kPlace, second_day(), &air)
+                  .notes[1]
+                  .ends_with("; no cloud is told but there are the atmosphere's own 1 layers"));
 }
 
 TEST(OutdoorsSeries, DirectSunlightAsMeasured) {

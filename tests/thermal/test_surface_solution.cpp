@@ -77,6 +77,32 @@ TEST(SurfaceSolution, PowerOverTimeAsItsTable) {
   EXPECT_LT(cold.surface_k(144 + 24), warm.surface_k(144 + 24) - 5.0);
 }
 
+/// A hall that is heated in the morning warms its sheet metal wall in the dark: C dT/dt = gain + U (T_room(t) - T) by steps of a second. A table
+/// that always says the same is the number.
+TEST(SurfaceSolution, RoomOverTimeAsItsTable) {
+  OutdoorsSeries night = june(1.0);
+  for (Outdoors& now : night.rows) now.direct_w_m2 = now.diffuse_w_m2 = 0.0;
+  const double at_s = night.begin_s + 43200.0;
+  const auto heated = std::make_shared<const TimeTable>(
+      TimeTable{{at_s, at_s + 3600.0, at_s + 10800.0}, {283.0, 303.0, 293.0}});
+  const std::vector<SolidLayer> sheet{{2e-3, 50.0, 7800.0, 450.0}};
+  const Skin skin;
+  const SurfaceSolution wall = solve_surface({sheet, RoomAir{0.0, 7.7, heated}}, skin, Stand{}, night);
+  double lumped_k = wall.surface_k(144);
+  for (int i = 0; i < 10800; ++i) {
+    lumped_k += (wall.balance.gain(at_s + i, lumped_k).w_m2 + 7.7 * (heated->at(at_s + i) - lumped_k)) /
+                (2e-3 * 7800.0 * 450.0);
+    if ((i + 1) % 1800 != 0) continue;
+    EXPECT_NEAR(wall.surface_k(144 + static_cast<std::size_t>(i + 1) / 300), lumped_k, 0.03) << i;
+  }
+  EXPECT_GT(wall.surface_k(144 + 12), wall.surface_k(144) + 3.0);
+  const auto same = std::make_shared<const TimeTable>(TimeTable{{at_s}, {293.15}});
+  const SurfaceSolution told = solve_surface({sheet, RoomAir{0.0, 7.7, same}}, skin, Stand{}, night),
+                        number = solve_surface({sheet, RoomAir{293.15, 7.7}}, skin, Stand{}, night);
+  for (std::size_t row = 0; row < night.rows.size(); ++row)
+    EXPECT_NEAR(told.surface_k(row), number.surface_k(row), 1e-7) << row;
+}
+
 TEST(SurfaceSolution, WhatIsHeldIsAsWarmAsTold) {
   const OutdoorsSeries series = june(1.0);
   const Solid any{{{1e-3, 50.0, 7800.0, 450.0}}, Insulated{}};

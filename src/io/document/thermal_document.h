@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/error.h"
 #include "geodesy/utc_time.h"
+#include "io/document/document_values.h"
 
 namespace ifov::io {
 
@@ -22,39 +22,33 @@ struct ThermalLayerDocument {
   std::optional<AirGap> air_gap{};  ///< in place of all that
 };
 
+/// A quantity that is always the same, or goes over time: of the document, or of a file.
+struct TimedDocument {
+  struct AtTime {
+    geodesy::UtcTime time;
+    double value = 0.0;
+  };
+  double constant = 0.0;
+  std::vector<AtTime> table;  ///< in rising order
+  std::optional<DocumentFile> file{};
+  bool is_over_time() const { return !table.empty() || file; }
+};
+
 /// What lies behind the last layer; nothing given: no heat passes.
 struct ThermalBackDocument {
   struct Room {
-    double temperature_k = 0.0, conductance_w_m2_k = 0.0;
+    TimedDocument temperature_k;
+    double conductance_w_m2_k = 0.0;
   };
   struct Ground {
     std::optional<double> temperature_k;  ///< absent: the mean of the air
   };
   /// The other face of a thin sheet, outdoors as well.
   struct OtherSide {};
-  std::optional<double> held_k;
+  std::optional<TimedDocument> held_k;
   std::optional<Room> room;
   std::optional<Ground> ground;
   std::optional<OtherSide> other_side;
-};
-
-/// Heat from inside: always as much, or over time.
-struct PowerDocument {
-  struct AtTime {
-    geodesy::UtcTime time;
-    double power_w_m2 = 0.0;
-  };
-  double constant_w_m2 = 0.0;
-  std::vector<AtTime> table;  ///< in rising order; empty: the constant
-};
-
-/// A temperature that is known: of the air, or over time.
-struct HeldTemperatureDocument {
-  struct AtTime {
-    geodesy::UtcTime time;
-    double temperature_k = 0.0;
-  };
-  std::vector<AtTime> table;  ///< in rising order; empty: that of the air
 };
 
 /// A leaf by what its air and its stomata pass.
@@ -76,12 +70,12 @@ struct ThermalDocument {
   std::vector<ThermalLayerDocument> layers;
   std::optional<ThermDocument> therm;
   std::optional<LeafDocument> leaf;
-  std::optional<HeldTemperatureDocument> held;
+  std::optional<TimedDocument> held;  ///< K over time; of the air where it is not
   ThermalBackDocument back;
   std::string roughness = "rough";  ///< one of thermal::Roughness
   double wetness = 0.0;
   double resistance_s_m = 0.0;
-  PowerDocument power;
+  TimedDocument power_w_m2;                             ///< heat from inside
   std::optional<double> solar_absorptance, emissivity;  ///< absent: of the spectrum
   SourcePosition position;
 };

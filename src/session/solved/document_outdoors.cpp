@@ -7,6 +7,7 @@
 #include "io/document/thermal_document.h"
 #include "math/angle.h"
 #include "session/assembly/shared/with_position.h"
+#include "session/solved/document_air.h"
 
 namespace ifov::session {
 namespace {
@@ -49,11 +50,12 @@ DocumentOutdoors outdoors_of_document(const io::Document& document, const Weathe
       document.temperatures ? *document.temperatures : io::TemperaturesDocument{};
   const SourcePosition& weather_position =
       document.weather->source.file ? document.weather->source.file->position : document.weather->position;
+  const thermal::AirOfDocument air = air_of_document(document, weather);
   DocumentOutdoors result;
   result.place = place;
   result.outdoors = with_position(document.sources, weather_position, [&] {
     return thermal::outdoors_of(weather, place,
-                                {*document.time, how.spin_up_s, how.step_s, how.repeat_first_day});
+                                {*document.time, how.spin_up_s, how.step_s, how.repeat_first_day}, &air);
   });
   result.outdoors.series.anemometer = {how.anemometer_m, terrain_named(how.anemometer_terrain)};
   result.terrain = terrain_named(how.terrain);

@@ -8,7 +8,7 @@
 #include "atmosphere/gas/gas_transmittance.h"
 #include "atmosphere/scattering/column_solver.h"
 #include "atmosphere/sensor/model_error_table.h"
-#include "atmosphere/thermal/thermal_column.h"
+#include "atmosphere/survey/broadband_fluxes.h"
 #include "core/parallel.h"
 #include "io/raster/netcdf_variable.h"
 #include "radiometry/planck.h"
@@ -20,8 +20,8 @@ namespace {
 
 using namespace atmosphere;
 constexpr std::size_t kLevels = 61, kLayers = 60;
-constexpr double kStefanBoltzmann = 5.670374419e-8, kPi = std::numbers::pi;
-/// The band model begins here; below, the air is taken for opaque.
+constexpr double kPi = std::numbers::pi;
+/// As longwave_down_w_m2() has them.
 constexpr double kFirst_cm1 = 200.0, kLastThermal_cm1 = 3250.0;
 
 /// Everything of the first experiment.
@@ -87,27 +87,6 @@ AtmosphereDescription described(const Inputs& inputs, std::size_t site, double w
     user.ozone_ppmv = 1e6 * at_level(inputs.ozone, k);
   }
   return description;
-}
-
-double longwave_down(const AtmosphereColumn& column, double step_cm1) {
-  const GaussNodes nodes = gauss_nodes(4);
-  const double ground_k = column.levels().temperature_K.front();
-  double sum = 0.0, below = kStefanBoltzmann * std::pow(ground_k, 4);
-  for (double nu = kFirst_cm1; nu < 30000.0; nu += 5.0)
-    below -= 5.0 * kPi * radiometry::planck_w_m2_sr_um(1e4 / nu, ground_k) * 1e4 / (nu * nu);
-  for (double nu = kFirst_cm1 + 0.5 * (step_cm1 - 5.0); nu < kLastThermal_cm1; nu += step_cm1) {
-    const ColumnOptics optics = column.at(nu);
-    const double um = optics.wavelength_um;
-    std::vector<double> planck;
-    for (double t : column.levels().temperature_K) planck.push_back(radiometry::planck_w_m2_sr_um(um, t));
-    for (std::size_t term = 0; term < optics.terms(); ++term) {
-      const LayerOptics layers = optics.term(term);
-      const ThermalColumn thermal(column.levels().altitude_km, planck, layers.gas_absorption);
-      sum += step_cm1 * optics.weight(term) * thermal.radiances(nodes, {1.0, planck[0]}).flux_down[0] * um *
-             um * 1e-4;
-    }
-  }
-  return sum + below;
 }
 
 /// What the table of the model's error makes of the same flux, errors of all wavenumbers of one sign. Below the first the model says
@@ -183,7 +162,7 @@ std::vector<RfmipColumn> rfmip_fluxes(const std::filesystem::path& folder, std::
     const std::size_t ground = pressure[0] > pressure[kLevels - 1] ? 0 : kLevels - 1;
     result.site = site;
     result.weight = inputs.weight[site];
-    result.longwave = longwave_down(column, question.longwave_step_cm1);
+    result.longwave = longwave_down_w_m2(column, question.longwave_step_cm1, 1);
     result.longwave_stated = longwave_stated(column);
     result.longwave_reference = inputs.longwave[site * kLevels + ground];
     const double zenith_rad = inputs.zenith_deg[site] * kPi / 180.0;

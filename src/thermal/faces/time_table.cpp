@@ -5,15 +5,16 @@
 
 namespace ifov::thermal {
 
+double TimeTable::at(double t) const {
+  const auto after = std::upper_bound(time_s.begin(), time_s.end(), t);
+  if (after == time_s.begin()) return value.front();
+  if (after == time_s.end()) return value.back();
+  const auto i = static_cast<std::size_t>(after - time_s.begin());
+  return std::lerp(value[i - 1], value[i], (t - time_s[i - 1]) / (time_s[i] - time_s[i - 1]));
+}
+
 double TimeTable::mean(double from_s, double to_s) const {
   // Sum over the parts between the table's times, each a trapezium.
-  const auto at = [&](double t) {
-    const auto after = std::upper_bound(time_s.begin(), time_s.end(), t);
-    if (after == time_s.begin()) return value.front();
-    if (after == time_s.end()) return value.back();
-    const auto i = static_cast<std::size_t>(after - time_s.begin());
-    return std::lerp(value[i - 1], value[i], (t - time_s[i - 1]) / (time_s[i] - time_s[i - 1]));
-  };
   double sum = 0.0, begin_s = from_s;
   for (auto next = std::upper_bound(time_s.begin(), time_s.end(), from_s); begin_s < to_s; ++next) {
     const double end_s = next == time_s.end() ? to_s : std::min(*next, to_s);

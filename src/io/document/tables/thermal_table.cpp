@@ -125,10 +125,70 @@ void check_air_gaps(const ThermalDocument& thermal, const DocumentNode& node) {
   }
 }
 
+constexpr std::size_t kMostTimes = 100000;
+
+using TimedRows = std::vector<TimedDocument::AtTime>;
+
+SchemaType<TimedRows> rows_type(const char* key, const SchemaType<double>& value, const char* what) {
+  Record<TimedDocument::AtTime> one(format("{} at a time", key), format("{} at one time.", what));
+  one.required("time", &TimedDocument::AtTime::time, time_type(), "of UTC, or with another zone")
+      .required(key, &TimedDocument::AtTime::value, value, "then");
+  const SchemaType<TimedRows> rows = list(one.type(), 1, kMostTimes);
+  return {rows.description,
+          [read = rows.read](const DocumentNode& node) {
+            TimedRows table = read(node);
+            for (std::size_t k = 1; k < table.size(); ++k) {
+              if (geodesy::seconds_after(table[k].time, table[k - 1].time) > 0.0) continue;
+              const DocumentNode& time = node.items()[k].given("time");
+              time.fail(format("{} is {}, expected a time after {}, which stands before it", time.title(),
+                               geodesy::format_utc(table[k].time), geodesy::format_utc(table[k - 1].time)));
+            }
+            return table;
+          },
+          rows.write};
+}
+
+SchemaType<TimedDocument> over_time_type(const char* key, const SchemaType<double>& value, const char* what,
+                                         const char* headings) {
+  Record<TimedDocument> record(
+      format("{} over time", key),
+      format("{}: linear between its times, the first and the last hold beyond.", what));
+  record.exactly_one()
+      .one("table",
+           via([](TimedDocument& timed, TimedRows table) { timed.table = std::move(table); },
+               [](const TimedDocument& timed) {
+                 return timed.table.empty() ? std::nullopt : std::optional(timed.table);
+               }),
+           rows_type(key, value, what), "times in rising order")
+      .one("file", &TimedDocument::file, file(),
+           format("the same as comma-separated values under the headings {}", headings));
+  return record.type();
+}
+
+/// A value, or one over time.
+SchemaType<TimedDocument> timed_type(const char* key, const SchemaType<double>& value, const char* what,
+                                     const char* headings) {
+  return either(converted<TimedDocument>(
+                    value,
+                    [](double constant) {
+                      return TimedDocument{constant, {}, {}};
+                    },
+                    [](const TimedDocument& timed) {
+                      return timed.is_over_time() ? std::nullopt : std::optional(timed.constant);
+                    }),
+                over_time_type(key, value, what, headings));
+}
+
+constexpr const char* kTemperatureHeadings = "time,temperature_c or time,temperature_k";
+
+SchemaType<TimedDocument> timed_temperature_type() {
+  return timed_type("temperature", above_zero(kTemperature, "K"), "How warm it is", kTemperatureHeadings);
+}
+
 SchemaType<ThermalBackDocument> back_type() {
   using Back = ThermalBackDocument;
-  Record<Back::Room> room("room behind a wall", "Air at a temperature that is held.");
-  room.with_default("temperature", &Back::Room::temperature_k, above_zero(kTemperature, "K"), "\"20 degC\"",
+  Record<Back::Room> room("room behind a wall", "Air at a temperature that is held, or goes over time.");
+  room.with_default("temperature", &Back::Room::temperature_k, timed_temperature_type(), "\"20 degC\"",
                     "of the air")
       .with_default("conductance", &Back::Room::conductance_w_m2_k,
                     quantity(kConductance, Range::at_least(0.0, "W m-2 K-1")), "\"7.7 W m-2 K-1\"",
@@ -145,7 +205,7 @@ SchemaType<ThermalBackDocument> back_type() {
       "at most 0.01 m2 K W-1. Either face takes in the Sun, the sky, the wind and what is about it.");
   Record<Back> record("back of layers", "What lies behind the last layer.");
   record.exactly_one()
-      .one("temperature", &Back::held_k, above_zero(kTemperature, "K"), "that is held there")
+      .one("temperature", &Back::held_k, timed_temperature_type(), "that is held there")
       .one("room", &Back::room, room.type(), "air of a room")
       .one("ground", &Back::ground, ground.type(), "deep ground")
       .one("other_side", &Back::other_side, other_side.type(),
@@ -192,54 +252,36 @@ SchemaType<ThermDocument> therm_type() {
   return record.type();
 }
 
-template <class AtTime>
-void check_rising(const std::vector<AtTime>& table, const DocumentNode& list) {
-  for (std::size_t k = 1; k < table.size(); ++k) {
-    if (geodesy::seconds_after(table[k].time, table[k - 1].time) > 0.0) continue;
-    const DocumentNode& time = list.items()[k].given("time");
-    time.fail(format("{} is {}, expected a time after {}, which stands before it", time.title(),
-                     geodesy::format_utc(table[k].time), geodesy::format_utc(table[k - 1].time)));
-  }
-}
-
-constexpr std::size_t kMostTimes = 100000;
-
-SchemaType<std::vector<HeldTemperatureDocument::AtTime>> held_table_type() {
-  using AtTime = HeldTemperatureDocument::AtTime;
-  Record<AtTime> one("temperature at a time", "How warm it is at one time.");
-  one.required("time", &AtTime::time, time_type(), "of UTC, or with another zone")
-      .required("temperature", &AtTime::temperature_k, above_zero(kTemperature, "K"), "of the surface");
-  return list(one.type(), 1, kMostTimes);
-}
-
-SchemaType<PowerDocument> power_type() {
-  using AtTime = PowerDocument::AtTime;
-  Record<AtTime> one("power at a time", "Heat from inside at one time.");
-  one.required("time", &AtTime::time, time_type(), "of UTC, or with another zone")
-      .required("power", &AtTime::power_w_m2, quantity(kHeatFlux), "given off at the surface");
-  Record<PowerDocument> over_time(
-      "power over time",
-      "Of an engine, of a hall that is heated: linear between its times, the first and the last hold beyond.");
-  over_time.required("table", &PowerDocument::table, list(one.type(), 1, kMostTimes), "times in rising order")
-      .check([](const PowerDocument& power, const DocumentNode& node) {
-        check_rising(power.table, node.given("table"));
-      });
-  return either(converted<PowerDocument>(
-                    quantity(kHeatFlux),
-                    [](double w_m2) {
-                      return PowerDocument{w_m2, {}};
+/// Rows, or a file of them.
+SchemaType<TimedDocument> held_table_type() {
+  struct File {
+    DocumentFile file;
+  };
+  Record<File> of_file("temperatures in a file", "How warm it is over time, from a file.");
+  of_file.required("file", &File::file, file(),
+                   format("comma-separated values under the headings {}", kTemperatureHeadings));
+  return either(converted<TimedDocument>(
+                    rows_type("temperature", above_zero(kTemperature, "K"), "How warm it is"),
+                    [](TimedRows table) {
+                      return TimedDocument{0.0, std::move(table), {}};
                     },
-                    [](const PowerDocument& power) {
-                      return power.table.empty() ? std::optional(power.constant_w_m2) : std::nullopt;
+                    [](const TimedDocument& timed) {
+                      return timed.table.empty() ? std::nullopt : std::optional(timed.table);
                     }),
-                over_time.type());
+                converted<TimedDocument>(
+                    of_file.type(),
+                    [](File found) {
+                      return TimedDocument{0.0, {}, std::move(found.file)};
+                    },
+                    [](const TimedDocument& timed) {
+                      return timed.file ? std::optional(File{*timed.file}) : std::nullopt;
+                    }));
 }
 
 }  // namespace
 
 SchemaType<ThermalDocument> thermal_type() {
   using Thermal = ThermalDocument;
-  using HeldTable = std::vector<HeldTemperatureDocument::AtTime>;
   struct AsAir {};
   Record<Thermal> record("thermal material",
                          "What a surface's temperature follows from under weather (`ifov temperature`).");
@@ -256,19 +298,18 @@ SchemaType<ThermalDocument> thermal_type() {
       .one("air",
            via([](Thermal& thermal, AsAir) { thermal.held.emplace(); },
                [](const Thermal& thermal) {
-                 return thermal.held && thermal.held->table.empty() ? std::optional(AsAir{}) : std::nullopt;
+                 return thermal.held && !thermal.held->is_over_time() ? std::optional(AsAir{}) : std::nullopt;
                }),
            Record<AsAir>("as the air", "Nothing is solved: the surface is as warm as the air.").type(),
            "as warm as the air")
       .one(
           "table",
-          via([](Thermal& thermal, HeldTable table) { thermal.held = {std::move(table)}; },
+          via([](Thermal& thermal, TimedDocument table) { thermal.held = std::move(table); },
               [](const Thermal& thermal) {
-                return thermal.held && !thermal.held->table.empty() ? std::optional(thermal.held->table)
-                                                                    : std::nullopt;
+                return thermal.held && thermal.held->is_over_time() ? thermal.held : std::nullopt;
               }),
           held_table_type(),
-          "how warm it is over time, linear between, the first and the last hold beyond; times in rising order")
+          "how warm it is over time, linear between, the first and the last hold beyond; times in rising order, or {\"file\": …}")
       .optional("back",
                 via([](Thermal& thermal, ThermalBackDocument back) { thermal.back = back; },
                     [](const Thermal& thermal) {
@@ -284,8 +325,10 @@ SchemaType<ThermalDocument> thermal_type() {
       .with_default("resistance", &Thermal::resistance_s_m,
                     quantity(kResistance, Range::at_least(0.0, "s/m")), "\"0 s/m\"",
                     "what stands in the vapour's way before the air does: 70 s/m of a lawn's stomata")
-      .with_default("power", &Thermal::power, power_type(), "\"0 W m-2\"",
-                    "given off at the surface from inside: always as much, or over time")
+      .with_default("power", &Thermal::power_w_m2,
+                    timed_type("power", quantity(kHeatFlux), "Heat from inside, of an engine, of a hall",
+                               "time,power_w_m2"),
+                    "\"0 W m-2\"", "given off at the surface from inside: always as much, or over time")
       .optional("solar_absorptance", &Thermal::solar_absorptance, fraction(Range::between(0.0, 1.0)),
                 "in place of what the material's spectrum takes of sunlight")
       .optional("emissivity", &Thermal::emissivity, fraction(Range::between(0.0, 1.0)),
@@ -293,7 +336,6 @@ SchemaType<ThermalDocument> thermal_type() {
   for (const char* key : {"back", "wetness", "resistance"}) record.needs(key, "layers");
   record.check([](const Thermal& thermal, const DocumentNode& node) {
     check_air_gaps(thermal, node);
-    if (thermal.held) check_rising(thermal.held->table, node.given("table"));
     const auto refuse = [&](std::string_view key, const char* message) {
       if (const DocumentNode* found = node.find(key))
         found->fail_at_key(format("{} {}", found->title(), message));

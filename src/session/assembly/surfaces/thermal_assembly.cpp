@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "atmosphere/weather_series.h"
 #include "core/error.h"
@@ -9,6 +10,7 @@
 #include "io/document/scene_document.h"
 #include "io/document/thermal_document.h"
 #include "io/library/thermal_library.h"
+#include "io/weather/time_table_file.h"
 #include "materials/material.h"
 #include "radiometry/planck.h"
 #include "radiometry/solar_spectrum.h"
@@ -66,9 +68,43 @@ Mean longwave_emissivity(const materials::Material& optics) {
   return {1.0 - back.value - through.value, std::min(back.known, through.known)};
 }
 
-thermal::Back back_of(const io::ThermalBackDocument& back, double deep_k) {
-  if (back.held_k) return thermal::HeldBack{*back.held_k};
-  if (back.room) return thermal::RoomAir{back.room->temperature_k, back.room->conductance_w_m2_k};
+/// The table of a document or its file, whose place errors are told with.
+std::shared_ptr<const thermal::TimeTable> table_of(const io::DocumentSources& sources,
+                                                   const io::TimedDocument& source,
+                                                   std::span<const io::TimeTableColumn> columns) {
+  auto table = std::make_shared<thermal::TimeTable>();
+  for (const io::TimedDocument::AtTime& one : source.table) {
+    table->time_s.push_back(atmosphere::seconds_of(one.time));
+    table->value.push_back(one.value);
+  }
+  if (source.file)
+    with_position(sources, source.file->position, [&] {
+      io::TimeTableRows rows = io::read_time_table(source.file->path, columns);
+      *table = {std::move(rows.time_s), std::move(rows.value)};
+    });
+  return table;
+}
+
+std::string range_text(const thermal::TimeTable& table, double offset, const char* unit) {
+  const auto [least, most] = std::minmax_element(table.value.begin(), table.value.end());
+  return format("{:g} to {:g} {}, at {} times", *least - offset, *most - offset, unit, table.value.size());
+}
+
+constexpr double kZero_k = 273.15;
+
+thermal::Back back_of(const io::DocumentSources& sources, const io::ThermalBackDocument& back, double deep_k,
+                      std::vector<std::string>& description) {
+  const auto table = [&](const io::TimedDocument& source, const char* what) {
+    std::shared_ptr<const thermal::TimeTable> over_time;
+    if (!source.is_over_time()) return over_time;
+    over_time = table_of(sources, source, io::kTemperatureColumns);
+    description.push_back(format("{} {}", what, range_text(*over_time, kZero_k, "degC")));
+    return over_time;
+  };
+  if (back.held_k) return thermal::HeldBack{back.held_k->constant, table(*back.held_k, "held behind at")};
+  if (back.room)
+    return thermal::RoomAir{back.room->temperature_k.constant, back.room->conductance_w_m2_k,
+                            table(back.room->temperature_k, "a room behind of")};
   if (back.ground) return thermal::DeepGround{back.ground->temperature_k.value_or(deep_k)};
   if (back.other_side) return thermal::OtherFace{};
   return thermal::Insulated{};
@@ -129,28 +165,22 @@ void take_leaf(const thermal::Leaf& leaf, double water_m, ThermalMaterial& resul
       leaf.stomatal_faces == 2 ? "both faces" : "one face"));
 }
 
-void take_held(const io::HeldTemperatureDocument& source, ThermalMaterial& result) {
+void take_held(const io::DocumentSources& sources, const io::TimedDocument& source, ThermalMaterial& result) {
   thermal::SolidLayer skin = io::thermal_library().solid("steel").values;  // of any stuff: it follows at once
   skin.thickness_m = 1e-3;
   result.solid.layers.push_back(skin);
-  if (source.table.empty()) {
+  if (!source.is_over_time()) {
     result.skin.as_air = true;
     result.description.push_back("as warm as the air; \"power\" is what holds it there");
     return;
   }
-  thermal::TimeTable table;
-  for (const io::HeldTemperatureDocument::AtTime& one : source.table) {
-    table.time_s.push_back(atmosphere::seconds_of(one.time));
-    table.value.push_back(one.temperature_k);
-  }
-  const auto [least, most] = std::minmax_element(table.value.begin(), table.value.end());
-  result.description.push_back(
-      format("{:.2f} to {:.2f} degC as told, at {} times; \"power\" is what holds it there", *least - 273.15,
-             *most - 273.15, table.value.size()));
-  result.skin.held_k = std::make_shared<const thermal::TimeTable>(std::move(table));
+  result.skin.held_k = table_of(sources, source, io::kTemperatureColumns);
+  result.description.push_back(format("{} as told; \"power\" is what holds it there",
+                                      range_text(*result.skin.held_k, kZero_k, "degC")));
 }
 
-ThermalMaterial from_document(const io::ThermalDocument& source, double deep_k) {
+ThermalMaterial from_document(const io::DocumentSources& sources, const io::ThermalDocument& source,
+                              double deep_k) {
   ThermalMaterial result;
   if (const auto& therm = source.therm) {
     const thermal::ThermSlab slab{
@@ -161,13 +191,13 @@ ThermalMaterial from_document(const io::ThermalDocument& source, double deep_k) 
     result.start = thermal::Start::air;
     result.description.push_back("THERM: " + layer_text(result.solid.layers[0], {}));
   } else if (source.held) {
-    take_held(*source.held, result);
+    take_held(sources, *source.held, result);
   } else if (source.leaf) {
     take_leaf({source.leaf->width_m, source.leaf->stomatal_mol_m2_s, source.leaf->both_faces ? 2 : 1},
               source.leaf->water_m, result);
   } else {
     take_layers(source, result);
-    result.solid.back = back_of(source.back, deep_k);
+    result.solid.back = back_of(sources, source.back, deep_k, result.description);
     result.skin.wetness = {source.wetness, source.resistance_s_m};
     if (source.back.other_side) {
       result.skin.two_faces = true;
@@ -175,17 +205,11 @@ ThermalMaterial from_document(const io::ThermalDocument& source, double deep_k) 
     }
   }
   result.skin.roughness = named<thermal::Roughness>(source.roughness);
-  result.skin.power_w_m2 = source.power.constant_w_m2;
-  if (!source.power.table.empty()) {
-    thermal::TimeTable table;
-    for (const io::PowerDocument::AtTime& one : source.power.table) {
-      table.time_s.push_back(atmosphere::seconds_of(one.time));
-      table.value.push_back(one.power_w_m2);
-    }
-    const auto [least, most] = std::minmax_element(table.value.begin(), table.value.end());
+  result.skin.power_w_m2 = source.power_w_m2.constant;
+  if (source.power_w_m2.is_over_time()) {
+    result.skin.power_over_time = table_of(sources, source.power_w_m2, io::kPowerColumns);
     result.description.push_back(
-        format("heat from inside of {:g} to {:g} W m-2, at {} times", *least, *most, table.value.size()));
-    result.skin.power_over_time = std::make_shared<const thermal::TimeTable>(std::move(table));
+        format("heat from inside of {}", range_text(*result.skin.power_over_time, 0.0, "W m-2")));
   }
   return result;
 }
@@ -262,7 +286,7 @@ std::optional<ThermalMaterial> assemble_thermal(const io::DocumentSources& sourc
                                                 const materials::Material& optics, double deep_k) {
   std::optional<ThermalMaterial> result;
   if (source.thermal) {
-    result = from_document(*source.thermal, deep_k);
+    result = from_document(sources, *source.thermal, deep_k);
   } else if (const auto* library = std::get_if<io::LibrarySource>(&source.spectrum.source)) {
     if (const io::LibrarySurface* surface = io::thermal_library().surface(library->material))
       result = from_library(*surface, library->material, deep_k);
