@@ -44,7 +44,8 @@ EmitterChoice::EmitterChoice(const SpectralScene& scene, double contrast, bool s
       wanted_in_(scene.scene().assignments.size(), std::vector<bool>(scene.nodes().channel_count(), false)),
       brightest_(scene.scene().assignments.size()),
       group_of_(scene.nodes().channel_count(), 0),
-      unit_(scene.nodes().channel_count(), 0.0) {
+      unit_(scene.nodes().channel_count(), 0.0),
+      usual_(scene.nodes().channel_count(), std::numeric_limits<double>::quiet_NaN()) {
   if (!scene.scene().world) return;
   list_surfaces();
   find_contrasts(contrast, shown);
@@ -150,7 +151,7 @@ void EmitterChoice::find_contrasts(double contrast, bool shown) {
     std::vector<std::pair<double, double>> levels;
     for (const Surface& s : surfaces_)
       levels.emplace_back(s.coldest[c], areas[s.assignment] / static_cast<double>(parts[s.assignment]));
-    const double usual = std::max(lit[c], median(std::move(levels)));
+    const double usual = usual_[c] = std::max(lit[c], median(std::move(levels)));
     for (const Surface& s : surfaces_) {
       if (!(s.hottest[c] > needed(s) * usual) || areas[s.assignment] <= 0.0) continue;
       const bool wanted = !shown || std::any_of(surfaces_.begin(), surfaces_.end(), [&](const Surface& r) {

@@ -53,6 +53,8 @@ struct EmitterChoice {
   /// How many times as bright a surface assignment may be as white under Sun and sky and as the median surface, in some channel; 0
   /// of one that is not wanted.
   double contrast(std::uint32_t assignment) const { return contrast_[assignment]; }
+  /// What contrasts are with, by channel, W m-2 sr-1 um-1; NaN where nothing is wanted in any case.
+  const std::vector<double>& usual() const { return usual_; }
   /// What a surface assignment emits at most, by channel, W m-2 sr-1 um-1.
   std::vector<double> highest(std::uint32_t assignment) const;
 
@@ -81,7 +83,8 @@ struct EmitterChoice {
   std::size_t groups_ = 1;
   std::vector<std::size_t> group_of_;  // by channel
   std::vector<Surface> surfaces_;
-  std::vector<double> unit_;  // radiance of brightness 1, by channel
+  std::vector<double> unit_;   // radiance of brightness 1, by channel
+  std::vector<double> usual_;  // of white under Sun and sky, or of the median surface
 };
 
 }  // namespace ifov::transport

@@ -42,8 +42,8 @@ void PathLight::one(const PathRecord& record, std::size_t k) {
   later(record, path);
 }
 
-void PathLight::later(const PathRecord& record, const PathRecord::Path& path) {
-  if (path.sky_share > 0.0f) add_open_sky(record, path, record.vertices[path.first]);
+void PathLight::later(const PathRecord& record, const PathRecord::Path& path, OpenSky open_sky) {
+  if (path.sky_share > 0.0f) add_open_sky(record, path, record.vertices[path.first], open_sky);
   if (path.first != PathVertex::kNone)
     for (std::uint32_t k = record.vertices[path.first].next; k != PathVertex::kNone;
          k = record.vertices[k].next) {
@@ -57,14 +57,16 @@ PathLight::Levels PathLight::levels(const PathRecord& record, std::size_t k, boo
   const PathRecord::Path& path = record.paths[k];
   float *direct = spectrum(kDirect), *sum = spectrum(kSum);
   const bool met = path.first != PathVertex::kNone;
-  if (met)
+  if (met) {
     add_first(record, record.vertices[path.first], whole);
-  else
+    if (path.sky_share > 0.0f) add_open_sky(record, path, record.vertices[path.first], OpenSky::integral);
+  } else {
     one(record, k);
+  }
   if (!whole) return {sum, nullptr};
   std::memcpy(direct, sum, n_ * sizeof(float));
   std::memset(sum, 0, n_ * sizeof(float));
-  if (met) later(record, path);
+  if (met) later(record, path, OpenSky::drawn);
   if (path.also == PathVertex::kNone) return {direct, sum};
   float* rest = spectrum(kWhole);
   std::memcpy(rest, sum, n_ * sizeof(float));
@@ -163,14 +165,28 @@ void PathLight::add_open_sky(const PathRecord& record, std::size_t k, float* to)
   sum_ = spectrum(kSum);
 }
 
-void PathLight::add_open_sky(const PathRecord& record, const PathRecord::Path& path,
-                             const PathVertex& vertex) {
+const float* PathLight::open_sky(math::Vec3 normal) {
+  float* open = spectrum(kOpenSky);
+  const math::Vec3& known = open_sky_normal_;
+  if (normal.x == known.x && normal.y == known.y && normal.z == known.z) return open;
+  const SkyIrradiance::Corners corners = scene_.sky_dome()->irradiance(normal);
+  spectra::sum_of_scaled(open, corners.spectrum.data(), corners.weight.data(), n_);
+  open_sky_normal_ = normal;
+  return open;
+}
+
+void PathLight::add_open_sky(const PathRecord& record, const PathRecord::Path& path, const PathVertex& vertex,
+                             OpenSky which) {
   float *sum = sum_, *difference = spectrum(kDimmed), *drawn = spectrum(kWork);
-  const SkyDome& dome = *scene_.sky_dome();
-  const SkyIrradiance::Corners open = dome.irradiance(path.first_normal);
-  spectra::sum_of_scaled(difference, open.spectrum.data(), open.weight.data(), n_);
-  if (vertex.continuation_weight > 0.0f && path.left_first.z >= 0.0) {
-    const SkyDome::Corners sky = dome.at(path.left_first);
+  const bool is_drawn = vertex.continuation_weight > 0.0f && path.left_first.z >= 0.0;
+  if (which == OpenSky::drawn) {
+    if (!is_drawn) return;
+    std::memset(difference, 0, n_ * sizeof(float));
+  } else {
+    std::memcpy(difference, open_sky(path.first_normal), n_ * sizeof(float));
+  }
+  if (is_drawn && which != OpenSky::integral) {
+    const SkyDome::Corners sky = scene_.sky_dome()->at(path.left_first);
     spectra::sum_of_scaled(drawn, sky.spectrum.data(), sky.weight.data(), n_);
     spectra::add_scaled(difference, drawn, -vertex.continuation_weight, n_);
   }

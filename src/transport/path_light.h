@@ -18,8 +18,8 @@ class PathLight {
   /// before the air of that segment (ViewAtmosphere). The spectrum is the caller's until the next call.
   float* radiance(const PathRecord& record, std::size_t k);
   /// The same in two parts: what the first surface emits and sends of light that it was sent for (the Sun's, that of emitters, also
-  /// by way of mirrors), or the sky itself; and the rest, which comes by the path that goes on from there. `rest` is null where
-  /// only the first is asked for, which a path needs not to be traced whole for.
+  /// by way of mirrors) and of the open sky's integral, or the sky itself; and the rest, which comes by the path that goes on from
+  /// there. `rest` is null where only the first is asked for, which a path needs not to be traced whole for.
   struct Levels {
     float* direct;
     float* rest;
@@ -51,13 +51,17 @@ class PathLight {
     kBlack,
     kWhole,
     kDirect,
+    kOpenSky,
     kWork,
     kMoreWork,
     kSpectra
   };
   float* spectrum(Work w) { return spectra_.row(w); }
-  /// What the first surface makes of the open sky, less what it makes of it in the direction that was drawn: 0 in the mean.
-  void add_open_sky(const PathRecord& record, const PathRecord::Path& path, const PathVertex& vertex);
+  const float* open_sky(math::Vec3 normal);
+  /// What the first surface makes of the open sky, less what it makes of it in the direction that was drawn: 0 in the mean. Or either.
+  enum class OpenSky : std::uint8_t { both, integral, drawn };
+  void add_open_sky(const PathRecord& record, const PathRecord::Path& path, const PathVertex& vertex,
+                    OpenSky which = OpenSky::both);
   void add_first(const PathRecord& record, const PathVertex& vertex, bool goes_on = true);
   void add_later(const PathRecord& record, const PathVertex& vertex);
   const float* emission(const PathRecord& record, const PathVertex& vertex);
@@ -78,7 +82,7 @@ class PathLight {
   /// One path alone, without those that began as it.
   void one(const PathRecord& record, std::size_t k);
   /// Of one path, after its first surface: later ones and where it ends.
-  void later(const PathRecord& record, const PathRecord::Path& path);
+  void later(const PathRecord& record, const PathRecord::Path& path, OpenSky open_sky = OpenSky::both);
   /// The Sun's irradiance at a vertex, through what it comes through.
   const float* sunlight(const PathRecord& record, const PathVertex& vertex);
   /// Multiplies by what a chain of PathRecord::passes leaves.
@@ -97,6 +101,7 @@ class PathLight {
 
   const SpectralScene& scene_;
   std::size_t n_;
+  math::Vec3 open_sky_normal_{};  // of spectrum(kOpenSky), the open sky's irradiance; 0: of none yet
   radiometry::SpectrumBlock spectra_;
   float* sum_ = nullptr;  // that light is added to; else spectrum(kSum)
 };

@@ -159,8 +159,8 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
     seek_by_planes(surface, lobe, sides, hit, path.key, depth, event);
     seek_by_rounds(surface, lobe, sides, hit, path.key, depth, event);
   }
-  const bool goes_on =
-      depth + 1 != options_.maximum_scatterings && (whole_.empty() || whole_[path_index] != 0);
+  const bool may_go_on = depth + 1 != options_.maximum_scatterings,
+             goes_on = may_go_on && (whole_.empty() || whole_[path_index] != 0);
   if (goes_on &&
       continue_path(lobe, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair + 1u),
                     branch, event)) {
@@ -171,7 +171,7 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
     if (depth + 1 >= kCertainScatterings) end_by_chance(path.key, depth, kept, event);
   }
   // Also of paths that end here, because the direction that was drawn from the sky lies below the surface.
-  if (const float share = goes_on ? open_sky_share(surface, lobe, sides, branch, depth) : 0.0f;
+  if (const float share = may_go_on ? open_sky_share(surface, lobe, sides, branch, depth) : 0.0f;
       share > 0.0f) {
     record_.paths[number].sky_share = share;
     record_.paths[number].first_normal = sides.outward;

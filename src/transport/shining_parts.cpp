@@ -48,6 +48,7 @@ ShiningParts::ShiningParts(const SpectralScene& scene) {
   const EmitterChoice choice(scene, EmitterChoice::InMirrors{kContrast});
   if (!choice.any()) return;
   wanted_ = choice.wanted();
+  usual_ = choice.usual();
   for (std::uint32_t c = 0; c < wanted_.size(); ++c)
     highest_.push_back(wanted_[c] ? choice.highest(c) : std::vector<double>());
   const geometry::World& world = *scene.scene().world;

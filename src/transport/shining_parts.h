@@ -41,6 +41,8 @@ class ShiningParts {
   /// Whether what was met is of a surface assignment that may shine.
   bool shines(const geometry::SurfacePoint& hit) const { return wanted_[hit.material]; }
   bool wants(std::uint32_t assignment) const { return assignment < wanted_.size() && wanted_[assignment]; }
+  /// What the rest shines with (EmitterChoice::usual()).
+  std::span<const double> usual() const { return usual_; }
   /// What a surface assignment that shines emits at most, by channel, W m-2 sr-1 um-1.
   std::span<const double> highest(std::uint32_t assignment) const { return highest_[assignment]; }
 
@@ -65,6 +67,7 @@ class ShiningParts {
   void put_together(std::span<Piece> pieces, Part part);
 
   geometry::WantedMaterials wanted_;
+  std::vector<double> usual_;
   std::vector<std::vector<double>> highest_;  // by surface assignment
   std::vector<Part> parts_;
   std::vector<Entry> entries_;  // sorted by name

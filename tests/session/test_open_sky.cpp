@@ -1,14 +1,17 @@
 // The open sky's integral in place of what paths draw from it (TransportOptions::sky_shares): the same mean, less noise.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "io/document/document.h"
 #include "render/field/scene_field.h"
 #include "render/image_renderer.h"
 #include "render/open_sky.h"
 #include "sampling/hash.h"
+#include "sampling/image/levels.h"
 #include "sampling/random.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
@@ -125,6 +128,42 @@ TEST_F(OpenSky, TakesTheNoiseOfOpenGround) {
   }
   const Moments without = of(values(nullptr, 0.0, 0.0, 2.0)), with = of(values(&shares, 0.0, 0.0, 2.0));
   for (int c = 0; c < 2; ++c) EXPECT_LT(with.variance[c], 0.25 * without.variance[c]) << c;
+}
+
+// Of values in two levels the first has what the open sky gives, whether a path is followed or not, and both add up to what they did.
+TEST_F(OpenSky, BelongsToTheFirstLevel) {
+  constexpr std::uint32_t kGroup = 500;
+  const render::RenderJob job = session_.parts().job();
+  const std::vector<float> shares = render::open_sky_shares(job.scene, job.camera);
+  std::vector<sampling::PathRequest> requests(kPaths);
+  for (int k = 0; k < kPaths; ++k)
+    requests[static_cast<std::size_t>(k)] = {{2.0 * sampling::unit_double(sampling::hash(k, 1)),
+                                              2.0 * sampling::unit_double(sampling::hash(k, 2))},
+                                             7,
+                                             static_cast<std::uint32_t>(k)};
+  const std::vector<std::uint32_t> counts(kPaths / kGroup, kGroup);
+  const auto levels = [&](const std::vector<float>* taken, std::uint8_t followed, bool direct) {
+    transport::TransportOptions options = job.transport;
+    options.sky_shares = taken;
+    render::SceneField field(job.scene, job.camera, options, render::LabelDetail::material, nullptr);
+    sampling::LevelSums sums;
+    field.levels({requests, std::vector<std::uint8_t>(kPaths, followed), counts}, sums);
+    const std::vector<float>& rows = direct ? sums.direct : sums.rest;
+    std::array<double, 2> mean{};
+    for (std::size_t g = 0; g < counts.size(); ++g)
+      for (std::size_t c = 0; c < 2; ++c)
+        mean[c] += static_cast<double>(rows[g * static_cast<std::size_t>(field.stride()) + c]) /
+                   static_cast<double>(counts.size());
+    return mean;
+  };
+  const auto direct = levels(&shares, 1, true), unfollowed = levels(&shares, 0, true),
+             rest = levels(&shares, 1, false), plain_direct = levels(nullptr, 1, true),
+             plain_rest = levels(nullptr, 1, false);
+  for (std::size_t c = 0; c < 2; ++c) {
+    EXPECT_EQ(unfollowed[c], direct[c]) << c;
+    EXPECT_LT(rest[c], 0.6 * plain_rest[c]) << c;
+    EXPECT_NEAR(direct[c] + rest[c], plain_direct[c] + plain_rest[c], 5e-3 * direct[c]) << c;
+  }
 }
 
 }  // namespace

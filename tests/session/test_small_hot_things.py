@@ -54,17 +54,17 @@ def under_gaussian(from_, at, sigma):
 
 
 class SmallHotThings(unittest.TestCase):
-    def render(self, objects, sensor, hot, cold, sky, seed, read, accuracy=None):
+    def render(self, objects, sensor, hot, cold, sky, seed, read, accuracy=None, more=None, codes=(0, 5)):
         document = {"ifov": 1, "scene": {"materials": {"ground": {"reflectance": 0.0, "temperature": f"{cold} K"},
                                                        "hot": {"reflectance": 0.0, "temperature": f"{hot} K"}},
                                          "objects": [{"plane": {}, "material": "ground"}, *objects]},
-                    "light": {"sky": {"radiance": f"{sky} W m-2 sr-1 um-1"}}, "seed": seed,
+                    "light": {"sky": {"radiance": f"{sky} W m-2 sr-1 um-1"}}, **(more or {}), "seed": seed,
                     "sensor": {**sensor, "channels": [{"name": "mir", "top_hat": {"from": "3.999 um", "to": "4.001 um"}}]},
                     "sampling": {"accuracy": {"error": "2 %", **(accuracy or {})}}, "output": {"formats": ["envi"]}}
         with tempfile.TemporaryDirectory() as folder:
             (Path(folder) / "scene.json").write_text(json.dumps(document))
             done = subprocess.run([PROGRAM, "render", "scene.json", "-o", "out", "-q"], cwd=folder, capture_output=True, text=True, check=False)
-            self.assertIn(done.returncode, (0, 5), done.stderr)
+            self.assertIn(done.returncode, codes, done.stderr)
             return read(Path(folder) / "out"), done.returncode
 
     def image(self, make, area, kelvins, cold, spread, seed):
@@ -126,6 +126,22 @@ class SmallHotThings(unittest.TestCase):
                 self.assertLess(error, 1.5 * asked, case)
                 held = sum(abs(value - true) <= width + 1e-5 * true for value, true, width in zip(found, truth, widths)) / len(truth)
                 self.assertGreater(held, 0.85, case)
+
+    def test_behind_air(self):
+        """What the sensor does not see to outshine the rest is not sampled apart: behind air that lets little through, and shines itself."""
+        things = [ball(x - COLUMNS / 2 + 0.5, 0.3, 1.0, 0.01) for x in range(COLUMNS)]
+
+        def samples(folder):
+            """Of each row; between them lie the rows of two other bands."""
+            counts = array.array("I")
+            counts.frombytes((folder / "image_samples.img").read_bytes())
+            return [list(counts[3 * row * COLUMNS :][:COLUMNS]) for row in range(ROWS)]
+
+        for left, apart in ((1.0, True), (1e-2, True), (1e-4, False)):
+            air = {"atmosphere": {"tabulated": {"transmittance": left, "path_radiance": f"{radiance(250.0) * (1.0 - left)} W m-2 sr-1 um-1"}}}
+            # Where nothing is met all pixels are alike, which is said (6).
+            rows, _ = self.render(things, CAMERA, 600.0, 250.0, 0.0, 1, samples, {"of": "image", "error": "50 %"}, air, (0, 6))
+            self.assertEqual(min(rows[2]) > max(rows[0]), apart, f"transmittance {left}: {rows}")
 
     def test_what_moves_is_said(self):
         """Points meet it by chance, of an image as a whole; who asks for pixels, or has it stand still, reads no word of it."""

@@ -33,7 +33,7 @@ class Allocation {
   static constexpr int kPilotAcross = 4, kPilotDown = 4, kMostSide = 64;
   static constexpr std::uint32_t kPilotWhole = 6, kLeastWhole = 4;
   /// Where paths are pooled: bright ones are rare, and what a pilot has missed neighbours are not to miss, too.
-  static constexpr std::uint32_t kLeastPooled = 20;
+  static constexpr std::uint32_t kLeastPooled = 12;
   static constexpr PixelPlan pilot() { return {kPilotAcross, kPilotDown, kPilotWhole}; }
 
   /// `pixels` stand for all of the image. `limit`: of the mean squared error by column, infinite where it does not matter.

@@ -307,6 +307,7 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
 
   std::unique_ptr<ImagePlan> plan(new ImagePlan());
   for (const RayCounts& count : rays) plan->rays += count;
+  const std::uint64_t scattered = plan->rays.continuation;
   BrightSurvey bright = look_at_bright(request);
   plan->rays += bright.rays;
   const std::size_t columns = found.front().direct.size();
@@ -415,7 +416,7 @@ std::unique_ptr<const ImagePlan> ImagePlan::find(const SurveyRequest& request, s
   constexpr double kOfSurface = 2.0, kLeastCost = 0.5, kMostCost = 8.0;
   const double followed = 2.0 * Allocation::kPilotWhole * static_cast<double>(found.size());
   const double rest_cost =
-      std::clamp(kOfSurface * static_cast<double>(plan->rays.continuation) / followed, kLeastCost, kMostCost);
+      std::clamp(kOfSurface * static_cast<double>(scattered) / followed, kLeastCost, kMostCost);
   plan->allocation_ = std::make_unique<const Allocation>(pixels, std::move(squares), rest_cost, most_samples);
   return plan;
 }

@@ -35,9 +35,14 @@ LightInParts::Levels LightInParts::levels(const PathRecord& record, std::size_t 
   clear(direct_);
   clear(rest_);
   start(record, path, direct_, whole);
-  if (path.first == PathVertex::kNone) go_on(record, path, direct_);
+  if (path.first == PathVertex::kNone) {
+    go_on(record, path, direct_);
+  } else if (path.sky_share > 0.0f) {
+    sum_ = direct_[LightPart::sky];
+    add_open_sky(record, path, record.vertices[path.first], OpenSky::integral);
+  }
   if (whole) {
-    if (path.first != PathVertex::kNone) go_on(record, path, rest_);
+    if (path.first != PathVertex::kNone) go_on(record, path, rest_, OpenSky::drawn);
     add_twins(record, path.also, rest_);
     dim(path, rest_);
   }
@@ -71,13 +76,14 @@ void LightInParts::start(const PathRecord& record, const PathRecord::Path& path,
                         vertex.continuation_weight, n_);
 }
 
-void LightInParts::go_on(const PathRecord& record, const PathRecord::Path& path, const PartRows& into) {
+void LightInParts::go_on(const PathRecord& record, const PathRecord::Path& path, const PartRows& into,
+                         OpenSky open_sky) {
   if (path.first == PathVertex::kNone) {
     if (path.escaped) add_seen_sky(path, into);
     return;
   }
   sum_ = into[LightPart::sky];
-  if (path.sky_share > 0.0f) add_open_sky(record, path, record.vertices[path.first]);
+  if (path.sky_share > 0.0f) add_open_sky(record, path, record.vertices[path.first], open_sky);
   const std::uint32_t second = record.vertices[path.first].next;
   for (std::uint32_t k = second; k != PathVertex::kNone; k = record.vertices[k].next) {
     sum_ = into[k == second ? LightPart::emitted : LightPart::scene];

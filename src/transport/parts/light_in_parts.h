@@ -29,7 +29,8 @@ class LightInParts : PathLight {
  private:
   void clear(PartRows& rows);
   void start(const PathRecord& record, const PathRecord::Path& path, const PartRows& into, bool goes_on);
-  void go_on(const PathRecord& record, const PathRecord::Path& path, const PartRows& into);
+  void go_on(const PathRecord& record, const PathRecord::Path& path, const PartRows& into,
+             OpenSky open_sky = OpenSky::both);
   void add_twins(const PathRecord& record, std::uint32_t also, const PartRows& into);
   /// What the first segment comes to that meets nothing.
   void add_seen_sky(const PathRecord::Path& path, const PartRows& into);
