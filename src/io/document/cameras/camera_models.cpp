@@ -28,4 +28,8 @@ std::shared_ptr<const CameraSettings> CameraSettings::carried_by(
 
 sensor::ReadOut CameraSettings::read_out() const { return {}; }
 
+std::optional<FocalPlane> CameraSettings::focal_plane() const { return std::nullopt; }
+
+std::optional<SensitiveSide> CameraSettings::sensitive_side() const { return std::nullopt; }
+
 }  // namespace ifov::io
