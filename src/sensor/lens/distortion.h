@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "sensor/lens/distortion_terms.h"
 #include "sensor/lens/lens.h"
 
 namespace ifov::sensor {
@@ -13,10 +14,7 @@ namespace ifov::sensor {
 /// Beyond where that folds back it goes on straight, so that all places have one direction.
 class Distortion final : public Lens {
  public:
-  struct Terms {
-    double k1 = 0.0, k2 = 0.0, k3 = 0.0, p1 = 0.0, p2 = 0.0;
-    bool none() const { return k1 == 0.0 && k2 == 0.0 && k3 == 0.0 && p1 == 0.0 && p2 == 0.0; }
-  };
+  using Terms = DistortionTerms;
 
   Distortion() = default;
   /// ifov::InputError on terms that are not finite. `far`: x and y of places that matter are no larger.

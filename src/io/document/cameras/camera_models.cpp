@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "io/document/cameras/camera_model.h"
 #include "io/document/cameras/frame_camera.h"
+#include "io/document/cameras/lens_tables.h"
 #include "io/document/cameras/orthographic_camera.h"
 #include "io/document/cameras/pushbroom_camera.h"
 #include "io/document/cameras/scanning_cameras.h"

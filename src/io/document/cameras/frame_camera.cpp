@@ -8,11 +8,13 @@
 #include "geodesy/sun_position.h"
 #include "io/document/cameras/flight_motion.h"
 #include "io/document/cameras/flight_path.h"
+#include "io/document/cameras/lens_tables.h"
 #include "io/document/platform_document.h"
 #include "io/document/schema/record.h"
 #include "platform/trajectory.h"
 #include "sensor/flying/flying_frame_camera.h"
 #include "sensor/frame_camera.h"
+#include "sensor/lens/lens.h"
 
 namespace ifov::io {
 namespace {

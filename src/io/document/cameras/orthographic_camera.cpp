@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "core/format.h"
-#include "io/document/cameras/lens_settings.h"
+#include "io/document/cameras/lens_tables.h"
 #include "io/document/schema/record.h"
 #include "sensor/orthographic_camera.h"
 

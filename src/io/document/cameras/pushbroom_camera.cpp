@@ -7,10 +7,12 @@
 #include "core/format.h"
 #include "io/document/cameras/flight_motion.h"
 #include "io/document/cameras/flight_path.h"
+#include "io/document/cameras/lens_tables.h"
 #include "io/document/platform_document.h"
 #include "io/document/schema/record.h"
 #include "platform/trajectory.h"
 #include "sensor/detector/read_out.h"
+#include "sensor/lens/lens.h"
 #include "sensor/pushbroom_camera.h"
 
 namespace ifov::io {

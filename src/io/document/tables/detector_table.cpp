@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "core/format.h"
+#include "io/document/cameras/lens_tables.h"
 #include "io/document/detector_document.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"

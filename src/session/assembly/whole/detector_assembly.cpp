@@ -5,7 +5,7 @@
 
 #include "core/overloaded.h"
 #include "io/document/cameras/camera_settings.h"
-#include "io/document/cameras/lens_settings.h"
+#include "io/document/cameras/lens_tables.h"
 #include "io/document/detector_document.h"
 #include "io/document/sensor_document.h"
 #include "radiometry/channel.h"

@@ -1,7 +1,7 @@
 #include "session/assembly/whole/element_sides.h"
 
 #include "io/document/cameras/camera_settings.h"
-#include "io/document/cameras/lens_settings.h"
+#include "io/document/cameras/lens_tables.h"
 #include "io/document/sensor_document.h"
 #include "session/assembly/shared/with_position.h"
 

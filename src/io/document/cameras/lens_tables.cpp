@@ -1,4 +1,4 @@
-#include "io/document/cameras/lens_settings.h"
+#include "io/document/cameras/lens_tables.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +11,7 @@
 #include "io/document/schema/record.h"
 #include "io/tables/number_table.h"
 #include "math/angle.h"
+#include "sensor/lens/distortion.h"
 #include "sensor/lens/element_map.h"
 #include "sensor/lens/lens_table.h"
 
