@@ -379,10 +379,13 @@ class SensorChannel:
 
     @property
     def memory_mtf(self) -> float | None: ...
+
     @property
     def corner_light(self) -> float | None: ...
+
     @property
     def corner_snr(self) -> float | None: ...
+
     @property
     def corner_nedt(self) -> float | None: ...
 
