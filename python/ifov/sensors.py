@@ -35,6 +35,9 @@ _OF_CHANNELS = (
     ("correction_left", "correction_left", "W m-2 sr-1 um-1", "what a correction leaves from element to element, at the reference"),
     ("step_share", "step_share", "1", "share of a step of the light that the first exposure shows, by lag and time constant"),
     ("memory_mtf", "memory_mtf", "1", "modulation at half a cycle an exposure, by lag and time constant"),
+    ("corner_light", "corner_light", "1", "share of the light of the middle that falls on the image's corners, by vignetting"),
+    ("corner_snr", "corner_snr", "1", "signal over noise there"),
+    ("corner_nedt", "corner_nedt", "K", "noise there as a temperature difference (NEdT)"),
 )
 #: (name in the library, variable, unit, what): by detector column, the least and the most
 _BY_COLUMN = (

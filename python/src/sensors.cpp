@@ -37,6 +37,9 @@ void add_sensors(nb::module_& module) {
       .def_ro("shift_px", &Channel::shift_px)
       .def_ro("step_share", &Channel::step_share)
       .def_ro("memory_mtf", &Channel::memory_mtf)
+      .def_ro("corner_light", &Channel::corner_light)
+      .def_ro("corner_snr", &Channel::corner_snr)
+      .def_ro("corner_nedt", &Channel::corner_nedt)
       .def_ro("correction_left", &Channel::correction_left);
   nb::class_<SensorDescription>(module, "SensorDescription")
       .def_ro("width_px", &SensorDescription::width_px)

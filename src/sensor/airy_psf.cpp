@@ -171,14 +171,17 @@ class AiryPsf final : public Psf {
 
 }  // namespace
 
-std::unique_ptr<Psf> make_airy_psf(const AiryAperture& aperture, double encircled_energy) {
+namespace {
+
+constexpr double kLeastTraced = 0.95, kMostTraced = 0.995;
+
+/// Wavelength times f-number, px.
+double checked_q_px(const AiryAperture& aperture) {
   for (const double value :
        {aperture.wavelength_um, aperture.diameter_m, aperture.focal_length_m, aperture.pitch_m})
     if (!(value > 0.0) || !std::isfinite(value))
       throw InputError(
           "an Airy PSF needs a positive wavelength, aperture diameter, focal length and detector pitch");
-  if (!(encircled_energy >= 0.5) || !(encircled_energy <= 0.995))
-    throw InputError(format("an Airy PSF cut at {} of its energy; expected 0.5 to 0.995", encircled_energy));
   if (!(aperture.obscuration >= 0.0) || !(aperture.obscuration <= kMostObscured))
     throw InputError(format("an Airy PSF with {} of its aperture's diameter covered; expected 0 to {}",
                             aperture.obscuration, kMostObscured));
@@ -187,6 +190,30 @@ std::unique_ptr<Psf> make_airy_psf(const AiryAperture& aperture, double encircle
   if (!(q_px > 1e-3) || !(q_px < 100.0))
     throw InputError(
         format("an Airy PSF with its first dark ring at {:.3g} px; expected 0.001 to 100 px", 1.22 * q_px));
+  return q_px;
+}
+
+}  // namespace
+
+double airy_energy_to_trace(const AiryAperture& aperture) {
+  constexpr double kFar_px = 0.45;
+  const double q_px = checked_q_px(aperture);
+  const Pattern pattern(aperture.obscuration);
+  const auto reaches = [&](double energy) {
+    return pattern.radius(energy) * q_px / std::numbers::pi >= kFar_px;
+  };
+  if (reaches(kLeastTraced)) return kLeastTraced;
+  if (!reaches(kMostTraced)) return kMostTraced;
+  double low = kLeastTraced, high = kMostTraced;
+  for (int k = 0; k < 12; ++k) (reaches(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
+  return low;
+}
+
+std::unique_ptr<Psf> make_airy_psf(const AiryAperture& aperture, double encircled_energy) {
+  const double q_px = checked_q_px(aperture);
+  if (!(encircled_energy >= 0.5) || !(encircled_energy <= kMostTraced))
+    throw InputError(
+        format("an Airy PSF cut at {} of its energy; expected 0.5 to {}", encircled_energy, kMostTraced));
   return std::make_unique<AiryPsf>(q_px, aperture.obscuration, encircled_energy);
 }
 

@@ -17,9 +17,12 @@ struct AlongTrack {
       0.0;  ///< how far each stage's look lies behind the last; 0 where the charge follows the ground
   /// How many lines (or samples of a sweep) a pitch of the focal plane is: by so much longer optics blur here than across.
   double pitch_px = 1.0;
+  bool timed = false;  ///< of a scanner, whose lines or samples are times
 
   /// As before there were elements of a length: a pixel is a square of (across, time), of which a fill factor leaves the middle.
   bool plain() const { return exposure_px == 1.0 && element_px == 0.0 && stages == 1; }
+  /// Likewise: elements that overlap do so across, and no line is exposed for longer than its period.
+  bool square(double fill_factor) const { return plain() && !(timed && fill_factor > 1.0); }
 
   /// From the first look to the last, without the motion of an exposure.
   double reach_px() const { return element_px + (stages - 1) * stage_px; }

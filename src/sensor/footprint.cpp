@@ -12,6 +12,7 @@ namespace {
 constexpr double kCellsOverDetail = 8.0;
 constexpr int kFewestCellsPerPixel = 16;
 constexpr int kMostCells = 1024;
+constexpr double kMostFill = 16.0;  // sides of four pitches
 
 /// What lies straight between values is wider than what they are of, by a variance of a sixth of a cell along each axis: a twelfth of the
 /// second differences less makes it as wide.
@@ -30,8 +31,9 @@ std::vector<double> sharpened(const std::vector<double>& density, int cells) {
 }
 
 double side_of(double fill_factor) {
-  if (!(fill_factor > 0.0) || !(fill_factor <= 1.0))
-    throw InputError(format("a fill factor of {}; expected more than 0 and at most 1", fill_factor));
+  if (!(fill_factor > 0.0) || !(fill_factor <= kMostFill))
+    throw InputError(
+        format("a fill factor of {}; expected more than 0 and at most {}", fill_factor, kMostFill));
   return std::sqrt(fill_factor);
 }
 
@@ -169,14 +171,14 @@ sampling::PixelFootprint spread(const Psf& psf, double side_px, const sampling::
 }  // namespace
 
 sampling::PixelFootprint make_footprint(const Psf* psf, double fill_factor, const AlongTrack& along) {
-  if (along.plain()) return make_footprint(psf, fill_factor);
+  if (along.square(fill_factor)) return make_footprint(psf, fill_factor);
   const double side_px = side_of(fill_factor);
   const auto striped = sampling::PixelFootprint::striped(side_px, along.pieces());
   return psf == nullptr ? striped : spread(*psf, side_px, striped);
 }
 
 sampling::PixelFootprint make_swept_footprint(const Psf* psf, double fill_factor, const AlongTrack& along) {
-  if (along.plain()) return make_footprint(psf, fill_factor);
+  if (along.square(fill_factor)) return make_footprint(psf, fill_factor);
   const double side_px = side_of(fill_factor);
   const auto striped = sampling::PixelFootprint::striped_along_x(side_px, along.pieces());
   return psf == nullptr ? striped : spread(*psf, side_px, striped);

@@ -30,15 +30,11 @@ FrameCamera::FrameCamera(const Settings& settings) : settings_(settings) {
   down_step_ = settings.axes.down * step;
   first_ = settings.axes.forward - right_step_ * (0.5 * settings.width_px) -
            down_step_ * (0.5 * settings.height_px);
-  const Distortion::Terms& d = settings.distortion;
-  if (!std::isfinite(d.k1 + d.k2 + d.k3 + d.p1 + d.p2))
-    throw InputError("a lens distortion with terms that are not finite");
-  distortion_ = Distortion(d, 0.5 * step * std::hypot(settings.width_px, settings.height_px));
   check_folds();
 }
 
 void FrameCamera::check_folds() const {
-  if (distortion_.none()) return;
+  if (!settings_.lens) return;
   // Outwards from the middle, so that the first pixel that is told is the one where it begins.
   constexpr int kSteps = 64;
   const double w = settings_.width_px, h = settings_.height_px;
@@ -50,7 +46,7 @@ void FrameCamera::check_folds() const {
       const double x = left + along * share * w, y = top + along * share * h;
       for (const auto& [px, py] :
            {std::pair{x, top}, std::pair{x, h - top}, std::pair{left, y}, std::pair{w - left, y}})
-        if (!distortion_.holds(beside(px, py)))
+        if (!settings_.lens->holds(beside(px, py)))
           throw InputError(format(
               "the lens distortion folds back within the frame: no direction has its image at pixel {:.0f}, {:.0f} (column, row) and "
               "beyond; expected terms that go on rising to the corners",
@@ -61,8 +57,8 @@ void FrameCamera::check_folds() const {
 
 void FrameCamera::rays(std::span<const sampling::FocalPoint> points, std::span<math::Ray> rays) const {
   const auto direction = [&](const sampling::FocalPoint& point) {
-    if (distortion_.none()) return first_ + right_step_ * point.x_px + down_step_ * point.y_px;
-    const Distortion::Place there = distortion_.direction_of(beside(point.x_px, point.y_px));
+    if (!settings_.lens) return first_ + right_step_ * point.x_px + down_step_ * point.y_px;
+    const Lens::Place there = settings_.lens->direction_of(beside(point.x_px, point.y_px));
     return settings_.axes.forward + settings_.axes.right * there.x + settings_.axes.down * there.y;
   };
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -75,8 +71,8 @@ bool FrameCamera::project(math::Point3 position_m, sampling::FocalPoint& point) 
   const math::Vec3 offset = position_m - settings_.position_m;
   const double depth = math::dot(offset, settings_.axes.forward);
   if (!(depth > 0.0)) return false;
-  if (!distortion_.none()) {
-    const Distortion::Place there = distortion_.image_of(
+  if (settings_.lens) {
+    const Lens::Place there = settings_.lens->image_of(
         {math::dot(offset, settings_.axes.right) / depth, math::dot(offset, settings_.axes.down) / depth});
     const double pixels = settings_.focal_length_m / settings_.pitch_m;
     point = {0.5 * settings_.width_px + there.x * pixels, 0.5 * settings_.height_px + there.y * pixels};
@@ -91,10 +87,10 @@ bool FrameCamera::project(math::Point3 position_m, sampling::FocalPoint& point) 
 double FrameCamera::gsd_m(math::Point3 position_m) const {
   const double depth = math::dot(position_m - settings_.position_m, settings_.axes.forward);
   const double plain = std::abs(depth) * settings_.pitch_m / settings_.focal_length_m;
-  if (distortion_.none() || depth == 0.0) return plain;
+  if (!settings_.lens || depth == 0.0) return plain;
   const math::Vec3 offset = position_m - settings_.position_m;
-  return plain / std::sqrt(distortion_.scale({math::dot(offset, settings_.axes.right) / depth,
-                                              math::dot(offset, settings_.axes.down) / depth}));
+  return plain / std::sqrt(settings_.lens->scale({math::dot(offset, settings_.axes.right) / depth,
+                                                  math::dot(offset, settings_.axes.down) / depth}));
 }
 
 }  // namespace ifov::sensor

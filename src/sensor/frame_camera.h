@@ -1,17 +1,18 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 
 #include "sensor/camera.h"
 #include "sensor/camera_axes.h"
-#include "sensor/lens/distortion.h"
+#include "sensor/lens/lens.h"
 
 namespace ifov::sensor {
 
-/// Perspective camera: without distortion, an image point (x, y) in pixels looks along
+/// Perspective camera: of a pinhole, an image point (x, y) in pixels looks along
 ///   d = forward + (x - width/2) (p/f) right + (y - height/2) (p/f) down,
-/// with pixel pitch p and focal length f; the principal point is the middle of the image. With it, along the direction whose image is
-/// there (sensor/lens/distortion.h).
+/// with pixel pitch p and focal length f; the principal point is the middle of the image. With a lens, along the direction whose image is
+/// there (sensor/lens/lens.h).
 class FrameCamera final : public Camera {
  public:
   struct Settings {
@@ -22,10 +23,10 @@ class FrameCamera final : public Camera {
     CameraAxes axes;
     double exposure_s = 0.0;    ///< of each row
     double row_period_s = 0.0;  ///< from row to row, of a rolling shutter: the middle of the image at 0 s
-    Distortion::Terms distortion = {};
+    std::shared_ptr<const Lens> lens = nullptr;  ///< null: a pinhole
   };
 
-  /// ifov::InputError on sizes, pitch or focal length that are not positive, values that are not finite, or a distortion that folds
+  /// ifov::InputError on sizes, pitch or focal length that are not positive, values that are not finite, or a lens that folds
   /// the image back.
   explicit FrameCamera(const Settings& settings);
 
@@ -55,14 +56,13 @@ class FrameCamera final : public Camera {
                : (std::floor(y_px) + 0.5 - 0.5 * settings_.height_px) * settings_.row_period_s;
   }
   /// Beside the axis, in focal lengths.
-  Distortion::Place beside(double x_px, double y_px) const {
+  Lens::Place beside(double x_px, double y_px) const {
     const double step = settings_.pitch_m / settings_.focal_length_m;
     return {(x_px - 0.5 * settings_.width_px) * step, (y_px - 0.5 * settings_.height_px) * step};
   }
   void check_folds() const;
 
   Settings settings_;
-  Distortion distortion_;
   math::Vec3 right_step_, down_step_;  // per pixel, at unit depth
   math::Vec3 first_;                   // direction of image point (0, 0), at unit depth
 };

@@ -59,6 +59,10 @@ std::unique_ptr<Psf> make_gaussian_psf(double sigma_px, double cut_sigmas = 4.4)
 /// Diffraction, cut at the radius that encircles the given share of the energy; what lies beyond is PsfWings'.
 std::unique_ptr<Psf> make_airy_psf(const AiryAperture& aperture, double encircled_energy = 0.95);
 
+/// The share to trace: 95 %, or more of a pattern that is small beside a pixel, whose wings lie within the pixel that its edges cross: as far as
+/// 0.45 pixels, and 99.5 % at most.
+double airy_energy_to_trace(const AiryAperture& aperture);
+
 /// A measured or computed image of a point: rows x columns samples, each a constant over a square of side 1 /
 /// samples_per_pixel, its middle where the point is. Normalised here.
 std::unique_ptr<Psf> make_kernel_psf(int columns, int rows, std::vector<double> values,

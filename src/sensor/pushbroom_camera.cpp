@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "platform/trajectory.h"
+#include "sensor/lens/lens.h"
 
 namespace ifov::sensor {
 
@@ -44,6 +45,7 @@ PushbroomCamera::PushbroomCamera(const Settings& settings) : settings_(settings)
             ? format("{:g} s too late and {:g} s too short", early_s, late_s)
         : early_s > rounding_s ? format("it begins {:g} s too late", early_s)
                                : format("it ends {:g} s too early", late_s)));
+  check_lens();
   hold_together();
   if (settings.element_px > 0.0 || settings.stages > 1)
     find_lines_a_pitch();
@@ -65,20 +67,70 @@ PushbroomCamera::Line PushbroomCamera::line_at(double y_px, double time_s) const
           {-pose.enu_from_body.y().v, pose.enu_from_body.x().v, pose.enu_from_body.z().v}};
 }
 
+std::array<double, 2> PushbroomCamera::towards(double x_px, double ahead_px) const {
+  const double across = (x_px - 0.5 * settings_.width_px) * settings_.step, ahead = ahead_px * settings_.step;
+  if (!settings_.lens) return {across, ahead};
+  const Lens::Place there = settings_.lens->direction_of({across, ahead});
+  return {there.x, there.y};
+}
+
+void PushbroomCamera::check_lens() const {
+  if (!settings_.lens) return;
+  const double middle = 0.5 * settings_.width_px;
+  double right = towards(middle)[0], left = right;
+  // Outwards from the middle, so that the first element that is told is the one where it begins.
+  for (int k = 1; k <= settings_.width_px; ++k) {
+    const double beside = 0.5 * k, after = towards(middle + beside)[0], before = towards(middle - beside)[0];
+    for (const double sign : {-1.0, 1.0})
+      if (!settings_.lens->holds({sign * beside * settings_.step, 0.0}) ||
+          !(sign > 0.0 ? after > right : before < left))
+        throw InputError(format(
+            "the lens distortion folds back within the line: no direction has its image at element {:.0f} and beyond; expected terms "
+            "that go on rising to its ends",
+            std::clamp(std::floor(middle + sign * beside), 0.0, settings_.width_px - 1.0) + 1.0));
+    right = after, left = before;
+  }
+}
+
+double PushbroomCamera::place_of(double right) const {
+  const double middle = 0.5 * settings_.width_px;
+  double x = middle + right / settings_.step;
+  if (!settings_.lens) return x;
+  // Secants: directions rise along the line, and bend little over an element.
+  constexpr double kLeft_px = 1e-12;
+  double before = middle, off_before = towards(middle)[0] - right;
+  for (int k = 0; k < 100; ++k) {
+    const double off = towards(x)[0] - right, change = off - off_before;
+    if (off == 0.0 || change == 0.0) break;
+    const double step = -off * (x - before) / change;
+    before = x, off_before = off;
+    x += std::clamp(step, -settings_.width_px - std::abs(x), settings_.width_px + std::abs(x));
+    if (std::abs(step) <= std::max(kLeft_px, 4e-16 * std::abs(x))) break;
+  }
+  return x;
+}
+
 void PushbroomCamera::rays(std::span<const sampling::FocalPoint> points, std::span<math::Ray> rays) const {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const sampling::FocalPoint& p = points[i];
     const Line line = line_at(p.y_px, p.time_s);
-    const double across = (p.x_px - 0.5 * settings_.width_px) * settings_.step;
+    const auto [right, down] = towards(p.x_px);
     rays[i] = {.origin_m = line.position_m,
-               .direction = math::normalized(line.axes.forward + line.axes.right * across),
+               .direction = math::normalized(settings_.lens ? line.axes.forward + line.axes.right * right +
+                                                                  line.axes.down * down
+                                                            : line.axes.forward + line.axes.right * right),
                .time_s = settings_.start_s + p.y_px * settings_.line_period_s + p.time_s};
   }
 }
 
-/// How far the point is still ahead of a line, metres.
-double PushbroomCamera::ahead_m(const Line& line, math::Point3 point_m) {
-  return math::dot(point_m - line.position_m, line.axes.down);
+/// How far the point is still ahead of what a line sees as far to its right, metres.
+double PushbroomCamera::ahead_m(const Line& line, math::Point3 point_m) const {
+  const math::Vec3 offset = point_m - line.position_m;
+  const double ahead = math::dot(offset, line.axes.down);
+  if (!settings_.lens) return ahead;
+  const double depth = math::dot(offset, line.axes.forward);
+  if (!(depth > 0.0)) return ahead;
+  return ahead - depth * towards(place_of(math::dot(offset, line.axes.right) / depth))[1];
 }
 
 std::optional<double> PushbroomCamera::line_of(math::Point3 point_m) const {
@@ -90,7 +142,16 @@ std::optional<double> PushbroomCamera::line_of(math::Point3 point_m) const {
        {std::tuple{&first, f_low, low, true}, {&last, f_high, high, false}}) {
     if (before ? f > 0.0 : f < 0.0) continue;
     const double step_m = math::dot(line->velocity_m_s, line->axes.down) * settings_.line_period_s;
-    return step_m > 0.0 ? std::optional(y + f / step_m) : std::nullopt;
+    if (!(step_m > 0.0)) return std::nullopt;
+    double there = y + f / step_m;
+    // Beside the line others look further ahead: as often as it takes.
+    constexpr double kLeft_px = 1e-11;
+    for (int k = 0; settings_.lens && k < 50; ++k) {
+      const double left = ahead_m(line_at(there), point_m) / step_m;
+      there += left;
+      if (std::abs(left) <= std::max(kLeft_px, 4e-16 * std::abs(there))) break;
+    }
+    return there;
   }
   // As if lines were even, then secants; bisection where these leave the bracket or hardly narrow it.
   constexpr double kLeft_px = 1e-11;
@@ -117,7 +178,11 @@ bool PushbroomCamera::project(math::Point3 position_m, sampling::FocalPoint& poi
   const math::Vec3 offset = position_m - line.position_m;
   const double depth = math::dot(offset, line.axes.forward);
   if (!(depth > 0.0)) return false;
-  point = {0.5 * settings_.width_px + math::dot(offset, line.axes.right) / (depth * settings_.step), *y_px};
+  point = settings_.lens
+              ? sampling::FocalPoint{place_of(math::dot(offset, line.axes.right) / depth), *y_px}
+              : sampling::FocalPoint{
+                    0.5 * settings_.width_px + math::dot(offset, line.axes.right) / (depth * settings_.step),
+                    *y_px};
   return true;
 }
 
@@ -126,15 +191,22 @@ double PushbroomCamera::gsd_m(math::Point3 position_m) const {
   const Line line = line_at(y_px);
   const double depth = std::abs(math::dot(position_m - line.position_m, line.axes.forward));
   const double across = math::dot(position_m - line.position_m, line.axes.right) / std::max(depth, 1e-300);
+  const double x_px = settings_.lens ? place_of(across) : 0.0;
+  const double ahead = settings_.lens ? towards(x_px)[1] : 0.0;
   // Where the rays half a line before and after meet the plane across the line of sight.
   const auto met = [&](double y) {
     const Line at = line_at(y);
-    const math::Vec3 d = at.axes.forward + at.axes.right * across;
+    const math::Vec3 d = at.axes.forward + at.axes.right * across + at.axes.down * ahead;
     const double along =
         math::dot(position_m - at.position_m, line.axes.forward) / math::dot(d, line.axes.forward);
     return at.position_m + d * along;
   };
   const math::Vec3 lines = met(y_px + 0.5) - met(y_px - 0.5);
+  if (settings_.lens) {
+    const auto before = towards(x_px - 0.5), after = towards(x_px + 0.5);
+    return std::sqrt(depth * std::abs((after[0] - before[0]) * math::dot(lines, line.axes.down) -
+                                      (after[1] - before[1]) * math::dot(lines, line.axes.right)));
+  }
   return std::sqrt(depth * settings_.step * std::abs(math::dot(lines, line.axes.down)));
 }
 
@@ -165,10 +237,11 @@ void PushbroomCamera::hold_together() const {
     next = line_at(static_cast<double>(step + 1) / parts);
     if (!(line.position_m.z > 0.0)) continue;  // of a satellite that has set
     for (const double x : {0.0, 0.5 * width, width}) {
-      const double across = (x - 0.5 * width) * settings_.step;
+      const auto [right, down] = towards(x);
       const math::Point3 point_m =
           ground({.origin_m = line.position_m,
-                  .direction = math::normalized(line.axes.forward + line.axes.right * across)});
+                  .direction =
+                      math::normalized(line.axes.forward + line.axes.right * right + line.axes.down * down)});
       const double back_m = ahead_m(next, point_m);
       if (!(back_m < 0.0))
         throw InputError(format(

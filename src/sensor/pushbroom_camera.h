@@ -12,12 +12,15 @@ class Trajectory;
 
 namespace ifov::sensor {
 
+class Lens;
+
 /// A line of detector elements across the track of a moving platform: the image's y is time. A point (x, y) looks, at
 ///   t = start + y * line period,
 /// from where the platform then is along
 ///   d = forward + (x - width/2) (p/f) right,
 /// with pitch p and focal length f; `forward` is the body's belly, `right` its left wing, so that the image, whose lines follow each
-/// other towards the nose, is not mirrored. An element of a length sees, v pitches ahead of its middle, along d + v (p/f) down, what a line
+/// other towards the nose, is not mirrored. With a lens an element looks along forward + X right + Y down, whatever direction (X, Y) has its image
+/// there: project() then finds x by X and y by Y together. An element of a length sees, v pitches ahead of its middle, along d + v (p/f) down, what a line
 /// sees b v lines later: along_track() holds that, with one b for the image. How far that is from the truth is worked out when the camera
 /// is made, for all lines and on the lowest and the highest ground, and refused beyond kMost_px.
 class PushbroomCamera final : public Camera {
@@ -36,6 +39,7 @@ class PushbroomCamera final : public Camera {
     double element_px = 0.0;                 ///< sensitive length along the track, over the pitch
     int stages = 1;                          ///< a pitch apart, a line period one after the other, added up
     double lowest_m = 0.0, highest_m = 0.0;  ///< of what is looked at, z
+    std::shared_ptr<const Lens> lens = nullptr;  ///< null: elements look along the line above
   };
 
   /// ifov::InputError on sizes, step or period that are not positive; a trajectory that does not cover the image, with by how much; and
@@ -75,7 +79,12 @@ class PushbroomCamera final : public Camera {
   PushbroomCamera(const Settings& settings, Unjudged) : settings_(settings) {}
   struct Line;  // where one is, and how it stands
   Line line_at(double y_px, double time_s = 0.0) const;
-  static double ahead_m(const Line& line, math::Point3 point_m);
+  /// Beside the axis, of the direction of a place of the line, or so many pitches ahead of it.
+  std::array<double, 2> towards(double x_px, double ahead_px = 0.0) const;
+  void check_lens() const;
+  /// The place whose direction lies so far to the right.
+  double place_of(double right) const;
+  double ahead_m(const Line& line, math::Point3 point_m) const;
   std::optional<double> line_of(math::Point3 point_m) const;
   void hold_together() const;
   /// What an element sees v pitches ahead of its middle in a line, on level ground, is seen by a line's middle this far along x and y

@@ -12,14 +12,15 @@ AlongTrack PushbroomCamera::along_track() const {
           .element_px = settings_.element_px * lines_a_pitch_,
           .stages = settings_.stages,
           .stage_px = std::abs(1.0 - lines_a_pitch_),
-          .pitch_px = lines_a_pitch_};
+          .pitch_px = lines_a_pitch_,
+          .timed = true};
 }
 
 std::optional<std::array<double, 2>> PushbroomCamera::displaced_px(double x_px, double y_px, double ahead_px,
                                                                    double ground_m) const {
   const CameraPose at = pose(y_px);
-  const double across = (x_px - 0.5 * settings_.width_px) * settings_.step;
-  const math::Vec3 d = at.axes.forward + at.axes.right * across + at.axes.down * (ahead_px * settings_.step);
+  const auto [right, ahead] = towards(x_px, ahead_px);
+  const math::Vec3 d = at.axes.forward + at.axes.right * right + at.axes.down * ahead;
   const double below_m = at.position_m->z - ground_m;
   if (!(below_m > 0.0) || !(d.z < 0.0)) return std::nullopt;
   sampling::FocalPoint seen;

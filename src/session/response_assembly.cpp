@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "io/document/atmosphere_document.h"
+#include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
 #include "render/wings/outshining.h"
 #include "sampling/footprint_groups.h"
@@ -14,10 +15,12 @@
 #include "sensor/camera.h"
 #include "sensor/channel_footprints.h"
 #include "sensor/detector/brightness_scale.h"
+#include "sensor/detector/read_out.h"
 #include "sensor/psf.h"
 #include "sensor/psf_wings.h"
 #include "sensor/spectrometer/column_responses.h"
 #include "session/assembly/whole/across_track.h"
+#include "session/assembly/whole/element_sides.h"
 #include "session/assembly/whole/noise_assembly.h"
 #include "session/assembly/whole/psf_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
@@ -68,8 +71,9 @@ double wings_apart(const sensor::Psf& psf, const std::vector<double>& across_px)
 std::unique_ptr<sensor::PsfWings> wings_of(const std::shared_ptr<const sensor::Psf>& psf, double fill_factor,
                                            const sensor::AlongTrack& along, const sensor::AlongTrack& swept,
                                            sampling::Point2 shift) {
-  if (along.plain() && swept.plain()) return std::make_unique<sensor::PsfWings>(*psf, fill_factor, shift);
-  const bool along_x = !swept.plain();
+  if (along.square(fill_factor) && swept.square(fill_factor))
+    return std::make_unique<sensor::PsfWings>(*psf, fill_factor, shift);
+  const bool along_x = !swept.square(fill_factor);
   const double side = std::sqrt(fill_factor), motion = along_x ? swept.exposure_px : along.exposure_px;
   const auto spread = sensor::spread_cut(psf, along_x ? swept : along, along_x);
   return std::make_unique<sensor::PsfWings>(
@@ -89,8 +93,8 @@ void assemble_sensor(Parts& parts) {
   parts.keystone_px = assemble_keystone(sources, document, parts.told_channels, width);
   parts.channels = parts.responses ? parts.responses->all_carried() : parts.told_channels;
   if (parts.responses) parts.most_spread = parts.responses->most_spread();
-  parts.sensor =
-      std::make_unique<const io::SensorDocument>(sensor_as_carried(document, parts.responses.get()));
+  parts.sensor = std::make_unique<const io::SensorDocument>(
+      sensor_as_carried(with_element_sides(sources, document), parts.responses.get()));
   parts.polarimetry = assemble_polarimetry(*parts.sensor);
 }
 
@@ -103,6 +107,10 @@ namespace {
 void assemble_response(Parts& parts, double contrast) {
   const io::SensorDocument& document = *parts.sensor;
   const double fill_factor = document.fill_factor;
+  // Squares of other sides have so much of their energy elsewhere; of a line's elements only one side is another.
+  const double sides_apart =
+      (document.camera.settings->read_out().kind == sensor::ReadOut::Kind::frame ? 2.0 : 1.0) *
+      document.sides_apart;
   const sensor::AlongTrack along = parts.camera->along_track(), swept = parts.camera->along_line();
   // Optics and shifts are told on the focal plane.
   const double along_x = swept.pitch_px, along_y = along.pitch_px;
@@ -131,17 +139,17 @@ void assemble_response(Parts& parts, double contrast) {
                               kWidest_px));
     // Wings alone leave what is traced as sharp as without.
     const sensor::Psf* const traced = psf != nullptr && psf->half_width_px() > 0.0 ? psf : nullptr;
-    groups.push_back({swept.plain() ? sensor::make_footprint(traced, fill_factor, along)
-                                    : sensor::make_swept_footprint(traced, fill_factor, swept),
+    groups.push_back({swept.square(fill_factor) ? sensor::make_footprint(traced, fill_factor, along)
+                                                : sensor::make_swept_footprint(traced, fill_factor, swept),
                       shift, channels[static_cast<std::size_t>(group.like)].across_px});
     // Along the track of a longer element, or its sweep, the cut stands in the interval.
     const bool wings = psf != nullptr && psf->has_wings() && has_wings;
     if (wings) parts.wings.push_back(wings_of(group.psf, fill_factor, along, swept, shift));
     for (const int channel : group.channels) {
       group_of_channel[static_cast<std::size_t>(channel)] = static_cast<int>(groups.size()) - 1;
-      cut[static_cast<std::size_t>(channel)] = (psf != nullptr && !wings ? 1.0 - psf->kept() : 0.0) +
-                                               apart_from(group, channels, channel) +
-                                               (wings ? wings_apart(*psf, groups.back().across_px) : 0.0);
+      cut[static_cast<std::size_t>(channel)] =
+          sides_apart + (psf != nullptr && !wings ? 1.0 - psf->kept() : 0.0) +
+          apart_from(group, channels, channel) + (wings ? wings_apart(*psf, groups.back().across_px) : 0.0);
     }
   }
   parts.footprint = std::make_unique<sampling::PixelFootprint>(groups.front().footprint);

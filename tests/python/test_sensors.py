@@ -62,6 +62,19 @@ class Sensors(unittest.TestCase):
         np.testing.assert_allclose(told["nedl"], told["radiance"] / told["snr"], rtol=1e-9)
         self.assertEqual(told["nedl"].attrs["units"], "W m-2 sr-1 um-1")
 
+    def test_corners(self):
+        document = with_detector()
+        document["sensor"]["optics"]["vignetting"] = {"polynomial": [-0.4, 0.1]}
+        told = ifov.sensors.describe(document)
+        np.testing.assert_allclose(told["corner_light"], 0.7, rtol=1e-9)
+        # Photons fall, what is read out does not: docs/theory/detectors.md, equations 5 and 12.
+        gain = 8e6 / (2**14 - 1)
+        light = 0.7 * told["electrons"]
+        noise = np.sqrt(light + told["dark"] + told["background"] + 400.0**2 + gain**2 / 12)
+        np.testing.assert_allclose(told["corner_snr"], light / noise, rtol=1e-9)
+        np.testing.assert_allclose((told["corner_nedt"] / told["nedt"])[1], (told["snr"] / told["corner_snr"])[1], rtol=1e-6)
+        self.assertTrue(np.isnan(ifov.sensors.describe(with_detector())["corner_light"]).all())
+
     def test_columns_mosaic_and_memory(self):
         document = with_detector()
         document["sensor"]["smile"] = {"polynomial": {"center": ["0 nm", "2 nm"]}}

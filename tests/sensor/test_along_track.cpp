@@ -83,7 +83,12 @@ TEST(AlongTrack, OfASquareIsASquare) {
   EXPECT_EQ(half.density(0.2, 0.2), 2.0);
   EXPECT_EQ(half.density(0.2, 0.3), 0.0);
   EXPECT_NEAR(half.integral(-0.5, 0.0, 0.0, 0.5), 0.25, 1e-15);
-  EXPECT_THROW(make_footprint(nullptr, 1.1, {0.5, 0.0}), InputError);
+  EXPECT_THROW(make_footprint(nullptr, 16.1, {0.5, 0.0}), InputError);
+  // Elements of a line that overlap do so across, and see a line no longer than its period.
+  const auto wide = make_footprint(nullptr, 2.25, {.timed = true});
+  EXPECT_NEAR(wide.integral(-0.75, -0.5, 0.75, 0.5), 1.0, 1e-15);
+  EXPECT_NEAR(wide.density(0.7, 0.45), 1.0 / 1.5, 1e-15);
+  EXPECT_EQ(wide.density(0.7, 0.55), 0.0);
 }
 
 /// 1 m across at 1000 m, half a metre a line, to the north.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 
 #include "core/error.h"
@@ -19,7 +20,7 @@ FrameCamera camera(const Distortion::Terms& terms) {
   settings.focal_length_m = kF * 5e-6, settings.pitch_m = 5e-6;
   settings.position_m = {1.0, -2.0, 30.0};
   settings.axes = axes_looking_at({1.0, -2.0, 30.0}, {4.0, 9.0, 0.0}, {0.0, 0.0, 1.0});
-  settings.distortion = terms;
+  settings.lens = std::make_shared<const Distortion>(terms, 0.5 * std::hypot(kWidth, kHeight) / kF);
   return FrameCamera(settings);
 }
 

@@ -55,7 +55,8 @@ TEST(Footprint, PerfectOpticsLeaveTheSensitiveSquare) {
   EXPECT_NEAR(half.half_width_px(), 0.5 * std::sqrt(0.5), 1e-15);
   EXPECT_NEAR(half.density(0.1, 0.1), 2.0, 1e-12);
   EXPECT_THROW(make_footprint(nullptr, 0.0), InputError);
-  EXPECT_THROW(make_footprint(nullptr, 1.01), InputError);
+  EXPECT_THROW(make_footprint(nullptr, 16.01), InputError);
+  EXPECT_NEAR(make_footprint(nullptr, 2.25).half_width_px(), 0.75, 1e-15) << "elements that overlap";
 }
 
 TEST(GaussianPsf, FootprintIsADifferenceOfErrorFunctions) {

@@ -39,6 +39,31 @@ class LensDistortion(RenderedCase):
     def render(self, described):
         return self.rendered(described, *reversed(described["sensor"]["camera"]["frame"]["pixels"]))
 
+    def table(self, text):
+        path = Path(self.folder.name) / "lens.csv"
+        path.write_text(text)
+        return {"table": {"file": path.name}}
+
+    def flown(self, described, **more):
+        """The same from a platform that hovers there, heading north."""
+        camera = described["sensor"]["camera"]["frame"]
+        for key in ("position", "look_at", "up"):
+            del camera[key]
+        camera |= more
+        return {**described, "platform": {"fixed": {"frame": "scene", "position": ["0 m", "0 m", "1 km"]}, "attitude": {"from": "north"}}}
+
+    def test_a_table_and_a_platform_show_the_same(self):
+        things = [flat((-310, -190), (140, -230), (90, 170), (-280, 215)), flat((210, -330), (420, -310), (400, 290), (260, 300))]
+        centred, accuracy = {"k1": -0.3, "k2": 0.12}, {"accuracy": {"error": "2 %"}}
+        plain = self.render(document(things, accuracy, centred, coarser=2))
+        rows = "".join(f"{r:.4f},{r * (1 - 0.3 * r * r + 0.12 * r**4):.12g}\n" for r in numpy.linspace(0.02, 0.8, 40))
+        tabled = document(things, accuracy, self.table("radius_mm,displaced_mm\n" + rows), coarser=2)
+        for described in (tabled, self.flown(document(things, accuracy, centred, coarser=2)), self.flown(document(things, accuracy, centred, coarser=2), row_period="1 ms")):
+            found = self.render(described)
+            self.assertGreater(numpy.mean(numpy.abs(found["radiance"] - plain["radiance"]) <= found["half_width"] + plain["half_width"]), 0.99)
+        straight = self.render(self.flown(document(things, accuracy, None, coarser=2)))
+        self.assertLess(numpy.mean(numpy.abs(straight["radiance"] - plain["radiance"]) <= straight["half_width"] + plain["half_width"]), 0.95)
+
     def test_points_appear_where_opencv_has_them(self):
         places = [(x, y) for x in (-0.42, -0.21, 0.0, 0.21, 0.42) for y in (-0.3, -0.15, 0.0, 0.15, 0.3)]
         half = 4.0  # m; a pixel of the middle sees 10 m
@@ -85,11 +110,16 @@ class LensDistortion(RenderedCase):
             self.assertNotEqual(done.returncode, 0)
             for text in texts:
                 self.assertIn(text, done.stderr)
-        flown = document([], {"accuracy": {"error": "1 %"}})
-        for key in ("position", "look_at", "up"):
-            del flown["sensor"]["camera"]["frame"][key]
-        flown["platform"] = {"straight": {"position": ["0 m", "0 m", "1 km"], "frame": "scene", "velocity": ["10 m/s", "0 m/s", "0 m/s"]}}
-        self.assertIn("'distortion' is of a frame camera that stands at a 'position'", self.run_ifov("check", flown).stderr)
+        for text, says in (("radius_mm,displaced_mm\n0,0\n0.3,0.29\n0.2,0.3\n", "csv:4: found 0.2 mm that appear at 0.3 mm after 0.3 mm at 0.29 mm; expected both to increase from the axis on"),
+                           ("radius_mm,displaced_mm\n0.3,0.29\n", "csv:2: the table ends at 0.29 mm of the image, whose corners lie at 0.6 mm; expected rows up to there"),
+                           ("radius_mm,displaced\n0.3,0.29\n", "csv:1:11: found the heading 'displaced'; expected 'radius_mm' or 'displaced_mm'"),
+                           ("radius_mm\n0.3\n", "the table has no column 'displaced_mm'")):
+            done = self.run_ifov("check", document([], {"accuracy": {"error": "1 %"}}, self.table(text)))
+            self.assertIn(says, done.stderr)
+            self.assertIn("doc.json:1:", done.stderr)
+        both = {**self.table("radius_mm,displaced_mm\n1,1\n"), "k1": 0.1}
+        self.assertIn("a lens is distorted by terms or by a 'table', and this one has both: leave one out",
+                      self.run_ifov("check", document([], {"accuracy": {"error": "1 %"}}, both)).stderr)
 
 
 if __name__ == "__main__":

@@ -85,6 +85,22 @@ class Vignetting(unittest.TestCase):
         self.assertAlmostEqual(corners.std() / inner.std() / grown, 1.0, delta=0.2)
         self.assertGreater(grown, 1.8)
 
+    def test_light_falls_by_a_table(self):
+        # In millimetres of the image, whose corners lie at 1 mm.
+        heights, shares = [0, 0.4, 0.7, 1.0], [1, 0.95, 0.6, 0.3]
+        (Path(self.folder.name) / "light.csv").write_text("height_mm,share\n" + "".join(f"{h},{s}\n" for h, s in zip(heights, shares, strict=True)))
+        found = self.detected(document({"table": {"file": "light.csv"}}))
+        x, y = numpy.meshgrid(numpy.arange(WIDTH) + 0.5 - WIDTH / 2, numpy.arange(HEIGHT) + 0.5 - HEIGHT / 2)
+        electrons = found["electrons"].mean(axis=0)
+        def misfit(share):
+            middle = numpy.sum(electrons) / numpy.sum(share)
+            return numpy.mean((electrons - middle * share) ** 2 / (middle * share + 300**2) * 8)
+        share = numpy.interp(0.025 * numpy.hypot(x, y), heights, shares)
+        self.assertAlmostEqual(misfit(share), 1.0, delta=6 * math.sqrt(2 / electrons.size))
+        self.assertGreater(misfit(numpy.interp(0.025 * numpy.hypot(x, y), heights, [1, 0.95, 0.63, 0.3])), 3.0)
+        told = self.run_ifov("sensor", Path(self.folder.name) / "doc.json").stdout
+        self.assertRegex(told, r"at corners +30 % of the light")
+
     def test_a_correction_evens_out_what_it_measured(self):
         correction = {"low": {"temperature": "280 K"}, "high": {"temperature": "320 K"}, "frames": 4096}
         found = self.detected(document({"cos4": True}, {"correction": correction}), range(1, 5))
@@ -117,10 +133,16 @@ class Vignetting(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_bad_vignetting_is_told(self):
+        for name, rows in (("light", "0,1\n0.5,0.8\n"), ("dim", "0,0.9\n2,0.8\n"), ("back", "0,1\n0.5,0.8\n0.2,0.7\n")):
+            (Path(self.folder.name) / f"{name}.csv").write_text("height_mm,share\n" + rows)
         orthographic = {"orthographic": {"gsd": "1 m", "pixels": [8, 8]}}
         pitch = {"pitch": "25 um"}
         for described, text in (
-            (document({"cos4": False}), "doc.json:1:.*vignetting of neither 'cos4' nor a 'polynomial' darkens nothing: give one of them"),
+            (document({"cos4": False}), "doc.json:1:.*vignetting of neither 'cos4', a 'polynomial' nor a 'table' darkens nothing: give one of them"),
+            (document({"polynomial": [-0.1], "table": {"file": "light.csv"}}), "doc.json:1:.*light falls by a 'polynomial' or by a 'table', and this vignetting has both: leave one out"),
+            (document({"table": {"file": "light.csv"}}), "light.csv:3: the table ends at 0.5 mm of the image, whose corners lie at 1 mm; expected rows up to there"),
+            (document({"table": {"file": "dim.csv"}}), "dim.csv:2: found a share of 0.9 at a height of 0 mm; expected the middle first, 1 at 0 mm"),
+            (document({"table": {"file": "back.csv"}}), "back.csv:4: found the height 0.2 mm after 0.5 mm; expected heights that increase"),
             (document({"polynomial": [-1.0]}), "doc.json:1:.*the polynomial leaves 0 of the light somewhere in the field; expected 0.01 at least"),
             (document({"polynomial": [0, 0, 0, 0]}), "doc.json:1:.*polynomial"),
             (document({"cos4": True}, pitch, orthographic),

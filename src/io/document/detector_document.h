@@ -24,6 +24,7 @@ struct OpticsDocument {
     bool cos4 = false;
     std::vector<double>
         polynomial;  ///< of even powers of the image height, from the second on; at most three
+    std::optional<DocumentFile> table;  ///< or shares by image heights
   };
   std::optional<Vignetting> vignetting;
   SourcePosition position;

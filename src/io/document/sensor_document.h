@@ -70,8 +70,9 @@ struct SensorDocument {
   std::vector<ChannelDocument> channels;           ///< at least one; names are unique
   std::shared_ptr<const struct PsfDocument> psf;   ///< (psf_document.h); null: no blur
   bool stokes = false;                             ///< Q, U and V are told beside I
-  double fill_factor = 1.0;                        ///< sensitive share of an element's area, a centred square
-  std::shared_ptr<const OpticsDocument> optics;    ///< null: none is told; likewise
+  double fill_factor = 1.0;  ///< sensitive area of an element over its pitch's, a centred square
+  double sides_apart = 0.0;  ///< by what share sides of elements differ from its own; never written
+  std::shared_ptr<const OpticsDocument> optics;         ///< null: none is told; likewise
   std::shared_ptr<const DetectorDocument> detector;     ///< (detector_document.h)
   std::shared_ptr<const SmileDocument> smile;           ///< null: responses are alike in all columns
   std::shared_ptr<const KeystoneDocument> keystone;     ///< (spectrometer_document.h)

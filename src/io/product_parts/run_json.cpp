@@ -75,6 +75,10 @@ void write_channel(JsonWriter& json, const render::ChannelInfo& channel, const C
       for (const sensor::DetectorFigure& figure : sensor::detector_figures())
         if (const double value = (*channel.detector).*figure.value; value != 0.0)
           json.member(figure.name, value);
+      if (const auto& rows = channel.detector->vignette_rows)
+        json.list("vignette_rows", [&] {
+          for (const std::array<double, 2>& row : *rows) json.value(row);
+        });
     });
   json.member("fwhm_um", channel.fwhm_um);
   if (channel.inertia > 0.0) json.member("inertia", channel.inertia);

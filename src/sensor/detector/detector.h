@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <vector>
 
 namespace ifov::sensor {
 
@@ -37,6 +40,8 @@ struct Detector {
   double vignette_2 = 0.0;   ///< and terms of the second, fourth and sixth power of the image height
   double vignette_4 = 0.0;
   double vignette_6 = 0.0;
+  /// Image heights, pixels, and the light there over that of the middle: straight between rows; null: as if there were none.
+  std::shared_ptr<const std::vector<std::array<double, 2>>> vignette_rows = nullptr;
   double specimen =
       1.0;  ///< which of all detectors made alike: fixed patterns follow from it (a whole number)
 
@@ -44,7 +49,8 @@ struct Detector {
   bool digitises() const { return bits > 0.0; }
   bool has_pattern() const;
   bool is_vignetted() const {
-    return vignette_px > 0.0 || vignette_2 != 0.0 || vignette_4 != 0.0 || vignette_6 != 0.0;
+    return vignette_px > 0.0 || vignette_2 != 0.0 || vignette_4 != 0.0 || vignette_6 != 0.0 ||
+           vignette_rows != nullptr;
   }
   /// The same where so large a share of the light of the middle falls.
   Detector lit_by(double share) const;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <memory>
 #include <vector>
 
 namespace ifov::sensor {
@@ -24,6 +26,7 @@ class Illumination {
  private:
   bool even_ = true, has_lines_ = false;
   int columns_ = 0, lines_ = 0;
+  std::shared_ptr<const std::vector<std::array<double, 2>>> rows_;
   double focal_px_ = 0.0, radius_px_ = 1.0, terms_[3] = {};
 };
 

@@ -27,7 +27,8 @@ FlyingFrameCamera::FlyingFrameCamera(const Settings& settings) : FlyingFrameCame
                            {},
                            {},
                            settings.exposure_s,
-                           settings.row_period_s});
+                           settings.row_period_s,
+                           settings.lens});
   const double half_s = 0.5 * (settings.exposure_s + (settings.height_px - 1) * settings.row_period_s);
   // A row may end where the exposure does, but for its rounding.
   const double rounding_s = 1e-9 * half_s;
@@ -89,10 +90,12 @@ void FlyingFrameCamera::rays(std::span<const sampling::FocalPoint> points, std::
     if (own_s != time_s) stand = stand_at(own_s), time_s = own_s;
     const double right = (p.x_px - 0.5 * settings_.width_px) * step,
                  down = (p.y_px + first_row_ - 0.5 * settings_.height_px) * step;
-    rays[i] = {
-        .origin_m = stand.position_m,
-        .direction = math::normalized(stand.axes.forward + stand.axes.right * right + stand.axes.down * down),
-        .time_s = own_s};
+    const Lens::Place there =
+        settings_.lens ? settings_.lens->direction_of({right, down}) : Lens::Place{right, down};
+    rays[i] = {.origin_m = stand.position_m,
+               .direction = math::normalized(stand.axes.forward + stand.axes.right * there.x +
+                                             stand.axes.down * there.y),
+               .time_s = own_s};
   }
 }
 
@@ -100,6 +103,14 @@ bool FlyingFrameCamera::seen(const Stand& stand, math::Point3 position_m, sampli
   const math::Vec3 offset = position_m - stand.position_m;
   const double depth = math::dot(offset, stand.axes.forward);
   if (!(depth > 0.0)) return false;
+  if (settings_.lens) {
+    const Lens::Place there = settings_.lens->image_of(
+        {math::dot(offset, stand.axes.right) / depth, math::dot(offset, stand.axes.down) / depth});
+    const double pixels = settings_.focal_length_m / settings_.pitch_m;
+    point = {0.5 * settings_.width_px + there.x * pixels,
+             0.5 * settings_.height_px - first_row_ + there.y * pixels};
+    return true;
+  }
   const double scale = settings_.focal_length_m / (settings_.pitch_m * depth);
   point = {0.5 * settings_.width_px + math::dot(offset, stand.axes.right) * scale,
            0.5 * settings_.height_px - first_row_ + math::dot(offset, stand.axes.down) * scale};
@@ -142,8 +153,12 @@ double FlyingFrameCamera::gsd_m(math::Point3 position_m) const {
   sampling::FocalPoint at{0.5 * width_px(), middle_line_px()};
   if (settings_.row_period_s > 0.0) project(position_m, at);
   const Stand stand = stand_at(row_time_s(at.y_px));
-  return std::abs(math::dot(position_m - stand.position_m, stand.axes.forward)) * settings_.pitch_m /
-         settings_.focal_length_m;
+  const math::Vec3 offset = position_m - stand.position_m;
+  const double depth = math::dot(offset, stand.axes.forward);
+  const double plain = std::abs(depth) * settings_.pitch_m / settings_.focal_length_m;
+  if (!settings_.lens || depth == 0.0) return plain;
+  return plain / std::sqrt(settings_.lens->scale({math::dot(offset, stand.axes.right) / depth,
+                                                  math::dot(offset, stand.axes.down) / depth}));
 }
 
 CameraPose FlyingFrameCamera::pose(double line_px) const {

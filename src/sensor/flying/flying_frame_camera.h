@@ -13,6 +13,8 @@ class Trajectory;
 
 namespace ifov::sensor {
 
+class Lens;
+
 /// FrameCamera on a platform: its axis along the body's belly, the top of the image at the nose. A row looks from where the platform is in the
 /// middle of its exposure, and a point of it at another time from where it is then; so the image is blurred by the way of an
 /// exposure and, with a rolling shutter, sheared by that from row to row. Rows of a rolling shutter are pictures of their own.
@@ -25,6 +27,7 @@ class FlyingFrameCamera final : public Camera, public PictureStack {
     std::shared_ptr<const platform::Trajectory>
         platform;  ///< scene frame, with what is between it and the camera
     std::shared_ptr<const platform::Trajectory> reported = nullptr;  ///< as it is reported; null: as it is
+    std::shared_ptr<const Lens> lens = nullptr;                      ///< as FrameCamera's
   };
 
   /// ifov::InputError as of a FrameCamera, and on a trajectory that does not cover the exposure, with by how much.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/error.h"
+
 namespace ifov::sensor {
 namespace {
 
@@ -12,6 +14,8 @@ double determinant(const std::array<double, 4>& by) { return by[0] * by[3] - by[
 }  // namespace
 
 Distortion::Distortion(const Terms& terms, double far) : terms_(terms), none_(terms.none()) {
+  if (!std::isfinite(terms.k1 + terms.k2 + terms.k3 + terms.p1 + terms.p2))
+    throw InputError("a lens distortion with terms that are not finite");
   if (none_) return;
   // Areas vanish at a fold; all around, as far as twice what matters may be seen under.
   constexpr int kSteps = 2000, kAround = 48;

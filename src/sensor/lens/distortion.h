@@ -2,6 +2,9 @@
 
 #include <array>
 
+#include "sensor/lens/distortion_terms.h"
+#include "sensor/lens/lens.h"
+
 namespace ifov::sensor {
 
 /// Lens distortion of Brown (1966), in the terms of OpenCV: a direction (x, y) = (X / Z, Y / Z) beside the axis, x right and y down, appears where
@@ -9,28 +12,20 @@ namespace ifov::sensor {
 ///   x' = x (1 + k1 r^2 + k2 r^4 + k3 r^6) + 2 p1 x y + p2 (r^2 + 2 x^2)
 ///   y' = y (1 + k1 r^2 + k2 r^4 + k3 r^6) + p1 (r^2 + 2 y^2) + 2 p2 x y
 /// Beyond where that folds back it goes on straight, so that all places have one direction.
-class Distortion {
+class Distortion final : public Lens {
  public:
-  struct Terms {
-    double k1 = 0.0, k2 = 0.0, k3 = 0.0, p1 = 0.0, p2 = 0.0;
-    bool none() const { return k1 == 0.0 && k2 == 0.0 && k3 == 0.0 && p1 == 0.0 && p2 == 0.0; }
-  };
-  struct Place {
-    double x = 0.0, y = 0.0;
-  };
+  using Terms = DistortionTerms;
 
   Distortion() = default;
-  /// `far`: x and y of places that matter are no larger.
+  /// ifov::InputError on terms that are not finite. `far`: x and y of places that matter are no larger.
   Distortion(const Terms& terms, double far);
 
   bool none() const { return none_; }
-  Place image_of(Place direction) const;
-  /// The inverse, by Newton's method: its image is within 1e-14 of the place, in the same unit.
-  Place direction_of(Place image) const;
-  /// How much larger an area is in the image, near a direction.
-  double scale(Place direction) const;
-  /// Whether a place shows a direction that the terms are right for: not beyond a fold.
-  bool holds(Place image) const;
+  Place image_of(Place direction) const override;
+  /// By Newton's method.
+  Place direction_of(Place image) const override;
+  double scale(Place direction) const override;
+  bool holds(Place image) const override;
 
  private:
   /// The image and its derivatives: x' by x, x' by y, y' by x, y' by y.

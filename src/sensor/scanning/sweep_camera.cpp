@@ -168,8 +168,10 @@ CameraAxes SweepCamera::axes_at(const sampling::FocalPoint& point) const {
 
 AlongTrack SweepCamera::along_line() const {
   const double pitch_px = pattern_.step / (std::sin(pattern_.cone_rad) * pattern_.turn_per_sample_rad());
-  return {
-      .exposure_px = pattern_.exposure, .element_px = pattern_.element_px * pitch_px, .pitch_px = pitch_px};
+  return {.exposure_px = pattern_.exposure,
+          .element_px = pattern_.element_px * pitch_px,
+          .pitch_px = pitch_px,
+          .timed = true};
 }
 
 }  // namespace ifov::sensor

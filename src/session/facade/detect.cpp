@@ -39,6 +39,13 @@ std::shared_ptr<const sensor::Detector> detector_of(const session::Record& told)
   auto detector = std::make_shared<sensor::Detector>();
   for (const sensor::DetectorFigure& figure : sensor::detector_figures())
     (*detector).*figure.value = told[figure.name].number();
+  std::vector<std::array<double, 2>> rows;
+  for (const session::Record& row : told["vignette_rows"].items()) {
+    const std::vector<session::Record> numbers = row.items();
+    if (numbers.size() == 2) rows.push_back({numbers[0].number(), numbers[1].number()});
+  }
+  if (!rows.empty())
+    detector->vignette_rows = std::make_shared<const std::vector<std::array<double, 2>>>(std::move(rows));
   return detector->exists() ? detector : nullptr;
 }
 

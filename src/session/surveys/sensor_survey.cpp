@@ -19,6 +19,7 @@
 #include "session/assembly/shared/scene_maps.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/whole/detector_assembly.h"
+#include "session/assembly/whole/element_sides.h"
 #include "session/assembly/whole/noise_assembly.h"
 #include "session/assembly/whole/psf_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
@@ -97,15 +98,16 @@ void tell_detector(const ChannelDetector& detector, const radiometry::Channel& c
 
 }  // namespace
 
-SensorDescription survey_sensor(const io::DocumentSources& sources, const io::SensorDocument& sensor,
+SensorDescription survey_sensor(const io::DocumentSources& sources, const io::SensorDocument& written,
                                 const io::OriginDocument& origin) {
   constexpr double kWarm_k = 300.0;
-  if (dynamic_cast<const io::ViewSettings*>(sensor.camera.settings.get()) != nullptr)
+  if (dynamic_cast<const io::ViewSettings*>(written.camera.settings.get()) != nullptr)
     throw io::document_error(
-        sources, sensor.camera.position,
+        sources, written.camera.position,
         format("'{}' makes no picture, so that nothing follows for its pixels; `ifov check` tells what its "
                "views are of",
-               sensor.camera.model));
+               written.camera.model));
+  const io::SensorDocument sensor = with_element_sides(sources, written);
   SensorDescription told;
   const std::unique_ptr<sensor::Camera> camera = with_position(sources, sensor.camera.position, [&] {
     const MapsOfScene maps(sources, origin);
@@ -121,8 +123,9 @@ SensorDescription survey_sensor(const io::DocumentSources& sources, const io::Se
     SensorDescription::Channel& one = told.channels.emplace_back();
     one.name = channels[c].name, one.centre_um = channels[c].centre_um, one.fwhm_um = channels[c].fwhm_um;
     const sensor::AlongTrack swept = camera->along_line();
-    one.pixel_mtf =
-        swept.plain() ? sensor::square_mtf(std::sqrt(sensor.fill_factor), kNyquist) : swept.mtf(kNyquist);
+    one.pixel_mtf = swept.square(sensor.fill_factor)
+                        ? sensor::square_mtf(std::sqrt(sensor.fill_factor), kNyquist)
+                        : swept.mtf(kNyquist);
     const double cycles_px = kNyquist * swept.pitch_px;
     one.psf_mtf = with_position(sources, sensor.psf_position,
                                 [&] { return psf_mtf(sources, sensor, channels[c].centre_um, cycles_px); });

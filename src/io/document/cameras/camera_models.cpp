@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "io/document/cameras/camera_model.h"
 #include "io/document/cameras/frame_camera.h"
+#include "io/document/cameras/lens_tables.h"
 #include "io/document/cameras/orthographic_camera.h"
 #include "io/document/cameras/pushbroom_camera.h"
 #include "io/document/cameras/scanning_cameras.h"
@@ -27,5 +28,9 @@ std::shared_ptr<const CameraSettings> CameraSettings::carried_by(
 }
 
 sensor::ReadOut CameraSettings::read_out() const { return {}; }
+
+std::optional<FocalPlane> CameraSettings::focal_plane() const { return std::nullopt; }
+
+std::optional<SensitiveSide> CameraSettings::sensitive_side() const { return std::nullopt; }
 
 }  // namespace ifov::io

@@ -19,6 +19,8 @@ struct ReadOut;
 namespace ifov::io {
 
 struct PlatformFlight;
+struct FocalPlane;
+struct SensitiveSide;
 
 /// Where the scene is that a camera looks at.
 struct CameraSite {
@@ -56,6 +58,11 @@ class CameraSettings {
     double focal_length_m = 0.0, pitch_m = 0.0;
   };
   virtual std::optional<Optics> optics() const { return std::nullopt; }
+
+  /// Its elements, where each has a place of its own in the field.
+  virtual std::optional<FocalPlane> focal_plane() const;
+  /// What a table tells of its elements' sides; none where none does. InputError with its place in the table, SystemError.
+  virtual std::optional<SensitiveSide> sensitive_side() const;
 
   /// The same camera on the document's platform, of which `by` is null where the document has none; null: it stays as it is.
   /// InputError where a platform is missing, lacks what it needs, or would carry a camera that stands still.

@@ -8,11 +8,13 @@
 #include "geodesy/sun_position.h"
 #include "io/document/cameras/flight_motion.h"
 #include "io/document/cameras/flight_path.h"
+#include "io/document/cameras/lens_tables.h"
 #include "io/document/platform_document.h"
 #include "io/document/schema/record.h"
 #include "platform/trajectory.h"
 #include "sensor/flying/flying_frame_camera.h"
 #include "sensor/frame_camera.h"
+#include "sensor/lens/lens.h"
 
 namespace ifov::io {
 namespace {
@@ -50,20 +52,6 @@ struct Axes {
     return sensor::axes_from_attitude(attitude);
   }
 };
-
-SchemaType<sensor::Distortion::Terms> distortion_type() {
-  using Terms = sensor::Distortion::Terms;
-  Record<Terms> record(
-      "lens distortion",
-      "How far beside their places directions appear (Brown 1966), with the terms and signs of OpenCV's camera model: x (1 + k1 r^2 + k2 r^4 + k3 "
-      "r^6) + 2 p1 x y + p2 (r^2 + 2 x^2), and y likewise with p1 and p2 exchanged; x right and y down, in focal lengths.");
-  record.with_default("k1", &Terms::k1, number(), "0", "along the radius; below 0 the image is a barrel")
-      .with_default("k2", &Terms::k2, number(), "0", "likewise, of the fourth power")
-      .with_default("k3", &Terms::k3, number(), "0", "likewise, of the sixth")
-      .with_default("p1", &Terms::p1, number(), "0", "of lenses that are not centred, downwards")
-      .with_default("p2", &Terms::p2, number(), "0", "likewise, to the right");
-  return record.type();
-}
 
 struct FrameEntry {
   FrameCamera camera;
@@ -127,13 +115,13 @@ SchemaType<std::shared_ptr<const CameraSettings>> frame_type() {
           quantity(kDuration, Range::at_least(0.0, "s")), "\"0 s\"",
           "of a rolling shutter: by how much later each row is exposed than that above it, the middle of the image at the "
           "document's `time`; 0 s: all rows at once")
-      .with_default("distortion", path(&FrameEntry::camera, &FrameCamera::distortion), distortion_type(),
-                    "{}", "of the lens, of a camera with a `position`; none if not given")
+      .at_most_one()
+      .one("distortion", path(&FrameEntry::camera, &FrameCamera::lens, &LensSettings::distortion),
+           distortion_type(), "of the lens; none if not given")
+      .one(
+          "elements", path(&FrameEntry::camera, &FrameCamera::lens, &LensSettings::elements), elements_type(),
+          "instead: where each element looks and how wide; `focal_length` and `pitch` then scale the optics' blur alone")
       .check([](const FrameEntry& entry, const DocumentNode& node) {
-        if (!entry.position_m && !entry.camera.distortion.none())
-          node.given("distortion")
-              .fail_at_key(
-                  "'distortion' is of a frame camera that stands at a 'position', and a platform carries this one: leave it out");
         if (entry.position_m && entry.look_at_m.has_value() == entry.attitude.has_value())
           (entry.look_at_m ? node.given("attitude") : node.given("position"))
               .fail("a frame camera with a 'position' needs exactly one of 'look_at' or 'attitude'");
@@ -150,6 +138,7 @@ std::unique_ptr<sensor::Camera> build_flying(const FrameCamera& camera, const Ca
   settings.width_px = camera.size.width_px, settings.height_px = camera.size.height_px;
   settings.focal_length_m = camera.focal_length_m, settings.pitch_m = camera.pitch_m;
   settings.exposure_s = camera.exposure_s, settings.row_period_s = camera.row_period_s;
+  settings.lens = lens_of(camera.lens, *camera.focal_plane());
   const CameraSettings::Exposed exposed = camera.exposed();
   const double beyond_s = sensor::FlyingFrameCamera::kBeyond_px * camera.row_period_s;
   const Motions motions =
@@ -173,7 +162,7 @@ std::unique_ptr<sensor::Camera> FrameCamera::build(const CameraSite& site) const
   settings.pitch_m = pitch_m;
   settings.position_m = position_m - site.offset_m;
   settings.exposure_s = exposure_s, settings.row_period_s = row_period_s;
-  settings.distortion = distortion;
+  settings.lens = lens_of(lens, *focal_plane());
   settings.axes = std::visit(Axes{settings.position_m, site.offset_m}, orientation);
   return std::make_unique<sensor::FrameCamera>(settings);
 }
@@ -186,8 +175,8 @@ CameraSettings::Exposed FrameCamera::exposed() const {
 namespace {
 
 /// How much further out than without distortion the direction of a corner appears.
-double moved_px_of(const sensor::Distortion& lens, double right, double down, double pixels) {
-  const sensor::Distortion::Place at = lens.image_of({right, down});
+double moved_px_of(const sensor::Lens& lens, double right, double down, double pixels) {
+  const sensor::Lens::Place at = lens.image_of({right, down});
   return pixels * (std::hypot(at.x, at.y) - std::hypot(right, down));
 }
 
@@ -198,17 +187,18 @@ std::string FrameCamera::description(math::Vec3 shift_m, std::string_view axes) 
   const math::Point3 p = position_m + shift_m;
   const double right = 0.5 * size.width_px * pitch_m / focal_length_m,
                down = 0.5 * size.height_px * pitch_m / focal_length_m;
-  const sensor::Distortion lens(distortion, std::hypot(right, down));
+  const std::shared_ptr<const sensor::Lens> optics = lens_of(lens, *focal_plane());
   const auto side = [&](double x, double y) {
-    const sensor::Distortion::Place at = lens.direction_of({x, y});
+    const sensor::Lens::Place at = optics ? optics->direction_of({x, y}) : sensor::Lens::Place{x, y};
     return std::atan(std::hypot(at.x, at.y));
   };
   return format("frame, {} x {} pixels, {:.4g} x {:.4g} deg{}, {}", size.width_px, size.height_px,
                 (side(-right, 0.0) + side(right, 0.0)) * kDegrees,
                 (side(0.0, -down) + side(0.0, down)) * kDegrees,
-                lens.none() ? std::string()
-                            : format(", lens distortion by {:.3g} px at the lower right corner",
-                                     moved_px_of(lens, right, down, focal_length_m / pitch_m)),
+                !optics         ? std::string()
+                : lens.elements ? std::string(", elements by a table")
+                                : format(", lens distortion by {:.3g} px at the lower right corner",
+                                         moved_px_of(*optics, right, down, focal_length_m / pitch_m)),
                 placed   ? format("at {} {:.8g}, {:.8g}, {:.6g} m", axes, p.x, p.y, p.z)
                 : flight ? path_description(*flight, shift_m, axes)
                          : "without a platform");
@@ -218,6 +208,7 @@ std::shared_ptr<const CameraSettings> FrameCamera::shrunk(int longest_px) const 
   auto camera = std::make_shared<FrameCamera>(*this);
   const double factor = size.times(longest_px);
   camera->size = size.divided(factor);
+  camera->lens = lens.of(size);
   camera->pitch_m *= factor;
   // The same time for all rows.
   camera->row_period_s *= static_cast<double>(size.height_px) / camera->size.height_px;
@@ -246,6 +237,14 @@ std::shared_ptr<const CameraSettings> FrameCamera::carried_by(
   auto camera = std::make_shared<FrameCamera>(*this);
   camera->flight = std::move(by);
   return camera;
+}
+
+std::optional<FocalPlane> FrameCamera::focal_plane() const {
+  return FocalPlane{size.width_px, size.height_px, pitch_m / focal_length_m, focal_length_m};
+}
+
+std::optional<SensitiveSide> FrameCamera::sensitive_side() const {
+  return io::sensitive_side(lens, *focal_plane());
 }
 
 std::vector<std::string> FrameCamera::remarks() const {

@@ -5,7 +5,7 @@
 #include "geodesy/attitude.h"
 #include "io/document/cameras/camera_model.h"
 #include "io/document/cameras/image_size.h"
-#include "sensor/lens/distortion.h"
+#include "io/document/cameras/lens_settings.h"
 
 namespace ifov::io {
 
@@ -29,7 +29,7 @@ struct FrameCamera final : CameraSettings {
   bool placed = true;         ///< whether these say where it is; otherwise a platform carries it
   double exposure_s = 0.0;    ///< of each row
   double row_period_s = 0.0;  ///< from row to row, of a rolling shutter; 0: all rows at once
-  sensor::Distortion::Terms distortion = {};     ///< of one that is placed
+  LensSettings lens;
   std::shared_ptr<const PlatformFlight> flight;  ///< of one that is not placed; null before carried_by()
 
   std::unique_ptr<sensor::Camera> build(const CameraSite& site) const override;
@@ -42,6 +42,9 @@ struct FrameCamera final : CameraSettings {
   std::string_view made_of() const override { return !placed && row_period_s > 0.0 ? "row" : ""; }
   std::shared_ptr<const CameraSettings> carried_by(std::shared_ptr<const PlatformFlight> by) const override;
   std::vector<std::string> remarks() const override;
+  std::optional<SensitiveSide> sensitive_side() const override;
+
+  std::optional<FocalPlane> focal_plane() const override;
 };
 
 }  // namespace ifov::io

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "core/format.h"
+#include "io/document/cameras/lens_tables.h"
 #include "io/document/schema/record.h"
 #include "sensor/orthographic_camera.h"
 
@@ -75,6 +76,10 @@ std::shared_ptr<const CameraSettings> OrthographicCamera::seen_from(double zenit
   camera->view_zenith_rad = zenith_rad;
   camera->view_azimuth_rad = azimuth_rad;
   return camera;
+}
+
+std::optional<FocalPlane> OrthographicCamera::focal_plane() const {
+  return FocalPlane{size.width_px, size.height_px, 0.0, std::nullopt};
 }
 
 }  // namespace ifov::io

@@ -25,6 +25,7 @@ struct OrthographicCamera final : CameraSettings {
   std::shared_ptr<const CameraSettings> shrunk(int longest_px) const override;
   std::shared_ptr<const CameraSettings> seen_from(double zenith_rad, double azimuth_rad) const override;
   std::optional<double> start_height_m() const override { return height_m; }
+  std::optional<FocalPlane> focal_plane() const override;
 };
 
 }  // namespace ifov::io

@@ -7,10 +7,12 @@
 #include "core/format.h"
 #include "io/document/cameras/flight_motion.h"
 #include "io/document/cameras/flight_path.h"
+#include "io/document/cameras/lens_tables.h"
 #include "io/document/platform_document.h"
 #include "io/document/schema/record.h"
 #include "platform/trajectory.h"
 #include "sensor/detector/read_out.h"
+#include "sensor/lens/lens.h"
 #include "sensor/pushbroom_camera.h"
 
 namespace ifov::io {
@@ -45,6 +47,12 @@ SchemaType<std::shared_ptr<const CameraSettings>> pushbroom_type() {
           "of it and added up")
       .with_default("start", &PushbroomCamera::start_s, quantity(kDuration), "\"0 s\"",
                     "when the first line begins, after the document's `time`")
+      .at_most_one()
+      .one("distortion", path(&PushbroomCamera::lens, &LensSettings::distortion), distortion_type(),
+           "of the lens, y being 0 along the line; none if not given")
+      .one(
+          "elements", path(&PushbroomCamera::lens, &LensSettings::elements), elements_type(),
+          "instead: where each element looks and how wide; `focal_length` and `pitch` then scale the optics' blur alone")
       .check([](const PushbroomCamera& camera, const DocumentNode& node) {
         if (camera.focal_length_m && !camera.pitch_m)
           node.given("focal_length")
@@ -77,6 +85,7 @@ std::unique_ptr<sensor::Camera> PushbroomCamera::build(const CameraSite& site) c
   settings.exposure_s = exposure_s.value_or(0.0);
   if (element_length_m) settings.element_px = *element_length_m / *pitch_m;
   settings.stages = stages;
+  settings.lens = lens_of(lens, *focal_plane());
   settings.lowest_m = site.lowest_m, settings.highest_m = site.highest_m;
   const double end_s = start_s + size.height_px * line_period_s;
   const double beyond_s = (sensor::PushbroomCamera::kBeyond_px + stages) * line_period_s;
@@ -92,14 +101,23 @@ sensor::ReadOut PushbroomCamera::read_out() const {
 }
 
 std::string PushbroomCamera::description(math::Vec3 shift_m, std::string_view axes) const {
-  return format("pushbroom, {} x {} pixels, {:.4g} deg across, a line every {:.6g} ms, {}", size.width_px,
-                size.height_px, 2.0 * std::atan(0.5 * size.width_px * step()) * kDegrees, 1e3 * line_period_s,
+  const std::shared_ptr<const sensor::Lens> optics = lens_of(lens, *focal_plane());
+  const double half = 0.5 * size.width_px * step();
+  const auto side = [&](double x) { return std::atan(optics ? optics->direction_of({x, 0.0}).x : x); };
+  return format("pushbroom, {} x {} pixels, {:.4g} deg across{}, a line every {:.6g} ms, {}", size.width_px,
+                size.height_px, (side(half) - side(-half)) * kDegrees,
+                !optics         ? std::string()
+                : lens.elements ? std::string(", elements by a table")
+                                : format(", lens distortion by {:.3g} px at the right end",
+                                         (optics->image_of({half, 0.0}).x - half) / step()),
+                1e3 * line_period_s,
                 flight ? path_description(*flight, shift_m, axes) : "without a platform");
 }
 
 std::shared_ptr<const CameraSettings> PushbroomCamera::shrunk(int longest_px) const {
   auto camera = std::make_shared<PushbroomCamera>(*this);
   camera->size = size.divided(size.times(longest_px));
+  camera->lens = lens.of(size);
   // The same time for all lines, so that the path covers them still.
   camera->line_period_s *= static_cast<double>(size.height_px) / camera->size.height_px;
   if (pitch_m) camera->pitch_m = *pitch_m * size.width_px / camera->size.width_px;
@@ -127,6 +145,14 @@ std::shared_ptr<const CameraSettings> PushbroomCamera::carried_by(
   auto camera = std::make_shared<PushbroomCamera>(*this);
   camera->flight = std::move(by);
   return camera;
+}
+
+std::optional<FocalPlane> PushbroomCamera::focal_plane() const {
+  return FocalPlane{size.width_px, size.height_px, step(), focal_length_m, true};
+}
+
+std::optional<SensitiveSide> PushbroomCamera::sensitive_side() const {
+  return io::sensitive_side(lens, *focal_plane());
 }
 
 std::vector<std::string> PushbroomCamera::remarks() const {

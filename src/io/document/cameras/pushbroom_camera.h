@@ -2,6 +2,7 @@
 
 #include "io/document/cameras/camera_model.h"
 #include "io/document/cameras/image_size.h"
+#include "io/document/cameras/lens_settings.h"
 
 namespace ifov::io {
 
@@ -15,6 +16,7 @@ struct PushbroomCamera final : CameraSettings {
   double start_s = 0.0, line_period_s = 0.0;
   std::optional<double> exposure_s, element_length_m;
   int stages = 1;
+  LensSettings lens;
   std::shared_ptr<const PlatformFlight> flight;  ///< null before carried_by()
 
   std::unique_ptr<sensor::Camera> build(const CameraSite& site) const override;
@@ -27,9 +29,11 @@ struct PushbroomCamera final : CameraSettings {
   std::shared_ptr<const CameraSettings> carried_by(std::shared_ptr<const PlatformFlight> by) const override;
   sensor::ReadOut read_out() const override;
   std::vector<std::string> remarks() const override;
+  std::optional<SensitiveSide> sensitive_side() const override;
 
   /// Pitch over focal length.
   double step() const;
+  std::optional<FocalPlane> focal_plane() const override;
 };
 
 }  // namespace ifov::io

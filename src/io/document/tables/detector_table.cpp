@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "core/format.h"
+#include "io/document/cameras/lens_tables.h"
 #include "io/document/detector_document.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
@@ -166,9 +167,17 @@ SchemaType<OpticsDocument::Vignetting> vignetting_type() {
           "polynomial", &Vignetting::polynomial, list(number(Range::between(-10.0, 10.0)), 1, 3),
           "times 1 + a r^2 + b r^4 + c r^6, r being the distance from the middle over that of the image's corners (of a line scanner, of "
           "its ends)")
+      .optional("table", &Vignetting::table,
+                table_file_type("vignetting table",
+                                "Image heights and the light there from a table (docs/formats/elements.md)."),
+                "instead of a polynomial: shares from a file")
       .check([](const Vignetting& read, const DocumentNode& node) {
-        if (!read.cos4 && read.polynomial.empty())
-          node.fail("vignetting of neither 'cos4' nor a 'polynomial' darkens nothing: give one of them");
+        if (!read.cos4 && read.polynomial.empty() && !read.table)
+          node.fail(
+              "vignetting of neither 'cos4', a 'polynomial' nor a 'table' darkens nothing: give one of them");
+        if (read.table && !read.polynomial.empty())
+          node.given("table").fail_at_key(
+              "light falls by a 'polynomial' or by a 'table', and this vignetting has both: leave one out");
         if (const double least = least_light(read.polynomial); least < kDarkest)
           node.given("polynomial")
               .fail(format(

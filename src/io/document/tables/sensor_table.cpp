@@ -114,8 +114,9 @@ SchemaType<SensorDocument> sensor_type() {
           "stokes", &SensorDocument::stokes, boolean(), "false",
           "whether the Stokes vector of light is told, about the axes of the focal plane: products `stokes`, `dolp`, `aop` and "
           "their errors")
-      .with_default("fill_factor", &SensorDocument::fill_factor, fraction({0.0, 1.0, true, false, {}}), "1",
-                    "sensitive share of a detector element's area, a centred square")
+      .with_default(
+          "fill_factor", &SensorDocument::fill_factor, fraction({0.0, 16.0, true, false, {}}), "1",
+          "sensitive area of a detector element over that of its pitch, a centred square; more than 1: neighbours overlap")
       .optional("optics", over_preset(&SensorDocument::optics), optics_type(),
                 "what light passes, for a `detector`")
       .optional("detector", over_preset(&SensorDocument::detector), detector_type(),

@@ -5,6 +5,7 @@
 
 #include "core/overloaded.h"
 #include "io/document/cameras/camera_settings.h"
+#include "io/document/cameras/lens_tables.h"
 #include "io/document/detector_document.h"
 #include "io/document/sensor_document.h"
 #include "radiometry/channel.h"
@@ -13,6 +14,7 @@
 #include "sensor/detector/rule_07.h"
 #include "session/assembly/shared/spectrum_assembly.h"
 #include "session/assembly/shared/with_position.h"
+#include "session/assembly/whole/element_sides.h"
 
 namespace ifov::session {
 namespace {
@@ -220,6 +222,11 @@ class Assembly {
       figures.vignette_px = *focal_length_m / pitch_m();
     }
     const auto term = [&](std::size_t k) { return k < told.polynomial.size() ? told.polynomial[k] : 0.0; };
+    if (told.table)
+      figures.vignette_rows = with_position(sources_, told.table->position, [&] {
+        return std::make_shared<const std::vector<std::array<double, 2>>>(
+            io::read_vignetting(*told.table, *sensor_.camera.settings->focal_plane(), pitch_m()));
+      });
     figures.vignette_2 = term(0), figures.vignette_4 = term(1), figures.vignette_6 = term(2);
   }
 
@@ -311,9 +318,10 @@ class Assembly {
 }  // namespace
 
 std::vector<ChannelDetector> assemble_detectors(const io::DocumentSources& sources,
-                                                const io::SensorDocument& sensor,
+                                                const io::SensorDocument& written,
                                                 std::span<const radiometry::Channel> channels) {
   std::vector<ChannelDetector> detectors;
+  const io::SensorDocument sensor = with_element_sides(sources, written);
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const io::ChannelDocument& channel = sensor.channels[c];
     detectors.push_back(sensor.detector || channel.detector

@@ -169,7 +169,8 @@ sensor::PsfParts parts_of(const io::DocumentSources& sources, const io::SensorDo
                    [&](const io::AiryPsf&) {
                      sensor::AiryAperture aperture = airy_aperture(sensor);
                      if (!(aperture.wavelength_um > 0.0)) aperture.wavelength_um = wavelength_um;
-                     parts.diffracted = sensor::make_airy_psf(aperture);
+                     parts.diffracted =
+                         sensor::make_airy_psf(aperture, sensor::airy_energy_to_trace(aperture));
                    },
                    [&](const PupilPointer&) {
                      parts.diffracted = sensor::make_pupil_psf(assemble_pupil(sensor, wavelength_um));
