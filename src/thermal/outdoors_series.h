@@ -25,8 +25,7 @@ struct Span {
 };
 inline constexpr double kShownDay_s = 86400.0;
 
-/// Weather at a place as surfaces meet it, and in words what stood in for what it does not tell. Times of the series are
-/// seconds since 1970.
+/// Weather at a place as surfaces meet it, and in words what stood in for what it does not tell. Times of the series are seconds since 1970.
 struct OutdoorsOfWeather {
   OutdoorsSeries series;
   std::vector<std::string> notes;

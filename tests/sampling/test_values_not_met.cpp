@@ -5,6 +5,7 @@
 
 #include "accuracy_scenes.h"
 #include "faulty_samplers.h"
+#include "sampling/known_detail.h"
 
 namespace ifov::test::test_values_not_met {
 namespace {

@@ -9,6 +9,7 @@
 #include "geometry/world.h"
 #include "materials/draped_map.h"
 #include "render/mapped/map_window.h"
+#include "sampling/known_detail.h"
 #include "scene/cut_out.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sampling/hash.h"
+#include "sampling/known_detail.h"
 #include "sampling/value_batch.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"

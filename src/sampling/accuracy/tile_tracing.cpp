@@ -28,6 +28,7 @@
 #include "sampling/accuracy/source_grid.h"
 #include "sampling/accuracy/tile_recall.h"
 #include "sampling/footprint_groups.h"
+#include "sampling/known_detail.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/tile.h"
 #include "sampling/tolerance.h"

@@ -10,6 +10,7 @@
 #include "sampling/random.h"
 #include "sampling/warp.h"
 #include "scene/scene.h"
+#include "session/assembly/whole/camera_grid.h"
 #include "thermal/faces/sky_longwave.h"
 
 namespace ifov::session {
@@ -160,7 +161,13 @@ std::vector<thermal::FromBeside> sum_of(const Neighbourhood& about, const Beside
 
 constexpr int kRaysOn = 4;  // from each point that the camera sees
 
+constexpr int kAcross = 24;  // rays along each side of the image
+
 }  // namespace
+
+std::vector<geometry::SurfacePoint> seen_evenly(const scene::Scene& scene, const sensor::Camera& camera) {
+  return hits_of_camera(*scene.world, camera, kAcross);
+}
 
 std::vector<geometry::SurfacePoint> met_from(const scene::Scene& scene, const exposure::PastScene& past,
                                              std::span<const geometry::SurfacePoint> seen) {

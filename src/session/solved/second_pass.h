@@ -32,7 +32,8 @@ using ByMaterial = std::map<std::uint32_t, SolvedMaterial>;
 void choose_spending(scene::Scene& scene, const sensor::Camera& camera, ByMaterial& by_material,
                      const std::map<std::uint32_t, std::uint32_t>& firsts, int threads);
 
-/// What rays meet that go on from what the camera sees.
+/// What the camera sees, evenly over the image, and what rays meet that go on from there.
+std::vector<geometry::SurfacePoint> seen_evenly(const scene::Scene& scene, const sensor::Camera& camera);
 std::vector<geometry::SurfacePoint> met_from(const scene::Scene& scene, const exposure::PastScene& past,
                                              std::span<const geometry::SurfacePoint> seen);
 

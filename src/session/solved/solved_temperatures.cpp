@@ -14,7 +14,6 @@
 #include "io/document/document.h"
 #include "scene/scene.h"
 #include "session/assembly/atmosphere/weather_assembly.h"
-#include "session/assembly/whole/camera_grid.h"
 #include "session/solved/document_outdoors.h"
 #include "session/solved/other_side.h"
 #include "session/solved/second_pass.h"
@@ -24,7 +23,6 @@ namespace ifov::session {
 namespace {
 
 constexpr double kSunRadius_rad = 0.00465;                 // at 1 au, of 6.957e8 m
-constexpr int kAcross = 24;                                // rays along each side of the image
 constexpr std::size_t kMeasured = 64, kLeastMeasured = 8;  // points, of all materials and of each
 constexpr double kLeastUnsettled_k = 0.2;
 constexpr int kSkyPairs = 128;
@@ -203,7 +201,7 @@ PointsOfMaterials solved_points(const scene::Scene& scene, std::span<const geome
 std::vector<Measured> points_by_material(const scene::Scene& scene, const sensor::Camera& camera,
                                          const ByMaterial& by_material, const Firsts& firsts,
                                          const exposure::PastScene& past, bool unseen) {
-  const std::vector<geometry::SurfacePoint> seen = hits_of_camera(*scene.world, camera, kAcross);
+  const std::vector<geometry::SurfacePoint> seen = seen_evenly(scene, camera);
   PointsOfMaterials of_material = solved_points(scene, seen, firsts);
   std::vector<geometry::SurfacePoint> met;
   if (unseen) met = met_from(scene, past, seen);

@@ -1,6 +1,7 @@
 #include "sampling/field.h"
 
 #include "sampling/accuracy/basis/mapped_surface.h"
+#include "sampling/known_detail.h"
 
 namespace ifov::sampling {
 
