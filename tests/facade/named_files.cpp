@@ -273,6 +273,11 @@ std::vector<Named> named_by_objects() {
 const std::string kScanner =
     R"({"pushbroom": {"pixels": [4, 4], "field_of_view": "0.5 deg", "line_period": "25 ms"}})";
 
+std::string frame_with(const std::string& lens) {
+  return R"({"frame": {"focal_length": "50 mm", "pitch": "10 um", "pixels": [4, 4], "position": ["0 m", "0 m", "100 m"], "look_at": ["0 m", "0 m", "0 m"], "up": [0, 1, 0], )" +
+         lens + "}}";
+}
+
 std::vector<Named> named_elsewhere() {
   return {
       {"CSV spectrum of irradiance",
@@ -342,6 +347,23 @@ std::vector<Named> named_elsewhere() {
        solved(R"("table": {"file": "FILEa.csv"}, "solar_absorptance": 0.7, "emissivity": 0.9)"),
        {{"a.csv", "time,temperature_k\n2026-06-21T10:00Z,290\n2026-06-21T11:00Z,300\n"},
         {"w.csv", weather()}}},
+      {"distortion table",
+       "file",
+       {.camera = frame_with(R"("distortion": {"table": {"file": "FILEa.csv"}})")},
+       {{"a.csv", "radius_mm,displaced_mm\n0.02,0.0199\n0.04,0.0396\n"}}},
+      {"table of elements",
+       "file",
+       {.camera = frame_with(R"("elements": {"file": "FILEa.csv"})")},
+       {{"a.csv",
+         "column,row,across_mrad,along_mrad\n1,1,-0.3,-0.3\n4,1,0.3,-0.3\n1,4,-0.3,0.3\n4,4,0.3,0.3\n"}}},
+      {"vignetting table",
+       "file",
+       {.camera = frame_with(R"("elements": {"file": "FILEb.csv"})"),
+        .sensor =
+            R"(, "optics": {"f_number": 2, "vignetting": {"table": {"file": "FILEa.csv"}}}, "detector": {"integration_time": "1 ms", "quantum_efficiency": 0.7, "read_noise": "20 e-", "full_well": "100 ke-", "bits": 12})"},
+       {{"a.csv", "height_mm,share\n0,1\n0.04,0.8\n"},
+        {"b.csv",
+         "column,row,across_mrad,along_mrad\n1,1,-0.3,-0.3\n4,1,0.3,-0.3\n1,4,-0.3,0.3\n4,4,0.3,0.3\n"}}},
       {"weather",
        "file",
        {.more = R"(, "weather": {"file": "FILEa.csv"})"},

@@ -114,7 +114,9 @@ bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrat
   intervals_.gather(radiance, integrator, steering_, outputs);
   mean_.assign(all_columns_.size(), 0.0);
   limit_.resize(mean_.size());
+  const std::size_t labels_told = told_.size();
   if (begin_untold(radiance)) return true;
+  if (told_.size() > labels_told) intervals_.gather(radiance, integrator, steering_, outputs);
   for (int o : outputs) find_budget(o);
   find_wants(radiance, integrator);
   ease_wants(radiance, integrator);

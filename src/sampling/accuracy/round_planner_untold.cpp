@@ -91,11 +91,13 @@ bool RoundPlanner::begin_untold(Radiance& radiance) {
   for (const auto& [label, scout] : scouts) {
     const SourcePixel& pixel = radiance.pixels().others()[scout.pixel];
     const StratumEstimates& estimates = radiance.estimates();
+    estimates.moments(pixel, scout.stratum, all_columns_, moments);
+    // Where no point of three grids comes to lie in it, its one value is all that is known.
+    if (!moments.sampled) std::fill(moments.variance.begin(), moments.variance.end(), 0.0);
+    radiance.estimates().learn(label, moments.variance);
     estimates.moments(pixel, scout.stratum, steering_, moments);
     for (double& variance : moments.variance) variance = std::sqrt(variance);
     told_[label] = {moments.mean, moments.variance};
-    estimates.moments(pixel, scout.stratum, all_columns_, moments);
-    if (moments.sampled) radiance.estimates().learn(label, moments.variance);
   }
   visit_untold(radiance, [&](std::size_t p, std::size_t s, double apart, double) {
     if (apart > 1.0) plan(p, s, apart);
