@@ -9,7 +9,7 @@ folder=${1:-build/emit}
 cp "$here/iss.tle" "$folder"
 cat > "$folder/emit.json" <<'DOCUMENT'
 {
-  // EMIT's channels over a suburb from the International Space Station, line by line on its orbit: 10 x 10 pixels of 62 m, 285 channels.
+  // EMIT's channels over a suburb from the International Space Station, line by line on its orbit: 14 x 14 pixels of 62 m, 285 channels.
   "ifov": 1,
   "include": "scene.json",
   "time": "2026-06-21T10:38:00Z",
@@ -17,9 +17,9 @@ cat > "$folder/emit.json" <<'DOCUMENT'
   "platform": {"orbit": {"frame": "teme", "file": "iss.tle"}},
   "sensor": {
     "preset": "EMIT",
-    "camera": {"pushbroom": {"pixels": [10, 10], "focal_length": "193.5 mm", "pitch": "30 um", "line_period": "8.6 ms", "start": "-43 ms"}}
+    "camera": {"pushbroom": {"pixels": [14, 14], "focal_length": "193.5 mm", "pitch": "30 um", "line_period": "8.6 ms", "start": "-60 ms"}}
   },
-  "sampling": {"accuracy": {"error": "5 %"}},
+  "sampling": {"accuracy": {"error": "7 %"}},
   "output": {"formats": ["envi", "png", "html", "glt"]}
 }
 DOCUMENT
