@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "atmosphere/scattering/round_earth_error.h"
+#include "atmosphere/scattering/scattering_column.h"
+#include "atmosphere/scattering/shell_means.h"
 #include "atmosphere/spherical_reference.h"
 #include "studies/atmosphere/spherical_rows.h"
 #include "support/spherical_monte_carlo.h"
@@ -264,6 +266,21 @@ TEST(RoundEarth, LightOfTheGroundIsScatteredAgainAsOfPhotons) {
     EXPECT_NEAR(found / right.of_ground, 1.0, 0.003 + 2.5 * right.of_ground_error / right.of_ground)
         << at.molecules << " " << at.haze << " " << at.zenith_deg << " " << at.surface_km;
   }
+}
+
+// Air of some decimetres is flat, however deep; as high as the Earth's, less light of the ground comes back.
+TEST(RoundEarth, LightOfTheGroundInShallowAirIsThatOfFlatLayers) {
+  const auto ratios = [](double height_of_km) {
+    Column column;
+    for (const double top_km : {1.0, 2.0, 4.0, 8.0, 30.0})
+      column.add_layer(height_of_km * top_km, 0.1, 0.1, 0.6, 0.0);
+    const ScatteringColumn solved(column.levels, column.optics, 0.5, ScatteringOptions{});
+    const std::vector<double> even(solved.sublayers() + 1, 1.0);
+    return ShellMeans(solved).ratio_of_scattered(even);
+  };
+  for (const double ratio : ratios(1e-5)) EXPECT_NEAR(ratio, 1.0, 2e-3);
+  const std::vector<double> high = ratios(1.0);
+  EXPECT_LT(*std::min_element(high.begin(), high.end()), 0.99);
 }
 
 // Haze aloft is lit from below the horizontal by its own far parts, as deep as such slanted light gets: half of that, told of the whole

@@ -50,14 +50,21 @@ double StratumEstimates::told(const Stratum& stratum) const {
   return spread_.constant(stratum.label) ? 1.0 : std::min(1.0, spread_.blocks(stratum.label) / kTelling);
 }
 
-/// Variance of a value of a label of which the lattice tells no more than `told`.
-double StratumEstimates::untold_variance(const Stratum& stratum, int column, double told) const {
-  if (!doubts_ || told >= 1.0 || stratum.foretold()) return 0.0;
+/// No less than what values of a label may differ by of which the lattice tells too little.
+void StratumEstimates::widen_untold(const Stratum& stratum, std::span<const int> columns,
+                                    std::span<double> variance) const {
+  const double told = this->told(stratum);
+  if (!doubts_ || told >= 1.0 || stratum.foretold()) return;
   const auto known = learnt_.find(stratum.label);
-  if (known != learnt_.end()) return known->second[column];
   const double seen = std::max(1.0, static_cast<double>(table_.count(stratum.label))) - 1.0,
-               whole = std::max(std::abs(table_.mean(stratum.label)[column]), level_[column]);
-  return (1.0 - told) * std::max(0.0, 1.0 - seen / kTelling) * whole * whole;
+               share = (1.0 - told) * std::max(0.0, 1.0 - seen / kTelling);
+  const double* mean = table_.mean(stratum.label);
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const int column = columns[c];
+    const double whole = std::max(std::abs(mean[column]), level_[column]);
+    variance[c] =
+        std::max(variance[c], known != learnt_.end() ? known->second[column] : share * whole * whole);
+  }
 }
 
 bool StratumEstimates::paths_differ(const Stratum& stratum, std::span<const int> columns,
@@ -164,7 +171,6 @@ void StratumEstimates::of_lattice(const SourcePixel& pixel, const Stratum& strat
   const std::uint32_t label = stratum.label;
   const bool foretold = stratum.foretold();
   const LabelSpread& spread = spread_.rest_if(foretold);
-  const double told = this->told(stratum);
   if (spread_.constant(label)) {
     for (std::size_t c = 0; c < n; ++c) out.mean[c] = table_.mean(label)[columns[c]];
     out.freedom = 2.0;
@@ -194,9 +200,9 @@ void StratumEstimates::of_lattice(const SourcePixel& pixel, const Stratum& strat
     if (count == 0.0 && !foretold) out.mean[c] = table_.mean(label)[columns[c]];
     const double own = count > 1.0 ? squares[c] / weight * count / (count - 1.0)
                                    : (count == 0.0 ? kElsewhere : 1.0) * spread.total(label, columns[c]);
-    out.variance[c] =
-        std::max({own, spread.local(label, columns[c]), untold_variance(stratum, columns[c], told)});
+    out.variance[c] = std::max(own, spread.local(label, columns[c]));
   }
+  widen_untold(stratum, columns, out.variance);
   out.freedom = std::max(2.0, count - 1.0);
 }
 

@@ -62,7 +62,7 @@ class StratumEstimates {
   void of_values(const Stratum& stratum, std::span<const int> columns, StratumMoments& out) const;
   void of_lattice(const SourcePixel& pixel, const Stratum& stratum, std::span<const int> columns,
                   StratumMoments& out) const;
-  double untold_variance(const Stratum& stratum, int column, double told) const;
+  void widen_untold(const Stratum& stratum, std::span<const int> columns, std::span<double> variance) const;
 
   const Lattice& lattice_;
   const LatticeValues& values_;
